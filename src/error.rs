@@ -1,0 +1,98 @@
+//! One error type for what a user can cause, with its place in the file and its exit code.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// A fault of a study file: where it stands, what is wrong, what is allowed.
+///
+/// Displayed as `FILE:LINE:COLUMN: PATH: MESSAGE`; line and column count from 1, in characters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// The study file as the user named it.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column, from 1, in characters.
+    pub column: usize,
+    /// The key, as in `parameters.alpha[2]`; empty for faults of syntax.
+    pub path: String,
+    /// What is wrong and what is allowed.
+    pub message: String,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}: ", self.file, self.line, self.column)?;
+        if !self.path.is_empty() {
+            write!(f, "{}: ", self.path)?;
+        }
+        f.write_str(&self.message)
+    }
+}
+
+/// Why a command could not be carried out.
+#[derive(Debug)]
+pub enum Error {
+    /// Study files that say something impossible: every fault, in file order.
+    Faults(Vec<Fault>),
+    /// Words on the command line that do not fit.
+    Usage(String),
+    /// A file or folder that could not be read or written.
+    Io {
+        /// What was being done, as in `cannot write`.
+        doing: &'static str,
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// A fault of this program, not of its user.
+    Internal(String),
+}
+
+impl Error {
+    /// The process exit code: 2 for usage and studies, 1 for the rest.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Error::Faults(_) | Error::Usage(_) => 2,
+            Error::Io { .. } | Error::Internal(_) => 1,
+        }
+    }
+
+    /// Wraps what the operating system said of `path`.
+    pub fn io(
+        doing: &'static str,
+        path: impl Into<PathBuf>,
+    ) -> impl FnOnce(std::io::Error) -> Error {
+        let path = path.into();
+        move |source| Error::Io {
+            doing,
+            path,
+            source,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Faults(faults) => {
+                for (i, fault) in faults.iter().enumerate() {
+                    if i > 0 {
+                        writeln!(f)?;
+                    }
+                    write!(f, "{fault}")?;
+                }
+                Ok(())
+            }
+            Error::Usage(message) | Error::Internal(message) => f.write_str(message),
+            Error::Io {
+                doing,
+                path,
+                source,
+            } => write!(f, "{doing} {}: {source}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,2 @@
+//! The `slipgap` command line.
+fn main() {}

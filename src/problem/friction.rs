@@ -1,0 +1,233 @@
+//! The friction oscillator of [F], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
+
+use super::parameter::{Default, Kind, Parameter, Range, Value};
+use super::{Case, Metric, Problem, Quantity, Solution, Source, Violation};
+
+/// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F] Fig. 4.
+#[derive(Debug)]
+pub struct FrictionOscillator;
+
+static PARAMETERS: [Parameter; 7] = [
+    Parameter {
+        name: "law",
+        symbol: "law",
+        unit: "1",
+        kind: Kind::Choice(&[
+            (
+                "displacement-control",
+                "elastic up to r^E, then sliding at the friction limit [F (9)]",
+            ),
+            (
+                "velocity-control",
+                "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
+            ),
+        ]),
+        default: Default::Required,
+        applies: None,
+        meaning: "friction model",
+    },
+    Parameter {
+        name: "alpha",
+        symbol: "*α*",
+        unit: "1",
+        kind: Kind::Number(Range::Positive),
+        default: Default::Required,
+        applies: Some(("law", "displacement-control")),
+        meaning: "elastic displacement before sliding, alpha = r^E/Delta [F (22)]",
+    },
+    Parameter {
+        name: "beta",
+        symbol: "*β*",
+        unit: "1",
+        kind: Kind::Number(Range::Positive),
+        default: Default::Required,
+        applies: Some(("law", "velocity-control")),
+        meaning: "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]",
+    },
+    Parameter {
+        name: "dT",
+        symbol: "Δ*T*",
+        unit: "1",
+        kind: Kind::Number(Range::Positive),
+        default: Default::Required,
+        applies: None,
+        meaning: "time step, dT = omega_n dt; at most duration",
+    },
+    Parameter {
+        name: "duration",
+        symbol: "*T*_end_",
+        unit: "1",
+        kind: Kind::Number(Range::Positive),
+        default: Default::Required,
+        applies: None,
+        meaning: "end of the run in T = omega_n t",
+    },
+    Parameter {
+        name: "x0",
+        symbol: "*X*_0_",
+        unit: "1",
+        kind: Kind::Number(Range::NotZero),
+        default: Default::Is(Value::Number(12.0)),
+        applies: None,
+        meaning: "displacement at release over Delta = nu N/k",
+    },
+    Parameter {
+        name: "initial_slip",
+        symbol: "initial slip",
+        unit: "1",
+        kind: Kind::Choice(&[
+            ("unloaded", "r^S(0) = x0, no friction force at release"),
+            (
+                "pulled",
+                "r^S(0) = x0 - sign(x0) r^E, friction as the hand that pulled left it",
+            ),
+            (
+                "sliding",
+                "r^S(0) = x0 + sign(x0) r^E, friction as [F (19)] has it just after release",
+            ),
+        ]),
+        default: Default::Is(Value::Name("unloaded")),
+        applies: Some(("law", "displacement-control")),
+        meaning: "slip at release",
+    },
+];
+
+static METRICS: [Metric; 9] = [
+    Metric {
+        name: "rms_error",
+        symbol: "rms error",
+        unit: "1",
+        meaning: "sqrt(mean (c - e)^2) / abs(x0), c computed, e exact",
+        default: true,
+    },
+    Metric {
+        name: "max_error",
+        symbol: "max. error",
+        unit: "1",
+        meaning: "max abs(c - e) / abs(x0)",
+        default: true,
+    },
+    Metric {
+        name: "peak_error",
+        symbol: "peak error",
+        unit: "1",
+        meaning: "largest error of a peak over abs(x0), each taken half a period around its exact time",
+        default: true,
+    },
+    Metric {
+        name: "rest_error",
+        symbol: "rest error",
+        unit: "1",
+        meaning: "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, where the exact solution rests",
+        default: true,
+    },
+    Metric {
+        name: "residual_motion",
+        symbol: "residual motion",
+        unit: "1",
+        meaning: "half the range of c over abs(x0) for T >= (m + 1) pi",
+        default: true,
+    },
+    Metric {
+        name: "work_error",
+        symbol: "work error",
+        unit: "1",
+        meaning: "friction work over (a0^2 - a_m^2)/2, minus 1; needs duration >= m pi, m >= 1",
+        default: true,
+    },
+    Metric {
+        name: "sprague_geers_magnitude",
+        symbol: "Sprague–Geers *M*",
+        unit: "1",
+        meaning: "sqrt(sum c^2 / sum e^2) - 1",
+        default: true,
+    },
+    Metric {
+        name: "sprague_geers_phase",
+        symbol: "Sprague–Geers *P*",
+        unit: "1",
+        meaning: "acos(sum c e / sqrt(sum c^2 sum e^2)) / pi",
+        default: true,
+    },
+    Metric {
+        name: "sprague_geers_combined",
+        symbol: "Sprague–Geers *C*",
+        unit: "1",
+        meaning: "sqrt(magnitude^2 + phase^2)",
+        default: true,
+    },
+];
+
+static QUANTITIES: [Quantity; 5] = [
+    Quantity {
+        name: "X",
+        title: "*X* = *x*/Δ",
+        source: Source::Displacement,
+    },
+    Quantity {
+        name: "V",
+        title: "*V* = *ẋ*/(*ω*_n_Δ)",
+        source: Source::Velocity,
+    },
+    Quantity {
+        name: "S",
+        title: "*S*/*νN*",
+        source: Source::Force,
+    },
+    Quantity {
+        name: "X_error",
+        title: "*X* − *X*_exact_",
+        source: Source::DisplacementError,
+    },
+    Quantity {
+        name: "V_error",
+        title: "*V* − *V*_exact_",
+        source: Source::VelocityError,
+    },
+];
+
+impl Problem for FrictionOscillator {
+    fn name(&self) -> &'static str {
+        "friction-oscillator"
+    }
+
+    fn meaning(&self) -> &'static str {
+        "free vibration of a mass on a spring with Coulomb friction, released at rest from x0 [F]"
+    }
+
+    fn parameters(&self) -> &'static [Parameter] {
+        &PARAMETERS
+    }
+
+    fn metrics(&self) -> &'static [Metric] {
+        &METRICS
+    }
+
+    fn quantities(&self) -> &'static [Quantity] {
+        &QUANTITIES
+    }
+
+    fn time_title(&self) -> &'static str {
+        "Dimensionless time *T* = *ω*_n_*t*"
+    }
+
+    fn history_columns(&self) -> [&'static str; 6] {
+        ["T", "X", "V", "S", "X_exact", "V_exact"]
+    }
+
+    fn complete(&self, _case: &mut Case) -> Vec<Violation> {
+        Vec::new()
+    }
+
+    fn steps(&self, _case: &Case) -> u64 {
+        0
+    }
+
+    fn solve(&self, _case: &Case) -> Result<Solution, String> {
+        Err("not yet".into())
+    }
+
+    fn evaluate(&self, _case: &Case, _solution: &Solution) -> Vec<Option<f64>> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,136 @@
+//! Problems: the one place where a case's parameters become structure, law, exact solution and metrics.
+
+pub mod friction;
+pub mod parameter;
+
+use crate::history::History;
+use parameter::{Parameter, Value};
+
+/// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The problem's table.
+    pub table: &'static [Parameter],
+    /// One entry for each row of the table.
+    pub values: Vec<Option<Value>>,
+}
+
+impl Case {
+    /// A case in which nothing is said yet.
+    pub fn new(table: &'static [Parameter]) -> Case {
+        let values = vec![None; table.len()];
+        Case { table, values }
+    }
+
+    /// The value of the parameter `name`, if it applies.
+    pub fn get(&self, name: &str) -> Option<Value> {
+        let row = self.table.iter().position(|p| p.name == name)?;
+        self.values[row]
+    }
+
+    /// The number called `name`; `None` where it does not apply.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        self.get(name)?.as_f64()
+    }
+
+    /// The name chosen for `name`; empty where it does not apply.
+    pub fn choice(&self, name: &str) -> &'static str {
+        match self.get(name) {
+            Some(Value::Name(chosen)) => chosen,
+            _ => "",
+        }
+    }
+}
+
+/// A rule across parameters that a case breaks.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Violation {
+    /// The parameter to point at: at its value where it is given, else at the block's opening brace.
+    pub parameter: &'static str,
+    /// What is wrong and what is allowed.
+    pub message: String,
+}
+
+/// One column of results.csv beyond the parameters.
+#[derive(Debug)]
+pub struct Metric {
+    /// Column name.
+    pub name: &'static str,
+    /// How figures write it.
+    pub symbol: &'static str,
+    /// Unit, or `1`.
+    pub unit: &'static str,
+    /// Formula in words, for schema and documentation.
+    pub meaning: &'static str,
+    /// Whether every study has the column, or only those that ask for it.
+    pub default: bool,
+}
+
+/// A quantity that history figures can draw.
+#[derive(Debug)]
+pub struct Quantity {
+    /// Its name in a figure's `y`.
+    pub name: &'static str,
+    /// Axis title, in the markup of `figures::markup`.
+    pub title: &'static str,
+    /// Which numbers of a solution it draws.
+    pub source: Source,
+}
+
+/// Where a quantity's numbers come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// Relative displacement, computed over exact.
+    Displacement,
+    /// Relative velocity, computed over exact.
+    Velocity,
+    /// Force, computed over exact.
+    Force,
+    /// Relative displacement, computed minus exact.
+    DisplacementError,
+    /// Relative velocity, computed minus exact.
+    VelocityError,
+}
+
+/// A case solved: what was computed, and the exact solution at the same times.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// By the stepper.
+    pub computed: History,
+    /// By the exact solution.
+    pub exact: History,
+}
+
+/// A problem: its tables, and how one of its cases is solved and judged.
+pub trait Problem: Sync + std::fmt::Debug {
+    /// Its name in a study's `problem`.
+    fn name(&self) -> &'static str;
+    /// What it is, in one sentence.
+    fn meaning(&self) -> &'static str;
+    /// The table of parameters.
+    fn parameters(&self) -> &'static [Parameter];
+    /// The table of metrics.
+    fn metrics(&self) -> &'static [Metric];
+    /// What history figures can draw; the first is the response itself.
+    fn quantities(&self) -> &'static [Quantity];
+    /// Title of the time axis.
+    fn time_title(&self) -> &'static str;
+    /// Names of the six history columns: time, displacement, velocity, force, exact displacement, exact velocity.
+    fn history_columns(&self) -> [&'static str; 6];
+    /// Fills in the values that follow from others, and names every rule across parameters that the case breaks.
+    fn complete(&self, case: &mut Case) -> Vec<Violation>;
+    /// Number of steps N of a completed case.
+    fn steps(&self, case: &Case) -> u64;
+    /// Solves a completed case; an error says why it has no solution in double precision.
+    fn solve(&self, case: &Case) -> Result<Solution, String>;
+    /// The metrics in the table's order; `None` where one is undefined for the case.
+    fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>>;
+}
+
+/// Every problem there is.
+pub static PROBLEMS: [&dyn Problem; 1] = [&friction::FrictionOscillator];
+
+/// The problem called `name`.
+pub fn find(name: &str) -> Option<&'static dyn Problem> {
+    PROBLEMS.iter().copied().find(|p| p.name() == name)
+}

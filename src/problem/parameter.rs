@@ -1,0 +1,135 @@
+//! The table that decoding, schema, columns, `explain` and the documentation read: one row a parameter.
+
+use std::fmt;
+
+/// One parameter of a problem.
+#[derive(Debug)]
+pub struct Parameter {
+    /// Key in a study file and column of results.csv; `right.L` stands for key `L` of object `right`.
+    pub name: &'static str,
+    /// How figures write it, in the markup of `figures::markup`.
+    pub symbol: &'static str,
+    /// Unit, or `1` for a dimensionless number.
+    pub unit: &'static str,
+    /// What values it takes.
+    pub kind: Kind,
+    /// What it is where the study does not say.
+    pub default: Default,
+    /// The parameter and name that must be chosen for this one to apply, as `("law", "velocity-control")`.
+    pub applies: Option<(&'static str, &'static str)>,
+    /// One sentence for schema and documentation.
+    pub meaning: &'static str,
+}
+
+/// The declared type of a parameter: decoding goes by this and by nothing else.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// A real number in a range; a string is an expression.
+    Number(Range),
+    /// A whole number from `min` to `max`.
+    Whole {
+        /// Smallest value allowed.
+        min: u64,
+        /// Largest value allowed.
+        max: u64,
+    },
+    /// One of several names, each with its meaning.
+    Choice(&'static [(&'static str, &'static str)]),
+}
+
+/// Range of a real parameter; infinity and NaN are never allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Range {
+    /// x > 0
+    Positive,
+    /// x >= 0
+    NotNegative,
+    /// x != 0
+    NotZero,
+    /// any finite x
+    Any,
+}
+
+impl Range {
+    /// Whether a finite number lies in the range.
+    pub fn contains(self, x: f64) -> bool {
+        match self {
+            Range::Positive => x > 0.0,
+            Range::NotNegative => x >= 0.0,
+            Range::NotZero => x != 0.0,
+            Range::Any => true,
+        }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Range::Positive => "> 0",
+            Range::NotNegative => ">= 0",
+            Range::NotZero => "not 0",
+            Range::Any => "a finite number",
+        })
+    }
+}
+
+/// What a parameter is where the study does not give it.
+#[derive(Debug, Clone, Copy)]
+pub enum Default {
+    /// It must be given (where it applies).
+    Required,
+    /// A value of its own.
+    Is(Value),
+    /// It follows from others, in these words; `Problem::complete` fills it in.
+    Follows(&'static str),
+}
+
+/// One value of one parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// Of a `Kind::Number`.
+    Number(f64),
+    /// Of a `Kind::Whole`.
+    Whole(u64),
+    /// Of a `Kind::Choice`: the table's own name.
+    Name(&'static str),
+}
+
+impl Value {
+    /// The value as a number, for axes and sums; `None` for a name.
+    pub fn as_f64(self) -> Option<f64> {
+        match self {
+            Value::Number(x) => Some(x),
+            Value::Whole(n) => Some(n as f64),
+            Value::Name(_) => None,
+        }
+    }
+
+    /// Whether two values are the same: numbers within 1e-12 relative, names to the letter.
+    pub fn matches(self, other: Value) -> bool {
+        match (self.as_f64(), other.as_f64()) {
+            (Some(a), Some(b)) => (a - b).abs() <= 1e-12 * a.abs().max(b.abs()),
+            _ => self == other,
+        }
+    }
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Value::Number(x) => f.write_str(&shortest(*x)),
+            Value::Whole(n) => write!(f, "{n}"),
+            Value::Name(name) => f.write_str(name),
+        }
+    }
+}
+
+/// The shortest decimal form that reads back the same double, plain or with an exponent.
+pub fn shortest(x: f64) -> String {
+    let (plain, scientific) = (format!("{x}"), format!("{x:e}"));
+    if scientific.len() < plain.len() {
+        scientific
+    } else {
+        plain
+    }
+}

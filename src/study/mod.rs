@@ -1,0 +1,123 @@
+//! A study file, read: problem, blocks of axes, columns, figures and checks.
+
+use crate::problem::Problem;
+use crate::problem::parameter::Value;
+
+/// A validated study.
+#[derive(Debug)]
+pub struct Study {
+    /// What the study shows, in one line.
+    pub title: String,
+    /// The problem whose cases it runs.
+    pub problem: &'static dyn Problem,
+    /// Blocks of cases, one after the other.
+    pub blocks: Vec<Block>,
+    /// Rows of `problem.metrics()` that results.csv has, in the table's order.
+    pub metrics: Vec<usize>,
+    /// Figures to draw.
+    pub figures: Vec<Figure>,
+    /// Tolerances to hold.
+    pub checks: Vec<Check>,
+}
+
+/// A block: the product of its axes in file order, last axis fastest.
+#[derive(Debug)]
+pub struct Block {
+    /// Every parameter that the block gives, a single value being an axis of one.
+    pub axes: Vec<Axis>,
+}
+
+/// The values of one parameter.
+#[derive(Debug)]
+pub struct Axis {
+    /// Row of `problem.parameters()`.
+    pub parameter: usize,
+    /// At least one value.
+    pub values: Vec<Value>,
+}
+
+/// Which cases are meant: those that have all these values.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Filter(pub Vec<(usize, Value)>);
+
+/// A tolerance: every case of the filter has the metric within the limits.
+#[derive(Debug)]
+pub struct Check {
+    /// Row of `problem.metrics()`.
+    pub metric: usize,
+    /// Which cases.
+    pub filter: Filter,
+    /// Smallest value allowed.
+    pub min: Option<f64>,
+    /// Largest value allowed.
+    pub max: Option<f64>,
+}
+
+/// A figure: its file name, which cases it shows, and how.
+#[derive(Debug)]
+pub struct Figure {
+    /// File name without ending.
+    pub name: String,
+    /// Heading, if the study gives one.
+    pub title: Option<String>,
+    /// Which cases.
+    pub filter: Filter,
+    /// What is drawn.
+    pub kind: FigureKind,
+}
+
+/// The kinds of figure and what each needs to know.
+#[derive(Debug)]
+pub enum FigureKind {
+    /// Curves over time, one panel for each quantity, the exact solution thin.
+    History {
+        /// Rows of `problem.quantities()`, one panel each.
+        y: Vec<usize>,
+        /// Parameter whose values are told apart by line style; `None`: all that vary.
+        by: Option<usize>,
+        /// Parameter whose values get panels of their own.
+        panels: Option<usize>,
+    },
+    /// Velocity and stress along the structure at given times.
+    Profile {
+        /// Which of the problem's profile quantities, one panel column each.
+        y: Vec<usize>,
+        /// Times, in the problem's unit.
+        times: Vec<f64>,
+    },
+    /// Metrics against a parameter.
+    Metric {
+        /// Parameter along the horizontal axis.
+        x: usize,
+        /// Rows of `problem.metrics()`, one panel each.
+        y: Vec<usize>,
+        /// Parameter whose values are told apart by line style; `None`: all others that vary.
+        by: Option<usize>,
+        /// Scale of the horizontal axis.
+        x_scale: Scale,
+        /// Scale of the vertical axes.
+        y_scale: Scale,
+    },
+    /// One metric over two parameters, as shades with a colour bar.
+    Map {
+        /// Parameter along the horizontal axis.
+        x: usize,
+        /// Parameter up the vertical axis.
+        y: usize,
+        /// Row of `problem.metrics()`.
+        z: usize,
+        /// Scales of the two axes and of the colours.
+        scales: [Scale; 3],
+    },
+    /// The laws of the problem's cases: force over displacement or velocity.
+    Law,
+}
+
+/// How numbers are laid along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithm; only positive numbers.
+    Log,
+}
