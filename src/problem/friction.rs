@@ -1,7 +1,14 @@
 //! The friction oscillator of [F], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 use super::parameter::{Default, Kind, Parameter, Range, Value};
-use super::{Case, Metric, Problem, Quantity, Solution, Source, Violation};
+use super::{Case, Metric, Problem, Quantity, Solution, Source, Violation, time_rules};
+use crate::exact::coulomb::Coulomb;
+use crate::history::History;
+use crate::lane::Lane;
+use crate::law::{DisplacementControl, Law, VelocityControl};
+use crate::metrics::{self, steps};
+use crate::stepper::{Start, Stepper};
+use crate::structure::Mode;
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F] Fig. 4.
 #[derive(Debug)]
@@ -215,19 +222,92 @@ impl Problem for FrictionOscillator {
         ["T", "X", "V", "S", "X_exact", "V_exact"]
     }
 
-    fn complete(&self, _case: &mut Case) -> Vec<Violation> {
-        Vec::new()
+    fn complete(&self, case: &mut Case) -> Vec<Violation> {
+        let (Some(step), Some(duration)) = (case.number("dT"), case.number("duration")) else {
+            return Vec::new();
+        };
+        time_rules("dT", step, duration)
     }
 
-    fn steps(&self, _case: &Case) -> u64 {
-        0
+    fn steps(&self, case: &Case) -> u64 {
+        let number = |name| case.number(name).unwrap_or(f64::NAN);
+        steps(number("duration"), number("dT"))
     }
 
-    fn solve(&self, _case: &Case) -> Result<Solution, String> {
-        Err("not yet".into())
+    fn solve(&self, case: &Case) -> Result<Solution, String> {
+        let number = |name: &str| {
+            case.number(name)
+                .ok_or_else(|| format!("{name} is not given"))
+        };
+        let (step, x0) = (number("dT")?, number("x0")?);
+        let last = self.steps(case);
+        let computed = if case.choice("law") == "velocity-control" {
+            let law = VelocityControl {
+                compliance: Lane([number("beta")?]),
+                limit: Lane([1.0]),
+            };
+            run(law, 0.0, x0, step, last)
+        } else {
+            let (slip, force) = release(case.choice("initial_slip"), x0, number("alpha")?);
+            let law = DisplacementControl {
+                compliance: Lane([number("alpha")?]),
+                limit: Lane([1.0]),
+                slip: Lane([slip]),
+            };
+            run(law, force, x0, step, last)
+        };
+        if !computed.is_finite() {
+            return Err("the motion leaves the range of double precision".into());
+        }
+        let mut exact = History::with_capacity(computed.len());
+        let coulomb = Coulomb::new(x0);
+        for &time in &computed.time {
+            let state = coulomb.at(time);
+            exact.push(time, state.displacement, state.velocity, state.force);
+        }
+        Ok(Solution { computed, exact })
     }
 
-    fn evaluate(&self, _case: &Case, _solution: &Solution) -> Vec<Option<f64>> {
-        Vec::new()
+    fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>> {
+        match (case.number("x0"), case.number("duration")) {
+            (Some(x0), Some(duration)) => {
+                metrics::friction::evaluate(x0, duration, &solution.computed, &solution.exact)
+            }
+            _ => vec![None; METRICS.len()],
+        }
     }
+}
+
+/// Slip r^S(0) and force S(0) at release ([F] does not say which).
+fn release(initial_slip: &str, x0: f64, alpha: f64) -> (f64, f64) {
+    let sign = x0.signum();
+    match initial_slip {
+        "pulled" => (x0 - sign * alpha, sign),
+        "sliding" => (x0 + sign * alpha, -sign),
+        _ => (x0, 0.0),
+    }
+}
+
+/// `last` steps of X'' + X + S = 0 from rest at `x0` with S(0) = `force`.
+fn run(mut law: impl Law<1>, force: f64, x0: f64, step: f64, last: u64) -> History {
+    let start = Start {
+        mode: [Mode {
+            omega2: 1.0,
+            phi2: 1.0,
+        }],
+        displacement: Lane([x0]),
+        velocity: Lane([0.0]),
+    };
+    let mut stepper = Stepper::new(Lane([step]), &[start], Lane([0.0]), Lane([force]));
+    let mut history = History::with_capacity(last as usize + 1);
+    let mut contact = stepper.contact();
+    for i in 0..=last {
+        if i > 0 {
+            contact = stepper.step(&mut law);
+        }
+        let [Lane([r]), Lane([rdot]), Lane([s])] =
+            [contact.displacement, contact.velocity, contact.force];
+        history.push(i as f64 * step, r, rdot, s);
+    }
+    history
 }

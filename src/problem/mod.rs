@@ -4,6 +4,7 @@ pub mod friction;
 pub mod parameter;
 
 use crate::history::History;
+use crate::metrics::steps;
 use parameter::{Parameter, Value};
 
 /// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
@@ -133,4 +134,22 @@ pub static PROBLEMS: [&dyn Problem; 1] = [&friction::FrictionOscillator];
 /// The problem called `name`.
 pub fn find(name: &str) -> Option<&'static dyn Problem> {
     PROBLEMS.iter().copied().find(|p| p.name() == name)
+}
+
+/// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.
+pub const MOST_STEPS: u64 = 30_000_000;
+
+/// The rules that every problem has for its `step` and duration.
+fn time_rules(parameter: &'static str, step: f64, duration: f64) -> Vec<Violation> {
+    let message = if step > duration {
+        format!("must be at most duration = {duration}, got {step}")
+    } else if steps(duration, step) > MOST_STEPS {
+        format!(
+            "gives {:.3e} steps, at most {MOST_STEPS} fit in memory",
+            duration / step
+        )
+    } else {
+        return Vec::new();
+    };
+    vec![Violation { parameter, message }]
 }

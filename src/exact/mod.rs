@@ -1,0 +1,3 @@
+//! Exact solutions. They never import the stepper, so that the one can judge the other.
+
+pub mod coulomb;

@@ -1,0 +1,98 @@
+//! Metrics of the friction oscillator; `c` is the computed history, `e` the exact one, sums run over steps 0..=N.
+//!
+//! Displacements enter over |x0|, so that no sum of squares overflows before the displacements themselves do.
+
+use super::reached;
+use crate::exact::coulomb::Coulomb;
+use crate::history::History;
+use std::f64::consts::PI;
+
+/// The metrics in the order of the problem's table; `None` where one is undefined.
+pub fn evaluate(x0: f64, duration: f64, c: &History, e: &History) -> Vec<Option<f64>> {
+    let exact = Coulomb::new(x0);
+    let scale = x0.abs();
+    let rests = exact.half_cycles() >= 1.0 && reached(duration, exact.rest_time());
+    let errors = || pairs(c, e).map(|(c, e)| (c - e) / scale);
+    let sum = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
+        pairs(c, e).map(|(c, e)| f(c / scale, e / scale)).sum()
+    };
+    let (cc, ee, ce) = (sum(&|c, _| c * c), sum(&|_, e| e * e), sum(&|c, e| c * e));
+    let magnitude = (cc / ee).sqrt() - 1.0;
+    // Round-off can bring the cosine of two like histories past 1.
+    let phase = libm::acos((ce / (cc.sqrt() * ee.sqrt())).clamp(-1.0, 1.0)) / PI;
+    vec![
+        Some((errors().map(|d| d * d).sum::<f64>() / c.len() as f64).sqrt()),
+        errors().map(f64::abs).reduce(f64::max),
+        peak_error(&exact, c).map(|d| d / scale),
+        reached(duration, exact.rest_time())
+            .then(|| errors().last().map(f64::abs))
+            .flatten(),
+        residual_motion(&exact, c).map(|d| d / scale),
+        rests.then(|| work(c, scale) / (exact.work() / scale) - 1.0),
+        Some(magnitude),
+        Some(phase),
+        Some((magnitude * magnitude + phase * phase).sqrt()),
+    ]
+    .into_iter()
+    .map(|value| value.filter(|x: &f64| x.is_finite()))
+    .collect()
+}
+
+/// Computed and exact displacement, step by step.
+fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)> + 'a {
+    c.displacement
+        .iter()
+        .copied()
+        .zip(e.displacement.iter().copied())
+}
+
+/// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`.
+pub fn work(c: &History, scale: f64) -> f64 {
+    c.force
+        .windows(2)
+        .zip(c.displacement.windows(2))
+        .map(|(s, x)| (s[0] + s[1]) * ((x[1] - x[0]) / scale) * 0.5)
+        .sum()
+}
+
+/// Largest error of the peaks k = 1..=m, each the extreme of s_k c over (k - 1/2) pi <= T <= (k + 1/2) pi.
+///
+/// Undefined where there is no peak, or where a peak's window holds no step.
+fn peak_error(exact: &Coulomb, c: &History) -> Option<f64> {
+    let m = exact.half_cycles();
+    if !reached(*c.time.last()?, (m - 0.5) * PI) {
+        return None;
+    }
+    let (mut largest, mut k, mut first) = (None, 1.0, 0);
+    while k <= m {
+        let (from, to) = ((k - 0.5) * PI, (k + 0.5) * PI);
+        first += c.time[first..]
+            .iter()
+            .take_while(|&&t| !reached(t, from))
+            .count();
+        // A step on the border belongs to both windows.
+        let peak = c.time[first..]
+            .iter()
+            .zip(&c.displacement[first..])
+            .take_while(|&(&t, _)| reached(to, t))
+            .map(|(_, x)| exact.side(k) * x)
+            .reduce(f64::max)?;
+        let error = (peak - exact.amplitude(k)).abs();
+        largest = Some(largest.map_or(error, |l: f64| l.max(error)));
+        k += 1.0;
+    }
+    largest
+}
+
+/// Half the range of the motion from T = (m + 1) pi on; undefined where the run ends before.
+fn residual_motion(exact: &Coulomb, c: &History) -> Option<f64> {
+    let from = (exact.half_cycles() + 1.0) * PI;
+    let late = || {
+        c.time
+            .iter()
+            .zip(&c.displacement)
+            .filter(move |&(&t, _)| reached(t, from))
+            .map(|(_, &x)| x)
+    };
+    Some((late().reduce(f64::max)? - late().reduce(f64::min)?) * 0.5)
+}
