@@ -10,3 +10,4 @@ pub mod problem;
 pub mod stepper;
 pub mod structure;
 pub mod study;
+pub mod textbook;
