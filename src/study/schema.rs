@@ -1,0 +1,148 @@
+//! The JSON Schema of study files, made from the same tables that decode them.
+//!
+//! Draft 7, which editors know best. It refuses what it can; rules across parameters are left to `read`.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
+use super::schema_values::{names, number, object, parameters, value};
+use super::{checks, decode};
+use crate::problem::parameter::{Kind, Parameter, Range};
+use crate::problem::{PROBLEMS, Problem};
+
+/// The schema as indented JSON with a newline at its end.
+pub fn schema() -> String {
+    let mut properties = Map::new();
+    for (key, meaning) in decode::KEYS {
+        properties.insert(key.into(), json!({ "description": meaning }));
+    }
+    for (key, kind) in [
+        ("$schema", "string"),
+        ("title", "string"),
+        ("parameters", "object"),
+    ] {
+        properties[key]["type"] = kind.into();
+    }
+    for key in ["blocks", "metrics", "figures", "checks"] {
+        properties[key]["type"] = "array".into();
+    }
+    let problems: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+    properties["problem"]["enum"] = json!(problems);
+    let each: Vec<Json> = PROBLEMS
+        .iter()
+        .map(|problem| of_problem(*problem))
+        .collect();
+    let mut schema = object(properties, &["problem"]);
+    schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
+    schema["title"] = "slipgap study".into();
+    schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
+    schema["allOf"] = each.into();
+    format!("{schema:#}\n")
+}
+
+/// What holds for studies of one problem.
+fn of_problem(problem: &dyn Problem) -> Json {
+    let parameters = parameters(problem.parameters(), "");
+    let mut block = Map::new();
+    block.insert("parameters".into(), parameters.clone());
+    let metrics = names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
+    let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
+    let figure = json!({
+        "type": "object",
+        "properties": { "kind": names(KINDS.iter().map(|kind| (kind.name, kind.meaning))) },
+        "required": ["kind"],
+        "allOf": figures,
+    });
+    json!({
+        "if": { "properties": { "problem": { "const": problem.name() } }, "required": ["problem"] },
+        "then": { "properties": {
+            "problem": { "description": problem.meaning() },
+            "parameters": parameters,
+            "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
+            "metrics": { "items": metrics, "uniqueItems": true },
+            "figures": { "items": figure },
+            "checks": { "items": check(problem) },
+        } },
+    })
+}
+
+/// What holds for figures of one kind.
+fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
+    let mut properties = Map::new();
+    let mut required = Vec::new();
+    for key in COMMON.iter().chain(kind.keys) {
+        let mut schema = taken(key, problem);
+        schema["description"] = key.meaning.into();
+        properties.insert(key.name.into(), schema);
+        if key.required {
+            required.push(key.name);
+        }
+    }
+    let then = match kind.name {
+        "profile" if problem.profiles().is_empty() => json!(false),
+        _ => object(properties, &required),
+    };
+    json!({
+        "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
+        "then": then,
+    })
+}
+
+/// What stands under a key of a figure.
+fn taken(key: &Key, problem: &dyn Problem) -> Json {
+    let parameters = |numeric: bool| {
+        let table = problem.parameters().iter();
+        let fitting = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
+        names(fitting.map(|p| (p.name, p.meaning)))
+    };
+    let metrics = || names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
+    match key.takes {
+        Takes::FileName => {
+            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
+        }
+        Takes::Kind => json!({}),
+        Takes::Text => json!({ "type": "string" }),
+        Takes::Filter => filter(problem),
+        Takes::Parameter => parameters(false),
+        Takes::NumericParameter => parameters(true),
+        Takes::Quantities => several(names(
+            problem.quantities().iter().map(|q| (q.name, q.title)),
+        )),
+        Takes::Profiles => several(names(problem.profiles().iter().map(|p| (p.name, p.title)))),
+        Takes::Metric => metrics(),
+        Takes::Metrics => several(metrics()),
+        Takes::Times => several(number(Range::NotNegative)),
+        Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
+    }
+}
+
+fn several(one: Json) -> Json {
+    json!({ "anyOf": [one, { "type": "array", "minItems": 1, "items": one }] })
+}
+
+/// A `where`: single values of parameters.
+fn filter(problem: &dyn Problem) -> Json {
+    let table = problem.parameters().iter();
+    let term = |p: &Parameter| {
+        let mut schema = value(p);
+        schema["description"] = p.meaning.into();
+        (p.name.to_owned(), schema)
+    };
+    object(table.map(term).collect(), &[])
+}
+
+fn check(problem: &dyn Problem) -> Json {
+    let mut properties = Map::new();
+    for (key, meaning) in checks::KEYS {
+        let mut schema = match key {
+            "metric" => names(problem.metrics().iter().map(|m| (m.name, m.meaning))),
+            "where" => filter(problem),
+            _ => number(Range::Any),
+        };
+        schema["description"] = meaning.into();
+        properties.insert(key.into(), schema);
+    }
+    let mut schema = object(properties, &["metric"]);
+    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
+    schema
+}
