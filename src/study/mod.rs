@@ -19,6 +19,8 @@ mod schema;
 mod schema_values;
 mod scope;
 mod taken;
+#[cfg(test)]
+mod tests;
 mod tree;
 mod value;
 

@@ -146,3 +146,55 @@ fn check(problem: &dyn Problem) -> Json {
     schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
     schema
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_of_every_table_is_described() {
+        let text = schema();
+        let schema: Json = serde_json::from_str(&text).unwrap_or_default();
+        for (key, _) in decode::KEYS {
+            assert!(
+                schema["properties"][key]["description"].is_string(),
+                "{key}"
+            );
+        }
+        for (problem, rules) in PROBLEMS
+            .iter()
+            .zip(schema["allOf"].as_array().into_iter().flatten())
+        {
+            let properties = &rules["then"]["properties"];
+            for parameter in problem.parameters() {
+                let told = Json::from(parameter.meaning).to_string();
+                assert!(
+                    text.contains(told.trim_end_matches('"')),
+                    "{}",
+                    parameter.name
+                );
+            }
+            for key in checks::KEYS {
+                assert!(
+                    properties["checks"]["items"]["properties"][key.0].is_object(),
+                    "{}",
+                    key.0
+                );
+            }
+            for (kind, rules) in KINDS.iter().zip(
+                properties["figures"]["items"]["allOf"]
+                    .as_array()
+                    .into_iter()
+                    .flatten(),
+            ) {
+                for key in kind.keys.iter().filter(|_| rules["then"].is_object()) {
+                    assert!(
+                        rules["then"]["properties"][key.name]["description"].is_string(),
+                        "{}",
+                        key.name
+                    );
+                }
+            }
+        }
+    }
+}

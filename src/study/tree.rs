@@ -132,14 +132,19 @@ fn syntax(text: &str, part: &str, error: &serde_json::Error) -> SyntaxFault {
         let at = text.trim_end().len();
         return SyntaxFault { at, message };
     }
+    let reason = reason(error);
     let mut at = start + offset_of(part, error.line(), error.column());
+    if reason.starts_with("control character") {
+        // Of these alone serde_json names the place before.
+        at += 1;
+    }
     while !text.is_char_boundary(at) {
         at -= 1;
     }
-    let mut message = format!("not valid JSON: {}", reason(error));
-    if let Some(hint) = hint(&text[at..]) {
-        message = format!("{message}; {hint}");
-    }
+    let message = match hint(&reason, text[..at].trim_end(), &text[at..]) {
+        Some(hint) => format!("not valid JSON: {reason}; {hint}"),
+        None => format!("not valid JSON: {reason}"),
+    };
     SyntaxFault { at, message }
 }
 
@@ -152,18 +157,28 @@ fn reason(error: &serde_json::Error) -> String {
     }
 }
 
-/// What to write instead, told by the text at a fault of syntax.
-fn hint(rest: &str) -> Option<&'static str> {
-    let mut ahead = rest.chars();
-    Some(match ahead.next()? {
-        '\u{feff}' => "the file begins with a byte-order mark: save it as UTF-8 without one",
-        '/' | '#' => "JSON has no comments: put a remark under a \"//\" key",
-        '\'' | '“' | '”' | '‘' | '’' => "strings stand in double quotes, \"...\"",
-        '.' | '+' => "numbers are written as in 0.5, 5 or 1e-3",
-        '0'..='9' => "numbers are written as in 0.5, 5 or 1e-3, without leading zeros",
-        '\n' | '\r' | '\t' => "close the string with \" on its own line",
-        'N' | 'I' => "NaN and Infinity are not numbers of JSON, nor of a study",
-        c if c.is_alphabetic() => "names and expressions stand in double quotes, \"...\"",
+/// What to write instead, told by the reason and the text before and at the fault.
+fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
+    let found = rest.chars().next()?;
+    let number = "numbers are written as in 0.5, 5 or 1e-3";
+    Some(match (reason, found) {
+        ("invalid number" | "expected value", 'I' | 'N') => "there is no NaN and no Infinity",
+        ("invalid number", _) => number,
+        ("expected value" | "key must be a string", '}' | ']') if before.ends_with(',') => {
+            "the last one is followed by no comma"
+        }
+        ("expected value", '.' | '+') => number,
+        ("expected value", '\u{feff}') => {
+            "the file begins with a byte-order mark, save it as UTF-8 without one"
+        }
+        ("expected value" | "key must be a string", c)
+            if c.is_alphabetic() || "'‘’“”".contains(c) =>
+        {
+            "names and expressions stand in double quotes, \"...\""
+        }
+        (_, '/' | '#') => "there are no comments, a remark stands under a \"//\" key",
+        (_, '\n' | '\r') => "a string ends on the line it began",
+        ("expected `,` or `}`" | "expected `,` or `]`", '"') => "a comma is missing before it",
         _ => return None,
     })
 }
@@ -181,9 +196,9 @@ mod tests {
     fn places_and_equal_keys_are_kept() {
         let node = parse("  {\"α\" : 1e999,\r\n\"α\":[ -0 ,null]}\n").unwrap();
         let list = Tree::List(vec![
-            number(26, "-0"),
+            number(25, "-0"),
             Node {
-                at: 30,
+                at: 29,
                 tree: Tree::Null,
             },
         ]);
@@ -194,7 +209,7 @@ mod tests {
         };
         let tree = Tree::Object(vec![
             member(3, number(10, "1e999")),
-            member(19, Node { at: 24, tree: list }),
+            member(18, Node { at: 23, tree: list }),
         ]);
         assert_eq!(node, Node { at: 2, tree });
     }
@@ -205,30 +220,32 @@ mod tests {
             ("", 0, "empty"),
             (" \n ", 0, "empty"),
             ("\u{feff}{}", 0, "byte-order mark"),
-            ("{\"a\": NaN}", 6, "NaN"),
-            ("{\"a\": -Infinity}", 7, "number"),
+            ("{\"a\": NaN}", 6, "no NaN"),
+            ("{\"a\": -Infinity}", 7, "no Infinity"),
             ("{'a': 1}", 1, "double quotes"),
             ("{a: 1}", 1, "double quotes"),
+            ("{\"a\": alpha}", 6, "double quotes"),
             ("{\"a\": 1 // so\n}", 8, "remark"),
-            ("{\"a\": 1,}", 8, "trailing comma"),
-            ("[1,]", 3, "trailing comma"),
-            ("{\"a\": 1 \"b\": 2}", 8, "expected `,`"),
+            ("{\"a\": 1,}", 8, "no comma"),
+            ("[1,]", 3, "no comma"),
+            ("{\"a\": 1 \"b\": 2}", 8, "a comma is missing"),
             ("{\"a\" 1}", 5, "expected `:`"),
-            ("[01]", 2, "leading zeros"),
-            ("[1.]", 3, "number"),
-            ("[.5]", 1, "0.5"),
-            ("[+5]", 1, "0.5"),
+            ("[01]", 2, "numbers are written"),
+            ("[1.]", 3, "numbers are written"),
+            ("[.5]", 1, "numbers are written"),
+            ("[+5]", 1, "numbers are written"),
             ("[0x1F]", 2, "expected `,`"),
-            ("[\"a\u{1}b\"]", 3, "control character"),
-            ("[\"a\nb\"]", 3, "close the string"),
+            ("[\"α\u{1}b\"]", 4, "control character"),
+            ("[\"a\nb\"]", 3, "on the line"),
             ("[\u{b}1]", 1, "expected value"),
             ("[\u{a0}1]", 1, "expected value"),
             ("[\"\\q\"]", 3, "escape"),
-            ("[\"\\ud800\"]", 8, "surrogate"),
+            ("[\"\\ud800\"]", 8, "escape"),
             ("{\"\\udc00\": 1}", 7, "surrogate"),
             ("{} {}", 3, "trailing characters"),
             ("{\"a\": [1, 2", 11, "ends too early"),
-            ("{\"a\": \"b\n", 8, "control character"),
+            ("{\"a\": \"b", 8, "ends too early"),
+            ("{\"a\": \"b\n", 8, "on the line"),
             ("{\"a\": tru}", 9, "expected ident"),
         ] {
             let fault = parse(text).expect_err(text);
