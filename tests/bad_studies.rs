@@ -154,7 +154,7 @@ fn names_and_keys() {
     );
     assert_faults(
         &with(GOOD, "").replace("\"friction-oscillator\"", "7"),
-        &["2:12: problem: must be the name of a problem"],
+        &["2:12: problem: must be a name in quotes, one of friction-oscillator"],
     );
 }
 
@@ -177,7 +177,7 @@ fn the_whole() {
     assert_faults(
         "{}",
         &[
-            "1:1: problem: missing: friction-oscillator",
+            "1:1: problem: missing: one of friction-oscillator",
             "1:1: parameters: missing",
         ],
     );
@@ -447,8 +447,106 @@ proptest! {
             text.splice(at..end, put.chars());
         }
         let text: String = text.into_iter().collect();
-        for fault in faults(&text) {
-            prop_assert!(!fault.contains('\n'), "{}", fault);
-        }
+        every_fault_has_a_place(&text)?;
     }
+
+    #[test]
+    fn no_exchange_of_words_makes_it_panic(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(WORDS)), 1..5)
+    ) {
+        let mut words = words(&whole_study());
+        for (at, word) in edits {
+            let at = at.index(words.len());
+            words[at] = word.to_owned();
+        }
+        every_fault_has_a_place(&words.concat())?;
+    }
+}
+
+/// What takes the place of words of a good study.
+const WORDS: &[&str] = &[
+    "{}",
+    "[]",
+    "[[1]]",
+    "[1, 2, 3]",
+    "{\"alpha\": 1}",
+    "{\"right\": {}}",
+    "1e999",
+    "-1",
+    "0",
+    "2.5",
+    "true",
+    "null",
+    "\"\"",
+    "\"pi/\"",
+    "\"1/0\"",
+    "\"(((\"",
+    "\"alpha\"",
+    "\"beta\"",
+    "\"law\"",
+    "\"x\"",
+    "\"y\"",
+    "\"z\"",
+    "\"by\"",
+    "\"panels\"",
+    "\"where\"",
+    "\"kind\"",
+    "\"map\"",
+    "\"law\"",
+    "\"profile\"",
+    "\"metric\"",
+    "\"history\"",
+    "\"log\"",
+    "\"blocks\"",
+    "\"zip\"",
+    "\"//\"",
+    "\"x0\"",
+    "\"rms_error\"",
+    "\"velocity-control\"",
+    "\"αβγ\\n\"",
+    "[\"velocity-control\", \"displacement-control\"]",
+    "[-1, 1]",
+    "[1, 2, 3, 4, 5, 6, 7, 8, 9]",
+];
+
+/// Strings, numbers and what lies between them.
+fn words(text: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let (mut quoted, mut number) = (false, false);
+    for c in text.chars() {
+        let numeric = !quoted && (c.is_ascii_digit() || c == '.');
+        let opens = (c == '"' && !quoted) || (numeric && !number);
+        if opens || (number && !numeric) {
+            words.push(String::new());
+        }
+        words.last_mut().unwrap().push(c);
+        if c == '"' {
+            quoted = !quoted;
+            if !quoted {
+                words.push(String::new());
+            }
+        }
+        number = numeric;
+    }
+    words
+}
+
+fn every_fault_has_a_place(text: &str) -> Result<(), TestCaseError> {
+    let Err(Error::Faults(faults)) = parse("s.json", text) else {
+        return Ok(());
+    };
+    prop_assert!(!faults.is_empty());
+    for fault in &faults {
+        prop_assert!(!fault.to_string().contains('\n'), "{}", fault);
+        let line = text.split('\n').nth(fault.line - 1);
+        let columns = line.map(|line| line.chars().count() + 1);
+        prop_assert!(
+            columns.is_some_and(|columns| (1..=columns).contains(&fault.column)),
+            "{}",
+            fault
+        );
+    }
+    let in_order = faults.is_sorted_by_key(|fault| (fault.line, fault.column));
+    prop_assert!(in_order, "{faults:?}");
+    Ok(())
 }

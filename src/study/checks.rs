@@ -25,7 +25,7 @@ pub(super) fn check(node: &Node, path: &str, scope: &Scope, faults: &mut Faults)
     let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
     let metrics = scope.metrics();
     let metric = object
-        .need("metric", &metrics.join(" or "), faults)
+        .need("metric", &format!("one of {}", metrics.join(", ")), faults)
         .and_then(|node| name(node, &object.path("metric"), "metric", &metrics, faults));
     let filter = match object.get("where") {
         Some(node) => scope.filter(node, &object.path("where"), faults),

@@ -144,7 +144,7 @@ fn study(root: &Node, faults: &mut Faults) -> Option<Study> {
 /// The problem by its name; a slip is a fault, but the problem that was meant serves to find further ones.
 fn problem(object: &Object, faults: &mut Faults) -> Option<&'static dyn Problem> {
     let known: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
-    let node = object.need("problem", &known.join(" or "), faults)?;
+    let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
     match (name(node, "problem", "problem", &known, faults), &node.tree) {
         (Some(row), _) => Some(PROBLEMS[row]),
         (None, Tree::Text(slip)) => problem::find(nearest(slip, &known)?),

@@ -19,9 +19,10 @@ pub(super) fn figure(
 ) -> Option<Figure> {
     let before = faults.count();
     let object = Object::open(node, path, &kinds::all_keys(), faults)?;
-    let at = object.need("kind", &kinds::names().join(" or "), faults);
-    let kind = at
-        .and_then(|at| name(at, &object.path("kind"), "kind", &kinds::names(), faults))
+    let all = kinds::names();
+    let kind = object
+        .need("kind", &format!("one of {}", all.join(", ")), faults)
+        .and_then(|node| name(node, &object.path("kind"), "kind", &all, faults))
         .map(|row| &KINDS[row]);
     if let Some(kind) = kind {
         unfitting(&object, kind, scope, faults);

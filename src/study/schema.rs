@@ -5,7 +5,9 @@
 use serde_json::{Map, Value as Json, json};
 
 use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
-use super::schema_values::{names, number, object, parameters, value};
+use super::schema_values::{
+    EXPRESSION, expression, names, number, object, parameters, refer, value,
+};
 use super::{checks, decode};
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{PROBLEMS, Problem};
@@ -28,24 +30,31 @@ pub fn schema() -> String {
     }
     let problems: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
     properties["problem"]["enum"] = json!(problems);
-    let each: Vec<Json> = PROBLEMS
-        .iter()
-        .map(|problem| of_problem(*problem))
-        .collect();
+    let mut definitions = Map::new();
+    definitions.insert(EXPRESSION.into(), expression());
+    let rules = |problem: &&dyn Problem| of_problem(*problem, &mut definitions);
+    let each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
     let mut schema = object(properties, &["problem"]);
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
     schema["title"] = "slipgap study".into();
     schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
     schema["allOf"] = each.into();
+    schema["definitions"] = definitions.into();
     format!("{schema:#}\n")
 }
 
-/// What holds for studies of one problem.
-fn of_problem(problem: &dyn Problem) -> Json {
-    let parameters = parameters(problem.parameters(), "");
+/// What holds for studies of one problem; what it says several times goes into the definitions.
+fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Json {
+    let mut define = |what: &str, schema: Json| {
+        definitions.insert(name_of(problem, what), schema);
+        refer(&name_of(problem, what))
+    };
+    let parameters = define("parameters", parameters(problem.parameters(), ""));
+    let metric = names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
+    let metric = define("metric", metric);
+    define("where", filter(problem));
     let mut block = Map::new();
     block.insert("parameters".into(), parameters.clone());
-    let metrics = names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
     let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
     let figure = json!({
         "type": "object",
@@ -59,11 +68,16 @@ fn of_problem(problem: &dyn Problem) -> Json {
             "problem": { "description": problem.meaning() },
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
-            "metrics": { "items": metrics, "uniqueItems": true },
+            "metrics": { "items": metric, "uniqueItems": true },
             "figures": { "items": figure },
             "checks": { "items": check(problem) },
         } },
     })
+}
+
+/// The name of a definition that belongs to a problem.
+fn name_of(problem: &dyn Problem, what: &str) -> String {
+    format!("{}.{what}", problem.name())
 }
 
 /// What holds for figures of one kind.
@@ -95,22 +109,22 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         let fitting = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
         names(fitting.map(|p| (p.name, p.meaning)))
     };
-    let metrics = || names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
+    let defined = |what: &str| refer(&name_of(problem, what));
     match key.takes {
         Takes::FileName => {
             json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
         }
         Takes::Kind => json!({}),
         Takes::Text => json!({ "type": "string" }),
-        Takes::Filter => filter(problem),
+        Takes::Filter => defined("where"),
         Takes::Parameter => parameters(false),
         Takes::NumericParameter => parameters(true),
         Takes::Quantities => several(names(
             problem.quantities().iter().map(|q| (q.name, q.title)),
         )),
         Takes::Profiles => several(names(problem.profiles().iter().map(|p| (p.name, p.title)))),
-        Takes::Metric => metrics(),
-        Takes::Metrics => several(metrics()),
+        Takes::Metric => defined("metric"),
+        Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
     }
@@ -135,8 +149,7 @@ fn check(problem: &dyn Problem) -> Json {
     let mut properties = Map::new();
     for (key, meaning) in checks::KEYS {
         let mut schema = match key {
-            "metric" => names(problem.metrics().iter().map(|m| (m.name, m.meaning))),
-            "where" => filter(problem),
+            "metric" | "where" => refer(&name_of(problem, key)),
             _ => number(Range::Any),
         };
         schema["description"] = meaning.into();

@@ -132,10 +132,14 @@ pub(super) fn number(range: Range) -> Json {
         Range::NotZero => json!({ "type": "number", "not": { "const": 0 } }),
         Range::Any => json!({ "type": "number" }),
     };
-    json!({ "anyOf": [plain, expression()] })
+    json!({ "anyOf": [plain, refer(EXPRESSION)] })
 }
 
-fn expression() -> Json {
+/// Name of the definition of expressions.
+pub(super) const EXPRESSION: &str = "expression";
+
+/// A string that stands for a number.
+pub(super) fn expression() -> Json {
     json!({
         "type": "string",
         "pattern": "[0-9pe]",
@@ -158,4 +162,9 @@ pub(super) fn object(mut properties: Map<String, Json>, required: &[&str]) -> Js
         "required": required,
         "additionalProperties": false,
     })
+}
+
+/// A reference to a definition; within `allOf`, as draft 7 ignores what stands beside a bare one.
+pub(super) fn refer(name: &str) -> Json {
+    json!({ "allOf": [{ "$ref": format!("#/definitions/{name}") }] })
 }

@@ -166,7 +166,7 @@ fn a_part_of_the_problem_is_an_object_or_a_name() {
         ),
         (
             "3",
-            "s:1:28: parameters.right: must be the name of a right (bar, wall), got 3",
+            "s:1:28: parameters.right: must be a name in quotes, one of bar, wall, got 3",
         ),
     ] {
         assert_eq!(draft(&of(&format!(", \"right\": {right}"))).1, [expected]);

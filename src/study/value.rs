@@ -41,8 +41,8 @@ pub(super) fn name(
     faults: &mut Faults,
 ) -> Option<usize> {
     let Tree::Text(name) = &node.tree else {
-        let kinds = format!("the name of a {what} ({})", allowed.join(", "));
-        faults.must_be(node, path, &kinds);
+        let names = format!("a name in quotes, one of {}", allowed.join(", "));
+        faults.must_be(node, path, &names);
         return None;
     };
     let found = allowed.iter().position(|right| right == name);
