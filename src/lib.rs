@@ -2,6 +2,7 @@
 
 pub mod error;
 pub mod exact;
+pub mod figures;
 pub mod history;
 pub mod lane;
 pub mod law;
