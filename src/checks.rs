@@ -32,7 +32,7 @@ pub fn judge(study: &Study, outcomes: &[Outcome]) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
     for check in &study.checks {
         for (case, outcome) in (0..).zip(outcomes) {
-            if check.filter.matches(&study.case(case)) {
+            if check.filter.matches(&outcome.case) {
                 verdicts.push(Verdict {
                     case,
                     metric: study.problem.metrics()[check.metric].name,

@@ -12,6 +12,8 @@ use rayon::prelude::*;
 /// What became of one case.
 #[derive(Debug)]
 pub struct Outcome {
+    /// The case.
+    pub case: Case,
     /// In the order of `problem.metrics()`; `None` where one is undefined or the case could not be solved.
     pub metrics: Vec<Option<f64>>,
     /// The histories, where they were asked for.
@@ -32,10 +34,10 @@ pub fn run(
 ) -> Result<Vec<Outcome>, Error> {
     let outcomes: Vec<Result<Outcome, Error>> = (0..study.len())
         .into_par_iter()
-        .map(|index| {
-            let outcome = solve(study, index, &keep, &visit);
+        .filter_map(|index| {
+            let outcome = solve(study, index, study.case(index)?, &keep, &visit);
             bar.inc(1);
-            outcome
+            Some(outcome)
         })
         .collect();
     outcomes.into_iter().collect()
@@ -44,10 +46,10 @@ pub fn run(
 fn solve(
     study: &Study,
     index: u64,
+    case: Case,
     keep: impl Fn(&Case) -> bool,
     visit: impl Fn(u64, &Solution) -> Result<(), Error>,
 ) -> Result<Outcome, Error> {
-    let case = study.case(index);
     Ok(match study.problem.solve(&case) {
         Ok(solution) => {
             visit(index, &solution)?;
@@ -55,12 +57,14 @@ fn solve(
                 metrics: study.problem.evaluate(&case, &solution),
                 solution: keep(&case).then_some(solution),
                 failure: None,
+                case,
             }
         }
         Err(why) => Outcome {
             metrics: vec![None; study.problem.metrics().len()],
             solution: None,
             failure: Some(why),
+            case,
         },
     })
 }

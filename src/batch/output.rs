@@ -77,7 +77,7 @@ impl Folder {
         }
         let manifest = json!({
             "study": file.file_name().map(|name| name.to_string_lossy()),
-            "study_sha256": study.hash,
+            "study_sha256": study.sha256,
             "program": env!("CARGO_PKG_NAME"),
             "program_version": env!("CARGO_PKG_VERSION"),
             "solver_version": SOLVER_VERSION,

@@ -16,11 +16,10 @@ pub fn table(study: &Study, outcomes: &[Outcome]) -> Result<Vec<u8>, Error> {
         .chain(parameters.iter().map(|p| p.name))
         .chain(study.metrics.iter().map(|&m| metrics[m].name));
     writer.write_record(header).map_err(internal)?;
-    for (index, outcome) in (0..).zip(outcomes) {
-        let case = study.case(index);
+    for (index, outcome) in outcomes.iter().enumerate() {
         let row = [index.to_string()]
             .into_iter()
-            .chain(case.values.iter().map(|value| match value {
+            .chain(outcome.case.values.iter().map(|value| match value {
                 Some(value) => value.to_string(),
                 None => String::new(),
             }))

@@ -52,10 +52,9 @@ fn axes(study: &Study) -> String {
 
 /// Steps of a case: the fewest and the most.
 fn steps(study: &Study) -> String {
-    let count = |i| study.problem.steps(&study.case(i));
     let (mut fewest, mut most) = (u64::MAX, 0);
-    for i in 0..study.len() {
-        let steps = count(i);
+    for case in study.cases() {
+        let steps = study.problem.steps(&case);
         (fewest, most) = (fewest.min(steps), most.max(steps));
     }
     if fewest == most {

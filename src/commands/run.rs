@@ -50,15 +50,10 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
     }
     let mut lines = vec![folder.write("results.csv", &results::table(study, &outcomes)?)?];
     for figure in &study.figures {
-        let cases: Vec<(Case, &Outcome)> = (0..)
-            .zip(&outcomes)
-            .map(|(index, outcome)| (study.case(index), outcome))
-            .filter(|(case, _)| figure.filter.matches(case))
-            .collect();
-        let shown: Vec<Shown> = cases
-            .iter()
-            .map(|(case, outcome)| Shown {
-                case,
+        let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
+        let shown: Vec<Shown> = chosen
+            .map(|outcome| Shown {
+                case: &outcome.case,
                 metrics: &outcome.metrics,
                 solution: outcome.solution.as_ref(),
             })

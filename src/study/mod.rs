@@ -142,6 +142,13 @@ pub enum FigureKind {
     Law,
 }
 
+impl FigureKind {
+    /// Whether the figure draws what cases do over time.
+    pub fn draws_histories(&self) -> bool {
+        matches!(self, FigureKind::History { .. })
+    }
+}
+
 /// How numbers are laid along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
