@@ -23,15 +23,21 @@ fn committed_results_are_what_a_run_writes_now() {
     assert!(!new.is_empty(), "a run of studies/ wrote nothing");
     let mut differences: Vec<String> = Vec::new();
     for name in old.difference(&new) {
-        differences.push(format!("{}: committed, but no study writes it", name.display()));
+        differences.push(format!(
+            "{}: committed, but no study writes it",
+            name.display()
+        ));
     }
     for name in new.difference(&old) {
-        differences.push(format!("{}: written now, but not committed", name.display()));
+        differences.push(format!(
+            "{}: written now, but not committed",
+            name.display()
+        ));
     }
     for name in old.intersection(&new) {
         let (old, new) = (committed.join(name), now.path().join(name));
         let difference = match name.extension().is_some_and(|e| e == "png") {
-            true => compare_pictures(&old, &new),
+            true => compare_pictures(&Picture::read(&old), &Picture::read(&new)),
             false => compare_text(&old, &new),
         };
         differences.extend(difference.map(|what| format!("{}: {what}", name.display())));
@@ -100,22 +106,39 @@ fn compare_text(old: &Path, new: &Path) -> Option<String> {
 }
 
 /// How two pictures differ by more than the tolerance.
-fn compare_pictures(old: &Path, new: &Path) -> Option<String> {
-    let (old, new) = (Picture::read(old), Picture::read(new));
+fn compare_pictures(old: &Picture, new: &Picture) -> Option<String> {
     if (old.width, old.height, old.channels) != (new.width, new.height, new.channels) {
         return Some(format!("{old} committed, {new} now"));
     }
-    let pixels = |picture: &Picture| picture.channels;
     let far = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > CHANNEL);
-    let count = old
-        .data
-        .chunks(pixels(&old))
-        .zip(new.data.chunks(pixels(&new)))
-        .filter(|&pair| far(pair))
-        .count();
-    (count > PIXELS).then(|| {
-        format!("{count} pixels differ by more than {CHANNEL} of 255, {PIXELS} may")
-    })
+    let (a, b) = (old.data.chunks(old.channels), new.data.chunks(new.channels));
+    let count = a.zip(b).filter(|&pair| far(pair)).count();
+    (count > PIXELS)
+        .then(|| format!("{count} pixels differ by more than {CHANNEL} of 255, {PIXELS} may"))
+}
+
+#[test]
+fn a_full_stop_more_is_a_difference() {
+    let picture = |grey: u8, dots: usize| Picture {
+        width: 100,
+        height: 50,
+        channels: 3,
+        data: [[0; 3], [grey; 3]]
+            .iter()
+            .zip([dots, 5000 - dots])
+            .flat_map(|(pixel, count)| pixel.repeat(count))
+            .collect(),
+    };
+    let plain = picture(255, 0);
+    assert_eq!(compare_pictures(&plain, &picture(255 - CHANNEL, 0)), None);
+    assert_eq!(compare_pictures(&plain, &picture(255, PIXELS)), None);
+    assert!(compare_pictures(&plain, &picture(255, PIXELS + 1)).is_some());
+    assert!(compare_pictures(&plain, &picture(254 - CHANNEL, 0)).is_some());
+    let wider = Picture {
+        width: 101,
+        ..picture(255, 0)
+    };
+    assert!(compare_pictures(&plain, &wider).is_some());
 }
 
 /// A picture as 8-bit samples.
