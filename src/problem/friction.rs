@@ -265,16 +265,12 @@ impl Problem for FrictionOscillator {
             let state = coulomb.at(time);
             exact.push(time, state.displacement, state.velocity, state.force);
         }
-        Ok(Solution { computed, exact })
-    }
-
-    fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>> {
-        match (case.number("x0"), case.number("duration")) {
-            (Some(x0), Some(duration)) => {
-                metrics::friction::evaluate(x0, duration, &solution.computed, &solution.exact)
-            }
-            _ => vec![None; METRICS.len()],
-        }
+        let metrics = metrics::friction::evaluate(x0, number("duration")?, &computed, &exact);
+        Ok(Solution {
+            computed,
+            exact,
+            metrics,
+        })
     }
 }
 
