@@ -136,7 +136,8 @@ impl Bars {
             now.start = next;
             for (i, queue) in fronts.iter_mut().enumerate() {
                 arrived[i] = 0.0;
-                while let Some(front) = queue.pop_front_if(|f| f.arrival <= next + INSTANT) {
+                let count = queue.partition_point(|front| front.arrival <= next + INSTANT);
+                for front in queue.drain(..count) {
                     arrived[i] += front.jump;
                 }
                 now.free[i] += arrived[i];
