@@ -17,17 +17,13 @@ lies in its own zone; `by_bisection` halves a bracket of g and knows nothing of 
 
 The exact Coulomb solution is not taken from a formula for the whole motion: `Coulomb` integrates event by event. At a
 rest point it compares the spring force with the friction limit; if it slides, it follows the circle in the phase plane
-about the centre -S until the velocity is zero again. `coulomb_by_quadrature` knows no circle: Runge-Kutta steps of the
-differential equation with the zeros of the velocity found by halving the step; `agree` compares the two.
+about the centre -S until the velocity is zero again. friction_checks.py compares it with
+Runge-Kutta steps of the differential equation.
 
-Run:  python3 friction.py confirm     the numbers printed in the issue, in double precision (standard library only)
-      python3 friction.py data FILE   tests/data/friction.json, with 50 digits (needs mpmath)
-      python3 friction.py agree       the two ways to the root and two precisions compared (needs mpmath)
+The programs that use this are friction_checks.py and friction_data.py.
 """
 
-import json
 import math
-import sys
 
 TOLERANCE = 1e-12  # relative, for times that mean a multiple of pi or of the step but carry rounding
 
@@ -162,35 +158,6 @@ class Coulomb:
         return (centre + (x - centre) * self.ar.cos(t - start), -(x - centre) * self.ar.sin(t - start))
 
 
-def coulomb_by_quadrature(x0, duration, step=1e-3):
-    """Rows (T, X, V) of X'' = -X - sign(X'), by Runge-Kutta steps and halving at the zeros of the velocity."""
-    def advance(x, v, s, h):
-        f = lambda x, v: (v, -x - s)
-        k1 = f(x, v)
-        k2 = f(x + h / 2 * k1[0], v + h / 2 * k1[1])
-        k3 = f(x + h / 2 * k2[0], v + h / 2 * k2[1])
-        k4 = f(x + h * k3[0], v + h * k3[1])
-        return tuple(y + h / 6 * (a + 2 * b + 2 * c + d) for y, a, b, c, d in zip((x, v), k1, k2, k3, k4))
-
-    t, x, v, rows = 0.0, float(x0), 0.0, [(0.0, float(x0), 0.0)]
-    while t < duration and abs(x) > 1:
-        s = -sign(x)
-        while t < duration:
-            x1, v1 = advance(x, v, s, step)
-            if v1 * s > 0:  # still moving the way friction resists
-                t, x, v = t + step, x1, v1
-                rows.append((t, x, v))
-                continue
-            low, high = 0.0, step
-            for _ in range(60):
-                mid = (low + high) / 2
-                low, high = (mid, high) if advance(x, v, s, mid)[1] * s > 0 else (low, mid)
-            t, x, v = t + high, advance(x, v, s, high)[0], 0.0
-            rows.append((t, x, v))
-            break
-    return rows
-
-
 def at_least(t, limit):
     """t >= limit, where both may carry rounding."""
     return t >= limit * (1 - TOLERANCE)
@@ -245,104 +212,3 @@ def run(case, arithmetic, root=by_branches):
     pairs = [exact.at(t) for t in history[0]]
     ex, ev = [p[0] for p in pairs], [p[1] for p in pairs]
     return history, ex, ev, metrics(case, history, exact, ex, arithmetic)
-
-
-def displacement(alpha, dT, x0=12.0, duration=8 * math.pi, slip="unloaded"):
-    return {"law": "displacement-control", "alpha": alpha, "dT": dT, "duration": duration, "x0": x0,
-            "initial_slip": slip}
-
-
-def velocity(beta, dT, x0=12.0, duration=8 * math.pi):
-    return {"law": "velocity-control", "beta": beta, "dT": dT, "duration": duration, "x0": x0}
-
-
-def confirm():
-    """Prints the numbers of the issue and of the reference page."""
-    pi, ar = math.pi, Double()
-    rows = [("Fig. 5", [displacement(a, pi / 10) for a in (0.1, 1.0, 5.0)]),
-            ("Fig. 5 pulled", [displacement(a, pi / 10, slip="pulled") for a in (0.1, 1.0, 5.0)]),
-            ("Fig. 5 sliding", [displacement(a, pi / 10, slip="sliding") for a in (0.1, 1.0, 5.0)]),
-            ("Fig. 6", [displacement(0.1, pi / k) for k in (10, 5, 3)]),
-            ("Fig. 7", [velocity(b, pi / 10) for b in (0.1, 1.0, 5.0)]),
-            ("Fig. 8", [velocity(0.303, pi / k) for k in (10, 5, 3)]),
-            ("alpha 0.1, pi/3 .. pi/80", [displacement(0.1, pi / k) for k in (3, 5, 10, 20, 40, 80)])]
-    for name, cases in rows:
-        print(f"{name:26}", *(f"{run(c, ar)[3]['rms_error']:.6f}" for c in cases))
-    for k in (10, 1000):
-        print(f"friction work, pi/{k:<9}", *(f"{friction_work(solve(displacement(a, pi / k), ar)):.4f}"
-                                              for a in (0.1, 1.0, 5.0)))
-    for x0 in (11.2, 11.5, 12.0, 12.5, 3.0, 1.0, 0.5, -12.0):
-        exact = Coulomb(x0, ar)
-        print(f"x0 = {x0:5}: m = {exact.m}, rest at {exact.rest:.10f}, T/pi = {exact.rest_time / pi:.10f}")
-    for name, cases in rows[:6]:
-        for c in cases:
-            print(name, c.get("alpha", c.get("beta")), f"pi/{pi / c['dT']:.0f}",
-                  {k: v if v is None else round(v, 6) for k, v in run(c, ar)[3].items()})
-
-
-def agree():
-    """Largest difference between the two roots (50 digits) and between double and 50 digits, over all cases."""
-    ar, dbl = Digits50(), Double()
-    for x0 in (12.0, 12.5, -11.2, 3.5):
-        exact = Coulomb(x0, dbl)
-        rows = coulomb_by_quadrature(x0, 30.0)
-        worst = max(max(abs(x - exact.at(t)[0]), abs(v - exact.at(t)[1])) for t, x, v in rows)
-        print(f"Coulomb, x0 = {x0}: {worst:.1e}, rests at {rows[-1][1]:.12f} from T/pi = {rows[-1][0] / math.pi:.12f}")
-    for case in CASES():
-        if steps_of(case["duration"], case["dT"]) > 600:
-            continue
-        one, two, low = solve(case, ar), solve(case, ar, by_bisection), solve(case, dbl)
-        diff = lambda p, q: max(abs(a - b) for c, d in zip(p, q) for a, b in zip(c, d))
-        print(f"roots {float(diff(one, two)):.1e}  double {float(diff(one, low)):.1e}", case)
-
-
-def CASES():
-    """The cases of tests/data/friction.json."""
-    pi = math.pi
-    d, v = displacement, velocity
-    return [
-        d(0.1, pi / 10), d(1.0, pi / 10), d(5.0, pi / 10),
-        d(0.1, pi / 10, slip="pulled"), d(1.0, pi / 10, slip="pulled"), d(5.0, pi / 10, slip="sliding"),
-        d(0.1, pi / 5), d(0.1, pi / 3), d(0.1, pi / 80),
-        v(0.1, pi / 10), v(1.0, pi / 10), v(5.0, pi / 10), v(0.303, pi / 5), v(0.303, pi / 3),
-        d(0.1, pi / 10, -12.0), d(0.1, pi / 10, -12.0, slip="sliding"), v(0.303, pi / 5, -12.0),
-        d(0.5, pi / 20, 12.5, 12 * pi), v(0.1, pi / 20, 12.5, 12 * pi), v(0.001, 0.1, 12.5, 40.0),
-        d(0.2, 0.25, 11.2, 30.0, "pulled"), v(0.05, 0.25, 11.2, 30.0), d(0.001, pi / 50, 11.2),
-        d(0.3, 0.1, 0.5, 20.0), v(0.3, 0.1, 0.5, 20.0), d(2.0, 0.3, 0.5, 25.0, "sliding"), v(10.0, pi / 10, 0.5),
-        d(0.1, 0.05, 1.0, 10.0), v(0.01, 0.2, 1.0, 3.0), d(0.01, pi / 10, 3.0, 4 * pi),
-        v(0.2, pi / 10, 3.0, 4 * pi), d(1.0, 0.7, 3.0, 5.0, "pulled"),
-        d(0.05, pi / 10, 100.0, 52 * pi), v(0.5, pi / 10, 100.0, 52 * pi), d(10.0, pi / 7, 100.0, 30.0),
-        d(0.01, pi / 1000, 3.0, 3 * pi), v(0.001, pi / 1000, 3.0, 3 * pi), d(0.1, pi / 1000, 12.0, 8 * pi),
-        d(0.1, 2.0, 12.0, 31.0), v(0.1, 2.0, 12.5, 31.0), v(10.0, 2.0, 12.0, 25.0), d(0.001, 1.0, 12.0, 17.0),
-        d(1.0, 0.4, 12.0, 1.2), d(1.0, 5.0, 12.0, 5.0), v(1.0, 0.3, 11.2, 6 * pi), d(0.1, pi / 6, 12.0, 6 * pi),
-    ]
-
-
-def data(path):
-    ar = Digits50()
-    cases = []
-    for case in CASES():
-        (T, X, V, S), ex, ev, values = run(case, ar)
-        n = len(T) - 1
-        stride = max(1, -(-n // 30))
-        picked = list(range(0, n, stride)) + [n]
-        cases.append({
-            "parameters": case, "steps": n,
-            "metrics": {k: None if x is None else float(x) for k, x in values.items()},
-            "history": [[i] + [float(q[i]) for q in (T, X, V, S, ex, ev)] for i in picked]})
-    out = {"problem": "friction-oscillator", "history_columns": ["step", "T", "X", "V", "S", "X_exact", "V_exact"]}
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(json.dumps(out)[:-1] + ', "cases": [\n')
-        file.write(",\n".join(json.dumps(c) for c in cases) + "\n]}\n")
-
-
-if __name__ == "__main__":
-    verb = sys.argv[1] if len(sys.argv) > 1 else ""
-    if verb == "confirm":
-        confirm()
-    elif verb == "agree":
-        agree()
-    elif verb == "data" and len(sys.argv) == 3:
-        data(sys.argv[2])
-    else:
-        sys.exit(__doc__)
