@@ -4,6 +4,7 @@ use super::cases::select;
 use super::parameters::{Draft, parameters};
 use super::report::Faults;
 use super::{Axis, Block, Filter, rules, tree};
+use crate::history::History;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
 
@@ -103,8 +104,12 @@ impl Problem for Bars {
     fn solve(&self, _case: &Case) -> Result<Solution, String> {
         Err("a test".into())
     }
-    fn evaluate(&self, _case: &Case, _solution: &Solution) -> Vec<Option<f64>> {
-        Vec::new()
+    fn time_in_pi(&self) -> bool {
+        false
+    }
+
+    fn exact(&self, _case: &Case, _times: &[f64]) -> Option<History> {
+        None
     }
 }
 
