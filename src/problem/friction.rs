@@ -218,6 +218,10 @@ impl Problem for FrictionOscillator {
         "Dimensionless time *T* = *ω*_n_*t*"
     }
 
+    fn time_in_pi(&self) -> bool {
+        true
+    }
+
     fn history_columns(&self) -> [&'static str; 6] {
         ["T", "X", "V", "S", "X_exact", "V_exact"]
     }
@@ -259,13 +263,18 @@ impl Problem for FrictionOscillator {
         if !computed.is_finite() {
             return Err("the motion leaves the range of double precision".into());
         }
-        let mut exact = History::with_capacity(computed.len());
-        let coulomb = Coulomb::new(x0);
-        for &time in &computed.time {
+        let exact = self.exact(case, &computed.time).ok_or("x0 is not given")?;
+        Ok(Solution { computed, exact })
+    }
+
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+        let coulomb = Coulomb::new(case.number("x0")?);
+        let mut exact = History::with_capacity(times.len());
+        for &time in times {
             let state = coulomb.at(time);
             exact.push(time, state.displacement, state.velocity, state.force);
         }
-        Ok(Solution { computed, exact })
+        Some(exact)
     }
 
     fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>> {

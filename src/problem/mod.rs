@@ -78,6 +78,15 @@ pub struct Quantity {
     pub source: Source,
 }
 
+/// A quantity along the structure that profile figures can draw.
+#[derive(Debug)]
+pub struct Profile {
+    /// Its name in a figure's `y`.
+    pub name: &'static str,
+    /// Axis title, in the markup of `figures::markup`.
+    pub title: &'static str,
+}
+
 /// Where a quantity's numbers come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
@@ -114,8 +123,14 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn metrics(&self) -> &'static [Metric];
     /// What history figures can draw; the first is the response itself.
     fn quantities(&self) -> &'static [Quantity];
+    /// What profile figures can draw; none for a problem without extent.
+    fn profiles(&self) -> &'static [Profile] {
+        &[]
+    }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;
+    /// Whether time axes have their ticks at multiples of pi.
+    fn time_in_pi(&self) -> bool;
     /// Names of the six history columns: time, displacement, velocity, force, exact displacement, exact velocity.
     fn history_columns(&self) -> [&'static str; 6];
     /// Fills in the values that follow from others, and names every rule across parameters that the case breaks.
@@ -124,6 +139,8 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn steps(&self, case: &Case) -> u64;
     /// Solves a completed case; an error says why it has no solution in double precision.
     fn solve(&self, case: &Case) -> Result<Solution, String>;
+    /// The exact solution of a completed case at these times, rising from 0; `None` where there is none.
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
     /// The metrics in the table's order; `None` where one is undefined for the case.
     fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>>;
 }

@@ -1,0 +1,137 @@
+//! A metric over two parameters: shaded cells, one a case, with a colour bar.
+
+use super::Shown;
+use super::label;
+use super::layout;
+use super::sheet::{Axis, FilledMap, Panel, Rect, Sheet};
+use super::style;
+use super::text;
+use super::ticks;
+use crate::study::{Figure, FigureKind, Scale, Study};
+
+const BAR_GAP: f64 = 12.0;
+const BAR_WIDTH: f64 = 11.0;
+
+/// The sheet of a `map` figure.
+pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
+    let FigureKind::Map { x, y, z, scales } = &figure.kind else {
+        return Sheet::default();
+    };
+    let (parameters, metric) = (study.problem.parameters(), &study.problem.metrics()[*z]);
+    let number = |shown: &Shown, row: usize| shown.case.values[row].and_then(|v| v.as_f64());
+    let (xs, ys) = (
+        places(cases, |c| number(c, *x)),
+        places(cases, |c| number(c, *y)),
+    );
+    let mut values = vec![None; xs.len() * ys.len()];
+    for shown in cases {
+        let found = |places: &[f64], row| {
+            let value = number(shown, row)?;
+            places.iter().position(|p| same(*p, value))
+        };
+        if let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) {
+            values[row * xs.len() + column] = shown.metrics.get(*z).copied().flatten();
+        }
+    }
+    let height = 190.0;
+    let along = |row: usize, places: &[f64], scale, most| {
+        let edges = edges(places, scale);
+        let range = [edges[0], edges[edges.len() - 1]];
+        let title = label::title(parameters[row].symbol, parameters[row].unit);
+        let axis = match scale {
+            Scale::Linear => ticks::linear(&title, range, most),
+            Scale::Log => ticks::log_range(&title, range, most),
+        };
+        (edges, axis)
+    };
+    let colours = colours(
+        &label::title(metric.symbol, metric.unit),
+        values.iter().flatten().copied(),
+        scales[2],
+    );
+    let numbers = colours
+        .ticks
+        .iter()
+        .map(|t| text::width(&t.label, style::LABEL));
+    let beside = BAR_GAP + BAR_WIDTH + style::LABEL_GAP + numbers.fold(0.0, f64::max);
+    let (y_edges, y_axis) = along(*y, &ys, scales[1], height / 28.0);
+    let width = 1.3 * style::SINGLE;
+    let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), beside);
+    let (x_edges, x_axis) = along(*x, &xs, scales[0], grid.width / 40.0);
+
+    let frame = grid.frames[0][0];
+    let mut panel = Panel::new(frame, grid.margin, x_axis, y_axis);
+    panel.map = Some(FilledMap {
+        x_edges,
+        y_edges,
+        values,
+        colours,
+        bar: Rect {
+            left: frame.right() + BAR_GAP,
+            width: BAR_WIDTH,
+            ..frame
+        },
+    });
+    let mut sheet = Sheet {
+        width,
+        panels: vec![panel],
+        ..Sheet::default()
+    };
+    layout::finish(&mut sheet, Vec::new(), figure.title.as_deref());
+    sheet
+}
+
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
+}
+
+/// The different values of a parameter, rising.
+fn places(cases: &[Shown], value: impl Fn(&Shown) -> Option<f64>) -> Vec<f64> {
+    let mut places: Vec<f64> = cases.iter().filter_map(value).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|a, b| same(*a, *b));
+    places
+}
+
+/// Edges of the cells round rising places: half-way between neighbours on the scale, and as far out at the ends.
+fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
+    let to = |x: f64| match scale {
+        Scale::Linear => x,
+        Scale::Log => libm::log(x),
+    };
+    let back = |x: f64| match scale {
+        Scale::Linear => x,
+        Scale::Log => libm::exp(x),
+    };
+    let at: Vec<f64> = match scale {
+        Scale::Linear => places.to_vec(),
+        Scale::Log => places
+            .iter()
+            .filter(|x| **x > 0.0)
+            .map(|x| to(*x))
+            .collect(),
+    };
+    match at.as_slice() {
+        [] => vec![back(0.0), back(1.0)],
+        [one] => vec![back(one - 0.5), back(one + 0.5)],
+        _ => {
+            let n = at.len();
+            let mut edges = vec![back(1.5 * at[0] - 0.5 * at[1])];
+            edges.extend(at.windows(2).map(|pair| back((pair[0] + pair[1]) / 2.0)));
+            edges.push(back(1.5 * at[n - 1] - 0.5 * at[n - 2]));
+            edges
+        }
+    }
+}
+
+fn colours(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Scale) -> Axis {
+    let most = 7.0;
+    let usable = values.filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0));
+    let low = usable.clone().fold(f64::INFINITY, f64::min);
+    let high = usable.fold(f64::NEG_INFINITY, f64::max);
+    match scale {
+        Scale::Linear if low < high => ticks::linear(title, [low, high], most),
+        Scale::Log if low < high => ticks::log_range(title, [low, high], most),
+        _ => super::metric::axis(title, [low].into_iter(), scale, most),
+    }
+}

@@ -1,0 +1,114 @@
+//! Metrics against a parameter: one panel a metric, one curve for each value of what else varies.
+
+use super::Shown;
+use super::label;
+use super::layout::{self, Key};
+use super::number;
+use super::sheet::{Axis, Panel, Series, Sheet};
+use super::style::{self, Marker, Stroke};
+use super::ticks;
+use crate::study::{Figure, FigureKind, Scale, Study};
+
+/// The sheet of a `metric` figure.
+pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
+    let FigureKind::Metric {
+        x,
+        y,
+        by,
+        x_scale,
+        y_scale,
+    } = &figure.kind
+    else {
+        return Sheet::default();
+    };
+    let parameter = &study.problem.parameters()[*x];
+    let at = |shown: &Shown| shown.case.values[*x].and_then(|value| value.as_f64());
+    let cases: Vec<Shown> = cases.iter().copied().filter(|c| at(c).is_some()).collect();
+    let labels = label::labels(study.problem.parameters(), &cases, *by, &[*x]);
+    let (looks, labels) = label::numbered(&labels);
+    let curves = |metric: usize| -> Vec<Series> {
+        let curve = |(look, label): (usize, &String)| {
+            let mut points: Vec<[f64; 2]> = cases
+                .iter()
+                .zip(&looks)
+                .filter(|(_, its)| **its == look)
+                .filter_map(|(shown, _)| {
+                    let value = shown.metrics.get(metric).copied().flatten();
+                    Some([at(shown)?, value.unwrap_or(f64::NAN)])
+                })
+                .collect();
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            Series {
+                label: label.clone(),
+                marked: (0..points.len()).collect(),
+                points,
+                stroke: Stroke::of_case(look),
+                width: style::CASE_LINE,
+                marker: Some(Marker::of_case(look)),
+            }
+        };
+        labels.iter().enumerate().map(curve).collect()
+    };
+    let panels: Vec<Vec<Series>> = y.iter().map(|metric| curves(*metric)).collect();
+    let height = if y.len() == 1 { 190.0 } else { 130.0 };
+    let axes: Vec<Axis> = y
+        .iter()
+        .zip(&panels)
+        .map(|(metric, series)| {
+            let metric = &study.problem.metrics()[*metric];
+            let values = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
+            let title = label::title(metric.symbol, metric.unit);
+            axis(&title, values, *y_scale, height / 24.0)
+        })
+        .collect();
+    let width = 1.2 * style::SINGLE;
+    let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
+    let values: Vec<f64> = cases.iter().filter_map(at).collect();
+    let title = label::title(parameter.symbol, parameter.unit);
+    let all_in_pi = values.iter().all(|v| number::of_pi(*v).is_some());
+    let across = if all_in_pi && *x_scale == Scale::Linear {
+        let most = values.iter().copied().fold(0.0, f64::max);
+        ticks::in_pi(&title, [0.0, 1.05 * most], grid.width / 40.0)
+    } else {
+        axis(&title, values.into_iter(), *x_scale, grid.width / 40.0)
+    };
+
+    let mut sheet = Sheet {
+        width,
+        ..Sheet::default()
+    };
+    for (i, (series, y)) in panels.into_iter().zip(axes).enumerate() {
+        let mut x = across.clone();
+        if i + 1 < grid.frames.len() {
+            x.title.clear();
+            x.numbered = false;
+        }
+        let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
+        panel.zero = *y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
+        panel.series = series;
+        sheet.panels.push(panel);
+    }
+    layout::letters(&mut sheet.panels);
+    let keys = labels.iter().enumerate().map(|(look, label)| Key {
+        label: label.clone(),
+        stroke: Stroke::of_case(look),
+        width: style::CASE_LINE,
+        marker: Some(Marker::of_case(look)),
+    });
+    // A curve alone needs no name.
+    let keys = if labels.len() > 1 {
+        keys.collect()
+    } else {
+        Vec::new()
+    };
+    layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+    sheet
+}
+
+/// An axis round the values, on the scale asked for.
+pub fn axis(title: &str, values: impl Iterator<Item = f64>, scale: Scale, most: f64) -> Axis {
+    match scale {
+        Scale::Linear => ticks::around(title, values, most),
+        Scale::Log => ticks::log(title, values, most),
+    }
+}

@@ -1,0 +1,84 @@
+//! Figures: a study's cases as sheets of panels, drawn as PNG and SVG by the same strokes. Draws data, never simulates.
+//!
+//! A kind of figure (`history`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
+
+mod clip;
+mod draw;
+mod font;
+mod history;
+mod label;
+mod law;
+mod layout;
+mod map;
+pub mod markup;
+mod metric;
+mod number;
+mod raster;
+pub mod sheet;
+pub mod style;
+mod text;
+mod ticks;
+mod vector;
+
+use crate::error::Error;
+use crate::problem::{Case, Solution};
+use crate::study::{Figure, FigureKind, Study};
+use sheet::Sheet;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// A case as figures see it.
+#[derive(Debug, Clone, Copy)]
+pub struct Shown<'a> {
+    /// Its parameters.
+    pub case: &'a Case,
+    /// Its metrics, in the order of `problem.metrics()`; `None` where one is undefined.
+    pub metrics: &'a [Option<f64>],
+    /// What was computed, for kinds that draw histories; `None` if the case could not be solved.
+    pub solution: Option<&'a Solution>,
+}
+
+/// The sheet of `figure` over the cases that its filter chose.
+pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
+    let mut sheet = match &figure.kind {
+        FigureKind::History { .. } => history::sheet(study, figure, cases),
+        FigureKind::Metric { .. } => metric::sheet(study, figure, cases),
+        FigureKind::Map { .. } => map::sheet(study, figure, cases),
+        FigureKind::Law => law::sheet(study, figure, cases),
+        // No problem has profiles yet, and the study reader says so.
+        FigureKind::Profile { .. } => Sheet {
+            width: style::SINGLE,
+            height: style::SINGLE,
+            ..Sheet::default()
+        },
+    };
+    sheet.title = match &figure.title {
+        Some(title) => markup::plain(title),
+        None => study.title.clone(),
+    };
+    let labels: Vec<_> = sheet
+        .legend
+        .iter()
+        .map(|e| markup::plain(&e.label))
+        .collect();
+    sheet.description = labels.join("; ");
+    sheet
+}
+
+/// The sheet as a PNG file; fails only on a sheet too large for memory.
+pub fn png(sheet: &Sheet) -> Result<Vec<u8>, Error> {
+    let raster = Rc::new(RefCell::new(raster::Raster::new(
+        sheet.width,
+        sheet.height,
+    )?));
+    draw::draw(sheet, &raster)?;
+    raster.borrow().png()
+}
+
+/// The sheet as the text of an SVG file.
+pub fn svg(sheet: &Sheet) -> Result<String, Error> {
+    let vector = vector::Vector::new(sheet.width, sheet.height, &sheet.title, &sheet.description);
+    let vector = Rc::new(RefCell::new(vector));
+    draw::draw(sheet, &vector)?;
+    Ok(vector.borrow_mut().svg())
+}

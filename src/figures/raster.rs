@@ -1,0 +1,297 @@
+//! The drawing backend behind PNG files: tiny-skia at sub-pixel coordinates.
+
+use super::font;
+use super::style::{PIXELS, UNITS};
+use crate::error::Error;
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+    FontStyle, FontTransform,
+};
+use std::convert::Infallible;
+use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, Transform};
+
+type Drawn = Result<(), DrawingErrorKind<Infallible>>;
+
+/// Pixels of a virtual unit.
+const SCALE: f64 = PIXELS / UNITS;
+
+/// A white sheet of pixels.
+pub struct Raster {
+    pixels: Pixmap,
+    size: (u32, u32),
+}
+
+impl Raster {
+    /// A sheet of the given size in points.
+    pub fn new(width: f64, height: f64) -> Result<Raster, Error> {
+        let [w, h] = [width, height].map(|length| (length * PIXELS).round() as u32);
+        let mut pixels = Pixmap::new(w, h)
+            .ok_or_else(|| Error::Internal(format!("a figure of {w} x {h} pixels")))?;
+        pixels.fill(Color::WHITE);
+        let size = ((width * UNITS) as u32, (height * UNITS) as u32);
+        Ok(Raster { pixels, size })
+    }
+
+    /// The sheet as a PNG file in grey where it has no colour, with its resolution.
+    pub fn png(&self) -> Result<Vec<u8>, Error> {
+        let grey = |[r, g, b, _]: &[u8; 4]| r == g && g == b;
+        let (pixels, _) = self.pixels.data().as_chunks::<4>();
+        let (colour, bytes): (_, Vec<u8>) = if pixels.iter().all(grey) {
+            let bytes = pixels.iter().map(|pixel| pixel[0]).collect();
+            (png::ColorType::Grayscale, bytes)
+        } else {
+            let bytes = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]);
+            (png::ColorType::Rgb, bytes.collect())
+        };
+        let mut file = Vec::new();
+        let fault = |error: png::EncodingError| Error::Internal(format!("PNG: {error}"));
+        let mut encoder = png::Encoder::new(&mut file, self.pixels.width(), self.pixels.height());
+        encoder.set_color(colour);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
+        let per_metre = (PIXELS * 72.0 / 0.0254).round() as u32;
+        encoder.set_pixel_dims(Some(png::PixelDimensions {
+            xppu: per_metre,
+            yppu: per_metre,
+            unit: png::Unit::Meter,
+        }));
+        let mut writer = encoder.write_header().map_err(fault)?;
+        writer.write_image_data(&bytes).map_err(fault)?;
+        writer.finish().map_err(fault)?;
+        Ok(file)
+    }
+
+    fn fill(&mut self, path: Option<Path>, colour: BackendColor, smooth: bool) {
+        if let Some(path) = path {
+            let paint = paint(colour, smooth);
+            let place = Transform::identity();
+            self.pixels
+                .fill_path(&path, &paint, FillRule::Winding, place, None);
+        }
+    }
+}
+
+fn paint(colour: BackendColor, smooth: bool) -> Paint<'static> {
+    let mut paint = Paint {
+        anti_alias: smooth,
+        ..Paint::default()
+    };
+    let (r, g, b) = colour.rgb;
+    paint.set_color_rgba8(r, g, b, (colour.alpha * 255.0).round() as u8);
+    paint
+}
+
+fn pixel(coordinate: i32) -> f32 {
+    (f64::from(coordinate) * SCALE) as f32
+}
+
+/// The line through points, in pixels.
+fn outline(points: &[BackendCoord], closed: bool) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    for (i, (x, y)) in points.iter().enumerate() {
+        match i {
+            0 => path.move_to(pixel(*x), pixel(*y)),
+            _ => path.line_to(pixel(*x), pixel(*y)),
+        }
+    }
+    if closed {
+        path.close();
+    }
+    path.finish()
+}
+
+/// An upright or level line (a tick, a side of a frame) as whole pixels, so that it is crisp.
+fn crisp(points: &[BackendCoord], width: f64) -> Option<Rect> {
+    let [(x0, y0), (x1, y1)] = *points else {
+        return None;
+    };
+    let thick = (width * SCALE).round().max(1.0);
+    // The middle on the nearest place at which both edges fall between pixels.
+    let across = |middle: i32| (f64::from(middle) * SCALE - thick / 2.0).round();
+    let (left, top, right, bottom) = if x0 == x1 {
+        let left = across(x0);
+        let (a, b) = (y0.min(y1), y0.max(y1));
+        (
+            left,
+            f64::from(a) * SCALE,
+            left + thick,
+            f64::from(b) * SCALE,
+        )
+    } else if y0 == y1 {
+        let top = across(y0);
+        let (a, b) = (x0.min(x1), x0.max(x1));
+        (f64::from(a) * SCALE, top, f64::from(b) * SCALE, top + thick)
+    } else {
+        return None;
+    };
+    Rect::from_ltrb(left as f32, top as f32, right as f32, bottom as f32)
+}
+
+impl DrawingBackend for Raster {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    fn ensure_prepared(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, (x, y): BackendCoord, colour: BackendColor) -> Drawn {
+        self.draw_rect((x, y), (x + 1, y + 1), &colour, true)
+    }
+
+    fn draw_line<S: BackendStyle>(&mut self, a: BackendCoord, b: BackendCoord, style: &S) -> Drawn {
+        self.draw_path([a, b], style)
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        points: I,
+        style: &S,
+    ) -> Drawn {
+        let points: Vec<_> = points.into_iter().collect();
+        let width = f64::from(style.stroke_width());
+        if let Some(rect) = crisp(&points, width) {
+            self.fill(Some(PathBuilder::from_rect(rect)), style.color(), true);
+        } else if let Some(path) = outline(&points, points.first() == points.last()) {
+            let stroke = Stroke {
+                width: (width * SCALE) as f32,
+                ..Stroke::default()
+            };
+            let (paint, place) = (paint(style.color(), true), Transform::identity());
+            self.pixels.stroke_path(&path, &paint, &stroke, place, None);
+        }
+        Ok(())
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        (x0, y0): BackendCoord,
+        (x1, y1): BackendCoord,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        if !fill {
+            for side in [
+                [(x0, y0), (x1, y0)],
+                [(x1, y0), (x1, y1)],
+                [(x1, y1), (x0, y1)],
+                [(x0, y1), (x0, y0)],
+            ] {
+                self.draw_path(side, style)?;
+            }
+            return Ok(());
+        }
+        // Whole pixels, so that neighbouring cells of a map leave no seam.
+        let [left, top, right, bottom] = [x0, y0, x1, y1].map(|v| pixel(v).round());
+        let rect = Rect::from_ltrb(left, top, right, bottom);
+        self.fill(rect.map(PathBuilder::from_rect), style.color(), false);
+        Ok(())
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        (x, y): BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        let radius = (f64::from(radius) * SCALE) as f32;
+        let path = PathBuilder::from_circle(pixel(x), pixel(y), radius);
+        if fill {
+            self.fill(path, style.color(), true);
+        } else if let Some(path) = path {
+            let stroke = Stroke {
+                width: (f64::from(style.stroke_width()) * SCALE) as f32,
+                ..Stroke::default()
+            };
+            let (paint, place) = (paint(style.color(), true), Transform::identity());
+            self.pixels.stroke_path(&path, &paint, &stroke, place, None);
+        }
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        points: I,
+        style: &S,
+    ) -> Drawn {
+        let points: Vec<_> = points.into_iter().collect();
+        self.fill(outline(&points, true), style.color(), true);
+        Ok(())
+    }
+
+    fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
+        let size = style.size() * SCALE;
+        let mut pen = Pen {
+            path: PathBuilder::new(),
+            origin: [f64::from(at.0) * SCALE, f64::from(at.1) * SCALE],
+            along: 0.0,
+            scale: 1.0,
+            upwards: matches!(style.transform(), FontTransform::Rotate270),
+        };
+        for (glyph, x) in font::set(text, matches!(style.style(), FontStyle::Italic)).0 {
+            pen.along = x * size;
+            pen.scale = size / glyph.per_em();
+            glyph.outline(&mut pen);
+        }
+        self.fill(pen.path.finish(), style.color(), true);
+        Ok(())
+    }
+}
+
+/// Takes outlines from the font to their place on the sheet.
+struct Pen {
+    path: PathBuilder,
+    origin: [f64; 2],
+    along: f64,
+    scale: f64,
+    upwards: bool,
+}
+
+impl Pen {
+    fn place(&self, x: f32, y: f32) -> (f32, f32) {
+        let along = self.along + f64::from(x) * self.scale;
+        let above = f64::from(y) * self.scale;
+        let [x, y] = self.origin;
+        let (x, y) = if self.upwards {
+            (x - above, y - along)
+        } else {
+            (x + along, y - above)
+        };
+        (x as f32, y as f32)
+    }
+}
+
+impl ttf_parser::OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.place(x, y);
+        self.path.move_to(x, y);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.place(x, y);
+        self.path.line_to(x, y);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let ((x1, y1), (x, y)) = (self.place(x1, y1), self.place(x, y));
+        self.path.quad_to(x1, y1, x, y);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let ((x1, y1), (x2, y2)) = (self.place(x1, y1), self.place(x2, y2));
+        let (x, y) = self.place(x, y);
+        self.path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+
+    fn close(&mut self) {
+        self.path.close();
+    }
+}

@@ -1,0 +1,221 @@
+//! A figure as data: what is drawn where, before anything is drawn. Lengths are points, y downwards.
+
+use super::style::{Marker, Stroke};
+use crate::study::Scale;
+
+/// A rectangle on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Rect {
+    /// Left edge.
+    pub left: f64,
+    /// Upper edge.
+    pub top: f64,
+    /// Width.
+    pub width: f64,
+    /// Height.
+    pub height: f64,
+}
+
+impl Rect {
+    /// Right edge.
+    pub fn right(&self) -> f64 {
+        self.left + self.width
+    }
+
+    /// Lower edge.
+    pub fn bottom(&self) -> f64 {
+        self.top + self.height
+    }
+
+    /// The same rectangle, larger by `by` on all sides.
+    pub fn inflated(&self, by: f64) -> Rect {
+        Rect {
+            left: self.left - by,
+            top: self.top - by,
+            width: self.width + 2.0 * by,
+            height: self.height + 2.0 * by,
+        }
+    }
+
+    /// Whether a point lies inside or on an edge.
+    pub fn contains(&self, [x, y]: [f64; 2]) -> bool {
+        x >= self.left && x <= self.right() && y >= self.top && y <= self.bottom()
+    }
+}
+
+/// A whole figure.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sheet {
+    /// What it shows, in plain words, for readers that cannot see it.
+    pub title: String,
+    /// Which curves there are, in plain words.
+    pub description: String,
+    /// Width.
+    pub width: f64,
+    /// Height.
+    pub height: f64,
+    /// Words over the panels, with their place.
+    pub heading: Option<Words>,
+    /// Panels, from upper left to lower right.
+    pub panels: Vec<Panel>,
+    /// The legend, once for the whole sheet: inside a panel where it hides nothing, else above the panels.
+    pub legend: Vec<Entry>,
+}
+
+/// One frame with what is in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// The frame.
+    pub frame: Rect,
+    /// Room left of the frame for the numbers and title of the vertical axis.
+    pub margin: f64,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Curves, drawn in this order.
+    pub series: Vec<Series>,
+    /// A filled map below the curves.
+    pub map: Option<FilledMap>,
+    /// Whether the line y = 0 is drawn.
+    pub zero: bool,
+    /// Letter and what else stands over the frame, in markup; empty for none.
+    pub letter: String,
+    /// Words inside the frame.
+    pub notes: Vec<Words>,
+    /// Dimension lines with an arrow at both ends, in the axes' units.
+    pub arrows: Vec<[[f64; 2]; 2]>,
+}
+
+/// An axis: its range, and what stands along it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Title in markup; empty where another panel shares the axis and has it.
+    pub title: String,
+    /// First and last value.
+    pub range: [f64; 2],
+    /// Evenly or by the logarithm.
+    pub scale: Scale,
+    /// Ticks inside the range.
+    pub ticks: Vec<Tick>,
+    /// Whether the ticks have their numbers here.
+    pub numbered: bool,
+}
+
+/// A tick.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tick {
+    /// Value on the axis.
+    pub at: f64,
+    /// Number in markup; empty for a minor tick.
+    pub label: String,
+}
+
+impl Axis {
+    /// Where `value` lies: 0 at the first, 1 at the last value of the range; not finite where it has no place.
+    pub fn fraction(&self, value: f64) -> f64 {
+        let [a, b] = self.range;
+        match self.scale {
+            Scale::Linear => (value - a) / (b - a),
+            Scale::Log if value > 0.0 => libm::log10(value / a) / libm::log10(b / a),
+            Scale::Log => f64::NAN,
+        }
+    }
+}
+
+impl Panel {
+    /// An empty panel.
+    pub fn new(frame: Rect, margin: f64, x: Axis, y: Axis) -> Panel {
+        Panel {
+            frame,
+            margin,
+            x,
+            y,
+            series: Vec::new(),
+            map: None,
+            zero: false,
+            letter: String::new(),
+            notes: Vec::new(),
+            arrows: Vec::new(),
+        }
+    }
+
+    /// The place on the sheet of a point in the axes' units; not finite where it has none.
+    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [
+            self.frame.left + self.frame.width * self.x.fraction(x),
+            self.frame.bottom() - self.frame.height * self.y.fraction(y),
+        ]
+    }
+}
+
+/// A curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// What the legend calls it, in markup.
+    pub label: String,
+    /// Points in the axes' units; one that is not finite leaves a gap.
+    pub points: Vec<[f64; 2]>,
+    /// Pattern of the line.
+    pub stroke: Stroke,
+    /// Width of the line.
+    pub width: f64,
+    /// Marker at the points `marked`.
+    pub marker: Option<Marker>,
+    /// Indices of the points that carry a marker.
+    pub marked: Vec<usize>,
+}
+
+/// A line of the legend.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// Left end of the piece of line, at the height of the line.
+    pub at: [f64; 2],
+    /// Words in markup.
+    pub label: String,
+    /// Pattern of the line.
+    pub stroke: Stroke,
+    /// Width of the line.
+    pub width: f64,
+    /// Marker on the piece of line.
+    pub marker: Option<Marker>,
+}
+
+/// Words at a place on the sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Words {
+    /// The place: the end or middle of the base line, as `anchor` says.
+    pub at: [f64; 2],
+    /// Which part of the words stands there.
+    pub anchor: Anchor,
+    /// The words in markup.
+    pub text: String,
+    /// Type size.
+    pub size: f64,
+}
+
+/// Which part of a line of words stands at its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its beginning.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its end.
+    End,
+}
+
+/// A quantity over two axes as filled cells, with its colour bar.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilledMap {
+    /// Edges of the cells along x, one more than cells.
+    pub x_edges: Vec<f64>,
+    /// Edges of the cells along y, one more than cells.
+    pub y_edges: Vec<f64>,
+    /// Values, x fastest; `None` leaves the cell white.
+    pub values: Vec<Option<f64>>,
+    /// Range and ticks of the colours.
+    pub colours: Axis,
+    /// Frame of the colour bar.
+    pub bar: Rect,
+}

@@ -1,0 +1,186 @@
+//! The look of the figures, in one place. Lengths are points of 1/72 inch.
+
+/// Width of a figure over one column of a journal, 90 mm.
+pub const SINGLE: f64 = 255.0;
+/// Width of a figure over one and a half columns, 140 mm.
+pub const MIDDLE: f64 = 397.0;
+/// Width of a figure over two columns, 180 mm.
+pub const DOUBLE: f64 = 510.0;
+
+/// Virtual units of the drawing backends in a point, so that integer coordinates do not show.
+pub const UNITS: f64 = 64.0;
+/// Pixels of a PNG in a point: twice the 96 dots an inch of a plain screen.
+pub const PIXELS: f64 = 2.0 * 96.0 / 72.0;
+
+/// Type size of axis titles, headings and panel letters.
+pub const TITLE: f64 = 9.5;
+/// Type size of numbers at ticks, legends and notes.
+pub const LABEL: f64 = 8.5;
+/// Sub- and superscripts: size over that of the text beside them.
+pub const SCRIPT: f64 = 0.7;
+/// How far a subscript drops, over the size of the text beside it.
+pub const SUBSCRIPT_DROP: f64 = 0.17;
+/// How far a superscript rises, over the size of the text beside it.
+pub const SUPERSCRIPT_RISE: f64 = 0.36;
+/// Height of figures and capitals over the type size, for centring on ticks.
+pub const CAP_HEIGHT: f64 = 0.66;
+
+/// Width of frames and ticks.
+pub const FRAME_LINE: f64 = 0.6;
+/// Width of the line at zero.
+pub const ZERO_LINE: f64 = 0.3;
+/// Width of the exact solution.
+pub const EXACT_LINE: f64 = 0.5;
+/// Width of a case's curve.
+pub const CASE_LINE: f64 = 0.9;
+/// Width of a marker's outline.
+pub const MARKER_LINE: f64 = 0.7;
+/// Half the size of a marker.
+pub const MARKER: f64 = 2.3;
+
+/// Length of the head of an arrow.
+pub const ARROW: f64 = 5.0;
+/// Length of a tick with a number, inwards.
+pub const MAJOR_TICK: f64 = 4.5;
+/// Length of a tick without one.
+pub const MINOR_TICK: f64 = 2.5;
+/// Room between frame and numbers.
+pub const LABEL_GAP: f64 = 4.0;
+/// Room between numbers and axis title.
+pub const TITLE_GAP: f64 = 5.0;
+/// White edge round the sheet.
+pub const EDGE: f64 = 5.0;
+
+/// Length of the piece of line in a legend.
+pub const SAMPLE: f64 = 29.0;
+/// Room between that piece and its words.
+pub const SAMPLE_GAP: f64 = 5.0;
+/// Distance of a legend's lines.
+pub const LEADING: f64 = 12.0;
+
+/// How a line is broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stroke {
+    /// Unbroken.
+    Solid,
+    /// Dashes.
+    Dashed,
+    /// Dash, dot.
+    DashDot,
+    /// Dots.
+    Dotted,
+    /// Dash, two dots.
+    DashDotDot,
+    /// Long dashes.
+    LongDash,
+}
+
+impl Stroke {
+    /// Lengths of line and gap in turn; empty for an unbroken line.
+    pub fn pattern(self) -> &'static [f64] {
+        match self {
+            Stroke::Solid => &[],
+            Stroke::Dashed => &[5.0, 2.2],
+            Stroke::DashDot => &[7.0, 2.0, 1.2, 2.0],
+            Stroke::Dotted => &[1.1, 1.7],
+            Stroke::DashDotDot => &[7.0, 1.8, 1.2, 1.8, 1.2, 1.8],
+            Stroke::LongDash => &[10.0, 3.0],
+        }
+    }
+
+    /// The pattern of the `i`-th curve of a panel.
+    pub fn of_case(i: usize) -> Stroke {
+        const TURN: [Stroke; 5] = [
+            Stroke::Dashed,
+            Stroke::DashDot,
+            Stroke::Dotted,
+            Stroke::DashDotDot,
+            Stroke::LongDash,
+        ];
+        TURN[i % TURN.len()]
+    }
+}
+
+/// An open marker, filled white so that the line does not run through it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// Circle.
+    Circle,
+    /// Triangle, point up.
+    Triangle,
+    /// Square.
+    Square,
+    /// Square on its corner.
+    Diamond,
+    /// Triangle, point down.
+    InvertedTriangle,
+    /// Two strokes crossing.
+    Cross,
+}
+
+impl Marker {
+    /// The marker of the `i`-th curve of a panel; with the strokes, thirty curves are told apart.
+    pub fn of_case(i: usize) -> Marker {
+        const TURN: [Marker; 6] = [
+            Marker::Circle,
+            Marker::Triangle,
+            Marker::Square,
+            Marker::Diamond,
+            Marker::InvertedTriangle,
+            Marker::Cross,
+        ];
+        TURN[i % TURN.len()]
+    }
+
+    /// The corners about the origin, y downwards, of equal visual weight; none for circle and cross.
+    pub fn corners(self) -> &'static [[f64; 2]] {
+        const M: f64 = MARKER;
+        match self {
+            Marker::Circle | Marker::Cross => &[],
+            Marker::Triangle => &[[0.0, -1.25 * M], [1.15 * M, 0.8 * M], [-1.15 * M, 0.8 * M]],
+            Marker::InvertedTriangle => {
+                &[[0.0, 1.25 * M], [-1.15 * M, -0.8 * M], [1.15 * M, -0.8 * M]]
+            }
+            Marker::Square => &[
+                [-0.9 * M, -0.9 * M],
+                [0.9 * M, -0.9 * M],
+                [0.9 * M, 0.9 * M],
+                [-0.9 * M, 0.9 * M],
+            ],
+            Marker::Diamond => &[
+                [0.0, -1.3 * M],
+                [1.3 * M, 0.0],
+                [0.0, 1.3 * M],
+                [-1.3 * M, 0.0],
+            ],
+        }
+    }
+}
+
+/// Colours of a map at equal distances, dark (small) to light (large): matplotlib's viridis (CC0), whose lightness
+/// rises evenly, so that it reads the same in grey.
+const VIRIDIS: [[u8; 3]; 11] = [
+    [68, 1, 84],
+    [72, 36, 117],
+    [65, 68, 135],
+    [53, 95, 141],
+    [42, 120, 142],
+    [33, 145, 140],
+    [34, 168, 132],
+    [68, 191, 112],
+    [122, 209, 81],
+    [189, 223, 38],
+    [253, 231, 37],
+];
+
+/// The colour at `fraction` of a map's range; ends beyond 0 and 1 take the end colours.
+pub fn colour(fraction: f64) -> [u8; 3] {
+    let last = VIRIDIS.len() - 1;
+    let at = fraction.clamp(0.0, 1.0) * last as f64;
+    let i = (at as usize).min(last - 1);
+    let blend = |k: usize| {
+        let (a, b) = (f64::from(VIRIDIS[i][k]), f64::from(VIRIDIS[i + 1][k]));
+        (a + (b - a) * (at - i as f64)).round() as u8
+    };
+    [blend(0), blend(1), blend(2)]
+}

@@ -1,0 +1,65 @@
+//! Lines of markup set in the embedded font.
+
+use super::font;
+use super::markup::{self, Set};
+use super::style::{SCRIPT, SUBSCRIPT_DROP, SUPERSCRIPT_RISE};
+
+/// A piece of text in one face and size, placed relative to the beginning of its line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// The characters.
+    pub text: String,
+    /// Italic or upright.
+    pub italic: bool,
+    /// Type size.
+    pub size: f64,
+    /// Beginning along the line.
+    pub x: f64,
+    /// Height of the base line above that of the line, negative for subscripts.
+    pub rise: f64,
+}
+
+/// The runs of a line of markup at a type size, and its length.
+pub fn set(markup: &str, size: f64) -> (Vec<Run>, f64) {
+    let mut runs = Vec::new();
+    let mut x = 0.0;
+    for piece in markup::parse(markup) {
+        let (scale, rise) = match piece.set {
+            Set::Roman | Set::Italic => (1.0, 0.0),
+            Set::Subscript => (SCRIPT, -SUBSCRIPT_DROP),
+            Set::Superscript => (SCRIPT, SUPERSCRIPT_RISE),
+        };
+        let italic = piece.set == Set::Italic;
+        let (_, length) = font::set(&piece.text, italic);
+        runs.push(Run {
+            text: piece.text,
+            italic,
+            size: scale * size,
+            x,
+            rise: rise * size,
+        });
+        x += length * scale * size;
+    }
+    (runs, x)
+}
+
+/// The length of a line of markup at a type size.
+pub fn width(markup: &str, size: f64) -> f64 {
+    set(markup, size).1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_follow_one_another() {
+        let (runs, length) = set("*X*_0_ = 12", 10.0);
+        assert_eq!(runs.len(), 3);
+        assert!(runs[0].italic && !runs[1].italic);
+        assert_eq!(runs[1].size, 7.0);
+        assert!(runs[1].rise < 0.0 && runs[2].rise == 0.0);
+        assert!(runs[0].x < runs[1].x && runs[1].x < runs[2].x && runs[2].x < length);
+        assert_eq!(width("", 10.0), 0.0);
+    }
+}

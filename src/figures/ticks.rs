@@ -1,0 +1,250 @@
+//! Axes with round numbers: linear, in multiples of pi, logarithmic.
+
+use super::number;
+use super::sheet::{Axis, Tick};
+use crate::study::Scale;
+use libm::{ceil, floor, log10, pow};
+use std::f64::consts::PI;
+
+/// A linear axis whose range is the data's, a little wider, out to the next minor ticks; `most` labels at most.
+pub fn around(title: &str, values: impl Iterator<Item = f64>, most: f64) -> Axis {
+    let [low, high] = span(values, |x| if x == 0.0 { 1.0 } else { 0.1 * x.abs() });
+    let pad = 0.03 * (high - low);
+    let (_, minor) = steps(high - low, most);
+    let low = floor((low - pad) / minor + 1e-9) * minor;
+    let high = ceil((high + pad) / minor - 1e-9) * minor;
+    linear(title, [low, high], most)
+}
+
+/// A linear axis of exactly this range; `most` labels at most.
+pub fn linear(title: &str, range: [f64; 2], most: f64) -> Axis {
+    let (major, minor) = steps(range[1] - range[0], most);
+    let decimals = (-floor(log10(major) + 1e-9)).max(0.0);
+    let largest = range[0].abs().max(range[1].abs());
+    let label = |x: f64| {
+        if decimals > 4.0 || largest >= 1e5 {
+            // Freed of the last digits, where the product of count and step has its rounding.
+            number::plain(format!("{x:.10e}").parse().unwrap_or(x))
+        } else {
+            format!("{x:.0$}", decimals as usize).replace('-', "−")
+        }
+    };
+    spaced(title, range, major, minor, label)
+}
+
+/// A linear axis of exactly this range with ticks at multiples of pi; `most` labels at most.
+pub fn in_pi(title: &str, range: [f64; 2], most: f64) -> Axis {
+    // Major and minor steps over pi.
+    const STEPS: [(f64, f64); 13] = [
+        (0.05, 0.01),
+        (0.1, 0.05),
+        (0.25, 0.125),
+        (0.5, 0.25),
+        (1.0, 0.5),
+        (2.0, 1.0),
+        (4.0, 1.0),
+        (10.0, 2.0),
+        (20.0, 5.0),
+        (50.0, 10.0),
+        (100.0, 20.0),
+        (200.0, 50.0),
+        (500.0, 100.0),
+    ];
+    let length = (range[1] - range[0]) / PI;
+    match STEPS.iter().find(|(major, _)| length / major <= most) {
+        Some((major, minor)) if length >= 0.1 => {
+            let label = |x: f64| number::of_pi(x).unwrap_or_else(|| "0".into());
+            spaced(title, range, major * PI, minor * PI, label)
+        }
+        _ => linear(title, range, most),
+    }
+}
+
+/// A logarithmic axis round the positive ones of the values.
+pub fn log(title: &str, values: impl Iterator<Item = f64>, most: f64) -> Axis {
+    let logs = values.filter(|x| *x > 0.0).map(log10);
+    // Powers of ten beyond these leave the range of double precision.
+    let [low, high] = span(logs.filter(|x| x.abs() < 290.0), |_| 0.3);
+    let pad = 0.04 * (high - low).max(0.5);
+    let logs = [low - pad, high + pad];
+    log_range(title, logs.map(|x| pow(10.0, x)), most)
+}
+
+/// A logarithmic axis of exactly this range.
+pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
+    let (first, last) = (floor(log10(range[0])) as i32, ceil(log10(range[1])) as i32);
+    let every = ceil(f64::from(last - first) / most).max(1.0) as i32;
+    let inside = |x: f64| x >= range[0] * (1.0 - 1e-12) && x <= range[1] * (1.0 + 1e-12);
+    let decades = (first..=last)
+        .filter(|k| inside(pow(10.0, f64::from(*k))))
+        .count();
+    let mut ticks = Vec::new();
+    for k in first..=last {
+        for digit in 1..=9 {
+            let at = f64::from(digit) * pow(10.0, f64::from(k));
+            if !inside(at) || (every > 1 && digit > 1) {
+                continue;
+            }
+            let numbered = match digit {
+                1 => k.rem_euclid(every) == 0,
+                2 | 5 => decades < 2,
+                _ => false,
+            };
+            let label = match (numbered, digit) {
+                (false, _) => String::new(),
+                (true, _) if (-2..=2).contains(&k) && decades < 2 => {
+                    number::plain(format!("{at:.3e}").parse().unwrap_or(at))
+                }
+                (true, 1) => format!("10^{k}^").replace('-', "−"),
+                (true, _) => format!("{digit} × 10^{k}^").replace('-', "−"),
+            };
+            ticks.push(Tick { at, label });
+        }
+    }
+    Axis {
+        title: title.into(),
+        range,
+        scale: Scale::Log,
+        ticks,
+        numbered: true,
+    }
+}
+
+/// Smallest and largest of the finite values; where they are one, widened by `wider`.
+fn span(values: impl Iterator<Item = f64>, wider: impl Fn(f64) -> f64) -> [f64; 2] {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    // Beyond 1e150 differences and squares would overflow.
+    for x in values.filter(|x| x.abs() < 1e150) {
+        low = low.min(x);
+        high = high.max(x);
+    }
+    if low > high {
+        return [0.0, 1.0];
+    }
+    if high - low > 1e-9 * low.abs().max(high.abs()) {
+        return [low, high];
+    }
+    let by = wider(low);
+    [low - by, high + by]
+}
+
+/// Major and minor step for at most `most` steps over `length`: 1, 2 or 5 times a power of ten.
+fn steps(length: f64, most: f64) -> (f64, f64) {
+    let raw = length / most;
+    let power = pow(10.0, floor(log10(raw)));
+    let (major, parts) = match raw / power {
+        m if m <= 1.0 + 1e-9 => (1.0, 5.0),
+        m if m <= 2.0 + 1e-9 => (2.0, 4.0),
+        m if m <= 5.0 + 1e-9 => (5.0, 5.0),
+        _ => (10.0, 5.0),
+    };
+    (major * power, major * power / parts)
+}
+
+fn spaced(
+    title: &str,
+    range: [f64; 2],
+    major: f64,
+    minor: f64,
+    label: impl Fn(f64) -> String,
+) -> Axis {
+    let each = (major / minor).round() as i64;
+    let first = ceil(range[0] / minor - 1e-6) as i64;
+    let last = floor(range[1] / minor + 1e-6) as i64;
+    let ticks = (first..=last)
+        .map(|k| {
+            let numbered = k.rem_euclid(each) == 0;
+            // From the major step where there is one, so that 3 steps of 0.1 are not 0.30000000000000004 twice over.
+            let at = if numbered {
+                (k / each) as f64 * major
+            } else {
+                k as f64 * minor
+            };
+            Tick {
+                at,
+                label: if numbered { label(at) } else { String::new() },
+            }
+        })
+        .collect();
+    Axis {
+        title: title.into(),
+        range,
+        scale: Scale::Linear,
+        ticks,
+        numbered: true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis) -> Vec<&str> {
+        let labels = axis.ticks.iter().map(|tick| tick.label.as_str());
+        labels.filter(|label| !label.is_empty()).collect()
+    }
+
+    #[test]
+    fn round_numbers() {
+        let axis = around("", [-9.9, 12.0].into_iter(), 6.0);
+        assert_eq!(axis.range, [-11.0, 13.0]);
+        assert_eq!(labels(&axis), ["−10", "−5", "0", "5", "10"]);
+        assert_eq!(
+            labels(&linear("", [0.0, 0.31], 4.0)),
+            ["0.0", "0.1", "0.2", "0.3"]
+        );
+        assert_eq!(
+            labels(&linear("", [0.0, 3e-6], 4.0)),
+            ["0", "10^−6^", "2 × 10^−6^", "3 × 10^−6^"]
+        );
+    }
+
+    #[test]
+    fn multiples_of_pi() {
+        let axis = in_pi("", [0.0, 8.0 * PI], 8.0);
+        assert_eq!(
+            labels(&axis),
+            ["0", "π", "2π", "3π", "4π", "5π", "6π", "7π", "8π"]
+        );
+        assert_eq!(
+            labels(&in_pi("", [0.0, 8.0 * PI], 5.0)),
+            ["0", "2π", "4π", "6π", "8π"]
+        );
+        assert_eq!(
+            labels(&in_pi("", [0.0, 20.0], 4.0)),
+            ["0", "2π", "4π", "6π"]
+        );
+        assert_eq!(labels(&in_pi("", [0.0, 1e5], 5.0)).last(), Some(&"10^5^"));
+    }
+
+    #[test]
+    fn decades() {
+        let axis = log("", [2e-3, 5.0].into_iter(), 8.0);
+        assert_eq!(labels(&axis), ["10^−2^", "10^−1^", "10^0^"]);
+        let short = log("", [0.02, 0.09].into_iter(), 8.0);
+        assert_eq!(labels(&short), ["0.02", "0.05"]);
+        assert!(
+            (axis.fraction(0.1) - (axis.fraction(0.01) + axis.fraction(1.0)) / 2.0).abs() < 1e-12
+        );
+        assert!(axis.fraction(0.0).is_nan());
+    }
+
+    #[test]
+    fn odd_ranges_still_make_an_axis() {
+        for values in [
+            vec![],
+            vec![0.0],
+            vec![3.0, 3.0],
+            vec![f64::NAN],
+            vec![-1e300, 1e300],
+        ] {
+            let axis = around("", values.iter().copied(), 5.0);
+            assert!(
+                axis.range[0] < axis.range[1] && axis.ticks.len() < 100,
+                "{axis:?}"
+            );
+            let axis = log("", values.into_iter(), 5.0);
+            assert!(axis.range[0] < axis.range[1]);
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! The drawing backend behind SVG files: text written by us, glyphs as outlines, so no reader needs the font.
+
+use super::font::{self, Glyph};
+use super::style::UNITS;
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+    FontStyle, FontTransform,
+};
+use std::collections::BTreeSet;
+use std::convert::Infallible;
+use std::fmt::Write;
+
+type Drawn = Result<(), DrawingErrorKind<Infallible>>;
+
+/// An SVG drawing under way; its user units are the virtual units of the drawing.
+pub struct Vector {
+    size: (u32, u32),
+    title: String,
+    description: String,
+    glyphs: BTreeSet<Glyph>,
+    body: String,
+    /// Colour, width and path data of the strokes not written yet: neighbours in one style share an element.
+    strokes: (String, u32, String),
+}
+
+impl Vector {
+    /// A drawing of the given size in points, with its title and description in plain words.
+    pub fn new(width: f64, height: f64, title: &str, description: &str) -> Vector {
+        Vector {
+            size: ((width * UNITS) as u32, (height * UNITS) as u32),
+            title: escape(title),
+            description: escape(description),
+            glyphs: BTreeSet::new(),
+            body: String::new(),
+            strokes: Default::default(),
+        }
+    }
+
+    /// The whole file.
+    pub fn svg(&mut self) -> String {
+        self.flush();
+        let (w, h) = self.size;
+        let [width, height] = [w, h].map(|units| f64::from(units) / UNITS);
+        let mut out = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}pt\" height=\"{height}pt\" \
+             viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
+             <title>{}</title>\n<desc>{}</desc>\n<defs>\n",
+            self.title, self.description
+        );
+        for glyph in &self.glyphs {
+            let mut pen = Pen(String::new());
+            glyph.outline(&mut pen);
+            let _ = writeln!(out, "<path id=\"{}\" d=\"{}\"/>", glyph.name(), pen.0);
+        }
+        let _ = writeln!(
+            out,
+            "</defs>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>"
+        );
+        out + &self.body + "</svg>\n"
+    }
+
+    fn flush(&mut self) {
+        let (colour, width, data) = std::mem::take(&mut self.strokes);
+        if !data.is_empty() {
+            self.write(format_args!(
+                "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\"{data}\"/>"
+            ));
+        }
+    }
+
+    fn element(&mut self, element: std::fmt::Arguments) {
+        self.flush();
+        self.write(element);
+    }
+
+    fn write(&mut self, element: std::fmt::Arguments) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.body, "{element}");
+    }
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+fn colour(colour: BackendColor) -> String {
+    let (r, g, b) = colour.rgb;
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// Path data of a line through points, with relative steps; closed where it ends where it began.
+fn data(points: &[BackendCoord]) -> String {
+    let mut out = String::new();
+    let mut before = (0, 0);
+    let closed = points.len() > 2 && points.first() == points.last();
+    let open = points.len() - usize::from(closed);
+    for (i, &(x, y)) in points[..open].iter().enumerate() {
+        let _ = match i {
+            0 => write!(out, "M{x} {y}"),
+            _ => write!(out, "l{} {}", x - before.0, y - before.1),
+        };
+        before = (x, y);
+    }
+    if closed {
+        out.push('z');
+    }
+    out
+}
+
+impl DrawingBackend for Vector {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    fn ensure_prepared(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, (x, y): BackendCoord, colour: BackendColor) -> Drawn {
+        self.draw_rect((x, y), (x + 1, y + 1), &colour, true)
+    }
+
+    fn draw_line<S: BackendStyle>(&mut self, a: BackendCoord, b: BackendCoord, style: &S) -> Drawn {
+        self.draw_path([a, b], style)
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        points: I,
+        style: &S,
+    ) -> Drawn {
+        let points: Vec<_> = points.into_iter().collect();
+        let (colour, width) = (colour(style.color()), style.stroke_width());
+        if self.strokes.0 != colour || self.strokes.1 != width {
+            self.flush();
+            self.strokes = (colour, width, String::new());
+        }
+        self.strokes.2 += &data(&points);
+        Ok(())
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        (x0, y0): BackendCoord,
+        (x1, y1): BackendCoord,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        if !fill {
+            return self.draw_path([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)], style);
+        }
+        let colour = colour(style.color());
+        let (w, h) = (x1 - x0, y1 - y0);
+        // Without smoothing, so that neighbouring cells of a map leave no seam.
+        self.element(format_args!(
+            "<rect x=\"{x0}\" y=\"{y0}\" width=\"{w}\" height=\"{h}\" fill=\"{colour}\" shape-rendering=\"crispEdges\"/>"
+        ));
+        Ok(())
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        (x, y): BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Drawn {
+        let (colour, width) = (colour(style.color()), style.stroke_width());
+        let paint = if fill {
+            format!("fill=\"{colour}\"")
+        } else {
+            format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"")
+        };
+        self.element(format_args!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>"
+        ));
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        points: I,
+        style: &S,
+    ) -> Drawn {
+        let points: Vec<_> = points.into_iter().collect();
+        let (colour, data) = (colour(style.color()), data(&points));
+        self.element(format_args!("<path fill=\"{colour}\" d=\"{data}z\"/>"));
+        Ok(())
+    }
+
+    fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
+        let (x, y) = at;
+        let turn = match style.transform() {
+            FontTransform::Rotate270 => " rotate(-90)",
+            _ => "",
+        };
+        let glyphs = font::set(text, matches!(style.style(), FontStyle::Italic)).0;
+        let Some((first, _)) = glyphs.first() else {
+            return Ok(());
+        };
+        let per_em = first.per_em();
+        let scale = style.size() / per_em;
+        self.element(format_args!(
+            "<g transform=\"translate({x} {y}){turn} scale({scale:.4} {:.4})\" fill=\"{}\">",
+            -scale,
+            colour(style.color())
+        ));
+        for (glyph, x) in glyphs {
+            self.glyphs.insert(glyph);
+            let x = x * per_em;
+            self.write(format_args!(
+                "<use href=\"#{}\" x=\"{x:.0}\"/>",
+                glyph.name()
+            ));
+        }
+        self.write(format_args!("</g>"));
+        Ok(())
+    }
+}
+
+/// Writes outlines as path data in units of the font.
+struct Pen(String);
+
+impl ttf_parser::OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let _ = write!(self.0, "M{x} {y}");
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        let _ = write!(self.0, "L{x} {y}");
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let _ = write!(self.0, "Q{x1} {y1} {x} {y}");
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let _ = write!(self.0, "C{x1} {y1} {x2} {y2} {x} {y}");
+    }
+
+    fn close(&mut self) {
+        self.0.push('Z');
+    }
+}
