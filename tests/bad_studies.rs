@@ -201,7 +201,10 @@ fn the_whole() {
         &blocks("[]"),
         &["2:11: blocks: must be a list of at least one block, got []"],
     );
-    assert_faults(&blocks("{}"), &["2:11: blocks: must be a list of objects"]);
+    assert_faults(
+        &blocks("{}"),
+        &["2:11: blocks: must be a list, got an object"],
+    );
     assert_faults(
         &blocks("[{}, {\"when\": 1}]"),
         &[
@@ -372,7 +375,7 @@ fn checks_and_metrics() {
     );
     assert_faults(
         &with(GOOD, ",\n\"checks\": {}"),
-        &["6:11: checks: must be a list of objects"],
+        &["6:11: checks: must be a list, got an object"],
     );
 }
 

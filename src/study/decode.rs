@@ -4,14 +4,16 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
+use super::blocks::blocks;
+use super::checks::check;
+use super::figures::figures;
 use super::object::Object;
-use super::parameters::{Draft, parameters};
 use super::place::Place;
-use super::report::{Faults, join, nearest};
-use super::scope::{Scope, names};
+use super::report::{Faults, nearest};
+use super::scope::Scope;
 use super::tree::{self, Node, Tree};
 use super::value::{name, text};
-use super::{Check, Figure, FigureKind, Study, checks, figures, rules};
+use super::{Check, Figure, FigureKind, Study};
 use crate::error::{Error, Fault};
 use crate::problem::{self, PROBLEMS, Problem};
 
@@ -62,12 +64,8 @@ pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
         Err(fault) => return Err(refused(file, text, fault.at, fault.message)),
     };
     let mut faults = Faults::default();
-    let study = study(&root, &mut faults);
-    match study {
-        Some(study) if faults.count() == 0 => Ok(Study {
-            sha256: sha256(text.as_bytes()),
-            ..study
-        }),
+    match study(&root, sha256(text.as_bytes()), &mut faults) {
+        Some(study) if faults.count() == 0 => Ok(study),
         _ => Err(Error::Faults(faults.in_file_order(file, text))),
     }
 }
@@ -89,7 +87,7 @@ fn sha256(bytes: &[u8]) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn study(root: &Node, faults: &mut Faults) -> Option<Study> {
+fn study(root: &Node, sha256: String, faults: &mut Faults) -> Option<Study> {
     let object = Object::open(root, "", &KEYS.map(|key| key.0), faults)?;
     let mut string = |key: &str| {
         let node = object.get(key)?;
@@ -98,46 +96,26 @@ fn study(root: &Node, faults: &mut Faults) -> Option<Study> {
     string("$schema");
     let title = string("title").unwrap_or_default();
     let problem = problem(&object, faults);
-    let drafts = blocks(&object, problem, faults);
+    let blocks = blocks(&object, problem, faults);
     // Without a problem the names of parameters and metrics mean nothing.
-    let scope = Scope {
-        problem: problem?,
-        blocks: drafts
-            .map(|drafts| drafts.iter().map(Draft::block).collect())
-            .unwrap_or_default(),
-    };
-    let asked = match object.get("metrics") {
-        Some(Node {
-            tree: Tree::List(items),
-            ..
-        }) if items.is_empty() => Vec::new(),
-        Some(node) => {
-            names(node, "metrics", "metric", &scope.metrics(), faults).unwrap_or_default()
-        }
-        None => Vec::new(),
-    };
-    let figures = list(&object, "figures", faults, |node, path, faults| {
-        let figure = figures::figure(node, path, &scope, faults)?;
-        let at = match &node.tree {
-            Tree::Object(members) => members.iter().find(|member| member.key == "name"),
-            _ => None,
-        };
-        let at = at.map_or(node.at, |member| member.node.at);
-        Some((figure, at, join(path, "name")))
+    let problem = problem?;
+    let scope = Scope { problem, blocks };
+    let metrics = scope.metrics();
+    let asked = object.items("metrics", faults, |node, path, faults| {
+        name(node, path, "metric", &metrics, faults)
     });
-    figures::distinct_names(&figures, faults);
-    let checks = list(&object, "checks", faults, |node, path, faults| {
-        checks::check(node, path, &scope, faults)
+    let figures = figures(&object, &scope, faults);
+    let checks = object.items("checks", faults, |node, path, faults| {
+        check(node, path, &scope, faults)
     });
-    let figures: Vec<Figure> = figures.into_iter().map(|(figure, ..)| figure).collect();
     Some(Study {
         title,
-        problem: scope.problem,
-        metrics: columns(scope.problem, &asked, &figures, &checks),
+        problem,
+        metrics: columns(problem, &asked, &figures, &checks),
         blocks: scope.blocks,
         figures,
         checks,
-        sha256: String::new(),
+        sha256,
     })
 }
 
@@ -150,73 +128,6 @@ fn problem(object: &Object, faults: &mut Faults) -> Option<&'static dyn Problem>
         (None, Tree::Text(slip)) => problem::find(nearest(slip, &known)?),
         _ => None,
     }
-}
-
-/// The blocks with their places, if all of them could be decoded.
-fn blocks(
-    object: &Object,
-    problem: Option<&'static dyn Problem>,
-    faults: &mut Faults,
-) -> Option<Vec<Draft>> {
-    let before = faults.count();
-    let table = problem.map(|problem| problem.parameters());
-    let (key, node, drafts) = match (object.get("parameters"), object.get("blocks")) {
-        (Some(_), Some(blocks)) => {
-            let message = "stands in place of \"parameters\"; give one of the two";
-            faults.add(blocks.at, "blocks", message);
-            return None;
-        }
-        (None, None) => {
-            let what = "the parameters of the cases, or \"blocks\" of them";
-            object.missing("parameters", what, faults);
-            return None;
-        }
-        (Some(node), None) => {
-            let draft = parameters(node, "parameters", table?, faults);
-            ("parameters", node, draft.into_iter().collect())
-        }
-        (None, Some(node)) => {
-            let drafts = list(object, "blocks", faults, |node, path, faults| {
-                let block = Object::open(node, path, &["parameters"], faults)?;
-                let node = block.need("parameters", "the parameters of the block", faults)?;
-                parameters(node, &block.path("parameters"), table?, faults)
-            });
-            let empty = matches!(&node.tree, Tree::List(blocks) if blocks.is_empty());
-            if empty {
-                faults.must_be(node, "blocks", "a list of at least one block");
-            }
-            ("blocks", node, drafts)
-        }
-    };
-    let whole = faults.count() == before;
-    if !rules::count(&drafts, node.at, key, faults) {
-        return None;
-    }
-    for draft in &drafts {
-        rules::check(problem?, draft, faults);
-    }
-    // A case that breaks a rule is still a case that figures and checks may mean.
-    whole.then_some(drafts)
-}
-
-/// Decodes the items of the list under `key`, leaving out those with a fault.
-fn list<T>(
-    object: &Object,
-    key: &str,
-    faults: &mut Faults,
-    decode: impl Fn(&Node, &str, &mut Faults) -> Option<T>,
-) -> Vec<T> {
-    let Some(node) = object.get(key) else {
-        return Vec::new();
-    };
-    let Tree::List(items) = &node.tree else {
-        faults.must_be(node, key, "a list of objects, [{ ... }, ...]");
-        return Vec::new();
-    };
-    let items = items.iter().enumerate();
-    items
-        .filter_map(|(i, item)| decode(item, &format!("{key}[{i}]"), faults))
-        .collect()
 }
 
 /// The metrics that every study has, that the study lists, and that a figure or check needs, in the table's order.

@@ -6,29 +6,10 @@
 use std::f64::consts::{E, PI};
 
 use super::report::unknown;
+use super::words::{FUNCTIONS, Function, length_of_number};
 
 /// Deeper than any formula that a person writes.
 const DEEPEST: usize = 100;
-
-/// A function by its number of arguments.
-#[derive(Clone, Copy)]
-enum Function {
-    One(fn(f64) -> f64),
-    Two(fn(f64, f64) -> f64),
-}
-
-const FUNCTIONS: [(&str, Function); 10] = [
-    ("sqrt", Function::One(f64::sqrt)),
-    ("sin", Function::One(libm::sin)),
-    ("cos", Function::One(libm::cos)),
-    ("tan", Function::One(libm::tan)),
-    ("exp", Function::One(libm::exp)),
-    ("ln", Function::One(libm::log)),
-    ("log10", Function::One(libm::log10)),
-    ("abs", Function::One(f64::abs)),
-    ("min", Function::Two(f64::min)),
-    ("max", Function::Two(f64::max)),
-];
 
 /// What is wrong with an expression, and at which byte of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -165,25 +146,7 @@ impl<'a> Parser<'a> {
     }
 
     fn number(&mut self) -> Outcome {
-        let rest = &self.text.as_bytes()[self.offset..];
-        let digits = |from: usize| {
-            from + rest[from..]
-                .iter()
-                .take_while(|b| b.is_ascii_digit())
-                .count()
-        };
-        let mut end = digits(0);
-        if rest.get(end) == Some(&b'.') {
-            end = digits(end + 1);
-        }
-        if matches!(rest.get(end), Some(b'e' | b'E')) {
-            let sign = usize::from(matches!(rest.get(end + 1), Some(b'+' | b'-')));
-            let after = digits(end + 1 + sign);
-            // Without digits this is the constant e after a number, which `evaluate` refuses.
-            if after > end + 1 + sign {
-                end = after;
-            }
-        }
+        let end = length_of_number(&self.text.as_bytes()[self.offset..]);
         let at = self.offset;
         let written = self.take(end);
         match written.parse() {

@@ -1,8 +1,10 @@
 //! The `figures` of a study.
 
+use std::collections::HashSet;
+
 use super::kinds::{self, COMMON, KINDS, Key, Kind, Takes};
 use super::object::Object;
-use super::report::{Faults, quoted};
+use super::report::{Faults, join, quoted};
 use super::scope::Scope;
 use super::taken::{Values, take};
 use super::tree::Node;
@@ -10,13 +12,26 @@ use super::value::name;
 use super::{Figure, FigureKind};
 use crate::problem::Source;
 
-/// Decodes one figure; `None` if it has a fault.
-pub(super) fn figure(
-    node: &Node,
-    path: &str,
-    scope: &Scope,
-    faults: &mut Faults,
-) -> Option<Figure> {
+/// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
+/// ignore.
+pub(super) fn figures(object: &Object, scope: &Scope, faults: &mut Faults) -> Vec<Figure> {
+    let named = object.items("figures", faults, |node, path, faults| {
+        let (figure, at) = figure(node, path, scope, faults)?;
+        Some((figure, at, join(path, "name")))
+    });
+    let mut seen = HashSet::new();
+    for (figure, at, path) in &named {
+        if !seen.insert(figure.name.to_ascii_lowercase()) {
+            let name = quoted(&figure.name);
+            let message = format!("{name} is the name of an earlier figure; give each its own");
+            faults.add(*at, path, message);
+        }
+    }
+    named.into_iter().map(|(figure, ..)| figure).collect()
+}
+
+/// Decodes one figure, with the place of its name; `None` if it has a fault.
+fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<(Figure, usize)> {
     let before = faults.count();
     let object = Object::open(node, path, &kinds::all_keys(), faults)?;
     let all = kinds::names();
@@ -52,7 +67,7 @@ pub(super) fn figure(
     if !scope.blocks.is_empty() {
         super::fitness::check(&figure, &values, scope, faults);
     }
-    (faults.count() == before).then_some(figure)
+    (faults.count() == before).then(|| (figure, values.at("name")))
 }
 
 /// Reports keys that other kinds take, but not this one, and kinds that the problem does not have.
@@ -122,18 +137,4 @@ fn response_and_error(scope: &Scope) -> Vec<usize> {
     });
     let response = (!quantities.is_empty()).then_some(0);
     response.into_iter().chain(error).collect()
-}
-
-/// Reports figures of the same name; case is ignored, as some file systems do.
-pub(super) fn distinct_names(figures: &[(Figure, usize, String)], faults: &mut Faults) {
-    let mut seen = std::collections::HashSet::new();
-    for (figure, at, path) in figures {
-        if !seen.insert(figure.name.to_ascii_lowercase()) {
-            let message = format!(
-                "{} is the name of an earlier figure; give each its own",
-                quoted(&figure.name)
-            );
-            faults.add(*at, path, message);
-        }
-    }
 }

@@ -3,6 +3,7 @@
 //! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
 //! problem and of `kinds` and collects every fault -> [`Study`] -> `cases`, made one at a time.
 
+mod blocks;
 mod cases;
 mod checks;
 mod decode;
@@ -23,6 +24,7 @@ mod taken;
 mod tests;
 mod tree;
 mod value;
+mod words;
 
 pub use decode::{parse, read};
 pub use schema::schema;

@@ -61,6 +61,29 @@ impl<'a> Object<'a> {
         found
     }
 
+    /// Decodes the items of the list under `key`, leaving out those with a fault; no list is no items.
+    pub fn items<T>(
+        &self,
+        key: &str,
+        faults: &mut Faults,
+        decode: impl Fn(&Node, &str, &mut Faults) -> Option<T>,
+    ) -> Vec<T> {
+        let path = self.path(key);
+        match self.get(key).map(|node| (node, &node.tree)) {
+            None => Vec::new(),
+            Some((_, Tree::List(items))) => {
+                let items = items.iter().enumerate();
+                items
+                    .filter_map(|(i, item)| decode(item, &format!("{path}[{i}]"), faults))
+                    .collect()
+            }
+            Some((node, _)) => {
+                faults.must_be(node, &path, "a list");
+                Vec::new()
+            }
+        }
+    }
+
     /// Adds that `key` is missing, at the opening brace.
     pub fn missing(&self, key: &str, what: &str, faults: &mut Faults) {
         faults.add(self.at, &self.path(key), format!("missing: {what}"));

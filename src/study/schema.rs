@@ -68,7 +68,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "problem": { "description": problem.meaning() },
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
-            "metrics": { "items": metric, "uniqueItems": true },
+            "metrics": { "items": metric },
             "figures": { "items": figure },
             "checks": { "items": check(problem) },
         } },
