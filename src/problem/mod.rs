@@ -103,6 +103,24 @@ pub enum Source {
     VelocityError,
 }
 
+/// What stands along the structure at one time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Snapshot {
+    /// Time of the step, in the problem's unit.
+    pub time: f64,
+    /// In the order of `problem.profiles()`.
+    pub profiles: Vec<Lines>,
+}
+
+/// One quantity along the structure, a line for each of its parts, as points (place, value).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lines {
+    /// By the stepper, at nodes or in elements.
+    pub computed: Vec<Vec<[f64; 2]>>,
+    /// By the exact solution, with both sides of every jump.
+    pub exact: Vec<Vec<[f64; 2]>>,
+}
+
 /// A case solved: what was computed, and the exact solution at the same times.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -129,6 +147,14 @@ pub trait Problem: Sync + std::fmt::Debug {
     /// What profile figures can draw; none for a problem without extent.
     fn profiles(&self) -> &'static [Profile] {
         &[]
+    }
+    /// Title of the axis along the structure, for profiles.
+    fn place_title(&self) -> &'static str {
+        ""
+    }
+    /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
+    fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
+        Vec::new()
     }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;

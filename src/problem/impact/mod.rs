@@ -2,15 +2,16 @@
 
 pub mod run;
 pub mod scaled;
+mod snapshot;
 mod tables;
 
 use super::parameter::{Parameter, Value};
-use super::{Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
+use super::{Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation, time_rules};
 use crate::exact::wave::Bars;
 use crate::history::History;
 use crate::metrics::{self, steps};
 use scaled::Scaled;
-use tables::{METRICS, PARAMETERS, QUANTITIES};
+use tables::{METRICS, PARAMETERS, PROFILES, QUANTITIES};
 
 /// Two uniform bars that meet end to end, an impact spring between them [I] Fig. 2.
 #[derive(Debug)]
@@ -96,6 +97,21 @@ impl Problem for BarImpact {
             exact,
             metrics,
         })
+    }
+
+    fn profiles(&self) -> &'static [Profile] {
+        &PROFILES
+    }
+
+    fn place_title(&self) -> &'static str {
+        "*x*/*L*"
+    }
+
+    fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
+        match (Scaled::new(case), case.number("dt")) {
+            (Some(scaled), Some(dt)) => snapshot::snapshots(&scaled, dt, self.steps(case), times),
+            _ => Vec::new(),
+        }
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {

@@ -1,7 +1,7 @@
 //! The tables of the bar impact: parameters, metrics, quantities.
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Metric, Quantity, Source};
+use crate::problem::{Metric, Profile, Quantity, Source};
 
 /// A row of the table of parameters that applies always.
 const fn row(
@@ -280,4 +280,15 @@ pub(super) static QUANTITIES: [Quantity; 5] = [
     quantity("force", "*F*/*F*_0_", Source::Force),
     quantity("r_error", "*r* − *r*_exact_", Source::DisplacementError),
     quantity("rdot_error", "*ṙ* − *ṙ*_exact_", Source::VelocityError),
+];
+
+pub(super) static PROFILES: [Profile; 2] = [
+    Profile {
+        name: "velocity",
+        title: "*v*/(*c*/2)",
+    },
+    Profile {
+        name: "stress",
+        title: "*σ*/(*F*_0_/*A*)",
+    },
 ];
