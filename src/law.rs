@@ -1,7 +1,7 @@
 //! Contact laws: the force S of an element from its relative displacement r and velocity rdot.
 //!
-//! S *resists*: it has the sign of the motion it opposes (the print of [F] (1) and (6) disagree on it; this sign
-//! agrees with [F] (9), (16) and (19)). A step of the method leaves r = r* - h S and rdot = rdot* - h_rate S, with
+//! S *resists*: it has the sign of the motion it opposes ([F (1)] and [F (6)] disagree on it; this sign
+//! agrees with [F (9), (16), (19)]). A step of the method leaves r = r* - h S and rdot = rdot* - h_rate S, with
 //! r*, rdot* the response without this step's force. Each law here gives the one root of that pair in closed form:
 //! what the papers' iteration converges to where it converges. Newton's iteration on these clipped laws can cycle.
 
@@ -26,7 +26,7 @@ pub trait Law<const L: usize> {
     fn respond(&mut self, trial: &Trial<L>) -> Lane<L>;
 }
 
-/// Friction limit nu |N| <N>: zero where the contact is open, N >= 0 [F (1), (3)].
+/// Friction limit `nu |N| <N>`: zero where the contact is open, N >= 0 [F (1), (3)].
 pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
     if normal_force < 0.0 {
         nu * normal_force.abs()
@@ -40,7 +40,7 @@ pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
 pub struct DisplacementControl<const L: usize> {
     /// 1/k^C; alpha in dimensionless units.
     pub compliance: Lane<L>,
-    /// nu |N| <N>, >= 0; may change from step to step.
+    /// `nu |N| <N>`, >= 0; may change from step to step.
     pub limit: Lane<L>,
     /// Slip r^S.
     pub slip: Lane<L>,
@@ -66,7 +66,7 @@ impl<const L: usize> Law<L> for DisplacementControl<L> {
 pub struct VelocityControl<const L: usize> {
     /// 1/c^C; beta in dimensionless units.
     pub compliance: Lane<L>,
-    /// nu |N| <N>, >= 0; may change from step to step.
+    /// `nu |N| <N>`, >= 0; may change from step to step.
     pub limit: Lane<L>,
 }
 

@@ -1,5 +1,7 @@
 //! Parameter studies of friction and impact models in time-history analysis.
 
+pub mod batch;
+pub mod checks;
 pub mod error;
 pub mod exact;
 pub mod figures;
@@ -11,3 +13,4 @@ pub mod problem;
 pub mod stepper;
 pub mod structure;
 pub mod study;
+pub mod textbook;

@@ -1,2 +1,99 @@
-//! The `slipgap` command line.
-fn main() {}
+//! The `slipgap` command line: verbs in, exit codes out.
+
+mod commands;
+
+use clap::{Args, Parser, Subcommand};
+use slipgap::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Parameter studies of friction and impact models in time-history analysis.
+#[derive(Parser)]
+#[command(version, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 good; 1 internal or I/O; 2 usage or study; 3 a case could not be solved; \
+5 a check is not met; 130 interrupted.";
+
+#[derive(Subcommand)]
+enum Verb {
+    /// Run studies: results.csv and figures into a folder for each
+    Run(Run),
+    /// Run studies and hold their checks against the results; writes nothing
+    Check(Check),
+    /// Show studies, their axes, cases and steps, without running them
+    List(Studies),
+    /// Print the JSON schema of study files
+    Schema,
+}
+
+#[derive(Args)]
+struct Studies {
+    /// Study files, or folders that are read with their sub-folders
+    #[arg(value_name = "STUDY|FOLDER", default_value = "studies")]
+    studies: Vec<PathBuf>,
+}
+
+#[derive(Args)]
+struct Run {
+    #[command(flatten)]
+    studies: Studies,
+    /// Folder for the results; one folder for each study is made in it
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    /// Write the history of every case too, as histories/CASE.csv
+    #[arg(long)]
+    histories: bool,
+    #[command(flatten)]
+    jobs: Jobs,
+}
+
+#[derive(Args)]
+struct Check {
+    #[command(flatten)]
+    studies: Studies,
+    #[command(flatten)]
+    jobs: Jobs,
+}
+
+#[derive(Args)]
+struct Jobs {
+    /// Number of threads; all cores where it is not given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    // A fault of this program ends like any other error: one message, exit code 1.
+    let done = std::panic::catch_unwind(|| carry_out(cli))
+        .unwrap_or_else(|_| Err(Error::Internal("this is a fault of slipgap itself".into())));
+    ExitCode::from(done.unwrap_or_else(|error| {
+        let prefix = if matches!(error, Error::Faults(_)) {
+            ""
+        } else {
+            "slipgap: "
+        };
+        commands::note(&format!("{prefix}{error}"));
+        error.exit_code()
+    }))
+}
+
+fn carry_out(cli: Cli) -> Result<u8, Error> {
+    match cli.verb {
+        Verb::Run(run) => {
+            let studies = commands::sources::read(&run.studies.studies)?;
+            commands::pool(run.jobs.jobs)?
+                .install(|| commands::run::run(&studies, &run.out, run.histories))
+        }
+        Verb::Check(check) => {
+            let studies = commands::sources::read(&check.studies.studies)?;
+            commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
+        }
+        Verb::List(list) => commands::list::list(&commands::sources::read(&list.studies)?),
+        Verb::Schema => commands::say(&format!("{:#}\n", slipgap::study::schema())),
+    }
+}

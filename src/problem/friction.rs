@@ -1,4 +1,4 @@
-//! The friction oscillator of [F], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
+//! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 use super::parameter::{Default, Kind, Parameter, Range, Value};
 use super::{Case, Metric, Problem, Quantity, Solution, Source, Violation, time_rules};
@@ -10,7 +10,7 @@ use crate::metrics::{self, steps};
 use crate::stepper::{Start, Stepper};
 use crate::structure::Mode;
 
-/// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F] Fig. 4.
+/// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
 pub struct FrictionOscillator;
 

@@ -78,6 +78,15 @@ pub struct Quantity {
     pub source: Source,
 }
 
+/// A quantity along the structure that profile figures can draw.
+#[derive(Debug)]
+pub struct Profile {
+    /// Its name in a figure's `y`.
+    pub name: &'static str,
+    /// Axis title, in the markup of `figures::markup`.
+    pub title: &'static str,
+}
+
 /// Where a quantity's numbers come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
@@ -114,6 +123,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn metrics(&self) -> &'static [Metric];
     /// What history figures can draw; the first is the response itself.
     fn quantities(&self) -> &'static [Quantity];
+    /// What profile figures can draw; none for a problem without extent.
+    fn profiles(&self) -> &'static [Profile] {
+        &[]
+    }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;
     /// Whether time axes have their ticks at multiples of pi.

@@ -1,4 +1,33 @@
 //! A study file, read: problem, blocks of axes, columns, figures and checks.
+//!
+//! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
+//! problem and of `kinds` and collects every fault -> [`Study`] -> `cases`, made one at a time.
+
+mod blocks;
+mod cases;
+mod checks;
+mod decode;
+pub mod expression;
+mod figures;
+mod fitness;
+mod kinds;
+mod object;
+mod parameters;
+mod place;
+mod report;
+mod rules;
+mod schema;
+mod schema_values;
+mod scope;
+mod taken;
+#[cfg(test)]
+mod tests;
+mod tree;
+mod value;
+mod words;
+
+pub use decode::{parse, read};
+pub use schema::schema;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
@@ -6,7 +35,7 @@ use crate::problem::parameter::Value;
 /// A validated study.
 #[derive(Debug)]
 pub struct Study {
-    /// What the study shows, in one line.
+    /// What the study shows, in one line; empty if the study does not say.
     pub title: String,
     /// The problem whose cases it runs.
     pub problem: &'static dyn Problem,
@@ -18,6 +47,8 @@ pub struct Study {
     pub figures: Vec<Figure>,
     /// Tolerances to hold.
     pub checks: Vec<Check>,
+    /// SHA-256 of the file's bytes, in hexadecimal digits.
+    pub sha256: String,
 }
 
 /// A block: the product of its axes in file order, last axis fastest.
@@ -111,6 +142,13 @@ pub enum FigureKind {
     },
     /// The laws of the problem's cases: force over displacement or velocity.
     Law,
+}
+
+impl FigureKind {
+    /// Whether the figure draws what cases do over time.
+    pub fn draws_histories(&self) -> bool {
+        matches!(self, FigureKind::History { .. })
+    }
 }
 
 /// How numbers are laid along an axis.

@@ -1,0 +1,131 @@
+//! The folder of one study's results: whole files only, and nothing left over from a former run.
+
+use crate::error::Error;
+use crate::study::Study;
+use serde_json::{Value, json};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Version of everything that decides a number; it changes when any result may change.
+pub const SOLVER_VERSION: u32 = 1;
+
+const MANIFEST: &str = "manifest.json";
+
+/// A folder that results go to, and what this run has put there.
+#[derive(Debug)]
+pub struct Folder {
+    path: PathBuf,
+    written: Vec<String>,
+}
+
+impl Folder {
+    /// Makes the folder and tries to write in it, so that an answer comes before any computing.
+    pub fn open(path: &Path) -> Result<Folder, Error> {
+        fs::create_dir_all(path).map_err(Error::io("cannot make folder", path))?;
+        let probe = path.join(".slipgap-probe");
+        fs::write(&probe, b"").map_err(Error::io("cannot write in folder", path))?;
+        fs::remove_file(&probe).map_err(Error::io("cannot write in folder", path))?;
+        Ok(Folder {
+            path: path.to_owned(),
+            written: Vec::new(),
+        })
+    }
+
+    /// Writes `name`, as in `histories/3.csv`, and gives its path.
+    pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<PathBuf, Error> {
+        self.written.push(name.to_owned());
+        self.put(name, bytes)
+    }
+
+    /// Writes one of many files of a sub-folder without noting it; see [`Folder::note`].
+    pub fn put(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, Error> {
+        let path = self.path.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(Error::io("cannot make folder", parent))?;
+        }
+        whole(&path, bytes)?;
+        Ok(path)
+    }
+
+    /// Notes files that [`Folder::put`] wrote.
+    pub fn note(&mut self, names: impl Iterator<Item = String>) {
+        self.written.extend(names);
+    }
+
+    /// Removes what a former run wrote and this one did not, then writes the manifest.
+    pub fn close(mut self, study: &Study, file: &Path) -> Result<(), Error> {
+        self.written.sort();
+        for name in self.former() {
+            // Only names inside the folder: a manifest edited by hand must not reach further.
+            let inside = Path::new(&name)
+                .components()
+                .all(|part| matches!(part, std::path::Component::Normal(_)));
+            if inside && self.written.binary_search(&name).is_err() {
+                let path = self.path.join(&name);
+                match fs::remove_file(&path) {
+                    Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+                        return Err(Error::io("cannot remove", path)(e));
+                    }
+                    _ => {}
+                }
+                // A sub-folder goes with its last file; one that still holds something stays.
+                if let Some(parent) = path.parent().filter(|parent| *parent != self.path) {
+                    let _ = fs::remove_dir(parent);
+                }
+            }
+        }
+        let manifest = json!({
+            "study": file.file_name().map(|name| name.to_string_lossy()),
+            "study_sha256": study.sha256,
+            "program": env!("CARGO_PKG_NAME"),
+            "program_version": env!("CARGO_PKG_VERSION"),
+            "solver_version": SOLVER_VERSION,
+            "git_commit": commit_of(file),
+            "files": self.written,
+        });
+        whole(
+            &self.path.join(MANIFEST),
+            format!("{manifest:#}\n").as_bytes(),
+        )
+    }
+
+    /// Files that a former run's manifest names.
+    fn former(&self) -> Vec<String> {
+        let manifest = fs::read(self.path.join(MANIFEST)).unwrap_or_default();
+        let manifest: Value = serde_json::from_slice(&manifest).unwrap_or_default();
+        let files = manifest["files"].as_array().into_iter().flatten();
+        files
+            .filter_map(|name| Some(name.as_str()?.to_owned()))
+            .collect()
+    }
+}
+
+/// Writes a file under a temporary name and renames it: it is there whole or not at all.
+fn whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let mut partial = path.as_os_str().to_owned();
+    partial.push(".partial");
+    let partial = PathBuf::from(partial);
+    fs::write(&partial, bytes)
+        .and_then(|()| fs::rename(&partial, path))
+        .map_err(|e| {
+            let _ = fs::remove_file(&partial);
+            Error::io("cannot write", path)(e)
+        })
+}
+
+/// The commit of the repository that holds the study, if it stands in one and git is there to ask.
+fn commit_of(file: &Path) -> Option<String> {
+    let folder = file
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let output = Command::new("git")
+        .arg("-C")
+        .arg(folder)
+        .args(["rev-parse", "HEAD"])
+        .output()
+        .ok()
+        .filter(|output| output.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}

@@ -1,0 +1,47 @@
+//! Tolerances: each check of a study held against every case it names.
+
+use crate::batch::Outcome;
+use crate::study::Study;
+
+/// One check on one case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// The case.
+    pub case: u64,
+    /// Name of the metric.
+    pub metric: &'static str,
+    /// Its value; `None` where it is undefined, which fails.
+    pub value: Option<f64>,
+    /// Smallest value allowed.
+    pub min: Option<f64>,
+    /// Largest value allowed.
+    pub max: Option<f64>,
+}
+
+impl Verdict {
+    /// Whether the value lies within the limits.
+    pub fn holds(&self) -> bool {
+        self.value.is_some_and(|x| {
+            self.min.is_none_or(|min| x >= min) && self.max.is_none_or(|max| x <= max)
+        })
+    }
+}
+
+/// Every check of the study on every case it names, in the order of the file.
+pub fn judge(study: &Study, outcomes: &[Outcome]) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    for check in &study.checks {
+        for (case, outcome) in (0..).zip(outcomes) {
+            if check.filter.matches(&outcome.case) {
+                verdicts.push(Verdict {
+                    case,
+                    metric: study.problem.metrics()[check.metric].name,
+                    value: outcome.metrics[check.metric].filter(|x| !x.is_nan()),
+                    min: check.min,
+                    max: check.max,
+                });
+            }
+        }
+    }
+    verdicts
+}

@@ -1,0 +1,56 @@
+//! `slipgap check`: every check of every study, with the value it judged.
+
+use super::sources::Source;
+use super::{NOT_MET, UNSOLVED, columns, note, progress, run, say};
+use slipgap::batch;
+use slipgap::checks::{self, Verdict};
+use slipgap::error::Error;
+use slipgap::problem::parameter::shortest;
+
+/// Runs the studies without writing anything and prints the verdicts; gives the exit code.
+pub fn check(sources: &[Source]) -> Result<u8, Error> {
+    let mut rows = vec![
+        ["study", "case", "metric", "value", "limits", "verdict"]
+            .map(String::from)
+            .to_vec(),
+    ];
+    let (mut code, mut count, mut failed) = (0, 0, 0);
+    for source in sources {
+        let bar = progress(&source.name, source.study.len());
+        let outcomes = batch::run(&source.study, &bar, |_| false, |_, _| Ok(()))?;
+        bar.finish_and_clear();
+        if run::unsolved(source, &outcomes) {
+            code = UNSOLVED;
+        }
+        for verdict in checks::judge(&source.study, &outcomes) {
+            count += 1;
+            failed += usize::from(!verdict.holds());
+            rows.push(row(&source.name, &verdict));
+        }
+    }
+    say(&columns(&rows))?;
+    note(&format!("{count} checks, {failed} not met"));
+    // A case without a solution outweighs a check without a value.
+    Ok(if code == 0 && failed > 0 {
+        NOT_MET
+    } else {
+        code
+    })
+}
+
+fn row(name: &str, verdict: &Verdict) -> Vec<String> {
+    let limits = match (verdict.min, verdict.max) {
+        (Some(min), Some(max)) => format!("{} .. {}", shortest(min), shortest(max)),
+        (Some(min), None) => format!(">= {}", shortest(min)),
+        (None, Some(max)) => format!("<= {}", shortest(max)),
+        (None, None) => String::new(),
+    };
+    vec![
+        name.to_owned(),
+        verdict.case.to_string(),
+        verdict.metric.to_owned(),
+        verdict.value.map_or("undefined".into(), shortest),
+        limits,
+        if verdict.holds() { "ok" } else { "NOT MET" }.to_owned(),
+    ]
+}

@@ -1,0 +1,73 @@
+//! One file for each verb, and what they share.
+
+pub mod check;
+pub mod list;
+pub mod run;
+pub mod sources;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use slipgap::error::Error;
+use std::io::{ErrorKind, IsTerminal, Write, stderr, stdout};
+
+/// Exit code where a case could not be solved.
+pub const UNSOLVED: u8 = 3;
+/// Exit code where a check is not met.
+pub const NOT_MET: u8 = 5;
+
+/// Writes what was asked for to stdout; a reader that has gone away is no failure.
+pub fn say(text: &str) -> Result<u8, Error> {
+    let mut out = stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Error::io("cannot write", "stdout")(e)),
+        _ => Ok(0),
+    }
+}
+
+/// Writes a line about the run to stderr; that nobody reads it stops nothing.
+pub fn note(line: &str) {
+    let _ = writeln!(stderr(), "{line}");
+}
+
+/// The threads to compute with: `jobs`, or one for each core.
+pub fn pool(jobs: Option<u16>) -> Result<rayon::ThreadPool, Error> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(jobs.map_or(0, usize::from))
+        .build()
+        .map_err(|e| Error::Internal(format!("cannot start threads: {e}")))
+}
+
+/// A progress bar with rate and time left for a terminal, nothing otherwise.
+pub fn progress(name: &str, cases: u64) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(
+        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {per_sec}, {eta} left",
+    )
+    .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(cases)
+        .with_style(style)
+        .with_prefix(name.to_owned())
+}
+
+/// Rows of text in columns, the first row being the header; numbers stand as they are.
+pub fn columns(rows: &[Vec<String>]) -> String {
+    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        rows.iter()
+            .filter_map(|row| Some(row.get(column)?.chars().count()))
+            .max()
+            .unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..count).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (cell, width) in row.iter().zip(&widths) {
+            line.push_str(&format!("{cell:<width$}  "));
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}

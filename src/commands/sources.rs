@@ -1,0 +1,100 @@
+//! From what the user named to the studies that are meant, each with the folder its results go to.
+
+use slipgap::error::Error;
+use slipgap::study::{self, Study};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
+
+/// A study and where it came from.
+pub struct Source {
+    /// The file as the user named it.
+    pub file: PathBuf,
+    /// Its folder under the output folder, as in `claims/friction`.
+    pub name: String,
+    /// The study.
+    pub study: Study,
+}
+
+/// Reads every study of the files and folders named, in order; every fault of every file is reported.
+pub fn read(named: &[PathBuf]) -> Result<Vec<Source>, Error> {
+    let mut files = Vec::new();
+    for path in named {
+        files.extend(find(path)?);
+    }
+    let (mut sources, mut faults) = (Vec::new(), Vec::new());
+    for (file, name) in distinct(files)? {
+        match study::read(&file) {
+            Ok(study) => sources.push(Source { file, name, study }),
+            Err(Error::Faults(more)) => faults.extend(more),
+            Err(other) => return Err(other),
+        }
+    }
+    if faults.is_empty() {
+        Ok(sources)
+    } else {
+        Err(Error::Faults(faults))
+    }
+}
+
+/// The study files under `path`, by name, each with its path relative to it and without `.json`.
+fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
+    if !path.is_dir() {
+        let stem = path.file_stem().unwrap_or(path.as_os_str());
+        return Ok(vec![(path.to_owned(), name(Path::new(stem)))]);
+    }
+    let mut files = Vec::new();
+    for entry in WalkDir::new(path).sort_by_file_name() {
+        let entry = entry.map_err(|e| {
+            let at = e.path().unwrap_or(path).to_owned();
+            Error::io("cannot read", at)(e.into())
+        })?;
+        let file = entry.path();
+        let hidden = entry.file_name().to_string_lossy().starts_with('.');
+        if file.is_file() && !hidden && file.extension().is_some_and(|e| e == "json") {
+            let relative = file.strip_prefix(path).unwrap_or(file).with_extension("");
+            files.push((file.to_owned(), name(&relative)));
+        }
+    }
+    if files.is_empty() {
+        let what = format!("no studies (*.json) in folder {}", path.display());
+        return Err(Error::Usage(what));
+    }
+    Ok(files)
+}
+
+/// Drops a file named twice; refuses two files whose results would share a folder.
+fn distinct(files: Vec<(PathBuf, String)>) -> Result<Vec<(PathBuf, String)>, Error> {
+    let mut taken: BTreeMap<String, PathBuf> = BTreeMap::new();
+    let mut kept = Vec::new();
+    for (file, name) in files {
+        match taken.get(&name) {
+            None => {
+                taken.insert(name.clone(), file.clone());
+                kept.push((file, name));
+            }
+            Some(first) if same(first, &file) => {}
+            Some(first) => {
+                return Err(Error::Usage(format!(
+                    "{} and {} would both write to folder {name}; rename one or run them apart",
+                    first.display(),
+                    file.display()
+                )));
+            }
+        }
+    }
+    Ok(kept)
+}
+
+fn same(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    }
+}
+
+/// A relative path with `/` on every system.
+fn name(path: &Path) -> String {
+    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/")
+}

@@ -1,0 +1,58 @@
+//! The `checks` of a study.
+
+use super::object::Object;
+use super::report::Faults;
+use super::scope::Scope;
+use super::tree::Node;
+use super::value::{name, number};
+use super::{Check, Filter};
+use crate::problem::parameter::{Range, shortest};
+
+/// The keys of a check.
+pub(super) const KEYS: [(&str, &str); 4] = [
+    ("metric", "the metric that is held to its limits"),
+    (
+        "where",
+        "the cases to check: those that have all these values; all cases if left out",
+    ),
+    ("min", "least value allowed"),
+    ("max", "greatest value allowed"),
+];
+
+/// Decodes one check; `None` if it has a fault.
+pub(super) fn check(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<Check> {
+    let before = faults.count();
+    let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
+    let metrics = scope.metrics();
+    let metric = object
+        .need("metric", &format!("one of {}", metrics.join(", ")), faults)
+        .and_then(|node| name(node, &object.path("metric"), "metric", &metrics, faults));
+    let filter = match object.get("where") {
+        Some(node) => scope.filter(node, &object.path("where"), faults),
+        None => Some(Filter::default()),
+    };
+    let mut limit = |key: &str| {
+        let node = object.get(key)?;
+        number(node, &object.path(key), Range::Any, faults).map(|x| (x, node))
+    };
+    let (min, max) = (limit("min"), limit("max"));
+    if object.get("min").is_none() && object.get("max").is_none() {
+        object.fault("missing: \"min\", \"max\" or both", faults);
+    }
+    if let (Some((min, _)), Some((max, node))) = (min, max)
+        && min > max
+    {
+        let (min, max) = (shortest(min), shortest(max));
+        let message = format!("must be >= min = {min}, got {max}");
+        faults.add(node.at, &object.path("max"), message);
+    }
+    if faults.count() > before {
+        return None;
+    }
+    Some(Check {
+        metric: metric?,
+        filter: filter?,
+        min: min.map(|limit| limit.0),
+        max: max.map(|limit| limit.0),
+    })
+}

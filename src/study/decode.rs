@@ -1,0 +1,152 @@
+//! From the tree of a study file to a validated study, or to all its faults.
+
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use super::blocks::blocks;
+use super::checks::check;
+use super::figures::figures;
+use super::object::Object;
+use super::place::Place;
+use super::report::{Faults, nearest};
+use super::scope::Scope;
+use super::tree::{self, Node, Tree};
+use super::value::{name, text};
+use super::{Check, Figure, FigureKind, Study};
+use crate::error::{Error, Fault};
+use crate::problem::{self, PROBLEMS, Problem};
+
+/// The keys of a study, each with what it holds.
+pub(super) const KEYS: [(&str, &str); 8] = [
+    (
+        "$schema",
+        "where editors find the schema; otherwise ignored",
+    ),
+    ("title", "what the study shows, in one line"),
+    ("problem", "the problem whose cases are run"),
+    (
+        "parameters",
+        "parameters of the cases; a list is an axis, and cases are the product of the axes, the last one fastest",
+    ),
+    (
+        "blocks",
+        "several sets of parameters in place of one; their cases follow one another",
+    ),
+    (
+        "metrics",
+        "columns of results.csv beyond those that every study of the problem has",
+    ),
+    ("figures", "figures to draw"),
+    ("checks", "tolerances that `slipgap check` holds"),
+];
+
+/// Reads a study file. Faults name the file as `file` does.
+pub fn read(file: &Path) -> Result<Study, Error> {
+    let bytes = std::fs::read(file).map_err(Error::io("cannot read", file))?;
+    let shown = file.display().to_string();
+    match std::str::from_utf8(&bytes) {
+        Ok(text) => parse(&shown, text),
+        Err(error) => {
+            let (good, bad) = bytes.split_at(error.valid_up_to());
+            let good = String::from_utf8_lossy(good);
+            let byte = bad.first().copied().unwrap_or_default();
+            let message = format!("not UTF-8: byte 0x{byte:02x}; save the file as UTF-8");
+            Err(refused(&shown, &good, good.len(), message))
+        }
+    }
+}
+
+/// Reads a study from its text; `file` is its name in faults.
+pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
+    let root = match tree::parse(text) {
+        Ok(root) => root,
+        Err(fault) => return Err(refused(file, text, fault.at, fault.message)),
+    };
+    let mut faults = Faults::default();
+    match study(&root, sha256(text.as_bytes()), &mut faults) {
+        Some(study) if faults.count() == 0 => Ok(study),
+        _ => Err(Error::Faults(faults.in_file_order(file, text))),
+    }
+}
+
+/// The one fault of a file that is no JSON.
+fn refused(file: &str, text: &str, at: usize, message: String) -> Error {
+    let (line, column) = Place::start(text).at(at);
+    Error::Faults(vec![Fault {
+        file: file.to_owned(),
+        line,
+        column,
+        path: String::new(),
+        message,
+    }])
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    let digest = Sha256::digest(bytes);
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn study(root: &Node, sha256: String, faults: &mut Faults) -> Option<Study> {
+    let object = Object::open(root, "", &KEYS.map(|key| key.0), faults)?;
+    let mut string = |key: &str| {
+        let node = object.get(key)?;
+        text(node, &object.path(key), faults)
+    };
+    string("$schema");
+    let title = string("title").unwrap_or_default();
+    let problem = problem(&object, faults);
+    let blocks = blocks(&object, problem, faults);
+    // Without a problem the names of parameters and metrics mean nothing.
+    let problem = problem?;
+    let scope = Scope { problem, blocks };
+    let metrics = scope.metrics();
+    let asked = object.items("metrics", faults, |node, path, faults| {
+        name(node, path, "metric", &metrics, faults)
+    });
+    let figures = figures(&object, &scope, faults);
+    let checks = object.items("checks", faults, |node, path, faults| {
+        check(node, path, &scope, faults)
+    });
+    Some(Study {
+        title,
+        problem,
+        metrics: columns(problem, &asked, &figures, &checks),
+        blocks: scope.blocks,
+        figures,
+        checks,
+        sha256,
+    })
+}
+
+/// The problem by its name; a slip is a fault, but the problem that was meant serves to find further ones.
+fn problem(object: &Object, faults: &mut Faults) -> Option<&'static dyn Problem> {
+    let known: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+    let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
+    match (name(node, "problem", "problem", &known, faults), &node.tree) {
+        (Some(row), _) => Some(PROBLEMS[row]),
+        (None, Tree::Text(slip)) => problem::find(nearest(slip, &known)?),
+        _ => None,
+    }
+}
+
+/// The metrics that every study has, that the study lists, and that a figure or check needs, in the table's order.
+fn columns(
+    problem: &dyn Problem,
+    asked: &[usize],
+    figures: &[Figure],
+    checks: &[Check],
+) -> Vec<usize> {
+    let drawn = figures.iter().flat_map(|figure| match &figure.kind {
+        FigureKind::Metric { y, .. } => y.as_slice(),
+        FigureKind::Map { z, .. } => std::slice::from_ref(z),
+        FigureKind::History { .. } | FigureKind::Profile { .. } | FigureKind::Law => &[],
+    });
+    let checked = checks.iter().map(|check| &check.metric);
+    let needed: Vec<usize> = asked.iter().chain(drawn).chain(checked).copied().collect();
+    let metrics = problem.metrics().iter().enumerate();
+    metrics
+        .filter(|(row, metric)| metric.default || needed.contains(row))
+        .map(|(row, _)| row)
+        .collect()
+}

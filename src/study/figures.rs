@@ -1,0 +1,140 @@
+//! The `figures` of a study.
+
+use std::collections::HashSet;
+
+use super::kinds::{self, COMMON, KINDS, Key, Kind, Takes};
+use super::object::Object;
+use super::report::{Faults, join, quoted};
+use super::scope::Scope;
+use super::taken::{Values, take};
+use super::tree::Node;
+use super::value::name;
+use super::{Figure, FigureKind};
+use crate::problem::Source;
+
+/// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
+/// ignore.
+pub(super) fn figures(object: &Object, scope: &Scope, faults: &mut Faults) -> Vec<Figure> {
+    let named = object.items("figures", faults, |node, path, faults| {
+        let (figure, at) = figure(node, path, scope, faults)?;
+        Some((figure, at, join(path, "name")))
+    });
+    let mut seen = HashSet::new();
+    for (figure, at, path) in &named {
+        if !seen.insert(figure.name.to_ascii_lowercase()) {
+            let name = quoted(&figure.name);
+            let message = format!("{name} is the name of an earlier figure; give each its own");
+            faults.add(*at, path, message);
+        }
+    }
+    named.into_iter().map(|(figure, ..)| figure).collect()
+}
+
+/// Decodes one figure, with the place of its name; `None` if it has a fault.
+fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<(Figure, usize)> {
+    let before = faults.count();
+    let object = Object::open(node, path, &kinds::all_keys(), faults)?;
+    let all = kinds::names();
+    let kind = object
+        .need("kind", &format!("one of {}", all.join(", ")), faults)
+        .and_then(|node| name(node, &object.path("kind"), "kind", &all, faults))
+        .map(|row| &KINDS[row]);
+    if let Some(kind) = kind {
+        unfitting(&object, kind, scope, faults);
+    }
+    let keys = COMMON.iter().chain(kind.map_or(&[][..], |kind| kind.keys));
+    let mut taken = Vec::new();
+    for key in keys.filter(|key| key.takes != Takes::Kind) {
+        let found = match key.required {
+            true => object.need(key.name, key.meaning, faults),
+            false => object.get(key.name),
+        };
+        if let Some(node) = found {
+            let value = take(key, node, &object.path(key.name), scope, faults);
+            taken.extend(value.map(|value| (key.name, node, value)));
+        }
+    }
+    if faults.count() > before {
+        return None;
+    }
+    let values = Values { node, path, taken };
+    let figure = Figure {
+        name: values.text("name")?,
+        title: values.text("title"),
+        filter: values.filter(),
+        kind: assembled(kind?.name, &values, scope)?,
+    };
+    if !scope.blocks.is_empty() {
+        super::fitness::check(&figure, &values, scope, faults);
+    }
+    (faults.count() == before).then(|| (figure, values.at("name")))
+}
+
+/// Reports keys that other kinds take, but not this one, and kinds that the problem does not have.
+fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
+    for member in &object.members {
+        let takes = |keys: &[Key]| keys.iter().any(|key| key.name == member.key);
+        if !takes(&COMMON) && !takes(kind.keys) {
+            let message = format!(
+                "a {} figure takes no \"{}\"; the kinds that do: {}",
+                kind.name,
+                member.key,
+                kinds::takers(&member.key).join(", ")
+            );
+            faults.add(member.node.at, &object.path(&member.key), message);
+        }
+        if member.key == "kind" && kind.name == "profile" && scope.problem.profiles().is_empty() {
+            let problem = scope.problem.name();
+            let others = kinds::names().into_iter().filter(|name| *name != kind.name);
+            let others: Vec<&str> = others.collect();
+            let message = format!("{problem} has no profiles; allowed: {}", others.join(", "));
+            faults.add(member.node.at, &object.path("kind"), message);
+        }
+    }
+}
+
+/// The kind with what it needs, defaults filled in.
+fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
+    Some(match kind {
+        "history" => FigureKind::History {
+            y: values
+                .rows("y")
+                .unwrap_or_else(|| response_and_error(scope)),
+            by: values.row("by"),
+            panels: values.row("panels"),
+        },
+        "profile" => FigureKind::Profile {
+            y: values
+                .rows("y")
+                .unwrap_or_else(|| (0..scope.problem.profiles().len()).collect()),
+            times: values.times("times"),
+        },
+        "metric" => FigureKind::Metric {
+            x: values.row("x")?,
+            y: values.rows("y")?,
+            by: values.row("by"),
+            x_scale: values.scale("x_scale"),
+            y_scale: values.scale("y_scale"),
+        },
+        "map" => FigureKind::Map {
+            x: values.row("x")?,
+            y: values.row("y")?,
+            z: values.row("z")?,
+            scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
+        },
+        _ => FigureKind::Law,
+    })
+}
+
+/// The first quantity, and the first that is an error.
+fn response_and_error(scope: &Scope) -> Vec<usize> {
+    let quantities = scope.problem.quantities();
+    let error = quantities.iter().position(|quantity| {
+        matches!(
+            quantity.source,
+            Source::DisplacementError | Source::VelocityError
+        )
+    });
+    let response = (!quantities.is_empty()).then_some(0);
+    response.into_iter().chain(error).collect()
+}

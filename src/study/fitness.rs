@@ -1,0 +1,146 @@
+//! Whether a figure can show the cases it chooses.
+
+use std::collections::HashMap;
+
+use super::cases::identity;
+use super::report::{Faults, join};
+use super::scope::Scope;
+use super::taken::Values;
+use super::{Figure, FigureKind, Scale};
+use crate::problem::parameter::{Default, Value};
+
+/// Most curves that line styles can tell apart in one panel.
+const MOST_CURVES: usize = 8;
+
+/// Most panels that `panels` may ask for.
+const MOST_PANELS: usize = 24;
+
+/// Reports what keeps a figure from being drawn or read.
+pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
+    let on = |key: &'static str, row| Axis { key, row };
+    match &figure.kind {
+        FigureKind::History { by, panels, .. } => {
+            let by = by.map(|row| on("by", row));
+            let panel = panels.map(|row| on("panels", row));
+            for axis in by.iter().chain(&panel) {
+                axis.has_values(figure, values, scope, faults);
+            }
+            curves(figure, *panels, values, scope, faults);
+        }
+        FigureKind::Metric { x, by, x_scale, .. } => {
+            let x = on("x", *x);
+            x.has_values(figure, values, scope, faults);
+            x.fits(*x_scale, figure, values, scope, faults);
+            if let Some(by) = by {
+                on("by", *by).has_values(figure, values, scope, faults);
+            }
+        }
+        FigureKind::Map { x, y, scales, .. } => {
+            let axes = [on("x", *x), on("y", *y)];
+            for (axis, scale) in axes.iter().zip(scales) {
+                axis.has_values(figure, values, scope, faults);
+                axis.fits(*scale, figure, values, scope, faults);
+            }
+            if x == y {
+                let path = join(values.path, "y");
+                faults.add(values.at("y"), &path, "must be another parameter than x");
+            }
+            one_case_a_place(figure, [*x, *y], values, scope, faults);
+        }
+        FigureKind::Profile { .. } | FigureKind::Law => {}
+    }
+}
+
+/// A parameter in its part in a figure.
+struct Axis {
+    key: &'static str,
+    row: usize,
+}
+
+impl Axis {
+    /// Reports a parameter that none of the chosen cases has.
+    fn has_values(&self, figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
+        let parameter = &scope.problem.parameters()[self.row];
+        let known = !matches!(parameter.default, Default::Follows(_));
+        if known && scope.levels(&figure.filter, self.row).is_empty() {
+            let path = join(values.path, self.key);
+            let message = format!("{} applies to none of the cases shown", parameter.name);
+            faults.add(values.at(self.key), &path, message);
+        }
+    }
+
+    /// Reports a logarithmic scale for numbers that have no logarithm.
+    fn fits(
+        &self,
+        scale: Scale,
+        figure: &Figure,
+        values: &Values,
+        scope: &Scope,
+        faults: &mut Faults,
+    ) {
+        let levels = scope.levels(&figure.filter, self.row);
+        let mut numbers = levels.iter().filter_map(|level| level.as_f64());
+        if scale == Scale::Log
+            && let Some(bad) = numbers.find(|x| *x <= 0.0)
+        {
+            let key = format!("{}_scale", self.key);
+            let name = scope.problem.parameters()[self.row].name;
+            let bad = Value::Number(bad);
+            let message = format!("log takes numbers > 0, and {name} is {bad} in a case shown");
+            faults.add(values.at(&key), &join(values.path, &key), message);
+        }
+    }
+}
+
+/// Reports more curves in a panel than can be told apart, or more panels than fit a page.
+fn curves(
+    figure: &Figure,
+    panels: Option<usize>,
+    values: &Values,
+    scope: &Scope,
+    faults: &mut Faults,
+) {
+    let narrow = "narrow the cases with \"where\"";
+    if let Some(row) = panels {
+        let count = scope.levels(&figure.filter, row).len();
+        if count > MOST_PANELS {
+            let message = format!("{count} panels; allowed: at most {MOST_PANELS}; {narrow}");
+            faults.add(values.at("panels"), &join(values.path, "panels"), message);
+            return;
+        }
+    }
+    let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
+    let case = |index| super::cases::case(scope.problem, &scope.blocks, index);
+    for case in scope.select(&figure.filter).filter_map(case) {
+        let panel = panels.and_then(|row| case.values[row]).map(identity);
+        let count = counts.entry(panel).or_default();
+        *count += 1;
+        if *count > MOST_CURVES {
+            let message = format!("more than {MOST_CURVES} cases in one panel; {narrow}");
+            let path = join(values.path, "where");
+            faults.add(values.at("where"), &path, message);
+            return;
+        }
+    }
+}
+
+/// Reports parameters that vary beside the two axes of a map, so that cases would hide each other.
+fn one_case_a_place(
+    figure: &Figure,
+    axes: [usize; 2],
+    values: &Values,
+    scope: &Scope,
+    faults: &mut Faults,
+) {
+    let rows = 0..scope.problem.parameters().len();
+    let varies = |row: &usize| scope.levels(&figure.filter, *row).len() > 1;
+    let others = rows.filter(|row| !axes.contains(row)).filter(varies);
+    let names: Vec<&str> = others
+        .map(|row| scope.problem.parameters()[row].name)
+        .collect();
+    if !names.is_empty() {
+        let names = names.join(", ");
+        let message = format!("a map shows one case a place, and {names} varies; fix it here");
+        faults.add(values.at("where"), &join(values.path, "where"), message);
+    }
+}

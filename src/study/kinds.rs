@@ -1,0 +1,220 @@
+//! The kinds of figure and the keys that each takes: the one table that decoding, schema and documentation read.
+
+/// One kind of figure.
+pub(super) struct Kind {
+    pub name: &'static str,
+    pub meaning: &'static str,
+    /// Keys beyond those that every figure takes.
+    pub keys: &'static [Key],
+}
+
+/// One key of a figure.
+pub(super) struct Key {
+    pub name: &'static str,
+    pub takes: Takes,
+    pub required: bool,
+    pub meaning: &'static str,
+}
+
+/// What stands under a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Takes {
+    /// A name that becomes a file name.
+    FileName,
+    /// The name of a kind.
+    Kind,
+    /// Any string.
+    Text,
+    /// Parameters with the values that the cases shown have.
+    Filter,
+    /// A parameter.
+    Parameter,
+    /// A parameter that is a number.
+    NumericParameter,
+    /// One or several of the problem's quantities over time.
+    Quantities,
+    /// One or several of the problem's quantities along the structure.
+    Profiles,
+    /// A metric.
+    Metric,
+    /// One or several metrics.
+    Metrics,
+    /// One or several times, not negative.
+    Times,
+    /// `linear` or `log`.
+    Scale,
+}
+
+/// Names of the scales, as `Scale` has them.
+pub(super) const SCALES: [&str; 2] = ["linear", "log"];
+
+const fn key(name: &'static str, takes: Takes, required: bool, meaning: &'static str) -> Key {
+    Key {
+        name,
+        takes,
+        required,
+        meaning,
+    }
+}
+
+/// The keys of every figure.
+pub(super) static COMMON: [Key; 4] = [
+    key(
+        "name",
+        Takes::FileName,
+        true,
+        "file name without ending: letters, digits, - and _; each figure of a study has its own",
+    ),
+    key("kind", Takes::Kind, true, "what is drawn"),
+    key("title", Takes::Text, false, "heading; none if left out"),
+    key(
+        "where",
+        Takes::Filter,
+        false,
+        "the cases to show: those that have all these values; all cases if left out",
+    ),
+];
+
+/// Every kind of figure.
+pub(super) static KINDS: [Kind; 5] = [
+    Kind {
+        name: "history",
+        meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
+        keys: &[
+            key(
+                "y",
+                Takes::Quantities,
+                false,
+                "quantities, one panel each; the response and its error if left out",
+            ),
+            key(
+                "by",
+                Takes::Parameter,
+                false,
+                "parameter whose values are told apart by line style; all that vary if left out",
+            ),
+            key(
+                "panels",
+                Takes::Parameter,
+                false,
+                "parameter whose values get panels of their own",
+            ),
+        ],
+    },
+    Kind {
+        name: "profile",
+        meaning: "quantities along the structure at given times",
+        keys: &[
+            key(
+                "y",
+                Takes::Profiles,
+                false,
+                "quantities, one column of panels each; all if left out",
+            ),
+            key(
+                "times",
+                Takes::Times,
+                true,
+                "times in the problem's unit, one row of panels each",
+            ),
+        ],
+    },
+    Kind {
+        name: "metric",
+        meaning: "metrics against a parameter",
+        keys: &[
+            key(
+                "x",
+                Takes::NumericParameter,
+                true,
+                "parameter along the horizontal axis",
+            ),
+            key("y", Takes::Metrics, true, "metrics, one panel each"),
+            key(
+                "by",
+                Takes::Parameter,
+                false,
+                "parameter whose values are told apart by line style; all others that vary if left out",
+            ),
+            key(
+                "x_scale",
+                Takes::Scale,
+                false,
+                "horizontal scale, linear if left out",
+            ),
+            key(
+                "y_scale",
+                Takes::Scale,
+                false,
+                "vertical scale, linear if left out",
+            ),
+        ],
+    },
+    Kind {
+        name: "map",
+        meaning: "one metric over two parameters, as shades with a colour bar",
+        keys: &[
+            key(
+                "x",
+                Takes::NumericParameter,
+                true,
+                "parameter along the horizontal axis",
+            ),
+            key(
+                "y",
+                Takes::NumericParameter,
+                true,
+                "parameter up the vertical axis",
+            ),
+            key("z", Takes::Metric, true, "metric shown as shades"),
+            key(
+                "x_scale",
+                Takes::Scale,
+                false,
+                "horizontal scale, linear if left out",
+            ),
+            key(
+                "y_scale",
+                Takes::Scale,
+                false,
+                "vertical scale, linear if left out",
+            ),
+            key(
+                "z_scale",
+                Takes::Scale,
+                false,
+                "scale of the shades, linear if left out",
+            ),
+        ],
+    },
+    Kind {
+        name: "law",
+        meaning: "the laws of the cases: force over displacement or velocity",
+        keys: &[],
+    },
+];
+
+/// Names of all kinds.
+pub(super) fn names() -> Vec<&'static str> {
+    KINDS.iter().map(|kind| kind.name).collect()
+}
+
+/// Names of all keys of figures, each once.
+pub(super) fn all_keys() -> Vec<&'static str> {
+    let mut names: Vec<&str> = COMMON.iter().map(|key| key.name).collect();
+    for key in KINDS.iter().flat_map(|kind| kind.keys) {
+        if !names.contains(&key.name) {
+            names.push(key.name);
+        }
+    }
+    names
+}
+
+/// Names of the kinds that take `key`.
+pub(super) fn takers(key: &str) -> Vec<&'static str> {
+    KINDS
+        .iter()
+        .filter(|kind| kind.keys.iter().any(|k| k.name == key))
+        .map(|kind| kind.name)
+        .collect()
+}

@@ -1,0 +1,75 @@
+//! Byte offsets of a text as line and column.
+
+/// Walks forward through a text and tells where it stands; visiting offsets in rising order costs one pass in all.
+pub(super) struct Place<'a> {
+    text: &'a str,
+    offset: usize,
+    line: usize,
+    column: usize,
+}
+
+impl<'a> Place<'a> {
+    /// Stands at the first character.
+    pub fn start(text: &'a str) -> Place<'a> {
+        Place {
+            text,
+            offset: 0,
+            line: 1,
+            column: 1,
+        }
+    }
+
+    /// Line and column of the character at byte `offset`, both from 1, in characters; an offset past the end is the end.
+    pub fn at(&mut self, offset: usize) -> (usize, usize) {
+        if offset < self.offset {
+            *self = Place::start(self.text);
+        }
+        for c in self.text[self.offset..].chars() {
+            if self.offset >= offset {
+                break;
+            }
+            self.offset += c.len_utf8();
+            if c == '\n' {
+                self.line += 1;
+                self.column = 1;
+            } else {
+                self.column += 1;
+            }
+        }
+        (self.line, self.column)
+    }
+}
+
+/// Byte offset of the byte that is number `column` (from 1) of line `line` (from 1).
+pub(super) fn offset_of(text: &str, line: usize, column: usize) -> usize {
+    let before: usize = text
+        .split_inclusive('\n')
+        .take(line.saturating_sub(1))
+        .map(str::len)
+        .sum();
+    (before + column.saturating_sub(1)).min(text.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_characters_not_bytes_and_knows_windows_line_ends() {
+        let text = "αβ\r\nγ x\n";
+        let mut place = Place::start(text);
+        assert_eq!(place.at(0), (1, 1));
+        assert_eq!(place.at(2), (1, 2));
+        assert_eq!(place.at(6), (2, 1));
+        assert_eq!(place.at(9), (2, 3));
+        assert_eq!(place.at(999), (3, 1));
+        assert_eq!(place.at(2), (1, 2));
+    }
+
+    #[test]
+    fn finds_the_byte_again() {
+        assert_eq!(offset_of("ab\ncd", 2, 2), 4);
+        assert_eq!(offset_of("ab\n", 2, 0), 3);
+        assert_eq!(offset_of("", 1, 0), 0);
+    }
+}

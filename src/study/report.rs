@@ -1,0 +1,159 @@
+//! Faults of meaning, collected while a study is decoded, and the words they are told in.
+
+use std::fmt::Write;
+
+use super::place::Place;
+use super::tree::{Node, Tree};
+use crate::error::Fault;
+
+/// Longest piece of a study that a message repeats, in characters.
+const LONGEST_QUOTE: usize = 60;
+
+/// The faults found so far, in any order.
+#[derive(Default)]
+pub(super) struct Faults(Vec<(usize, String, String)>);
+
+impl Faults {
+    /// Adds a fault of the key `path` at byte `at`.
+    pub fn add(&mut self, at: usize, path: &str, message: impl Into<String>) {
+        self.0.push((at, path.to_owned(), message.into()));
+    }
+
+    /// Adds that a value is not what it must be.
+    pub fn must_be(&mut self, node: &Node, path: &str, what: &str) {
+        self.add(
+            node.at,
+            path,
+            format!("must be {what}, got {}", shown(node)),
+        );
+    }
+
+    /// How many there are; the same before and after means that nothing was wrong in between.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// All of them with line and column, in file order, each once.
+    pub fn in_file_order(mut self, file: &str, text: &str) -> Vec<Fault> {
+        self.0.sort_by_key(|(at, ..)| *at);
+        self.0.dedup();
+        let mut place = Place::start(text);
+        let told = self.0.into_iter().map(|(at, path, message)| {
+            let (line, column) = place.at(at);
+            let file = file.to_owned();
+            Fault {
+                file,
+                line,
+                column,
+                path,
+                message,
+            }
+        });
+        told.collect()
+    }
+}
+
+/// The path of `key` within `path`.
+pub(super) fn join(path: &str, key: &str) -> String {
+    let key = shortened(key);
+    if path.is_empty() {
+        key
+    } else {
+        format!("{path}.{key}")
+    }
+}
+
+/// A value as a message repeats it: on one line and not too long.
+pub(super) fn shown(node: &Node) -> String {
+    match &node.tree {
+        Tree::Object(_) => "an object".into(),
+        Tree::List(items) if items.is_empty() => "[]".into(),
+        Tree::List(_) => "a list".into(),
+        Tree::Text(text) => quoted(text),
+        Tree::Number(written) => shortened(written),
+        Tree::Bool(value) => value.to_string(),
+        Tree::Null => "null".into(),
+    }
+}
+
+/// A string in quotes, on one line and not too long.
+pub(super) fn quoted(text: &str) -> String {
+    format!("\"{}\"", shortened(text))
+}
+
+fn shortened(text: &str) -> String {
+    let mut short: String = text.chars().take(LONGEST_QUOTE).collect();
+    if short.len() < text.len() {
+        short.push('…');
+    }
+    short.escape_debug().to_string().replace("\\'", "'")
+}
+
+/// Says that `name` is no `what`, with the nearest right name and all that is allowed.
+pub(super) fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
+    let mut message = format!("unknown {what} {}", quoted(name));
+    if let Some(nearest) = nearest(name, allowed) {
+        let _ = write!(message, ", did you mean \"{nearest}\"?");
+    }
+    let _ = write!(message, "; allowed: {}", allowed.join(", "));
+    message
+}
+
+/// The name that was probably meant: alike but for a slip or two, or one the beginning of the other.
+pub(super) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
+    // Longer than any right name: comparing would only cost time.
+    if name.len() > 100 {
+        return None;
+    }
+    let name = name.to_lowercase();
+    let likeness = |right: &str| {
+        let right = right.to_lowercase();
+        let begins = name.len() > 2 && (right.starts_with(&name) || name.starts_with(&right));
+        let alike = strsim::normalized_damerau_levenshtein(&name, &right);
+        if begins { alike.max(0.6) } else { alike }
+    };
+    let scored = allowed.iter().map(|right| (likeness(right), *right));
+    let (score, right) = scored.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    (score >= 0.5).then_some(right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_found_or_none() {
+        let names = ["displacement-control", "velocity-control"];
+        for (slip, meant) in [
+            ("displacment-control", Some("displacement-control")),
+            ("Velocity_Control", Some("velocity-control")),
+            ("displacement", Some("displacement-control")),
+            ("coulomb", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest(slip, &names), meant, "{slip}");
+        }
+        assert_eq!(nearest("x_0", &["dT", "x0"]), Some("x0"));
+        assert_eq!(nearest("dt", &["duration", "dT"]), Some("dT"));
+    }
+
+    #[test]
+    fn a_message_stays_on_one_line() {
+        assert_eq!(quoted("a\nb"), "\"a\\nb\"");
+        assert!(quoted(&"x".repeat(1000)).chars().count() < 70);
+    }
+
+    #[test]
+    fn faults_come_in_file_order_each_once() {
+        let mut faults = Faults::default();
+        faults.add(3, "b", "late");
+        faults.add(0, "a", "early");
+        faults.add(3, "b", "late");
+        let told: Vec<String> = faults
+            .in_file_order("f", "x\ny\n")
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        assert_eq!(told, ["f:1:1: a: early", "f:2:2: b: late"]);
+    }
+}

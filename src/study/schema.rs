@@ -1,0 +1,213 @@
+//! The JSON Schema of study files, made from the same tables that decode them.
+//!
+//! Draft 7, which editors know best. It refuses what it can; rules across parameters are left to `read`.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
+use super::schema_values::{
+    EXPRESSION, expression, names, number, object, parameters, refer, value,
+};
+use super::{checks, decode};
+use crate::problem::parameter::{Kind, Parameter, Range};
+use crate::problem::{PROBLEMS, Problem};
+
+/// The schema as indented JSON with a newline at its end.
+pub fn schema() -> String {
+    let mut properties = Map::new();
+    for (key, meaning) in decode::KEYS {
+        properties.insert(key.into(), json!({ "description": meaning }));
+    }
+    for (key, kind) in [
+        ("$schema", "string"),
+        ("title", "string"),
+        ("parameters", "object"),
+    ] {
+        properties[key]["type"] = kind.into();
+    }
+    for key in ["blocks", "metrics", "figures", "checks"] {
+        properties[key]["type"] = "array".into();
+    }
+    let problems: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+    properties["problem"]["enum"] = json!(problems);
+    let mut definitions = Map::new();
+    definitions.insert(EXPRESSION.into(), expression());
+    let rules = |problem: &&dyn Problem| of_problem(*problem, &mut definitions);
+    let each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
+    let mut schema = object(properties, &["problem"]);
+    schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
+    schema["title"] = "slipgap study".into();
+    schema["oneOf"] = json!([{ "required": ["parameters"] }, { "required": ["blocks"] }]);
+    schema["allOf"] = each.into();
+    schema["definitions"] = definitions.into();
+    format!("{schema:#}\n")
+}
+
+/// What holds for studies of one problem; what it says several times goes into the definitions.
+fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Json {
+    let mut define = |what: &str, schema: Json| {
+        definitions.insert(name_of(problem, what), schema);
+        refer(&name_of(problem, what))
+    };
+    let parameters = define("parameters", parameters(problem.parameters(), ""));
+    let metric = names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
+    let metric = define("metric", metric);
+    define("where", filter(problem));
+    let mut block = Map::new();
+    block.insert("parameters".into(), parameters.clone());
+    let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
+    let figure = json!({
+        "type": "object",
+        "properties": { "kind": names(KINDS.iter().map(|kind| (kind.name, kind.meaning))) },
+        "required": ["kind"],
+        "allOf": figures,
+    });
+    json!({
+        "if": { "properties": { "problem": { "const": problem.name() } }, "required": ["problem"] },
+        "then": { "properties": {
+            "problem": { "description": problem.meaning() },
+            "parameters": parameters,
+            "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
+            "metrics": { "items": metric },
+            "figures": { "items": figure },
+            "checks": { "items": check(problem) },
+        } },
+    })
+}
+
+/// The name of a definition that belongs to a problem.
+fn name_of(problem: &dyn Problem, what: &str) -> String {
+    format!("{}.{what}", problem.name())
+}
+
+/// What holds for figures of one kind.
+fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
+    let mut properties = Map::new();
+    let mut required = Vec::new();
+    for key in COMMON.iter().chain(kind.keys) {
+        let mut schema = taken(key, problem);
+        schema["description"] = key.meaning.into();
+        properties.insert(key.name.into(), schema);
+        if key.required {
+            required.push(key.name);
+        }
+    }
+    let then = match kind.name {
+        "profile" if problem.profiles().is_empty() => json!(false),
+        _ => object(properties, &required),
+    };
+    json!({
+        "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
+        "then": then,
+    })
+}
+
+/// What stands under a key of a figure.
+fn taken(key: &Key, problem: &dyn Problem) -> Json {
+    let parameters = |numeric: bool| {
+        let table = problem.parameters().iter();
+        let fitting = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
+        names(fitting.map(|p| (p.name, p.meaning)))
+    };
+    let defined = |what: &str| refer(&name_of(problem, what));
+    match key.takes {
+        Takes::FileName => {
+            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
+        }
+        Takes::Kind => json!({}),
+        Takes::Text => json!({ "type": "string" }),
+        Takes::Filter => defined("where"),
+        Takes::Parameter => parameters(false),
+        Takes::NumericParameter => parameters(true),
+        Takes::Quantities => several(names(
+            problem.quantities().iter().map(|q| (q.name, q.title)),
+        )),
+        Takes::Profiles => several(names(problem.profiles().iter().map(|p| (p.name, p.title)))),
+        Takes::Metric => defined("metric"),
+        Takes::Metrics => several(defined("metric")),
+        Takes::Times => several(number(Range::NotNegative)),
+        Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
+    }
+}
+
+fn several(one: Json) -> Json {
+    json!({ "anyOf": [one, { "type": "array", "minItems": 1, "items": one }] })
+}
+
+/// A `where`: single values of parameters.
+fn filter(problem: &dyn Problem) -> Json {
+    let table = problem.parameters().iter();
+    let term = |p: &Parameter| {
+        let mut schema = value(p);
+        schema["description"] = p.meaning.into();
+        (p.name.to_owned(), schema)
+    };
+    object(table.map(term).collect(), &[])
+}
+
+fn check(problem: &dyn Problem) -> Json {
+    let mut properties = Map::new();
+    for (key, meaning) in checks::KEYS {
+        let mut schema = match key {
+            "metric" | "where" => refer(&name_of(problem, key)),
+            _ => number(Range::Any),
+        };
+        schema["description"] = meaning.into();
+        properties.insert(key.into(), schema);
+    }
+    let mut schema = object(properties, &["metric"]);
+    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
+    schema
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_of_every_table_is_described() {
+        let text = schema();
+        let schema: Json = serde_json::from_str(&text).unwrap_or_default();
+        for (key, _) in decode::KEYS {
+            assert!(
+                schema["properties"][key]["description"].is_string(),
+                "{key}"
+            );
+        }
+        for (problem, rules) in PROBLEMS
+            .iter()
+            .zip(schema["allOf"].as_array().into_iter().flatten())
+        {
+            let properties = &rules["then"]["properties"];
+            for parameter in problem.parameters() {
+                let told = Json::from(parameter.meaning).to_string();
+                assert!(
+                    text.contains(told.trim_end_matches('"')),
+                    "{}",
+                    parameter.name
+                );
+            }
+            for key in checks::KEYS {
+                assert!(
+                    properties["checks"]["items"]["properties"][key.0].is_object(),
+                    "{}",
+                    key.0
+                );
+            }
+            for (kind, rules) in KINDS.iter().zip(
+                properties["figures"]["items"]["allOf"]
+                    .as_array()
+                    .into_iter()
+                    .flatten(),
+            ) {
+                for key in kind.keys.iter().filter(|_| rules["then"].is_object()) {
+                    assert!(
+                        rules["then"]["properties"][key.name]["description"].is_string(),
+                        "{}",
+                        key.name
+                    );
+                }
+            }
+        }
+    }
+}

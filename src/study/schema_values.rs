@@ -1,0 +1,170 @@
+//! The parameters of a problem and their values in the words of JSON Schema.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+
+/// The `parameters` object, or the object that one of its keys holds.
+pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
+    let mut properties: Map<String, Json> = Map::new();
+    let mut required = Vec::new();
+    let mut conditions = Vec::new();
+    for parameter in table {
+        let Some(rest) = parameter.name.strip_prefix(prefix) else {
+            continue;
+        };
+        if let Some((key, _)) = rest.split_once('.') {
+            let within = parameters(table, &format!("{prefix}{key}."));
+            let whole = match properties.get(key) {
+                Some(plain) if plain.get("anyOf").is_none() => json!({ "anyOf": [plain, within] }),
+                Some(both) => both.clone(),
+                None => within,
+            };
+            properties.insert(key.into(), whole);
+            continue;
+        }
+        properties.insert(rest.into(), axis(parameter));
+        let needed = matches!(parameter.default, Default::Required);
+        match parameter.applies {
+            None if needed => required.push(rest),
+            Some((governor, name)) if prefix.is_empty() => {
+                conditions.extend(condition(rest, governor, name, needed, table));
+            }
+            _ => {}
+        }
+    }
+    let mut schema = object(properties, &required);
+    if !conditions.is_empty() {
+        schema["allOf"] = conditions.into();
+    }
+    schema
+}
+
+/// What the choice of one parameter means for another: needed with one name, refused with the rest.
+fn condition(
+    key: &str,
+    governor: &str,
+    name: &str,
+    needed: bool,
+    table: &[Parameter],
+) -> Vec<Json> {
+    let when = |choice: Json| json!({ "properties": { governor: choice }, "required": [governor] });
+    let others = table.iter().find(|p| p.name == governor).map(|p| p.kind);
+    let others: Vec<&str> = match others {
+        Some(Kind::Choice(choices)) => choices.iter().map(|c| c.0).collect(),
+        _ => Vec::new(),
+    };
+    let others: Vec<&str> = others.into_iter().filter(|other| *other != name).collect();
+    let refused = json!({
+        "if": when(json!({ "enum": others })),
+        "then": { "properties": { key: false } },
+    });
+    let required = json!({
+        "if": when(json!({ "const": name })),
+        "then": { "required": [key] },
+    });
+    match needed {
+        true => vec![required, refused],
+        false => vec![refused],
+    }
+}
+
+/// One value of a parameter or a list of them.
+fn axis(parameter: &Parameter) -> Json {
+    let one = value(parameter);
+    let list = json!({ "type": "array", "minItems": 1, "items": one });
+    let unit = match parameter.unit {
+        "1" => String::new(),
+        unit => format!(", in {unit}"),
+    };
+    let mut description = format!("{}{unit}; {}", parameter.meaning, allowed(parameter));
+    if let Some((governor, name)) = parameter.applies {
+        description += &format!("; for {governor} {name}");
+    }
+    let mut schema = json!({ "anyOf": [one, list] });
+    match parameter.default {
+        Default::Required => {}
+        Default::Is(value) => {
+            description += &format!("; default {value}");
+            schema["default"] = match value {
+                Value::Number(x) => json!(x),
+                Value::Whole(n) => json!(n),
+                Value::Name(name) => json!(name),
+            };
+        }
+        Default::Follows(from) => description += &format!("; if left out, {from}"),
+    }
+    schema["description"] = description.into();
+    schema
+}
+
+/// The range in words, or the names with their meaning.
+fn allowed(parameter: &Parameter) -> String {
+    match parameter.kind {
+        Kind::Number(range) => range.to_string(),
+        Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),
+        Kind::Choice(choices) => {
+            let told = choices
+                .iter()
+                .map(|(name, means)| format!("{name}: {means}"));
+            told.collect::<Vec<_>>().join("; ")
+        }
+    }
+}
+
+/// A single value of a parameter.
+pub(super) fn value(parameter: &Parameter) -> Json {
+    match parameter.kind {
+        Kind::Number(range) => number(range),
+        Kind::Whole { min, max } => json!({ "anyOf": [
+            { "type": "integer", "minimum": min, "maximum": max },
+            expression(),
+        ] }),
+        Kind::Choice(choices) => names(choices.iter().copied()),
+    }
+}
+
+/// A number in a range, or an expression.
+pub(super) fn number(range: Range) -> Json {
+    let plain = match range {
+        Range::Positive => json!({ "type": "number", "exclusiveMinimum": 0 }),
+        Range::NotNegative => json!({ "type": "number", "minimum": 0 }),
+        Range::NotZero => json!({ "type": "number", "not": { "const": 0 } }),
+        Range::Any => json!({ "type": "number" }),
+    };
+    json!({ "anyOf": [plain, refer(EXPRESSION)] })
+}
+
+/// Name of the definition of expressions.
+pub(super) const EXPRESSION: &str = "expression";
+
+/// A string that stands for a number.
+pub(super) fn expression() -> Json {
+    json!({
+        "type": "string",
+        "pattern": "[0-9pe]",
+        "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions",
+    })
+}
+
+/// One of several names. Editors that know `enumDescriptions` show what each means.
+pub(super) fn names<'a>(names: impl Iterator<Item = (&'a str, &'a str)>) -> Json {
+    let (names, meanings): (Vec<&str>, Vec<&str>) = names.unzip();
+    json!({ "enum": names, "enumDescriptions": meanings })
+}
+
+/// An object with these keys and remarks, and no others.
+pub(super) fn object(mut properties: Map<String, Json>, required: &[&str]) -> Json {
+    properties.insert("//".into(), json!({ "description": "a remark" }));
+    json!({
+        "type": "object",
+        "properties": properties,
+        "required": required,
+        "additionalProperties": false,
+    })
+}
+
+/// A reference to a definition; within `allOf`, as draft 7 ignores what stands beside a bare one.
+pub(super) fn refer(name: &str) -> Json {
+    json!({ "allOf": [{ "$ref": format!("#/definitions/{name}") }] })
+}

@@ -1,0 +1,119 @@
+//! What names a figure or check may use: the problem's tables, and its cases as far as they are known.
+
+use super::object::Object;
+use super::report::{Faults, quoted};
+use super::tree::{Node, Tree};
+use super::value::{name, value};
+use super::{Block, Filter};
+use crate::problem::Problem;
+use crate::problem::parameter::Value;
+
+/// The problem of a study and its blocks.
+pub(super) struct Scope {
+    pub problem: &'static dyn Problem,
+    /// Empty when a block is faulty: then nothing is said of which cases a filter chooses.
+    pub blocks: Vec<Block>,
+}
+
+impl Scope {
+    pub fn parameters(&self) -> Vec<&'static str> {
+        self.problem.parameters().iter().map(|p| p.name).collect()
+    }
+
+    pub fn metrics(&self) -> Vec<&'static str> {
+        self.problem.metrics().iter().map(|m| m.name).collect()
+    }
+
+    /// Decodes a `where`; a filter that no case meets is a fault.
+    pub fn filter(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<Filter> {
+        let table = self.problem.parameters();
+        let before = faults.count();
+        let object = Object::open(node, path, &self.parameters(), faults)?;
+        let mut terms = Vec::new();
+        for member in &object.members {
+            let Some(row) = table.iter().position(|p| p.name == member.key) else {
+                continue;
+            };
+            let path = object.path(&member.key);
+            terms.extend(value(&member.node, &path, &table[row], faults).map(|v| (row, v)));
+        }
+        if faults.count() > before {
+            return None;
+        }
+        let filter = Filter(terms);
+        if !self.blocks.is_empty() && self.select(&filter).next().is_none() {
+            object.fault(self.no_case(&filter), faults);
+            return None;
+        }
+        Some(filter)
+    }
+
+    /// Says that no case meets a filter, and which of its values no case has, if that is the reason.
+    fn no_case(&self, filter: &Filter) -> String {
+        let all = Filter::default();
+        for (row, wanted) in &filter.0 {
+            let levels = self.levels(&all, *row);
+            if levels.is_empty() || levels.iter().any(|level| level.matches(*wanted)) {
+                continue;
+            }
+            let parameter = self.problem.parameters()[*row].name;
+            let mut there: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
+            if levels.len() > there.len() {
+                there.push("...".into());
+            }
+            let there = there.join(", ");
+            return format!("no case has {parameter} {wanted}; there are {there}");
+        }
+        "no case has all these values".into()
+    }
+
+    pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
+        super::cases::select(self.problem, &self.blocks, filter)
+    }
+
+    /// The different values of a parameter among the cases a filter chooses.
+    pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
+        let blocks = self.blocks.iter();
+        let levels = blocks.flat_map(|block| block.levels(self.problem, filter, parameter));
+        super::cases::distinct(levels)
+    }
+}
+
+/// One name or a list of different names, by their places among those allowed.
+pub(super) fn names(
+    node: &Node,
+    path: &str,
+    what: &str,
+    allowed: &[&str],
+    faults: &mut Faults,
+) -> Option<Vec<usize>> {
+    let Tree::List(items) = &node.tree else {
+        return name(node, path, what, allowed, faults).map(|row| vec![row]);
+    };
+    if items.is_empty() {
+        faults.must_be(
+            node,
+            path,
+            &format!("the name of a {what} or a list of at least one"),
+        );
+        return None;
+    }
+    let before = faults.count();
+    let mut rows = Vec::new();
+    for (i, item) in items.iter().enumerate() {
+        let path = format!("{path}[{i}]");
+        let Some(row) = name(item, &path, what, allowed, faults) else {
+            continue;
+        };
+        if rows.contains(&row) {
+            faults.add(
+                item.at,
+                &path,
+                format!("{} given twice", quoted(allowed[row])),
+            );
+        } else {
+            rows.push(row);
+        }
+    }
+    (faults.count() == before).then_some(rows)
+}

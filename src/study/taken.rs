@@ -1,0 +1,153 @@
+//! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
+
+use super::kinds::{Key, SCALES, Takes};
+use super::report::Faults;
+use super::scope::{Scope, names};
+use super::tree::{Node, Tree};
+use super::value::{name, number, text};
+use super::{Filter, Scale};
+use crate::problem::parameter::{self, Range};
+
+/// Longest file name of a figure, well within what file systems take with an ending.
+const LONGEST_NAME: usize = 100;
+
+/// What was found under one key.
+pub(super) enum Taken {
+    Text(String),
+    Filter(Filter),
+    Rows(Vec<usize>),
+    Times(Vec<f64>),
+    Scale(Scale),
+}
+
+/// The decoded values of one figure, by key.
+pub(super) struct Values<'a> {
+    pub node: &'a Node,
+    pub path: &'a str,
+    pub taken: Vec<(&'static str, &'a Node, Taken)>,
+}
+
+impl Values<'_> {
+    pub fn text(&self, key: &str) -> Option<String> {
+        match self.get(key)? {
+            Taken::Text(text) => Some(text.clone()),
+            _ => None,
+        }
+    }
+
+    pub fn rows(&self, key: &str) -> Option<Vec<usize>> {
+        match self.get(key)? {
+            Taken::Rows(rows) => Some(rows.clone()),
+            _ => None,
+        }
+    }
+
+    pub fn row(&self, key: &str) -> Option<usize> {
+        self.rows(key)?.first().copied()
+    }
+
+    pub fn scale(&self, key: &str) -> Scale {
+        match self.get(key) {
+            Some(Taken::Scale(scale)) => *scale,
+            _ => Scale::Linear,
+        }
+    }
+
+    pub fn times(&self, key: &str) -> Vec<f64> {
+        match self.get(key) {
+            Some(Taken::Times(times)) => times.clone(),
+            _ => Vec::new(),
+        }
+    }
+
+    pub fn filter(&self) -> Filter {
+        match self.get("where") {
+            Some(Taken::Filter(filter)) => filter.clone(),
+            _ => Filter::default(),
+        }
+    }
+
+    fn get(&self, key: &str) -> Option<&Taken> {
+        let found = self.taken.iter().find(|taken| taken.0 == key);
+        found.map(|taken| &taken.2)
+    }
+
+    /// The offset of the value of `key`; of the figure, if the key is not given.
+    pub fn at(&self, key: &str) -> usize {
+        let found = self.taken.iter().find(|taken| taken.0 == key);
+        found.map_or(self.node.at, |taken| taken.1.at)
+    }
+}
+
+/// Decodes the value of one key by what the table says it takes.
+pub(super) fn take(
+    key: &Key,
+    node: &Node,
+    path: &str,
+    scope: &Scope,
+    faults: &mut Faults,
+) -> Option<Taken> {
+    let parameters = scope.problem.parameters();
+    let rows = match key.takes {
+        Takes::FileName => {
+            let name = text(node, path, faults)?;
+            let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+            let fits = (1..=LONGEST_NAME).contains(&name.len());
+            if fits && name.chars().all(plain) && !name.starts_with('-') {
+                return Some(Taken::Text(name));
+            }
+            let what =
+                format!("1 to {LONGEST_NAME} letters, digits, _ and -, not beginning with -");
+            faults.must_be(node, path, &what);
+            return None;
+        }
+        Takes::Text | Takes::Kind => return text(node, path, faults).map(Taken::Text),
+        Takes::Filter => return scope.filter(node, path, faults).map(Taken::Filter),
+        Takes::Times => return times(node, path, faults).map(Taken::Times),
+        Takes::Scale => {
+            return name(node, path, "scale", &SCALES, faults).map(|row| match row {
+                0 => Taken::Scale(Scale::Linear),
+                _ => Taken::Scale(Scale::Log),
+            });
+        }
+        Takes::Parameter => {
+            name(node, path, "parameter", &scope.parameters(), faults).map(|row| vec![row])
+        }
+        Takes::NumericParameter => {
+            let row = name(node, path, "parameter", &scope.parameters(), faults)?;
+            if matches!(parameters[row].kind, parameter::Kind::Choice(_)) {
+                faults.must_be(node, path, "a parameter that is a number");
+                return None;
+            }
+            Some(vec![row])
+        }
+        Takes::Quantities => {
+            let all: Vec<&str> = scope.problem.quantities().iter().map(|q| q.name).collect();
+            names(node, path, "quantity", &all, faults)
+        }
+        Takes::Profiles => {
+            let all: Vec<&str> = scope.problem.profiles().iter().map(|p| p.name).collect();
+            names(node, path, "profile", &all, faults)
+        }
+        Takes::Metric => name(node, path, "metric", &scope.metrics(), faults).map(|row| vec![row]),
+        Takes::Metrics => names(node, path, "metric", &scope.metrics(), faults),
+    };
+    rows.map(Taken::Rows)
+}
+
+fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
+    let Tree::List(items) = &node.tree else {
+        return number(node, path, Range::NotNegative, faults).map(|time| vec![time]);
+    };
+    if items.is_empty() {
+        faults.must_be(node, path, "a time or a list of at least one");
+        return None;
+    }
+    let numbers = items.iter().enumerate().map(|(i, item)| {
+        let path = format!("{path}[{i}]");
+        number(item, &path, Range::NotNegative, faults)
+    });
+    // Collected first, so that every faulty time is told.
+    let numbers: Vec<Option<f64>> = numbers.collect();
+    numbers.into_iter().collect()
+}

@@ -1,0 +1,291 @@
+//! Tests with a problem of their own: parameters of a part, values that follow from others, rules across parameters.
+
+use super::cases::select;
+use super::parameters::{Draft, parameters};
+use super::report::Faults;
+use super::{Axis, Block, Filter, rules, tree};
+use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
+
+#[derive(Debug)]
+struct Bars;
+
+const fn row(name: &'static str, kind: Kind, default: Default) -> Parameter {
+    Parameter {
+        name,
+        symbol: name,
+        unit: "1",
+        kind,
+        default,
+        applies: None,
+        meaning: "a test",
+    }
+}
+
+static TABLE: [Parameter; 6] = [
+    row(
+        "n",
+        Kind::Whole {
+            min: 1,
+            max: 1_000_000,
+        },
+        Default::Required,
+    ),
+    row("dt", Kind::Number(Range::Positive), Default::Required),
+    row(
+        "duration",
+        Kind::Number(Range::Positive),
+        Default::Is(Value::Number(2.0)),
+    ),
+    row(
+        "twice_dt",
+        Kind::Number(Range::Positive),
+        Default::Follows("twice dt"),
+    ),
+    row(
+        "right",
+        Kind::Choice(&[("bar", "a bar"), ("wall", "a wall")]),
+        Default::Is(Value::Name("bar")),
+    ),
+    Parameter {
+        applies: Some(("right", "bar")),
+        ..row(
+            "right.L",
+            Kind::Number(Range::Positive),
+            Default::Is(Value::Number(10.0)),
+        )
+    },
+];
+
+impl Problem for Bars {
+    fn name(&self) -> &'static str {
+        "bars"
+    }
+    fn meaning(&self) -> &'static str {
+        "a test"
+    }
+    fn parameters(&self) -> &'static [Parameter] {
+        &TABLE
+    }
+    fn metrics(&self) -> &'static [Metric] {
+        &[]
+    }
+    fn quantities(&self) -> &'static [Quantity] {
+        &[]
+    }
+    fn time_title(&self) -> &'static str {
+        "t"
+    }
+    fn history_columns(&self) -> [&'static str; 6] {
+        ["t", "r", "rdot", "force", "r_exact", "rdot_exact"]
+    }
+    fn complete(&self, case: &mut Case) -> Vec<Violation> {
+        let (Some(dt), Some(duration)) = (case.number("dt"), case.number("duration")) else {
+            return Vec::new();
+        };
+        if case.values[3].is_none() {
+            case.values[3] = Some(Value::Number(2.0 * dt));
+        }
+        let rule = |parameter, broken: bool, message: String| {
+            broken.then_some(Violation { parameter, message })
+        };
+        let late = rule(
+            "dt",
+            dt > duration,
+            format!("must be at most duration = {duration}, got {dt}"),
+        );
+        let long = rule("duration", duration > 100.0, "is too long".into());
+        late.into_iter().chain(long).collect()
+    }
+    fn steps(&self, _case: &Case) -> u64 {
+        0
+    }
+    fn solve(&self, _case: &Case) -> Result<Solution, String> {
+        Err("a test".into())
+    }
+    fn evaluate(&self, _case: &Case, _solution: &Solution) -> Vec<Option<f64>> {
+        Vec::new()
+    }
+}
+
+/// The draft of a `parameters` text and the faults found, rules across parameters included.
+fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
+    let mut faults = Faults::default();
+    let node = tree::parse(text).unwrap_or_else(|e| panic!("{e:?}"));
+    let draft = parameters(&node, "parameters", &TABLE, &mut faults);
+    if let Some(draft) = &draft {
+        rules::check(&Bars, draft, &mut faults);
+    }
+    let told = faults.in_file_order("s", text);
+    (draft, told.iter().map(ToString::to_string).collect())
+}
+
+fn block(text: &str) -> Block {
+    let (draft, faults) = draft(text);
+    assert!(faults.is_empty(), "{faults:?}");
+    draft
+        .map(|draft| draft.block())
+        .unwrap_or_else(|| panic!("{text}"))
+}
+
+fn values(case: &Case) -> String {
+    let told = case
+        .values
+        .iter()
+        .map(|v| v.map_or(String::new(), |v| v.to_string()));
+    told.collect::<Vec<_>>().join(",")
+}
+
+#[test]
+fn a_part_of_the_problem_is_an_object_or_a_name() {
+    let of = |right: &str| format!("{{\"n\": 1, \"dt\": 1{right}}}");
+    let first = |text: &str| values(&block(text).completed(&Bars, 0));
+    assert_eq!(first(&of("")), "1,1,2,2,bar,10");
+    assert_eq!(first(&of(", \"right\": {}")), "1,1,2,2,bar,10");
+    assert_eq!(
+        first(&of(", \"right\": {\"L\": \"2*10\"}")),
+        "1,1,2,2,bar,20"
+    );
+    assert_eq!(first(&of(", \"right\": \"wall\"")), "1,1,2,2,wall,");
+    for (right, expected) in [
+        (
+            "\"wal\"",
+            "s:1:28: parameters.right: unknown right \"wal\", did you mean \"wall\"?; allowed: bar, wall",
+        ),
+        (
+            "{\"L\": -1}",
+            "s:1:34: parameters.right.L: must be > 0, got -1",
+        ),
+        (
+            "{\"l\": 1}",
+            "s:1:34: parameters.right.l: unknown key \"l\", did you mean \"L\"?; allowed: L",
+        ),
+        (
+            "{\"L\": 1, \"L\": 2}",
+            "s:1:37: parameters.right.L: key \"L\" given twice in one object",
+        ),
+        (
+            "3",
+            "s:1:28: parameters.right: must be a name in quotes, one of bar, wall, got 3",
+        ),
+    ] {
+        assert_eq!(draft(&of(&format!(", \"right\": {right}"))).1, [expected]);
+    }
+}
+
+#[test]
+fn whole_numbers() {
+    for (n, got) in [
+        ("2.5", "2.5"),
+        ("-3", "-3"),
+        ("0", "0"),
+        ("1e9", "1e9"),
+        ("\"1/2\"", "\"1/2\" = 0.5"),
+    ] {
+        let expected =
+            format!("s:1:7: parameters.n: must be a whole number from 1 to 1000000, got {got}");
+        assert_eq!(
+            draft(&format!("{{\"n\":{n}, \"dt\": 1}}")).1,
+            [expected.replace(":7:", ":6:")]
+        );
+    }
+    let block = block("{\"n\": [10.0, \"2*5\", 1e6], \"dt\": 1}");
+    assert_eq!(block.axes[0].values, [10, 10, 1_000_000].map(Value::Whole));
+}
+
+#[test]
+fn rules_across_parameters_are_told_at_the_value_each_once() {
+    let (_, faults) = draft("{\"n\": [1, 2], \"dt\": [1, 3, 1],\n \"duration\": [2, 200]}");
+    let expected = [
+        "s:1:25: parameters.dt[1]: must be at most duration = 2, got 3",
+        "s:2:18: parameters.duration[1]: is too long",
+    ];
+    assert_eq!(faults, expected);
+    let (_, faults) = draft(" {\"n\": 1, \"dt\": 5}");
+    assert_eq!(
+        faults,
+        ["s:1:17: parameters.dt: must be at most duration = 2, got 5"]
+    );
+}
+
+#[test]
+fn rules_of_a_large_block_are_checked_at_the_ends_of_its_axes() {
+    let list = |numbers: &mut dyn Iterator<Item = u32>| {
+        let numbers: Vec<String> = numbers.map(|n| n.to_string()).collect();
+        numbers.join(",")
+    };
+    let long = list(&mut (1..=2000));
+    let (_, faults) = draft(&format!(
+        "{{\"n\": [{long}], \"dt\": [{long}], \"duration\": 50}}"
+    ));
+    assert_eq!(faults.len(), 1);
+    assert!(
+        faults[0].contains("parameters.dt[1999]: must be at most duration = 50, got 2000"),
+        "{faults:?}"
+    );
+}
+
+#[test]
+fn the_last_axis_is_the_fastest_in_file_order() {
+    let block = block("{\"right\": [\"bar\", \"wall\"], \"dt\": [2, 1, 0.5], \"n\": 7}");
+    let cases: Vec<String> = (0..block.len())
+        .map(|i| values(&block.case(&Bars, i)))
+        .collect();
+    let expected = [
+        "7,2,2,,bar,10",
+        "7,1,2,,bar,10",
+        "7,0.5,2,,bar,10",
+        "7,2,2,,wall,",
+        "7,1,2,,wall,",
+        "7,0.5,2,,wall,",
+    ];
+    assert_eq!(cases, expected);
+}
+
+#[test]
+fn a_filter_chooses_what_a_look_at_every_case_chooses() {
+    let blocks = [
+        block("{\"n\": [1, 2, 2], \"dt\": [0.1, 0.2, 0.1], \"right\": [\"bar\", \"wall\"]}"),
+        block("{\"dt\": [\"0.3-0.1\", 1], \"n\": [2, 3], \"duration\": [2, 5]}"),
+    ];
+    let number = |row: usize, x: f64| (row, Value::Number(x));
+    for terms in [
+        vec![],
+        vec![(0, Value::Whole(2))],
+        vec![number(1, 0.2)],
+        vec![number(2, 2.0), number(1, 0.1)],
+        vec![number(3, 0.4)],
+        vec![(4, Value::Name("bar")), (0, Value::Whole(2))],
+        vec![number(5, 10.0)],
+        vec![number(1, 9.0)],
+    ] {
+        let filter = Filter(terms);
+        let chosen: Vec<u64> = select(&Bars, &blocks, &filter).collect();
+        let total: u64 = blocks.iter().map(Block::len).sum();
+        let looked: Vec<u64> = (0..total)
+            .filter(|i| {
+                super::cases::case(&Bars, &blocks, *i).is_some_and(|case| filter.matches(&case))
+            })
+            .collect();
+        assert_eq!(chosen, looked, "{filter:?}");
+    }
+}
+
+#[test]
+fn a_thousand_million_cases_cost_no_memory() {
+    let axis = |parameter| Axis {
+        parameter,
+        values: (1..=1000).map(|n| Value::Number(f64::from(n))).collect(),
+    };
+    let block = Block {
+        axes: [1, 2, 3].map(axis).into(),
+    };
+    assert_eq!(block.len(), 1_000_000_000);
+    assert_eq!(
+        values(&block.case(&Bars, 123_456_789)),
+        ",124,457,790,bar,10"
+    );
+    let filter = Filter(vec![(2, Value::Number(457.0)), (3, Value::Number(1000.0))]);
+    let chosen = block.select(&Bars, &filter);
+    assert_eq!(chosen.skip(999).collect::<Vec<_>>(), [999_456_999]);
+}

@@ -1,0 +1,115 @@
+//! One value of the study file as a number, a string or a value of a parameter.
+
+use super::expression::evaluate;
+use super::report::{Faults, quoted, shown, unknown};
+use super::tree::{Node, Tree};
+use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
+
+/// What may stand for a number.
+const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
+
+/// Axes of the study language that this version does not know yet.
+const AXIS_OBJECTS: [&str; 3] = ["linspace", "geomspace", "range"];
+
+/// A string.
+pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
+    match &node.tree {
+        Tree::Text(text) => Some(text.clone()),
+        _ => {
+            faults.must_be(node, path, "a string");
+            None
+        }
+    }
+}
+
+/// A number in `range`, plain or as an expression.
+pub(super) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults) -> Option<f64> {
+    let x = finite(node, path, faults)?;
+    if range.contains(x) {
+        return Some(x);
+    }
+    out_of_range(node, path, x, &range.to_string(), faults);
+    None
+}
+
+/// One of several names, by its place among them.
+pub(super) fn name(
+    node: &Node,
+    path: &str,
+    what: &str,
+    allowed: &[&str],
+    faults: &mut Faults,
+) -> Option<usize> {
+    let Tree::Text(name) = &node.tree else {
+        let names = format!("a name in quotes, one of {}", allowed.join(", "));
+        faults.must_be(node, path, &names);
+        return None;
+    };
+    let found = allowed.iter().position(|right| right == name);
+    if found.is_none() {
+        faults.add(node.at, path, unknown(what, name, allowed));
+    }
+    found
+}
+
+/// A value of `parameter`, by its declared kind.
+pub(super) fn value(
+    node: &Node,
+    path: &str,
+    parameter: &Parameter,
+    faults: &mut Faults,
+) -> Option<Value> {
+    match parameter.kind {
+        Kind::Number(range) => number(node, path, range, faults).map(Value::Number),
+        Kind::Whole { min, max } => {
+            let x = finite(node, path, faults)?;
+            if x.fract() == 0.0 && x >= min as f64 && x <= max as f64 {
+                return Some(Value::Whole(x as u64));
+            }
+            let range = format!("a whole number from {min} to {max}");
+            out_of_range(node, path, x, &range, faults);
+            None
+        }
+        Kind::Choice(choices) => {
+            let names: Vec<&str> = choices.iter().map(|choice| choice.0).collect();
+            let chosen = name(node, path, parameter.name, &names, faults)?;
+            Some(Value::Name(choices[chosen].0))
+        }
+    }
+}
+
+fn finite(node: &Node, path: &str, faults: &mut Faults) -> Option<f64> {
+    match &node.tree {
+        Tree::Number(written) => match written.parse::<f64>() {
+            Ok(x) if x.is_finite() => return Some(x),
+            _ => faults.must_be(node, path, "a finite number"),
+        },
+        Tree::Text(formula) => match evaluate(formula, &|_| None) {
+            Ok(x) => return Some(x),
+            Err(fault) => {
+                let message = format!("{}: {}", quoted(formula), fault.message);
+                faults.add(node.at, path, message);
+            }
+        },
+        Tree::Object(members)
+            if members
+                .iter()
+                .any(|m| AXIS_OBJECTS.contains(&m.key.as_str())) =>
+        {
+            let message = "linspace, geomspace and range are not supported yet; \
+                           allowed: a number, an expression in quotes, or a list of them";
+            faults.add(node.at, path, message);
+        }
+        _ => faults.must_be(node, path, NUMBER),
+    }
+    None
+}
+
+/// Says what a number must be; of an expression, both its text and its value.
+fn out_of_range(node: &Node, path: &str, x: f64, range: &str, faults: &mut Faults) {
+    let mut message = format!("must be {range}, got {}", shown(node));
+    if matches!(node.tree, Tree::Text(_)) {
+        message = format!("{message} = {}", shortest(x));
+    }
+    faults.add(node.at, path, message);
+}

@@ -1,0 +1,158 @@
+//! The papers' elements as they stand in print: a force and its tangent, with the errata decided.
+
+/// What an element shows of itself for a relative displacement and velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElementState {
+    /// S.
+    pub force: f64,
+    /// k~ = dS/dr [F (11)].
+    pub stiffness: f64,
+    /// c~ = dS/drdot [F (18)].
+    pub damping: f64,
+    /// Which piece of the law: -1 below, 0 within, 1 above.
+    pub branch: i8,
+}
+
+/// A two-node element with a law that is linear in pieces.
+pub trait Element {
+    /// The state at the last step's end.
+    fn state(&self) -> ElementState;
+    /// The state at `r`, `rdot`, tried from the last step's end.
+    fn trial(&self, r: f64, rdot: f64) -> ElementState;
+    /// Makes `r`, `rdot` the end of the step.
+    fn commit(&mut self, r: f64, rdot: f64);
+}
+
+/// Friction, displacement-control model [F (9) to (11)].
+#[derive(Debug, Clone, Copy)]
+pub struct DisplacementFriction {
+    /// Initial stiffness k^C.
+    pub stiffness: f64,
+    /// Coefficient of friction nu.
+    pub nu: f64,
+    /// Normal force N, compression negative; may change from step to step.
+    pub normal_force: f64,
+    /// Slip r^S.
+    pub slip: f64,
+    state: ElementState,
+}
+
+impl DisplacementFriction {
+    /// An element with slip `slip` and force `force` at T = 0.
+    pub fn new(stiffness: f64, nu: f64, normal_force: f64, slip: f64, force: f64) -> Self {
+        let state = ElementState {
+            force,
+            stiffness,
+            damping: 0.0,
+            branch: 0,
+        };
+        DisplacementFriction {
+            stiffness,
+            nu,
+            normal_force,
+            slip,
+            state,
+        }
+    }
+}
+
+impl Element for DisplacementFriction {
+    fn state(&self) -> ElementState {
+        self.state
+    }
+
+    fn trial(&self, r: f64, _rdot: f64) -> ElementState {
+        let (open, strength) = contact(self.normal_force, self.nu);
+        let elastic = strength / self.stiffness; // r^E
+        let (force, k, branch) = if r >= self.slip + elastic {
+            (strength, 0.0, 1)
+        } else if r <= self.slip - elastic {
+            (-strength, 0.0, -1)
+        } else {
+            // (11) prints -k^C <N>; the increment (10) has it positive.
+            let k = self.stiffness * open;
+            (k * (r - self.slip), k, 0)
+        };
+        ElementState {
+            force,
+            stiffness: k,
+            damping: 0.0,
+            branch,
+        }
+    }
+
+    fn commit(&mut self, r: f64, rdot: f64) {
+        self.state = self.trial(r, rdot);
+        let (_, strength) = contact(self.normal_force, self.nu);
+        // The rule that (9) and (10) leave out: while it slides, the slip stays r^E behind.
+        self.slip = match self.state.branch {
+            0 => self.slip,
+            branch => r - f64::from(branch) * strength / self.stiffness,
+        };
+    }
+}
+
+/// Friction, velocity-control model [F (16) to (18)].
+#[derive(Debug, Clone, Copy)]
+pub struct VelocityFriction {
+    /// Initial damping c^C.
+    pub damping: f64,
+    /// Coefficient of friction nu.
+    pub nu: f64,
+    /// Normal force N, compression negative; may change from step to step.
+    pub normal_force: f64,
+    state: ElementState,
+}
+
+impl VelocityFriction {
+    /// An element at rest.
+    pub fn new(damping: f64, nu: f64, normal_force: f64) -> Self {
+        let state = ElementState {
+            force: 0.0,
+            stiffness: 0.0,
+            damping,
+            branch: 0,
+        };
+        VelocityFriction {
+            damping,
+            nu,
+            normal_force,
+            state,
+        }
+    }
+}
+
+impl Element for VelocityFriction {
+    fn state(&self) -> ElementState {
+        self.state
+    }
+
+    fn trial(&self, _r: f64, rdot: f64) -> ElementState {
+        let (open, strength) = contact(self.normal_force, self.nu);
+        let limit = strength / self.damping; // rdot^E
+        let (force, c, branch) = if rdot >= limit {
+            (strength, 0.0, 1)
+        } else if rdot <= -limit {
+            (-strength, 0.0, -1)
+        } else {
+            let c = self.damping * open;
+            (c * rdot, c, 0)
+        };
+        ElementState {
+            force,
+            stiffness: 0.0,
+            damping: c,
+            branch,
+        }
+    }
+
+    fn commit(&mut self, r: f64, rdot: f64) {
+        self.state = self.trial(r, rdot);
+    }
+}
+
+/// <N> and nu |N| <N> [F (3), (9)].
+fn contact(normal_force: f64, nu: f64) -> (f64, f64) {
+    let open = if normal_force < 0.0 { 1.0 } else { 0.0 };
+    (open, nu * normal_force.abs() * open)
+}

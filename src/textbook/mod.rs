@@ -1,0 +1,164 @@
+//! The textbook form of the same method: assembled M and K, the papers' 2x2 element matrices, their iteration.
+//!
+//! This is what a reader of the papers looks for, and what the modal form is tested against. It decides no result:
+//! its iteration can cycle, and then it says so.
+
+pub mod element;
+
+use element::Element;
+use nalgebra::{DMatrix, DVector};
+
+/// An assembled structure M u'' + K u + F^C = 0 with one two-node element between I and J.
+#[derive(Debug, Clone)]
+pub struct Assembly {
+    /// Mass matrix M.
+    pub mass: DMatrix<f64>,
+    /// Stiffness matrix K, without the element.
+    pub stiffness: DMatrix<f64>,
+    /// Degrees of freedom of I and J; `None` for a node held fast. r = u_J - u_I [F (2), I (3)].
+    pub nodes: [Option<usize>; 2],
+    /// Gap at rest, added to r.
+    pub gap: f64,
+}
+
+/// How a step's equation is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Iteration {
+    /// Until the element's branch stands still and the residual is within 1/1000 of the largest force.
+    Converged,
+    /// Not at all: the tangent of the step's start, the acceleration carried on by the method.
+    Once,
+}
+
+/// The iteration went round without end in this step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cycle {
+    /// The step, from 1.
+    pub step: usize,
+}
+
+/// The assembled structure on its way through time.
+#[derive(Debug, Clone)]
+pub struct Newmark<E> {
+    assembly: Assembly,
+    /// The element with its state at the last step's end.
+    pub element: E,
+    dt: f64,
+    step: usize,
+    u: DVector<f64>,
+    v: DVector<f64>,
+    a: DVector<f64>,
+}
+
+impl<E: Element> Newmark<E> {
+    /// From `u`, `v` at T = 0, with a(0) from equilibrium; `None` where M has no inverse.
+    pub fn new(
+        assembly: Assembly,
+        element: E,
+        dt: f64,
+        u: DVector<f64>,
+        v: DVector<f64>,
+    ) -> Option<Self> {
+        let forces = &assembly.stiffness * &u + assembly.spread(element.state().force);
+        let a = -assembly.mass.clone().lu().solve(&forces)?;
+        Some(Newmark {
+            assembly,
+            element,
+            dt,
+            step: 0,
+            u,
+            v,
+            a,
+        })
+    }
+
+    /// Relative displacement and velocity of the element, and its force.
+    pub fn contact(&self) -> [f64; 3] {
+        let (r, rdot) = self.relative(&self.u, &self.v);
+        [r, rdot, self.element.state().force]
+    }
+
+    /// Displacements and velocities of the degrees of freedom.
+    pub fn state(&self) -> (&DVector<f64>, &DVector<f64>) {
+        (&self.u, &self.v)
+    }
+
+    /// One step of the constant average acceleration method.
+    ///
+    /// # Errors
+    /// [`Cycle`] where the iteration does not settle; the state is then that of the step before.
+    pub fn step(&mut self, iteration: Iteration) -> Result<(), Cycle> {
+        self.step += 1;
+        let dt = self.dt;
+        let (_, rdot0) = self.relative(&self.u, &self.v);
+        // Linearised about the step's start: u stays, so v turns to -v and a to -4 v/dt - a.
+        let mut state = self.element.state();
+        let mut u = self.u.clone();
+        let mut a = &self.v * (-4.0 / dt) - &self.a;
+        let mut force = state.force - state.damping * 2.0 * rdot0;
+        let mut branch = None;
+        for _ in 0..50 {
+            let residual = -(&self.assembly.mass * &a
+                + &self.assembly.stiffness * &u
+                + self.assembly.spread(force));
+            let tangent = self.assembly.mass.clone() * (4.0 / (dt * dt))
+                + &self.assembly.stiffness
+                + self
+                    .assembly
+                    .matrix(state.stiffness + state.damping * 2.0 / dt);
+            let Some(du) = tangent.lu().solve(&residual) else {
+                break;
+            };
+            u += du;
+            let v = (&u - &self.u) * (2.0 / dt) - &self.v;
+            a = (&u - &self.u) * (4.0 / (dt * dt)) - &self.v * (4.0 / dt) - &self.a;
+            let (r, rdot) = self.relative(&u, &v);
+            let trial = self.element.trial(r, rdot);
+            let inertia = &self.assembly.mass * &a;
+            let internal = &self.assembly.stiffness * &u + self.assembly.spread(trial.force);
+            let within =
+                (&inertia + &internal).norm() <= 1e-3 * inertia.norm().max(internal.norm());
+            // Compared within the step alone: N, and with it the start's force, may have changed since.
+            let still = branch == Some(trial.branch) && within;
+            (state, force, branch) = (trial, trial.force, Some(trial.branch));
+            if still || iteration == Iteration::Once {
+                (self.u, self.v, self.a) = (u, v, a);
+                self.element.commit(r, rdot);
+                return Ok(());
+            }
+        }
+        Err(Cycle { step: self.step })
+    }
+
+    fn relative(&self, u: &DVector<f64>, v: &DVector<f64>) -> (f64, f64) {
+        let at = |x: &DVector<f64>, node: Option<usize>| node.map_or(0.0, |i| x[i]);
+        let [i, j] = self.assembly.nodes;
+        (at(u, j) - at(u, i) + self.assembly.gap, at(v, j) - at(v, i))
+    }
+}
+
+impl Assembly {
+    /// F^C = {F_I, F_J} = {-S, S} over the degrees of freedom [F (6), I (4)].
+    fn spread(&self, s: f64) -> DVector<f64> {
+        let mut f = DVector::zeros(self.mass.nrows());
+        for (node, sign) in self.nodes.iter().zip([-1.0, 1.0]) {
+            if let Some(i) = node {
+                f[*i] += sign * s;
+            }
+        }
+        f
+    }
+
+    /// The 2x2 matrix [k -k; -k k] of k^FR, c^FR, k^IM over the degrees of freedom [F (8), (15), I (6)].
+    fn matrix(&self, k: f64) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.mass.nrows(), self.mass.nrows());
+        for (row, node) in self.nodes.iter().enumerate() {
+            for (column, other) in self.nodes.iter().enumerate() {
+                if let (Some(i), Some(j)) = (node, other) {
+                    matrix[(*i, *j)] += if row == column { k } else { -k };
+                }
+            }
+        }
+        matrix
+    }
+}

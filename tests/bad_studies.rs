@@ -1,0 +1,555 @@
+//! Studies that say something impossible: each fault at its line and column, all of them at once, and never a panic.
+
+use proptest::prelude::*;
+use slipgap::error::Error;
+use slipgap::study::{parse, read};
+
+/// What `parse` says of a text, one line a fault, without the file's name.
+fn faults(text: &str) -> Vec<String> {
+    match parse("s.json", text) {
+        Ok(_) => Vec::new(),
+        Err(Error::Faults(faults)) => {
+            let told = faults.iter().map(ToString::to_string);
+            told.map(|line| line.replacen("s.json:", "", 1)).collect()
+        }
+        Err(other) => vec![format!("another error: {other}")],
+    }
+}
+
+/// A study of displacement-control with these parameters on its fourth line, and these further keys.
+fn with(parameters: &str, more: &str) -> String {
+    format!(
+        "{{\n\"problem\": \"friction-oscillator\",\n\"parameters\": {{\n{parameters}\n}}{more}\n}}\n"
+    )
+}
+
+const GOOD: &str = "\"law\": \"displacement-control\", \"alpha\": [0.1, 1], \"dT\": \"pi/10\", \"duration\": \"8*pi\"";
+
+#[track_caller]
+fn assert_faults(text: &str, expected: &[&str]) {
+    let found = faults(text);
+    let fit = found.len() == expected.len()
+        && found
+            .iter()
+            .zip(expected)
+            .all(|(found, start)| found.starts_with(start));
+    assert!(fit, "{text}\nfound {found:#?}\nexpected {expected:#?}");
+}
+
+/// One parameter on the fourth line beside what is required.
+#[track_caller]
+fn assert_parameter(given: &str, expected: &str) {
+    let rest = "\"law\": \"displacement-control\", \"dT\": 0.1, \"duration\": 9";
+    assert_faults(&with(&format!("{given}, {rest}"), ""), &[expected]);
+}
+
+#[test]
+fn numbers() {
+    let number = "4:10: parameters.alpha: must be a number or an expression in quotes";
+    for (alpha, expected) in [
+        ("-0.1", "4:10: parameters.alpha: must be > 0, got -0.1"),
+        ("0", "4:10: parameters.alpha: must be > 0, got 0"),
+        (
+            "\"1-pi\"",
+            "4:10: parameters.alpha: must be > 0, got \"1-pi\" = -2.14",
+        ),
+        (
+            "1e999",
+            "4:10: parameters.alpha: must be a finite number, got 1e999",
+        ),
+        ("1e-999", "4:10: parameters.alpha: must be > 0, got 1e-999"),
+        (
+            "\"1/0\"",
+            "4:10: parameters.alpha: \"1/0\": must be finite, got inf",
+        ),
+        (
+            "\"pi/\"",
+            "4:10: parameters.alpha: \"pi/\": expected a number, a name or '(' after '/'",
+        ),
+        (
+            "\"NaN\"",
+            "4:10: parameters.alpha: \"NaN\": unknown name \"NaN\"",
+        ),
+        ("\"\"", "4:10: parameters.alpha: \"\": expected a number"),
+        ("true", number),
+        ("null", number),
+        ("{}", number),
+        (
+            "[]",
+            "4:10: parameters.alpha: must be a value or a list of at least one, got []",
+        ),
+        (
+            "[[0.1]]",
+            "4:11: parameters.alpha[0]: must be a number or an expression in quotes",
+        ),
+        (
+            "[1, 2, -0.1]",
+            "4:17: parameters.alpha[2]: must be > 0, got -0.1",
+        ),
+        (
+            "[\"αβ\", 2]",
+            "4:11: parameters.alpha[0]: \"αβ\": unknown name \"αβ\"",
+        ),
+        (
+            "{\"linspace\": [0, 1, 5]}",
+            "4:10: parameters.alpha: linspace, geomspace and range are not supported yet",
+        ),
+    ] {
+        assert_parameter(&format!("\"alpha\": {alpha}"), expected);
+    }
+    assert_parameter(
+        "\"alpha\": 1, \"x0\": 0",
+        "4:19: parameters.x0: must be not 0, got 0",
+    );
+    assert_parameter(
+        "\"alpha\": 1, \"x0\": -0.0",
+        "4:19: parameters.x0: must be not 0, got -0.0",
+    );
+}
+
+#[test]
+fn names_and_keys() {
+    assert_parameter(
+        "\"alpha\": 1, \"initial_slip\": \"pull\"",
+        "4:29: parameters.initial_slip: unknown initial_slip \"pull\", did you mean \"pulled\"?; allowed: unloaded, pulled, sliding",
+    );
+    assert_parameter(
+        "\"alpha\": 1, \"X0\": 3",
+        "4:19: parameters.X0: unknown key \"X0\", did you mean \"x0\"?; allowed: law, alpha",
+    );
+    assert_parameter(
+        "\"alpha\": 1, \"beta\": 3",
+        "4:21: parameters.beta: does not apply to law displacement-control, only to velocity-control; allowed: law, alpha, dT, duration, x0, initial_slip",
+    );
+    assert_parameter(
+        "\"alpha\": 1, \"alpha\": 3",
+        "4:13: parameters.alpha: key \"alpha\" given twice",
+    );
+    assert_parameter(
+        "\"//\": 1, \"//\": 2",
+        "3:15: parameters.alpha: missing: elastic displacement",
+    );
+    assert_parameter(
+        "\"alpha\": 1, \"zip\": []",
+        "4:20: parameters.zip: \"zip\" is not supported yet",
+    );
+    let law = |law: &str| with(&GOOD.replace("displacement-control", law), "");
+    assert_faults(
+        &law("displacment-control"),
+        &[
+            "4:8: parameters.law: unknown law \"displacment-control\", did you mean \"displacement-control\"?",
+        ],
+    );
+    assert_faults(
+        &law("coulomb"),
+        &[
+            "4:8: parameters.law: unknown law \"coulomb\"; allowed: displacement-control, velocity-control",
+        ],
+    );
+    assert_faults(
+        &with(GOOD, "").replace("oscillator", "oscilator"),
+        &[
+            "2:12: problem: unknown problem \"friction-oscilator\", did you mean \"friction-oscillator\"?",
+        ],
+    );
+    assert_faults(
+        &with(GOOD, "").replace("\"friction-oscillator\"", "7"),
+        &["2:12: problem: must be a name in quotes, one of friction-oscillator"],
+    );
+}
+
+#[test]
+fn laws_that_meet_in_one_block() {
+    let both = "\"law\": [\"displacement-control\", \"velocity-control\"], \"alpha\": 1, \"dT\": 0.1, \"duration\": 9";
+    assert_faults(
+        &with(both, ""),
+        &[
+            "3:15: parameters.beta: missing, and it applies to law velocity-control alone",
+            "4:63: parameters.alpha: applies to law displacement-control alone, and law is also velocity-control here; give each law a block of its own in \"blocks\"",
+        ],
+    );
+}
+
+#[test]
+fn the_whole() {
+    assert_faults("[]", &["1:1: must be an object of $schema, title"]);
+    assert_faults("3", &["1:1: must be an object"]);
+    assert_faults(
+        "{}",
+        &[
+            "1:1: problem: missing: one of friction-oscillator",
+            "1:1: parameters: missing",
+        ],
+    );
+    assert_faults("", &["1:1: the file is empty"]);
+    assert_faults("{\n \"problem\": \"α\", }", &["2:18: not valid JSON"]);
+    assert_faults(
+        &with(
+            GOOD,
+            ",\n\"blocks\": [],\n\"title\": 3,\n\"$schema\": null,\n\"design\": {}",
+        ),
+        &[
+            "6:11: blocks: stands in place of \"parameters\"",
+            "7:10: title: must be a string, got 3",
+            "8:12: $schema: must be a string, got null",
+            "9:11: design: \"design\" is not supported yet",
+        ],
+    );
+    let blocks =
+        |blocks: &str| format!("{{\"problem\": \"friction-oscillator\",\n\"blocks\": {blocks}}}");
+    assert_faults(
+        &blocks("[]"),
+        &["2:11: blocks: must be a list of at least one block, got []"],
+    );
+    assert_faults(
+        &blocks("{}"),
+        &["2:11: blocks: must be a list, got an object"],
+    );
+    assert_faults(
+        &blocks("[{}, {\"when\": 1}]"),
+        &[
+            "2:12: blocks[0].parameters: missing",
+            "2:16: blocks[1].parameters: missing",
+            "2:25: blocks[1].when: \"when\" is not supported yet",
+        ],
+    );
+    assert_faults(
+        &blocks(&format!(
+            "[{{\"parameters\": {{{GOOD}}}}},\n{{\"parameters\": {{{GOOD}, \"x0\": 0}}}}]"
+        )),
+        &["3:108: blocks[1].parameters.x0: must be not 0, got 0"],
+    );
+}
+
+#[test]
+fn too_many_cases_are_counted_not_made() {
+    let thousand = vec!["1"; 1001].join(",");
+    let text = format!(
+        "{{\"problem\": \"friction-oscillator\",\n\"parameters\": {{\"law\": \"displacement-control\", \"alpha\": [{thousand}], \"dT\": [{thousand}], \"duration\": [{thousand}]}}}}"
+    );
+    assert_faults(
+        &text,
+        &["2:15: parameters: 1003003001 cases; allowed: at most 1000000000"],
+    );
+}
+
+#[test]
+fn figures() {
+    let figure = |keys: &str| with(GOOD, &format!(", \"figures\": [\n{{{keys}}}]"));
+    for (keys, expected) in [
+        (
+            "",
+            &[
+                "6:1: figures[0].kind: missing",
+                "6:1: figures[0].name: missing",
+            ][..],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"histroy\"",
+            &[
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, metric, map, law",
+            ],
+        ),
+        (
+            "\"name\": \"a/b\", \"kind\": \"law\"",
+            &["6:10: figures[0].name: must be 1 to 100 letters"],
+        ),
+        (
+            "\"name\": \"-b\", \"kind\": \"law\"",
+            &["6:10: figures[0].name: must be"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"law\", \"z\": \"alpha\"",
+            &["6:35: figures[0].z: a law figure takes no \"z\"; the kinds that do: map"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"law\", \"wher\": {}",
+            &["6:38: figures[0].wher: unknown key \"wher\", did you mean \"where\"?"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"profile\", \"times\": [1]",
+            &["6:23: figures[0].kind: friction-oscillator has no profiles"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"history\", \"y\": [\"X\", \"Y\"]",
+            &["6:45: figures[0].y[1]: unknown quantity \"Y\""],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"history\", \"by\": \"beta\"",
+            &["6:40: figures[0].by: beta applies to none of the cases shown"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": 3}",
+            &["6:43: figures[0].where: no case has alpha 3; there are 0.1, 1"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": [1]}",
+            &["6:53: figures[0].where.alpha: must be a number"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"metric\"",
+            &["6:1: figures[0].x: missing", "6:1: figures[0].y: missing"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"metric\", \"x\": \"law\", \"y\": \"rms\"",
+            &[
+                "6:38: figures[0].x: must be a parameter that is a number, got \"law\"",
+                "6:50: figures[0].y: unknown metric \"rms\", did you mean \"rms_error\"?",
+            ],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"map\", \"x\": \"x0\", \"y\": \"x0\", \"z\": \"rms_error\"",
+            &[
+                "6:1: figures[0].where: a map shows one case a place, and alpha varies",
+                "6:46: figures[0].y: must be another parameter than x",
+            ],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"law\"}, {\"name\": \"A\", \"kind\": \"law\"",
+            &["6:40: figures[1].name: \"A\" is the name of an earlier figure"],
+        ),
+    ] {
+        assert_faults(&figure(keys), expected);
+    }
+    let many = GOOD.replace("[0.1, 1]", "[1, 2, 3, 4, 5, 6, 7, 8, 9]");
+    let history = |more: &str| {
+        with(
+            &many,
+            &format!(", \"figures\": [\n{{\"name\": \"a\", \"kind\": \"history\"{more}}}]"),
+        )
+    };
+    assert_faults(
+        &history(""),
+        &["6:1: figures[0].where: more than 8 cases in one panel; narrow"],
+    );
+    assert_faults(&history(", \"panels\": \"alpha\""), &[]);
+    let signs = GOOD.to_owned() + ", \"x0\": [-12, 12]";
+    let scale = ", \"figures\": [\n{\"name\": \"a\", \"kind\": \"metric\", \"x\": \"x0\", \"y\": \"rms_error\", \"x_scale\": \"log\"}]";
+    assert_faults(
+        &with(&signs, scale),
+        &["6:73: figures[0].x_scale: log takes numbers > 0, and x0 is -12"],
+    );
+}
+
+#[test]
+fn checks_and_metrics() {
+    let check = |keys: &str| with(GOOD, &format!(", \"checks\": [\n{{{keys}}}]"));
+    for (keys, expected) in [
+        (
+            "",
+            &[
+                "6:1: checks[0].metric: missing",
+                "6:1: checks[0]: missing: \"min\"",
+            ][..],
+        ),
+        (
+            "\"metric\": \"rms_eror\", \"max\": 1",
+            &["6:12: checks[0].metric: unknown metric \"rms_eror\", did you mean \"rms_error\"?"],
+        ),
+        (
+            "\"metric\": \"rms_error\", \"min\": 2, \"max\": 1",
+            &["6:42: checks[0].max: must be >= min = 2, got 1"],
+        ),
+        (
+            "\"metric\": \"rms_error\", \"min\": \"1/0\"",
+            &["6:32: checks[0].min: \"1/0\": must be finite"],
+        ),
+        (
+            "\"metric\": \"rms_error\", \"max\": 1, \"where\": {\"alpha\": \"1/5\"}",
+            &["6:44: checks[0].where: no case has alpha 0.2"],
+        ),
+        (
+            "\"metric\": \"rms_error\", \"max\": 1, \"where\": {\"alpha\": -1}",
+            &["6:54: checks[0].where.alpha: must be > 0, got -1"],
+        ),
+        (
+            "\"metric\": \"rms_error\", \"max\": 1, \"where\": {\"alpha\": \"1/10\", \"x0\": 12}",
+            &[],
+        ),
+    ] {
+        assert_faults(&check(keys), expected);
+    }
+    assert_faults(
+        &with(GOOD, ",\n\"metrics\": [\"x0\"]"),
+        &["6:13: metrics[0]: unknown metric \"x0\""],
+    );
+    assert_faults(
+        &with(GOOD, ",\n\"checks\": {}"),
+        &["6:11: checks: must be a list, got an object"],
+    );
+}
+
+#[test]
+fn every_fault_comes_at_once_in_file_order() {
+    let text = "{\r\n\"title\": \"αβγ\", \"checks\": [{\"metric\": \"rms\", \"max\": 0}],\r\n\
+                \"parameters\": {\"law\": \"displacement-control\", \"alpha\": [0.1, \"pi/\", -1], \"dT\": 1e999},\r\n\
+                \"problem\": \"friction-oscillator\"}";
+    assert_faults(
+        text,
+        &[
+            "2:39: checks[0].metric: unknown metric \"rms\"",
+            "3:15: parameters.duration: missing: end of the run",
+            "3:62: parameters.alpha[1]: \"pi/\": expected a number",
+            "3:69: parameters.alpha[2]: must be > 0, got -1",
+            "3:80: parameters.dT: must be a finite number, got 1e999",
+        ],
+    );
+}
+
+#[test]
+fn files() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("s.json");
+    assert!(matches!(read(&file), Err(Error::Io { .. })));
+    std::fs::write(&file, b"{\n \"title\": \"\xff\"}").unwrap();
+    let said = read(&file).unwrap_err();
+    assert_eq!(said.exit_code(), 2);
+    assert!(
+        said.to_string()
+            .ends_with("s.json:2:12: not UTF-8: byte 0xff; save the file as UTF-8"),
+        "{said}"
+    );
+    std::fs::write(&file, with(GOOD, "")).unwrap();
+    let study = read(&file).unwrap();
+    assert_eq!(study.len(), 2);
+    assert_eq!(study.sha256.len(), 64);
+}
+
+/// A study that uses every part of the language.
+fn whole_study() -> String {
+    with(
+        GOOD,
+        ",\n\"title\": \"t\", \"//\": \"remark\", \"metrics\": [\"rms_error\"],\n\"figures\": [\n\
+         {\"name\": \"a\", \"kind\": \"history\", \"by\": \"alpha\", \"where\": {\"x0\": \"12\"}},\n\
+         {\"name\": \"b\", \"kind\": \"metric\", \"x\": \"alpha\", \"y\": [\"rms_error\"], \"x_scale\": \"log\"},\n\
+         {\"name\": \"c\", \"kind\": \"map\", \"x\": \"alpha\", \"y\": \"dT\", \"z\": \"max_error\"},\n\
+         {\"name\": \"d\", \"kind\": \"law\"}],\n\
+         \"checks\": [{\"metric\": \"rms_error\", \"where\": {\"alpha\": 0.1}, \"min\": 0, \"max\": \"1/2\"}]",
+    )
+}
+
+#[test]
+fn the_study_that_the_mutations_start_from_is_good() {
+    assert_faults(&whole_study(), &[]);
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_it_panic(text in any::<String>()) {
+        let _ = parse("s.json", &text);
+    }
+
+    #[test]
+    fn no_mutation_makes_it_panic(
+        edits in prop::collection::vec((0usize..2000, 0usize..40, "[\\[\\]{}\",:0-9a-zα.*/^()\\\\ \n-]{0,6}"), 1..4)
+    ) {
+        let mut text: Vec<char> = whole_study().chars().collect();
+        for (at, cut, put) in edits {
+            let at = at % (text.len() + 1);
+            let end = (at + cut % 12).min(text.len());
+            text.splice(at..end, put.chars());
+        }
+        let text: String = text.into_iter().collect();
+        every_fault_has_a_place(&text)?;
+    }
+
+    #[test]
+    fn no_exchange_of_words_makes_it_panic(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(WORDS)), 1..5)
+    ) {
+        let mut words = words(&whole_study());
+        for (at, word) in edits {
+            let at = at.index(words.len());
+            words[at] = word.to_owned();
+        }
+        every_fault_has_a_place(&words.concat())?;
+    }
+}
+
+/// What takes the place of words of a good study.
+const WORDS: &[&str] = &[
+    "{}",
+    "[]",
+    "[[1]]",
+    "[1, 2, 3]",
+    "{\"alpha\": 1}",
+    "{\"right\": {}}",
+    "1e999",
+    "-1",
+    "0",
+    "2.5",
+    "true",
+    "null",
+    "\"\"",
+    "\"pi/\"",
+    "\"1/0\"",
+    "\"(((\"",
+    "\"alpha\"",
+    "\"beta\"",
+    "\"law\"",
+    "\"x\"",
+    "\"y\"",
+    "\"z\"",
+    "\"by\"",
+    "\"panels\"",
+    "\"where\"",
+    "\"kind\"",
+    "\"map\"",
+    "\"law\"",
+    "\"profile\"",
+    "\"metric\"",
+    "\"history\"",
+    "\"log\"",
+    "\"blocks\"",
+    "\"zip\"",
+    "\"//\"",
+    "\"x0\"",
+    "\"rms_error\"",
+    "\"velocity-control\"",
+    "\"αβγ\\n\"",
+    "[\"velocity-control\", \"displacement-control\"]",
+    "[-1, 1]",
+    "[1, 2, 3, 4, 5, 6, 7, 8, 9]",
+];
+
+/// Strings, numbers and what lies between them.
+fn words(text: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let (mut quoted, mut number) = (false, false);
+    for c in text.chars() {
+        let numeric = !quoted && (c.is_ascii_digit() || c == '.');
+        let opens = (c == '"' && !quoted) || (numeric && !number);
+        if opens || (number && !numeric) {
+            words.push(String::new());
+        }
+        words.last_mut().unwrap().push(c);
+        if c == '"' {
+            quoted = !quoted;
+            if !quoted {
+                words.push(String::new());
+            }
+        }
+        number = numeric;
+    }
+    words
+}
+
+fn every_fault_has_a_place(text: &str) -> Result<(), TestCaseError> {
+    let Err(Error::Faults(faults)) = parse("s.json", text) else {
+        return Ok(());
+    };
+    prop_assert!(!faults.is_empty());
+    for fault in &faults {
+        prop_assert!(!fault.to_string().contains('\n'), "{}", fault);
+        let line = text.split('\n').nth(fault.line - 1);
+        let columns = line.map(|line| line.chars().count() + 1);
+        prop_assert!(
+            columns.is_some_and(|columns| (1..=columns).contains(&fault.column)),
+            "{}",
+            fault
+        );
+    }
+    let in_order = faults.is_sorted_by_key(|fault| (fault.line, fault.column));
+    prop_assert!(in_order, "{faults:?}");
+    Ok(())
+}
