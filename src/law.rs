@@ -77,3 +77,19 @@ impl<const L: usize> Law<L> for VelocityControl<L> {
         (trial.velocity * damping).cut(self.limit)
     }
 }
+
+/// Impact spring [I (7), (8)]: S = k_I <r> r, which pushes while r < 0 and never pulls (the print lacks the last r).
+#[derive(Debug, Clone, Copy)]
+pub struct ImpactSpring<const L: usize> {
+    /// 1/k_I.
+    pub compliance: Lane<L>,
+}
+
+impl<const L: usize> Law<L> for ImpactSpring<L> {
+    #[inline(always)]
+    fn respond(&mut self, trial: &Trial<L>) -> Lane<L> {
+        let stiffness = (self.compliance + trial.h).map(|c| 1.0 / c);
+        // r has the sign of r*, since h > 0.
+        (trial.displacement * stiffness).map(|s| if s < 0.0 { s } else { 0.0 })
+    }
+}

@@ -54,7 +54,7 @@ fn solve(
         Ok(solution) => {
             visit(index, &solution)?;
             Outcome {
-                metrics: study.problem.evaluate(&case, &solution),
+                metrics: solution.metrics.clone(),
                 solution: keep(&case).then_some(solution),
                 failure: None,
                 case,

@@ -1,3 +1,4 @@
 //! Exact solutions. They never import the stepper, so that the one can judge the other.
 
 pub mod coulomb;
+pub mod wave;

@@ -83,7 +83,8 @@ impl Curves<'_> {
         let times: Vec<f64> = (0..=EXACT_POINTS).map(time).collect();
         let exact = self.study.problem.exact(shown.case, &times)?;
         let values = column(quantity.source, &exact);
-        Some(times.iter().zip(values).map(|(t, x)| [*t, *x]).collect())
+        let line = exact.time.iter().zip(values);
+        Some(line.map(|(t, x)| [*t, *x]).collect())
     }
 
     /// Points that carry a marker: few, and not at the same times for two curves.

@@ -42,10 +42,10 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
     };
     let cases: Vec<Case> = values.iter().map(case).collect();
     let solutions: Vec<_> = cases.iter().map(|c| problem.solve(c).unwrap()).collect();
-    let metrics = cases.iter().zip(&solutions);
-    let metrics = metrics.map(|(c, s)| problem.evaluate(c, s)).collect();
+    let metrics = solutions.iter().map(|s| s.metrics.clone()).collect();
     let study = Study {
         title: "a test".into(),
+        sha256: String::new(),
         problem,
         blocks: Vec::new(),
         metrics: Vec::new(),

@@ -1,6 +1,7 @@
 //! Metrics: one history against another.
 
 pub mod friction;
+pub mod impact;
 
 /// Relative slack in comparing times and counting steps: 8 pi/(pi/10) is 80 steps, 70 (pi/10) is 7 pi.
 pub const SLACK: f64 = 1e-12;

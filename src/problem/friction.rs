@@ -264,7 +264,12 @@ impl Problem for FrictionOscillator {
             return Err("the motion leaves the range of double precision".into());
         }
         let exact = self.exact(case, &computed.time).ok_or("x0 is not given")?;
-        Ok(Solution { computed, exact })
+        let metrics = metrics::friction::evaluate(x0, number("duration")?, &computed, &exact);
+        Ok(Solution {
+            computed,
+            exact,
+            metrics,
+        })
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
@@ -275,15 +280,6 @@ impl Problem for FrictionOscillator {
             exact.push(time, state.displacement, state.velocity, state.force);
         }
         Some(exact)
-    }
-
-    fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>> {
-        match (case.number("x0"), case.number("duration")) {
-            (Some(x0), Some(duration)) => {
-                metrics::friction::evaluate(x0, duration, &solution.computed, &solution.exact)
-            }
-            _ => vec![None; METRICS.len()],
-        }
     }
 }
 

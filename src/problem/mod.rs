@@ -1,6 +1,7 @@
 //! Problems: the one place where a case's parameters become structure, law, exact solution and metrics.
 
 pub mod friction;
+pub mod impact;
 pub mod parameter;
 
 use crate::history::History;
@@ -109,6 +110,8 @@ pub struct Solution {
     pub computed: History,
     /// By the exact solution.
     pub exact: History,
+    /// In the order of the problem's table; `None` where one is undefined for the case.
+    pub metrics: Vec<Option<f64>>,
 }
 
 /// A problem: its tables, and how one of its cases is solved and judged.
@@ -139,14 +142,13 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn steps(&self, case: &Case) -> u64;
     /// Solves a completed case; an error says why it has no solution in double precision.
     fn solve(&self, case: &Case) -> Result<Solution, String>;
-    /// The exact solution of a completed case at these times, rising from 0; `None` where there is none.
+    /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
+    /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
-    /// The metrics in the table's order; `None` where one is undefined for the case.
-    fn evaluate(&self, case: &Case, solution: &Solution) -> Vec<Option<f64>>;
 }
 
 /// Every problem there is.
-pub static PROBLEMS: [&dyn Problem; 1] = [&friction::FrictionOscillator];
+pub static PROBLEMS: [&dyn Problem; 2] = [&friction::FrictionOscillator, &impact::BarImpact];
 
 /// The problem called `name`.
 pub fn find(name: &str) -> Option<&'static dyn Problem> {

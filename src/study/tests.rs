@@ -58,6 +58,12 @@ static TABLE: [Parameter; 6] = [
 ];
 
 impl Problem for Bars {
+    fn time_in_pi(&self) -> bool {
+        false
+    }
+    fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
+        None
+    }
     fn name(&self) -> &'static str {
         "bars"
     }
@@ -102,9 +108,6 @@ impl Problem for Bars {
     }
     fn solve(&self, _case: &Case) -> Result<Solution, String> {
         Err("a test".into())
-    }
-    fn evaluate(&self, _case: &Case, _solution: &Solution) -> Vec<Option<f64>> {
-        Vec::new()
     }
 }
 

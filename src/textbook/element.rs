@@ -156,3 +156,45 @@ fn contact(normal_force: f64, nu: f64) -> (f64, f64) {
     let open = if normal_force < 0.0 { 1.0 } else { 0.0 };
     (open, nu * normal_force.abs() * open)
 }
+
+/// Impact spring [I (7) to (9)]: it pushes while r < 0.
+#[derive(Debug, Clone, Copy)]
+pub struct ImpactElement {
+    /// Stiffness k_I.
+    pub stiffness: f64,
+    state: ElementState,
+}
+
+impl ImpactElement {
+    /// A spring that nothing presses yet, touching if `r` = 0.
+    pub fn new(stiffness: f64) -> Self {
+        let state = ElementState {
+            force: 0.0,
+            stiffness: 0.0,
+            damping: 0.0,
+            branch: 1,
+        };
+        ImpactElement { stiffness, state }
+    }
+}
+
+impl Element for ImpactElement {
+    fn state(&self) -> ElementState {
+        self.state
+    }
+
+    fn trial(&self, r: f64, _rdot: f64) -> ElementState {
+        // <r> is 1 for r < 0, else 0 [I (8)]; (7) prints S = k_I <r> and means k_I <r> r.
+        let pressed = if r < 0.0 { 1.0 } else { 0.0 };
+        ElementState {
+            force: self.stiffness * pressed * r,
+            stiffness: self.stiffness * pressed,
+            damping: 0.0,
+            branch: if r < 0.0 { 0 } else { 1 },
+        }
+    }
+
+    fn commit(&mut self, r: f64, rdot: f64) {
+        self.state = self.trial(r, rdot);
+    }
+}

@@ -1,5 +1,7 @@
 //! A linear structure as its modes, seen through one relative displacement r = b^T u.
 
+pub mod bar;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// One mode in the scaled coordinate x_k = phi_k q_k, which is its own share of r = sum x_k.

@@ -1,0 +1,108 @@
+//! Metrics of the bar impact; `c` is the computed history, `wave` the exact solution.
+
+use super::reached;
+use crate::exact::wave::{State, Wave};
+use crate::history::History;
+
+/// Openings are counted and rdot is watched up to this time after the exact first touch: then the returning front
+/// parts the ends for good.
+const WATCHED: f64 = 0.9;
+
+/// The metrics in the order of the problem's table; `None` where one is undefined.
+pub fn evaluate(
+    c: &History,
+    wave: &Wave,
+    duration: f64,
+    energy: &[f64],
+    restitution: f64,
+) -> Vec<Option<f64>> {
+    let touch = wave.first_touch();
+    let drift = |e: f64| (e - energy[0]) / energy[0];
+    let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+    let r: fn(State) -> f64 = |state| state.displacement;
+    let rdot: fn(State) -> f64 = |state| state.velocity;
+    vec![
+        contact_duration(c),
+        Some(separations(c, touch)),
+        // Adding zero turns -0 into 0.
+        c.displacement.iter().map(|r| 0.0 - r).reduce(f64::max),
+        rdot_oscillation(c, touch),
+        c.force.iter().copied().reduce(f64::max),
+        impulse_error(c, wave, duration),
+        Some(restitution),
+        energy.iter().map(|&e| drift(e)).reduce(larger),
+        energy.last().map(|&e| drift(e)),
+        Some(rms_error(&c.time, &c.displacement, wave, r, duration)),
+        Some(rms_error(&c.time, &c.velocity, wave, rdot, duration)),
+    ]
+    .into_iter()
+    .map(|value| value.filter(|x: &f64| x.is_finite()))
+    .collect()
+}
+
+/// From the last step before the first overlap to the first step after the last one.
+fn contact_duration(c: &History) -> Option<f64> {
+    let first = c.displacement.iter().position(|&r| r < 0.0)?;
+    let last = c.displacement.iter().rposition(|&r| r < 0.0)?;
+    let (before, after) = (first.checked_sub(1)?, last + 1);
+    Some(c.time.get(after)? - c.time[before])
+}
+
+/// Openings that close again, both in time.
+fn separations(c: &History, touch: f64) -> f64 {
+    let (mut count, mut opened) = (0, false);
+    for (pair, &t) in c.displacement.windows(2).zip(&c.time[1..]) {
+        if !reached(touch + WATCHED, t) {
+            break;
+        }
+        match (pair[0] < 0.0, pair[1] < 0.0) {
+            (true, false) => opened = true,
+            (false, true) if opened => {
+                count += 1;
+                opened = false;
+            }
+            _ => {}
+        }
+    }
+    f64::from(count)
+}
+
+fn rdot_oscillation(c: &History, touch: f64) -> Option<f64> {
+    let watched = c
+        .time
+        .iter()
+        .zip(&c.velocity)
+        .filter(|&(&t, _)| reached(t, touch + 0.3) && reached(touch + WATCHED, t));
+    let (count, sum) = watched.fold((0_u32, 0.0), |(count, sum), (_, v)| {
+        (count + 1, sum + v * v)
+    });
+    (count > 0).then(|| (sum / f64::from(count)).sqrt())
+}
+
+/// Both impulses up to the last step; undefined unless the run outlasts the exact contact.
+fn impulse_error(c: &History, wave: &Wave, duration: f64) -> Option<f64> {
+    let [_, parted] = wave.durations();
+    if reached(parted?, duration) {
+        return None;
+    }
+    let impulse: f64 = c
+        .time
+        .windows(2)
+        .zip(c.force.windows(2))
+        .map(|(t, f)| 0.5 * (t[1] - t[0]) * (f[0] + f[1]))
+        .sum();
+    Some(impulse / wave.impulse(*c.time.last()?) - 1.0)
+}
+
+/// Trapezoids over the steps, each with the exact limits of its own side; jumps inside a step are not looked for.
+fn rms_error(t: &[f64], c: &[f64], wave: &Wave, of: fn(State) -> f64, duration: f64) -> f64 {
+    let integral: f64 = t
+        .windows(2)
+        .zip(c.windows(2))
+        .map(|(t, c)| {
+            let (a, b) = (c[0] - of(wave.at(t[0])), c[1] - of(wave.before(t[1])));
+            0.5 * (t[1] - t[0]) * (a * a + b * b)
+        })
+        .sum();
+    (integral / duration).sqrt()
+}

@@ -1,0 +1,82 @@
+//! From a case's dimensional data to the numbers that decide its motion: scaled first, solved then.
+//!
+//! Time in T_I, displacement in c T_I/2, force in F0 = c Z1 Z2/(Z1 + Z2), so velocity in c/2 and mass in 2 F0 T_I/c.
+//! The left bar's mass is then (1 + z)/4, z = Z1/Z2, the right bar's theta/z of it, theta = T_2/T_1, and the spring's
+//! stiffness gamma n (1 + z). For like bars z = theta = 1 exactly: density and speed never reach the solver.
+
+use crate::exact::wave::Bars;
+use crate::problem::Case;
+use crate::structure::bar::{Bar, Mass};
+
+/// A case in its own scales.
+#[derive(Debug, Clone, Copy)]
+pub struct Scaled {
+    /// The left bar.
+    pub left: Bar,
+    /// The right bar, unless there is a wall.
+    pub right: Option<Bar>,
+    /// Impedance and time ratio, gap.
+    pub bars: Bars,
+    /// Stiffness of the impact spring.
+    pub spring: f64,
+    /// L_R/L, for drawings; zero for a wall.
+    pub length_ratio: f64,
+}
+
+impl Scaled {
+    /// Scales a completed case; `None` where a number is not given.
+    pub fn new(case: &Case) -> Option<Scaled> {
+        let number = |name: &str| case.number(name);
+        let kind = match case.choice("mass") {
+            "consistent" => Mass::Consistent,
+            _ => Mass::Lumped,
+        };
+        let n = number("n")?;
+        let ratio = |name: &str| Some(number(name)? / number(&format!("right.{name}"))?);
+        let (z, theta, length) = if case.choice("right") == "wall" {
+            (0.0, 1.0, 0.0)
+        } else {
+            let (e, a, rho, l) = (ratio("E")?, ratio("A")?, ratio("rho")?, ratio("L")?);
+            // Z = A sqrt(E rho), T = 2 L sqrt(rho/E)
+            (a * (e * rho).sqrt(), (e / rho).sqrt() / l, 1.0 / l)
+        };
+        let mass = (1.0 + z) / 4.0;
+        let left = Bar {
+            elements: n as u32,
+            mass,
+            trip: 1.0,
+            kind,
+        };
+        let right = if z > 0.0 {
+            Some(Bar {
+                elements: number("right.n")? as u32,
+                mass: mass * theta / z,
+                trip: theta,
+                kind,
+            })
+        } else {
+            None
+        };
+        Some(Scaled {
+            left,
+            right,
+            bars: Bars {
+                impedance_ratio: z,
+                time_ratio: theta,
+                gap: number("gap")?,
+            },
+            spring: number("gamma")? * n * (1.0 + z),
+            length_ratio: length,
+        })
+    }
+
+    /// The bars there are, left first.
+    pub fn each(&self) -> impl Iterator<Item = Bar> {
+        [Some(self.left), self.right].into_iter().flatten()
+    }
+
+    /// Rate of r at which a bar's rigid-body mode closes the gap: both bars share it, to a wall one brings it all.
+    pub fn approach(&self) -> f64 {
+        if self.right.is_some() { -1.0 } else { -2.0 }
+    }
+}

@@ -1,0 +1,283 @@
+//! The tables of the bar impact: parameters, metrics, quantities.
+
+use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::{Metric, Quantity, Source};
+
+/// A row of the table of parameters that applies always.
+const fn row(
+    name: &'static str,
+    symbol: &'static str,
+    unit: &'static str,
+    kind: Kind,
+    default: Default,
+    meaning: &'static str,
+) -> Parameter {
+    Parameter {
+        name,
+        symbol,
+        unit,
+        kind,
+        default,
+        applies: None,
+        meaning,
+    }
+}
+
+const POSITIVE: Kind = Kind::Number(Range::Positive);
+const ELEMENTS: Kind = Kind::Whole {
+    min: 1,
+    max: 1_000_000,
+};
+const AS_LEFT: Default = Default::Follows("as the left bar");
+
+const fn is(x: f64) -> Default {
+    Default::Is(Value::Number(x))
+}
+
+pub(super) static PARAMETERS: [Parameter; 19] = [
+    row(
+        "gamma",
+        "*γ*",
+        "1",
+        POSITIVE,
+        Default::Follows("from k_I; exactly one of the two is given"),
+        "stiffness of the impact spring over that of an element, gamma = k_I L/(n E A) of the left bar [I (16)]",
+    ),
+    row(
+        "k_I",
+        "*k*_I_",
+        "force/length",
+        POSITIVE,
+        Default::Follows("from gamma; exactly one of the two is given"),
+        "stiffness of the impact spring [I (7)]",
+    ),
+    row(
+        "n",
+        "*n*",
+        "1",
+        ELEMENTS,
+        Default::Required,
+        "number of elements of a bar",
+    ),
+    row(
+        "dt",
+        "Δ*t*/*T*_I_",
+        "T_I",
+        POSITIVE,
+        Default::Required,
+        "time step over the contact duration T_I = 2 L/C0 of the left bar; at most duration",
+    ),
+    row(
+        "duration",
+        "*t*_end_/*T*_I_",
+        "T_I",
+        POSITIVE,
+        Default::Required,
+        "end of the run over T_I",
+    ),
+    row(
+        "gap",
+        "gap",
+        "c T_I/2",
+        Kind::Number(Range::NotNegative),
+        is(0.0),
+        "distance of the facing ends at t = 0 over c T_I/2, c the closing speed; 0: they touch",
+    ),
+    row(
+        "mass",
+        "mass",
+        "1",
+        Kind::Choice(&[
+            ("lumped", "half of an element's mass on each of its nodes"),
+            ("consistent", "by the displacement's shape functions"),
+        ]),
+        Default::Is(Value::Name("lumped")),
+        "mass matrix of the bars",
+    ),
+    row(
+        "E",
+        "*E*",
+        "force/length^2",
+        POSITIVE,
+        is(100.0),
+        "Young's modulus of the left bar",
+    ),
+    row(
+        "A",
+        "*A*",
+        "length^2",
+        POSITIVE,
+        is(1.0),
+        "cross-section of the left bar",
+    ),
+    row(
+        "rho",
+        "*ρ*",
+        "mass/length^3",
+        POSITIVE,
+        is(0.01),
+        "density of the left bar ([I] prints 0.1, its T_I = 0.2 needs 0.01); no result depends on it",
+    ),
+    row(
+        "L",
+        "*L*",
+        "length",
+        POSITIVE,
+        is(10.0),
+        "length of the left bar",
+    ),
+    row(
+        "V0",
+        "*V*_0_",
+        "length/time",
+        Kind::Number(Range::Any),
+        is(0.1),
+        "velocity of the left bar at t = 0, positive to the right; the bars must close",
+    ),
+    row(
+        "right",
+        "right",
+        "1",
+        Kind::Choice(&[("wall", "a rigid wall instead of the right bar")]),
+        Default::Follows("a bar"),
+        "what stands on the right: an object with the right bar's own data, or \"wall\"",
+    ),
+    row(
+        "right.E",
+        "*E*_R_",
+        "force/length^2",
+        POSITIVE,
+        AS_LEFT,
+        "Young's modulus of the right bar",
+    ),
+    row(
+        "right.A",
+        "*A*_R_",
+        "length^2",
+        POSITIVE,
+        AS_LEFT,
+        "cross-section of the right bar",
+    ),
+    row(
+        "right.rho",
+        "*ρ*_R_",
+        "mass/length^3",
+        POSITIVE,
+        AS_LEFT,
+        "density of the right bar",
+    ),
+    row(
+        "right.L",
+        "*L*_R_",
+        "length",
+        POSITIVE,
+        AS_LEFT,
+        "length of the right bar",
+    ),
+    row(
+        "right.n",
+        "*n*_R_",
+        "1",
+        ELEMENTS,
+        AS_LEFT,
+        "number of elements of the right bar",
+    ),
+    row(
+        "right.V0",
+        "*V*_0R_",
+        "length/time",
+        Kind::Number(Range::Any),
+        Default::Follows("the left bar's with the sign turned"),
+        "velocity of the right bar at t = 0, positive to the right",
+    ),
+];
+
+const fn metric(
+    name: &'static str,
+    symbol: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+) -> Metric {
+    Metric {
+        name,
+        symbol,
+        unit,
+        meaning,
+        default: true,
+    }
+}
+
+pub(super) static METRICS: [Metric; 11] = [
+    metric(
+        "contact_duration",
+        "contact duration/*T*_I_",
+        "T_I",
+        "first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0",
+    ),
+    metric(
+        "separations",
+        "separations",
+        "1",
+        "openings that close again, both within 0.9 T_I after the exact first touch",
+    ),
+    metric("max_overlap", "max. overlap", "c T_I/2", "max(-r)"),
+    metric(
+        "rdot_oscillation",
+        "oscillation of *ṙ*/*c*",
+        "c",
+        "RMS of rdot over the steps from 0.3 to 0.9 T_I after the exact first touch",
+    ),
+    metric("peak_force", "peak of *F*/*F*_0_", "F0", "max force"),
+    metric(
+        "impulse_error",
+        "impulse error",
+        "1",
+        "impulse by trapezoids over the exact, minus 1; needs duration beyond the exact separation",
+    ),
+    metric(
+        "restitution",
+        "restitution",
+        "1",
+        "relative velocity of the mass centres at the end over c",
+    ),
+    metric(
+        "energy_drift_max",
+        "max. energy drift",
+        "1",
+        "(E - E_0)/E_0, by magnitude the largest; E with the spring, in the frame of the common mass centre",
+    ),
+    metric(
+        "energy_drift_final",
+        "final energy drift",
+        "1",
+        "(E - E_0)/E_0 at the last step",
+    ),
+    metric(
+        "rms_error_r",
+        "rms error of *r*",
+        "c T_I/2",
+        "sqrt(1/duration times the integral of (c - e)^2) of r, trapezoids",
+    ),
+    metric(
+        "rms_error_rdot",
+        "rms error of *ṙ*",
+        "c",
+        "sqrt(1/duration times the integral of (c - e)^2) of rdot, trapezoids, at a jump each side's own limit",
+    ),
+];
+
+const fn quantity(name: &'static str, title: &'static str, source: Source) -> Quantity {
+    Quantity {
+        name,
+        title,
+        source,
+    }
+}
+
+pub(super) static QUANTITIES: [Quantity; 5] = [
+    quantity("r", "*r*/(*cT*_I_/2)", Source::Displacement),
+    quantity("rdot", "*ṙ*/*c*", Source::Velocity),
+    quantity("force", "*F*/*F*_0_", Source::Force),
+    quantity("r_error", "*r* − *r*_exact_", Source::DisplacementError),
+    quantity("rdot_error", "*ṙ* − *ṙ*_exact_", Source::VelocityError),
+];
