@@ -88,6 +88,11 @@ impl Key {
 ///
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
+    // No room for letters where there are none, before the legend takes its place.
+    let bare = |panel: &Panel| panel.letter.is_empty() && panel.map.is_none();
+    if sheet.panels.iter().all(bare) {
+        move_down(sheet, style::LABEL_GAP - LETTER_LINE);
+    }
     let corners: Option<Vec<Rect>> = keys
         .iter()
         .zip(&sheet.panels)
@@ -105,10 +110,6 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         }
         None => over(sheet, keys),
     };
-    let bare = |panel: &Panel| panel.letter.is_empty() && panel.map.is_none();
-    if sheet.panels.iter().all(bare) {
-        move_down(sheet, style::LABEL_GAP - LETTER_LINE);
-    }
     if let Some(heading) = heading {
         move_down(sheet, style::TITLE + 6.0);
         sheet.heading = Some(Words {

@@ -141,6 +141,21 @@ fn markers_of_two_curves_are_at_different_times() {
 }
 
 #[test]
+fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
+    let run = run(&[0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0].map(|alpha| (alpha, PI / 10.0, 12.0)));
+    let sheet = run.sheet(FigureKind::History {
+        y: vec![0],
+        by: None,
+        panels: None,
+    });
+    assert_eq!(sheet.legend.len(), 8);
+    for entry in &sheet.legend {
+        assert!(entry.at[1] - style::LEADING / 2.0 >= style::EDGE);
+        assert!(entry.at[1] + style::LEADING / 2.0 <= sheet.panels[0].frame.top);
+    }
+}
+
+#[test]
 fn each_start_has_its_exact_curve_and_its_panel() {
     let run = run(&[
         (0.1, PI / 10.0, 12.0),
