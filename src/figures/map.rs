@@ -20,14 +20,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let (parameters, metric) = (study.problem.parameters(), &study.problem.metrics()[*z]);
     let number = |shown: &Shown, row: usize| shown.case.values[row].and_then(|v| v.as_f64());
     let (xs, ys) = (
-        places(cases, |c| number(c, *x)),
-        places(cases, |c| number(c, *y)),
+        places(cases, scales[0], |c| number(c, *x)),
+        places(cases, scales[1], |c| number(c, *y)),
     );
     let mut values = vec![None; xs.len() * ys.len()];
     for shown in cases {
         let found = |places: &[f64], row| {
             let value = number(shown, row)?;
-            places.iter().position(|p| same(*p, value))
+            let i = places.partition_point(|p| *p < value && !same(*p, value));
+            places.get(i).is_some_and(|p| same(*p, value)).then_some(i)
         };
         if let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) {
             values[row * xs.len() + column] = shown.metrics.get(*z).copied().flatten();
@@ -85,9 +86,10 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }
 
-/// The different values of a parameter, rising.
-fn places(cases: &[Shown], value: impl Fn(&Shown) -> Option<f64>) -> Vec<f64> {
-    let mut places: Vec<f64> = cases.iter().filter_map(value).collect();
+/// The different values of a parameter that have a place on the scale, rising.
+fn places(cases: &[Shown], scale: Scale, value: impl Fn(&Shown) -> Option<f64>) -> Vec<f64> {
+    let has_place = |x: &f64| scale == Scale::Linear || *x > 0.0;
+    let mut places: Vec<f64> = cases.iter().filter_map(value).filter(has_place).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| same(*a, *b));
     places
@@ -103,14 +105,7 @@ fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
         Scale::Linear => x,
         Scale::Log => libm::exp(x),
     };
-    let at: Vec<f64> = match scale {
-        Scale::Linear => places.to_vec(),
-        Scale::Log => places
-            .iter()
-            .filter(|x| **x > 0.0)
-            .map(|x| to(*x))
-            .collect(),
-    };
+    let at: Vec<f64> = places.iter().map(|x| to(*x)).collect();
     match at.as_slice() {
         [] => vec![back(0.0), back(1.0)],
         [one] => vec![back(one - 0.5), back(one + 0.5)],

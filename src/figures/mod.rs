@@ -3,6 +3,7 @@
 //! A kind of figure (`history`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
 
 mod clip;
+mod curves;
 mod draw;
 mod font;
 mod history;
@@ -13,9 +14,13 @@ mod map;
 pub mod markup;
 mod metric;
 mod number;
+mod outline;
+mod pen;
 mod raster;
 pub mod sheet;
 pub mod style;
+#[cfg(test)]
+mod tests;
 mod text;
 mod ticks;
 mod vector;

@@ -4,7 +4,6 @@ use super::cases::select;
 use super::parameters::{Draft, parameters};
 use super::report::Faults;
 use super::{Axis, Block, Filter, rules, tree};
-use crate::history::History;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
 
@@ -59,6 +58,12 @@ static TABLE: [Parameter; 6] = [
 ];
 
 impl Problem for Bars {
+    fn time_in_pi(&self) -> bool {
+        false
+    }
+    fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
+        None
+    }
     fn name(&self) -> &'static str {
         "bars"
     }
@@ -103,13 +108,6 @@ impl Problem for Bars {
     }
     fn solve(&self, _case: &Case) -> Result<Solution, String> {
         Err("a test".into())
-    }
-    fn time_in_pi(&self) -> bool {
-        false
-    }
-
-    fn exact(&self, _case: &Case, _times: &[f64]) -> Option<History> {
-        None
     }
 }
 
