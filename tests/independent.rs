@@ -85,7 +85,7 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
             record["steps"].as_u64().unwrap(),
             "{parameters}"
         );
-        let solution = problem.solve(&case).unwrap();
+        let solution = problem.solve(&case, &[]).unwrap();
         let tolerance = tolerance(record);
         let difference = history_difference(&solution, &record["history"]);
         if difference.is_nan() || difference > tolerance {

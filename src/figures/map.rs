@@ -1,7 +1,6 @@
 //! A metric over two parameters: shaded cells, one a case, with a colour bar.
 
 use super::Shown;
-use super::label;
 use super::layout;
 use super::sheet::{Axis, FilledMap, Panel, Rect, Sheet};
 use super::style;
@@ -38,18 +37,14 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let along = |row: usize, places: &[f64], scale, most| {
         let edges = edges(places, scale);
         let range = [edges[0], edges[edges.len() - 1]];
-        let title = label::title(parameters[row].symbol, parameters[row].unit);
+        let title = parameters[row].symbol.to_owned();
         let axis = match scale {
             Scale::Linear => ticks::linear(&title, range, most),
             Scale::Log => ticks::log_range(&title, range, most),
         };
         (edges, axis)
     };
-    let colours = colours(
-        &label::title(metric.symbol, metric.unit),
-        values.iter().flatten().copied(),
-        scales[2],
-    );
+    let colours = colours(metric.symbol, values.iter().flatten().copied(), scales[2]);
     let numbers = colours
         .ticks
         .iter()

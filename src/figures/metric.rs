@@ -59,14 +59,14 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .map(|(metric, series)| {
             let metric = &study.problem.metrics()[*metric];
             let values = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
-            let title = label::title(metric.symbol, metric.unit);
+            let title = metric.symbol.to_owned();
             axis(&title, values, *y_scale, height / 24.0)
         })
         .collect();
     let width = 1.2 * style::SINGLE;
     let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
     let values: Vec<f64> = cases.iter().filter_map(at).collect();
-    let title = label::title(parameter.symbol, parameter.unit);
+    let title = parameter.symbol.to_owned();
     let in_pi = |v: &f64| number::of_pi(*v).is_some();
     let (low, high) = values
         .iter()

@@ -41,7 +41,10 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
         case
     };
     let cases: Vec<Case> = values.iter().map(case).collect();
-    let solutions: Vec<_> = cases.iter().map(|c| problem.solve(c).unwrap()).collect();
+    let solutions: Vec<_> = cases
+        .iter()
+        .map(|c| problem.solve(c, &[]).unwrap())
+        .collect();
     let metrics = solutions.iter().map(|s| s.metrics.clone()).collect();
     let study = Study {
         title: "a test".into(),

@@ -58,7 +58,7 @@ pub struct Violation {
 pub struct Metric {
     /// Column name.
     pub name: &'static str,
-    /// How figures write it.
+    /// How figures write it, with its scale.
     pub symbol: &'static str,
     /// Unit, or `1`.
     pub unit: &'static str,
@@ -167,7 +167,9 @@ pub trait Problem: Sync + std::fmt::Debug {
     /// Number of steps N of a completed case.
     fn steps(&self, case: &Case) -> u64;
     /// Solves a completed case; an error says why it has no solution in double precision.
-    fn solve(&self, case: &Case) -> Result<Solution, String>;
+    ///
+    /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
     /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
     /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;

@@ -106,7 +106,7 @@ impl Problem for Bars {
     fn steps(&self, _case: &Case) -> u64 {
         0
     }
-    fn solve(&self, _case: &Case) -> Result<Solution, String> {
+    fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
         Err("a test".into())
     }
 }
