@@ -19,6 +19,7 @@ mod rules;
 mod schema;
 mod schema_values;
 mod scope;
+mod spread;
 mod taken;
 #[cfg(test)]
 mod tests;

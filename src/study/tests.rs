@@ -292,3 +292,35 @@ fn a_thousand_million_cases_cost_no_memory() {
     let chosen = block.select(&Bars, &filter);
     assert_eq!(chosen.skip(999).collect::<Vec<_>>(), [999_456_999]);
 }
+
+#[test]
+fn axes_by_rule_end_where_they_say() {
+    let axis = |rule: &str| -> Vec<f64> {
+        let text = format!(
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control",
+               "beta": 1, "dT": 0.1, "duration": 10, "x0": {rule}}}}}"#
+        );
+        let study = super::parse("x.json", &text).unwrap();
+        study.cases().map(|c| c.number("x0").unwrap()).collect()
+    };
+    assert_eq!(axis(r#"{"linspace": [0.1, 0.7, 3]}"#), [0.1, 0.4, 0.7]);
+    assert_eq!(axis(r#"{"range": [0.1, 0.5, 0.1]}"#).len(), 5);
+    assert_eq!(axis(r#"{"range": [0.1, 0.5, 0.1]}"#)[4], 0.5);
+    assert_eq!(axis(r#"{"range": [1, 2, 0.4]}"#), [1.0, 1.4, 1.8]);
+    let powers = axis(r#"{"geomspace": [0.001, "10^3", 7]}"#);
+    assert_eq!((powers[0], powers[6]), (0.001, 1000.0));
+    for (i, x) in powers.iter().enumerate() {
+        // One rounding each of quotient, power and product.
+        assert!((x / 10f64.powi(i as i32 - 3) - 1.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn a_whole_parameter_takes_each_nearest_whole_number_once() {
+    let text = r#"{"problem": "bar-impact", "parameters": {"gamma": 1, "dt": 0.1, "duration": 1,
+               "n": {"geomspace": [1, 10, 9]}}}"#;
+    let study = super::parse("x.json", text).unwrap();
+    let n: Vec<f64> = study.cases().map(|c| c.number("n").unwrap()).collect();
+    // 10^(i/8) = 1, 1.33, 1.78, 2.37, 3.16, 4.22, 5.62, 7.499, 10
+    assert_eq!(n, [1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 10.0]);
+}

@@ -1,4 +1,4 @@
-//! The impact of two bars of [I], or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
+//! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
 pub mod run;
 pub mod scaled;
@@ -13,7 +13,7 @@ use crate::metrics::{self, steps};
 use scaled::Scaled;
 use tables::{METRICS, PARAMETERS, PROFILES, QUANTITIES};
 
-/// Two uniform bars that meet end to end, an impact spring between them [I] Fig. 2.
+/// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct BarImpact;
 
