@@ -73,7 +73,6 @@ fn numbers() {
         ("\"\"", "4:10: parameters.alpha: \"\": expected a number"),
         ("true", number),
         ("null", number),
-        ("{}", number),
         (
             "[]",
             "4:10: parameters.alpha: must be a value or a list of at least one, got []",
