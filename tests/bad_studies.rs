@@ -119,7 +119,7 @@ fn numbers() {
         ),
         (
             "{\"linspac\": [1, 2, 3]}",
-            "4:21: parameters.alpha.linspac: unknown key",
+            "4:22: parameters.alpha.linspac: unknown key",
         ),
     ] {
         assert_parameter(&format!("\"alpha\": {alpha}"), expected);
