@@ -73,6 +73,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     sheet
 }
 
+/// A sheet of paper with nothing on it, where a case without a solution leaves nothing to draw.
+fn blank() -> Sheet {
+    Sheet {
+        width: style::SINGLE,
+        height: style::SINGLE,
+        ..Sheet::default()
+    }
+}
+
 /// The sheet as a PNG file; fails only on a sheet too large for memory.
 pub fn png(sheet: &Sheet) -> Result<Vec<u8>, Error> {
     let raster = Rc::new(RefCell::new(raster::Raster::new(

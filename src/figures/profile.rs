@@ -18,6 +18,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let FigureKind::Profile { y, times } = &figure.kind else {
         return Sheet::default();
     };
+    if cases.iter().all(|shown| shown.snapshots.is_empty()) {
+        return super::blank();
+    }
     let labels = label::labels(study.problem.parameters(), cases, None, &[]);
     let (looks, labels) = label::numbered(&labels);
     let panel_series = |quantity: usize, column: usize| -> Vec<Series> {
@@ -65,8 +68,6 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let (first, last) = places.fold((0.0, 0.0), |(a, b): (f64, f64), p| {
         (a.min(p[0]), b.max(p[0]))
     });
-    // Where nothing is to be drawn, an empty frame is.
-    let last = if last > first { last } else { first + 1.0 };
     let across = ticks::linear(
         study.problem.place_title(),
         [first, last],

@@ -16,7 +16,7 @@ const FINE: usize = 600;
 /// The sheet of a `wave` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let (FigureKind::Wave { y }, Some(shown)) = (&figure.kind, cases.first()) else {
-        return Sheet::default();
+        return super::blank();
     };
     let rows: Vec<(f64, &Lines)> = shown
         .snapshots
@@ -24,7 +24,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .filter_map(|snapshot| Some((snapshot.time, snapshot.profiles.get(*y)?)))
         .collect();
     let (Some((_, first)), Some((end, _))) = (rows.first(), rows.last()) else {
-        return Sheet::default();
+        return super::blank();
     };
     let parts: Vec<[f64; 2]> = first.exact.iter().map(|part| extent(part)).collect();
     let coarse: Vec<f64> = first
