@@ -65,7 +65,7 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, faults: &mut Faults) {
                     };
                     (given.values[place].1, path)
                 }
-                None => (draft.at, draft.path.clone()),
+                None => (draft.at, format!("{}.{}", draft.path, violation.parameter)),
             };
             if told.insert((at, violation.message.clone())) {
                 faults.add(at, &path, violation.message);

@@ -4,7 +4,7 @@ pub mod run;
 pub mod scaled;
 mod tables;
 
-use super::parameter::{Parameter, Value};
+use super::parameter::{Default, Parameter, Value, shortest};
 use super::{Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
 use crate::exact::wave::Bars;
 use crate::history::History;
@@ -61,7 +61,7 @@ impl Problem for BarImpact {
         }
         closing(case, &mut violations);
         if violations.is_empty() {
-            trips(case, &mut violations);
+            scales(case, &mut violations);
         }
         violations
     }
@@ -162,18 +162,32 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
         return;
     };
     let c = left - right;
-    if !(c.is_finite() && c > 0.0) {
-        violations.push(Violation {
-            parameter: "V0",
-            message: format!(
-                "the bars must close: V0 of the left bar ({left}) must be greater than that of the right ({right})"
-            ),
-        });
-    }
+    let message = if c.is_infinite() {
+        "the bars close at a speed beyond double precision".into()
+    } else if c > 0.0 {
+        return;
+    } else {
+        format!(
+            "the bars must close: V0 of the left bar ({}) must be greater than that of the right ({})",
+            shortest(left),
+            shortest(right)
+        )
+    };
+    // A left bar at its default is not to blame.
+    let default = PARAMETERS
+        .iter()
+        .find(|p| p.name == "V0")
+        .map(|p| p.default);
+    let parameter = match default {
+        Some(Default::Is(usual)) if usual.matches(Value::Number(left)) => "right.V0",
+        _ => "V0",
+    };
+    violations.push(Violation { parameter, message });
 }
 
-/// The exact solution follows every front: a bar much shorter than the other, or a very long run, has too many.
-fn trips(case: &Case, violations: &mut Vec<Violation>) {
+/// The scaled data must be doubles, and waves must not be too many for the exact solution, which follows every front:
+/// in a bar much shorter than the other, or in a very long run.
+fn scales(case: &Case, violations: &mut Vec<Violation>) {
     let (Some(scaled), Some(duration)) = (Scaled::new(case), case.number("duration")) else {
         return;
     };
@@ -182,16 +196,23 @@ fn trips(case: &Case, violations: &mut Vec<Violation>) {
         impedance_ratio,
         ..
     } = scaled.bars;
+    let mut violation = |parameter, message| violations.push(Violation { parameter, message });
+    let wall = case.choice("right") == "wall";
+    if !(time_ratio.is_normal() && (wall || impedance_ratio.is_normal())) {
+        let message = "the bars are so unlike that the ratio of their impedances A sqrt(E rho) or of their travel times \
+                       L sqrt(rho/E) is beyond double precision";
+        return violation("right", message.into());
+    }
+    if !scaled.spring.is_finite() {
+        let message = "a spring so much stiffer than the bars is beyond double precision";
+        return violation("gamma", message.into());
+    }
     let count = duration / time_ratio.min(1.0);
-    // Written so that NaN is refused too.
-    if !(count <= MOST_TRIPS && (0.0..f64::INFINITY).contains(&impedance_ratio)) {
+    if count > MOST_TRIPS {
         let message = format!(
             "waves would travel {count:.3e} times through the shorter bar, at most {MOST_TRIPS:e} are followed; \
              the bars' travel times may not be so unlike, nor the run so long"
         );
-        violations.push(Violation {
-            parameter: "duration",
-            message,
-        });
+        violation("duration", message);
     }
 }
