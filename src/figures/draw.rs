@@ -24,8 +24,7 @@ impl<B: DrawingBackend> Pen<B> {
         for entry in &sheet.legend {
             self.entry(entry)?;
         }
-        let words = sheet.heading.iter().chain(&sheet.footer);
-        words.into_iter().try_for_each(|words| self.words(words))
+        sheet.heading.iter().try_for_each(|words| self.words(words))
     }
 
     fn panel(&mut self, panel: &Panel) -> Drawn<B> {
@@ -125,43 +124,38 @@ impl<B: DrawingBackend> Pen<B> {
     }
 
     fn map(&mut self, panel: &Panel, map: &FilledMap) -> Drawn<B> {
-        let columns = map.x_edges.len().saturating_sub(1).max(1);
-        for (row, values) in map.values.chunks(columns).enumerate() {
-            let mut column = 0;
-            // Neighbours of one value are one cell.
-            for cells in values.chunk_by(|a, b| a == b) {
-                let (first, last) = (column, column + cells.len());
-                column = last;
-                let fraction = cells[0].map(|value| map.colours.fraction(value));
-                let Some(fraction) = fraction.filter(|f| f.is_finite()) else {
-                    continue;
-                };
-                let corner = |x: usize, y: usize| at(panel.place([map.x_edges[x], map.y_edges[y]]));
-                self.cell(corner(first, row + 1), corner(last, row), fraction)?;
+        let columns = map.x_edges.len().saturating_sub(1);
+        for (i, value) in map.values.iter().enumerate() {
+            let Some(value) = value else { continue };
+            let fraction = map.colours.fraction(*value);
+            if !fraction.is_finite() {
+                continue;
             }
+            let (column, row) = (i % columns, i / columns);
+            let corner =
+                |dx, dy| at(panel.place([map.x_edges[column + dx], map.y_edges[row + dy]]));
+            self.cell(corner(0, 1), corner(1, 0), fraction)?;
         }
-        let Some(bar) = &map.bar else {
-            return Ok(());
-        };
         // The bar in so many steps that none is seen.
         const STEPS: i32 = 128;
-        let (left, right) = (unit(bar.left), unit(bar.right()));
-        let height = |k: i32| unit(bar.bottom() - bar.height * f64::from(k) / f64::from(STEPS));
+        let (left, right) = (unit(map.bar.left), unit(map.bar.right()));
+        let height =
+            |k: i32| unit(map.bar.bottom() - map.bar.height * f64::from(k) / f64::from(STEPS));
         for k in 0..STEPS {
             let fraction = (f64::from(k) + 0.5) / f64::from(STEPS);
             self.cell((left, height(k + 1)), (right, height(k)), fraction)?;
         }
-        self.frame(bar)?;
+        self.frame(&map.bar)?;
         let size = style::LABEL;
         for tick in &map.colours.ticks {
-            let y = bar.bottom() - bar.height * map.colours.fraction(tick.at);
-            let edge = bar.right();
+            let y = map.bar.bottom() - map.bar.height * map.colours.fraction(tick.at);
+            let edge = map.bar.right();
             let length = tick_length(&tick.label);
             self.path(&[[edge, y], [edge - length, y]], style::FRAME_LINE)?;
             let place = [edge + style::LABEL_GAP, y + style::CAP_HEIGHT * size / 2.0];
             self.text(&tick.label, size, place, Anchor::Start, false)?;
         }
-        let place = [bar.right(), bar.top - style::LABEL_GAP - 1.0];
+        let place = [map.bar.right(), map.bar.top - style::LABEL_GAP - 1.0];
         self.text(&map.colours.title, style::TITLE, place, Anchor::End, false)
     }
 

@@ -22,18 +22,22 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .collect();
     let drawn = &solved[..solved.len().min(style::MOST_LOOKS)];
     let except: Vec<usize> = panels.iter().copied().collect();
-    let mut labels = label::labels(study.problem.parameters(), drawn, *by, &except);
+    let (looks, labels) = label::numbered(&label::labels(
+        study.problem.parameters(),
+        drawn,
+        *by,
+        &except,
+    ));
     let groups = match panels {
         Some(row) if !drawn.is_empty() => label::values(drawn, *row),
         _ => vec![None],
     };
-    // A case alone in its panel needs no name of its own.
-    if panels.is_some() && groups.len() == drawn.len() {
-        labels.fill("computed".into());
-    }
-    let (looks, labels) = label::numbered(&labels);
-    // Groups side by side, at most three; of one quantity alone, below one another.
-    let columns = if y.len() > 1 { groups.len().min(3) } else { 1 };
+    // Side by side where that makes a page of rows and columns, else below one another.
+    let columns = if y.len() > 1 && groups.len() <= 3 {
+        groups.len()
+    } else {
+        1
+    };
     let width = if columns > 1 {
         style::DOUBLE
     } else {
@@ -70,9 +74,6 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             rows.push(block.iter().enumerate().map(panel).collect());
         }
     }
-    // Several blocks of rows still go on one page.
-    let shrink = if blocks.len() > 1 { 0.7 } else { 1.0 };
-    let height = |quantity: &Quantity| shrink * height(quantity);
     let heights: Vec<f64> = rows.iter().map(|row| height(row[0].1)).collect();
     let axes: Vec<Axis> = quantities
         .iter()
@@ -95,9 +96,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         width,
         ..Sheet::default()
     };
-    let rows_below: Vec<Option<usize>> = (0..rows.len())
-        .map(|r| rows.get(r + 1).map(Vec::len))
-        .collect();
+    let last = rows.len().saturating_sub(1);
     for (r, row) in rows.into_iter().enumerate() {
         for (column, (series, _, group)) in row.into_iter().enumerate() {
             let mut y = axes[r % quantities.len()].clone();
@@ -106,8 +105,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
                 y.numbered = false;
             }
             let mut x = time.clone();
-            // The last panel of its column has the numbers, below it or where its block is not full.
-            if rows_below[r].is_some_and(|below| below > column) {
+            if r != last {
                 x.title.clear();
                 x.numbered = false;
             }

@@ -30,8 +30,7 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .map(|label| text::width(label, style::LABEL))
         .fold(0.0, f64::max);
     let margin = style::TITLE + style::TITLE_GAP + numbers + style::LABEL_GAP;
-    // Room for half of a number on either side.
-    let between = 20.0;
+    let between = 12.0;
     let columns_wide = columns as f64;
     let free = sheet_width - 2.0 * style::EDGE - margin - right - (columns_wide - 1.0) * between;
     // Whole points, so that frames of one sheet look the same in pixels.
@@ -124,30 +123,6 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
 }
 
-/// Adds words under the panels of a finished sheet, broken into lines of its width.
-pub fn footer(sheet: &mut Sheet, note: &str) {
-    let left = sheet.panels.first().map_or(style::EDGE, |p| p.frame.left);
-    let room = sheet.width - style::EDGE - left;
-    let mut lines: Vec<String> = Vec::new();
-    for word in note.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if text::width(&format!("{line} {word}"), style::LABEL) <= room => {
-                *line += &format!(" {word}");
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    for line in lines {
-        sheet.height += style::LEADING;
-        sheet.footer.push(Words {
-            at: [left, sheet.height - style::EDGE],
-            anchor: Anchor::Start,
-            text: line,
-            size: style::LABEL,
-        });
-    }
-}
-
 /// A place in a panel for its legend where it hides nothing.
 fn free_corner(panel: &Panel, keys: &[Key]) -> Option<Rect> {
     let width = keys.iter().map(Key::length).fold(0.0, f64::max);
@@ -235,8 +210,8 @@ fn move_down(sheet: &mut Sheet, by: f64) {
         for words in &mut panel.notes {
             words.at[1] += by;
         }
-        if let Some(bar) = panel.map.as_mut().and_then(|map| map.bar.as_mut()) {
-            bar.top += by;
+        if let Some(map) = &mut panel.map {
+            map.bar.top += by;
         }
     }
     for entry in &mut sheet.legend {

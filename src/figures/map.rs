@@ -8,8 +8,8 @@ use super::text;
 use super::ticks;
 use crate::study::{Figure, FigureKind, Scale, Study};
 
-pub(super) const BAR_GAP: f64 = 12.0;
-pub(super) const BAR_WIDTH: f64 = 11.0;
+const BAR_GAP: f64 = 12.0;
+const BAR_WIDTH: f64 = 11.0;
 
 /// The sheet of a `map` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
@@ -62,11 +62,11 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         y_edges,
         values,
         colours,
-        bar: Some(Rect {
+        bar: Rect {
             left: frame.right() + BAR_GAP,
             width: BAR_WIDTH,
             ..frame
-        }),
+        },
     });
     let mut sheet = Sheet {
         width,

@@ -16,7 +16,6 @@ mod metric;
 mod number;
 mod outline;
 mod pen;
-mod profile;
 mod raster;
 pub mod sheet;
 pub mod style;
@@ -25,10 +24,9 @@ mod tests;
 mod text;
 mod ticks;
 mod vector;
-mod wave;
 
 use crate::error::Error;
-use crate::problem::{Case, Snapshot, Solution};
+use crate::problem::{Case, Solution};
 use crate::study::{Figure, FigureKind, Study};
 use sheet::Sheet;
 use std::cell::RefCell;
@@ -43,8 +41,6 @@ pub struct Shown<'a> {
     pub metrics: &'a [Option<f64>],
     /// What was computed, for kinds that draw histories; `None` if the case could not be solved.
     pub solution: Option<&'a Solution>,
-    /// What stands along the structure, at the times of `FigureKind::snapshot_times`.
-    pub snapshots: &'a [Snapshot],
 }
 
 /// The sheet of `figure` over the cases that its filter chose.
@@ -54,16 +50,17 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         FigureKind::Metric { .. } => metric::sheet(study, figure, cases),
         FigureKind::Map { .. } => map::sheet(study, figure, cases),
         FigureKind::Law => law::sheet(study, figure, cases),
-        FigureKind::Profile { .. } => profile::sheet(study, figure, cases),
-        FigureKind::Wave { .. } => wave::sheet(study, figure, cases),
+        // No problem has profiles yet, and the study reader says so.
+        FigureKind::Profile { .. } => Sheet {
+            width: style::SINGLE,
+            height: style::SINGLE,
+            ..Sheet::default()
+        },
     };
     sheet.title = match &figure.title {
         Some(title) => markup::plain(title),
         None => study.title.clone(),
     };
-    if let Some(note) = &figure.note {
-        layout::footer(&mut sheet, note);
-    }
     let labels: Vec<_> = sheet
         .legend
         .iter()
@@ -71,15 +68,6 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .collect();
     sheet.description = labels.join("; ");
     sheet
-}
-
-/// A sheet of paper with nothing on it, where a case without a solution leaves nothing to draw.
-fn blank() -> Sheet {
-    Sheet {
-        width: style::SINGLE,
-        height: style::SINGLE,
-        ..Sheet::default()
-    }
 }
 
 /// The sheet as a PNG file; fails only on a sheet too large for memory.

@@ -70,13 +70,11 @@ impl Run {
                 case: &self.cases[i],
                 metrics: &self.metrics[i],
                 solution: Some(&self.solutions[i]),
-                snapshots: &[],
             })
             .collect();
         let figure = Figure {
             name: "figure".into(),
             title: None,
-            note: None,
             filter: Filter::default(),
             kind,
         };

@@ -94,7 +94,7 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
         }
     }
     let then = match kind.name {
-        "profile" | "wave" if problem.profiles().is_empty() => json!(false),
+        "profile" if problem.profiles().is_empty() => json!(false),
         _ => object(properties, &required),
     };
     json!({
@@ -124,7 +124,6 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
             problem.quantities().iter().map(|q| (q.name, q.title)),
         )),
         Takes::Profiles => several(names(problem.profiles().iter().map(|p| (p.name, p.title)))),
-        Takes::Profile => names(problem.profiles().iter().map(|p| (p.name, p.title))),
         Takes::Metric => defined("metric"),
         Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),
