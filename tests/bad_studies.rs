@@ -275,7 +275,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, metric, map, law",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, wave, metric, map, law",
             ],
         ),
         (
