@@ -59,14 +59,15 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
 /// Lays out rows of the given heights with a column for each of the vertical axes `y`, each with room for its own.
 pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
     let share = (sheet_width / y.len() as f64).floor();
-    let column = |(k, axis): (usize, &Axis)| {
-        let mut grid = grid(share, 1, heights, std::slice::from_ref(axis), 6.0);
+    let column = |k: usize| {
+        // Room for the longest numbers in every column, so that frames are alike.
+        let mut grid = grid(share, 1, heights, y, 6.0);
         for frame in grid.frames.iter_mut().flatten() {
             frame.left += k as f64 * share;
         }
         grid
     };
-    y.iter().enumerate().map(column).collect()
+    (0..y.len()).map(column).collect()
 }
 
 /// A line of the legend before it has its place.

@@ -23,6 +23,8 @@ pub mod sheet;
 pub mod style;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_extent;
 mod text;
 mod ticks;
 mod vector;
