@@ -6,7 +6,7 @@ use slipgap::batch::output::Folder;
 use slipgap::batch::{self, Outcome, results};
 use slipgap::error::Error;
 use slipgap::figures::{self, Shown};
-use slipgap::problem::Case;
+use slipgap::problem::{Case, Snapshot};
 use slipgap::study::{Figure, Study};
 use std::path::Path;
 
@@ -51,11 +51,16 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
     let mut lines = vec![folder.write("results.csv", &results::table(study, &outcomes)?)?];
     for figure in &study.figures {
         let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
+        let chosen: Vec<&Outcome> = chosen.collect();
+        let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
         let shown: Vec<Shown> = chosen
-            .map(|outcome| Shown {
+            .iter()
+            .zip(&snapshots)
+            .map(|(outcome, snapshots)| Shown {
                 case: &outcome.case,
                 metrics: &outcome.metrics,
                 solution: outcome.solution.as_ref(),
+                snapshots,
             })
             .collect();
         let sheet = figures::sheet(study, figure, &shown);
@@ -70,6 +75,17 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
         .collect();
     say(&text)?;
     Ok(outcomes)
+}
+
+/// What a figure draws along the structure; nothing of a case that could not be solved.
+fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
+    let (problem, case) = (study.problem, &outcome.case);
+    let duration = case.number("duration").unwrap_or(0.0);
+    let times = figure.kind.snapshot_times(duration, problem.steps(case));
+    if times.is_empty() || outcome.failure.is_some() {
+        return Vec::new();
+    }
+    problem.snapshots(case, &times)
 }
 
 fn needs_history(study: &Study, case: &Case) -> bool {

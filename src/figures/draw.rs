@@ -2,10 +2,10 @@
 
 use super::clip;
 use super::pen::{Drawn, Pen, at, unit};
-use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Sheet, Words};
+use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Rect, Sheet, Words};
 use super::style;
 use crate::error::Error;
-use plotters_backend::DrawingBackend;
+use plotters_backend::{BackendCoord, DrawingBackend};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -24,7 +24,8 @@ impl<B: DrawingBackend> Pen<B> {
         for entry in &sheet.legend {
             self.entry(entry)?;
         }
-        sheet.heading.iter().try_for_each(|words| self.words(words))
+        let mut words = sheet.heading.iter().chain(&sheet.small_print);
+        words.try_for_each(|words| self.words(words))
     }
 
     fn panel(&mut self, panel: &Panel) -> Drawn<B> {
@@ -124,39 +125,49 @@ impl<B: DrawingBackend> Pen<B> {
     }
 
     fn map(&mut self, panel: &Panel, map: &FilledMap) -> Drawn<B> {
-        let columns = map.x_edges.len().saturating_sub(1);
-        for (i, value) in map.values.iter().enumerate() {
-            let Some(value) = value else { continue };
-            let fraction = map.colours.fraction(*value);
+        let mut shades: Vec<Vec<[BackendCoord; 2]>> = vec![Vec::new(); SHADES];
+        for cell in &map.cells {
+            let fraction = map.colours.fraction(cell.value);
             if !fraction.is_finite() {
                 continue;
             }
-            let (column, row) = (i % columns, i / columns);
-            let corner =
-                |dx, dy| at(panel.place([map.x_edges[column + dx], map.y_edges[row + dy]]));
-            self.cell(corner(0, 1), corner(1, 0), fraction)?;
+            let from = at(panel.place([cell.x[0], cell.y[1]]));
+            let to = at(panel.place([cell.x[1], cell.y[0]]));
+            let shade = &mut shades[((fraction * SHADES as f64) as usize).min(SHADES - 1)];
+            match shade.last_mut() {
+                // One with its left neighbour of the same shade.
+                Some([start, end]) if *end == (from.0, to.1) && start.1 == from.1 => *end = to,
+                _ => shade.push([from, to]),
+            }
         }
-        // The bar in so many steps that none is seen.
-        const STEPS: i32 = 128;
-        let (left, right) = (unit(map.bar.left), unit(map.bar.right()));
-        let height =
-            |k: i32| unit(map.bar.bottom() - map.bar.height * f64::from(k) / f64::from(STEPS));
-        for k in 0..STEPS {
-            let fraction = (f64::from(k) + 0.5) / f64::from(STEPS);
-            self.cell((left, height(k + 1)), (right, height(k)), fraction)?;
+        for (k, cells) in shades.iter().enumerate() {
+            for [from, to] in cells {
+                self.cell(*from, *to, middle(k))?;
+            }
         }
-        self.frame(&map.bar)?;
+        map.bar
+            .iter()
+            .try_for_each(|bar| self.bar(bar, &map.colours))
+    }
+
+    fn bar(&mut self, bar: &Rect, colours: &Axis) -> Drawn<B> {
+        let (left, right) = (unit(bar.left), unit(bar.right()));
+        let height = |k: usize| unit(bar.bottom() - bar.height * k as f64 / SHADES as f64);
+        for k in 0..SHADES {
+            self.cell((left, height(k + 1)), (right, height(k)), middle(k))?;
+        }
+        self.frame(bar)?;
         let size = style::LABEL;
-        for tick in &map.colours.ticks {
-            let y = map.bar.bottom() - map.bar.height * map.colours.fraction(tick.at);
-            let edge = map.bar.right();
+        for tick in &colours.ticks {
+            let y = bar.bottom() - bar.height * colours.fraction(tick.at);
+            let edge = bar.right();
             let length = tick_length(&tick.label);
             self.path(&[[edge, y], [edge - length, y]], style::FRAME_LINE)?;
             let place = [edge + style::LABEL_GAP, y + style::CAP_HEIGHT * size / 2.0];
             self.text(&tick.label, size, place, Anchor::Start, false)?;
         }
-        let place = [map.bar.right(), map.bar.top - style::LABEL_GAP - 1.0];
-        self.text(&map.colours.title, style::TITLE, place, Anchor::End, false)
+        let place = [bar.right(), bar.top - style::LABEL_GAP - 1.0];
+        self.text(&colours.title, style::TITLE, place, Anchor::End, false)
     }
 
     fn words(&mut self, words: &Words) -> Drawn<B> {
@@ -178,6 +189,14 @@ impl<B: DrawingBackend> Pen<B> {
         ];
         self.text(&entry.label, style::LABEL, place, Anchor::Start, false)
     }
+}
+
+/// Shades of a map: so many that no step is seen in the colour bar.
+const SHADES: usize = 128;
+
+/// The middle of shade `k` on the scale of colours.
+fn middle(k: usize) -> f64 {
+    (k as f64 + 0.5) / SHADES as f64
 }
 
 fn tick_length(label: &str) -> f64 {

@@ -1,7 +1,8 @@
 //! Figures: a study's cases as sheets of panels, drawn as PNG and SVG by the same strokes. Draws data, never simulates.
 //!
-//! A kind of figure (`history`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
+//! A kind of figure (`history`, `profile`, `wave`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
 
+mod arrangement;
 mod clip;
 mod curves;
 mod draw;
@@ -16,17 +17,21 @@ mod metric;
 mod number;
 mod outline;
 mod pen;
+mod profile;
 mod raster;
 pub mod sheet;
 pub mod style;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_extent;
 mod text;
 mod ticks;
 mod vector;
+mod wave;
 
 use crate::error::Error;
-use crate::problem::{Case, Solution};
+use crate::problem::{Case, Snapshot, Solution};
 use crate::study::{Figure, FigureKind, Study};
 use sheet::Sheet;
 use std::cell::RefCell;
@@ -41,6 +46,8 @@ pub struct Shown<'a> {
     pub metrics: &'a [Option<f64>],
     /// What was computed, for kinds that draw histories; `None` if the case could not be solved.
     pub solution: Option<&'a Solution>,
+    /// What stands along the structure at the figure's times, rising with them; none for kinds that do not draw it.
+    pub snapshots: &'a [Snapshot],
 }
 
 /// The sheet of `figure` over the cases that its filter chose.
@@ -50,23 +57,22 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         FigureKind::Metric { .. } => metric::sheet(study, figure, cases),
         FigureKind::Map { .. } => map::sheet(study, figure, cases),
         FigureKind::Law => law::sheet(study, figure, cases),
-        // No problem has profiles yet, and the study reader says so.
-        FigureKind::Profile { .. } => Sheet {
-            width: style::SINGLE,
-            height: style::SINGLE,
-            ..Sheet::default()
-        },
+        FigureKind::Profile { .. } => profile::sheet(study, figure, cases),
+        FigureKind::Wave { .. } => wave::sheet(study, figure, cases),
     };
     sheet.title = match &figure.title {
         Some(title) => markup::plain(title),
         None => study.title.clone(),
     };
-    let labels: Vec<_> = sheet
-        .legend
-        .iter()
-        .map(|e| markup::plain(&e.label))
+    let labels = sheet.legend.iter().map(|entry| &entry.label);
+    let said: Vec<_> = labels
+        .chain(&figure.note)
+        .map(|s| markup::plain(s))
         .collect();
-    sheet.description = labels.join("; ");
+    sheet.description = said.join("; ");
+    if let Some(note) = &figure.note {
+        layout::small_print(&mut sheet, note);
+    }
     sheet
 }
 

@@ -33,6 +33,8 @@ pub(super) enum Takes {
     NumericParameter,
     /// One or several of the problem's quantities over time.
     Quantities,
+    /// One of the problem's quantities along the structure.
+    Profile,
     /// One or several of the problem's quantities along the structure.
     Profiles,
     /// A metric.
@@ -58,7 +60,7 @@ const fn key(name: &'static str, takes: Takes, required: bool, meaning: &'static
 }
 
 /// The keys of every figure.
-pub(super) static COMMON: [Key; 4] = [
+pub(super) static COMMON: [Key; 5] = [
     key(
         "name",
         Takes::FileName,
@@ -68,6 +70,12 @@ pub(super) static COMMON: [Key; 4] = [
     key("kind", Takes::Kind, true, "what is drawn"),
     key("title", Takes::Text, false, "heading; none if left out"),
     key(
+        "note",
+        Takes::Text,
+        false,
+        "what a reader must know beside it, small under the panels; none if left out",
+    ),
+    key(
         "where",
         Takes::Filter,
         false,
@@ -76,7 +84,7 @@ pub(super) static COMMON: [Key; 4] = [
 ];
 
 /// Every kind of figure.
-pub(super) static KINDS: [Kind; 5] = [
+pub(super) static KINDS: [Kind; 6] = [
     Kind {
         name: "history",
         meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
@@ -103,7 +111,7 @@ pub(super) static KINDS: [Kind; 5] = [
     },
     Kind {
         name: "profile",
-        meaning: "quantities along the structure at given times",
+        meaning: "quantities along the structure at given times, the exact solution as a thin line; at most 6 cases",
         keys: &[
             key(
                 "y",
@@ -115,9 +123,19 @@ pub(super) static KINDS: [Kind; 5] = [
                 "times",
                 Takes::Times,
                 true,
-                "times in the problem's unit, one row of panels each",
+                "times in the problem's unit, one row of panels each; none beyond the duration of a case",
             ),
         ],
+    },
+    Kind {
+        name: "wave",
+        meaning: "one case over place and time, as shades with a colour bar: computed, and exact beside it",
+        keys: &[key(
+            "y",
+            Takes::Profile,
+            false,
+            "quantity along the structure; the problem's last if left out",
+        )],
     },
     Kind {
         name: "metric",
@@ -193,6 +211,14 @@ pub(super) static KINDS: [Kind; 5] = [
         keys: &[],
     },
 ];
+
+impl Kind {
+    /// Whether it draws what only a problem with extent has.
+    pub fn needs_extent(&self) -> bool {
+        let along = |key: &Key| matches!(key.takes, Takes::Profile | Takes::Profiles);
+        self.keys.iter().any(along)
+    }
+}
 
 /// Names of all kinds.
 pub(super) fn names() -> Vec<&'static str> {

@@ -92,11 +92,16 @@ pub struct Figure {
     pub name: String,
     /// Heading, if the study gives one.
     pub title: Option<String>,
+    /// What stands small under the panels, if the study says anything.
+    pub note: Option<String>,
     /// Which cases.
     pub filter: Filter,
     /// What is drawn.
     pub kind: FigureKind,
 }
+
+/// Most times that a wave is drawn at: about two pixels each.
+const MOST_ROWS: u64 = 300;
 
 /// The kinds of figure and what each needs to know.
 #[derive(Debug)]
@@ -116,6 +121,11 @@ pub enum FigureKind {
         y: Vec<usize>,
         /// Times, in the problem's unit.
         times: Vec<f64>,
+    },
+    /// One case over place and time, computed and exact, as shades with a colour bar.
+    Wave {
+        /// Row of `problem.profiles()`.
+        y: usize,
     },
     /// Metrics against a parameter.
     Metric {
@@ -149,6 +159,20 @@ impl FigureKind {
     /// Whether the figure draws what cases do over time.
     pub fn draws_histories(&self) -> bool {
         matches!(self, FigureKind::History { .. })
+    }
+
+    /// The times at which it draws what stands along the structure, for a case of this duration and number of steps;
+    /// none for kinds that do not.
+    pub fn snapshot_times(&self, duration: f64, steps: u64) -> Vec<f64> {
+        match self {
+            FigureKind::Profile { times, .. } => times.clone(),
+            FigureKind::Wave { .. } => {
+                let rows = steps.clamp(1, MOST_ROWS);
+                let time = |row| duration * row as f64 / rows as f64;
+                (0..=rows).map(time).collect()
+            }
+            _ => Vec::new(),
+        }
     }
 }
 

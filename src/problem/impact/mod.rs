@@ -42,7 +42,6 @@ impl Problem for BarImpact {
         "Time *t*/*T*_I_"
     }
 
-
     fn time_in_pi(&self) -> bool {
         false
     }
