@@ -376,8 +376,8 @@ fn figures_along_the_bars() {
         (
             "\"kind\": \"profile\", \"where\": {\"gamma\": 1}, \"times\": [0, 1, 1.5, 3]",
             &[
-                "4:74: figures[0].times[2]: must be at most duration = 1, got 1.5",
-                "4:79: figures[0].times[3]: must be at most duration = 1, got 3",
+                "4:73: figures[0].times[2]: must be at most duration = 1, got 1.5",
+                "4:78: figures[0].times[3]: must be at most duration = 1, got 3",
             ][..],
         ),
         (
