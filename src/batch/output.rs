@@ -63,6 +63,10 @@ impl Folder {
                 .all(|part| matches!(part, std::path::Component::Normal(_)));
             if inside && self.written.binary_search(&name).is_err() {
                 let path = self.path.join(&name);
+                // A folder in its place is not what the run wrote.
+                if path.is_dir() {
+                    continue;
+                }
                 match fs::remove_file(&path) {
                     Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
                         return Err(Error::io("cannot remove", path)(e));

@@ -32,12 +32,14 @@ pub(super) fn values(
     faults: &mut Faults,
 ) -> Option<Vec<Value>> {
     let names = RULES.map(|rule| rule.0);
+    let before = faults.count();
     let object = Object::open(node, path, &names, faults)?;
     let [member] = object.members[..] else {
-        object.fault(
-            format!("must have exactly one of {}", names.join(", ")),
-            faults,
-        );
+        // A key that does not belong here has been told already.
+        if faults.count() == before {
+            let what = format!("must have exactly one of {}", names.join(", "));
+            object.fault(what, faults);
+        }
         return None;
     };
     let path = join(path, &member.key);

@@ -1,13 +1,13 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
+mod rules;
 pub mod run;
 pub mod scaled;
 mod snapshot;
 mod tables;
 
-use super::parameter::{Parameter, Value};
-use super::{Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation, time_rules};
-use crate::exact::wave::Bars;
+use super::parameter::Parameter;
+use super::{Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
 use crate::history::History;
 use crate::metrics::{self, steps};
 use scaled::Scaled;
@@ -16,9 +16,6 @@ use tables::{METRICS, PARAMETERS, PROFILES, QUANTITIES};
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct BarImpact;
-
-/// Most fronts of the exact solution that fit in memory: trips there and back within the run.
-const MOST_TRIPS: f64 = 1e5;
 
 impl Problem for BarImpact {
     fn name(&self) -> &'static str {
@@ -54,17 +51,7 @@ impl Problem for BarImpact {
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
-        let mut violations = Vec::new();
-        follow_left(case);
-        stiffness(case, &mut violations);
-        if let (Some(step), Some(duration)) = (case.number("dt"), case.number("duration")) {
-            violations.extend(time_rules("dt", step, duration));
-        }
-        closing(case, &mut violations);
-        if violations.is_empty() {
-            trips(case, &mut violations);
-        }
-        violations
+        rules::complete(case)
     }
 
     fn steps(&self, case: &Case) -> u64 {
@@ -117,97 +104,5 @@ impl Problem for BarImpact {
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
         let wave = Scaled::new(case)?.bars.solve(*times.last()?);
         Some(wave.line(times))
-    }
-}
-
-/// What is left out of the right bar is as in the left one; its velocity has the sign turned.
-fn follow_left(case: &mut Case) {
-    let wall = case.choice("right") == "wall";
-    for (row, parameter) in PARAMETERS.iter().enumerate() {
-        let Some(name) = parameter.name.strip_prefix("right.") else {
-            continue;
-        };
-        if wall {
-            case.values[row] = None;
-        } else if case.values[row].is_none() {
-            case.values[row] = match (name, case.get(name)) {
-                ("V0", Some(Value::Number(v))) => Some(Value::Number(0.0 - v)),
-                (_, value) => value,
-            };
-        }
-    }
-}
-
-/// gamma and k_I, each from the other.
-fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
-    let number = |name| case.number(name);
-    let (gamma, k_i) = (number("gamma"), number("k_I"));
-    let parts = (number("n"), number("E"), number("A"), number("L"));
-    let (Some(n), Some(e), Some(a), Some(l)) = parts else {
-        return;
-    };
-    let violation = |parameter, message: &str| Violation {
-        parameter,
-        message: message.into(),
-    };
-    let element = n * e * a / l;
-    let (parameter, name, value) = match (gamma, k_i) {
-        (Some(gamma), None) => ("gamma", "k_I", gamma * element),
-        (None, Some(k_i)) => ("k_I", "gamma", k_i / element),
-        (Some(_), Some(_)) => {
-            let message = "cannot be given beside gamma; give exactly one of gamma, k_I";
-            return violations.push(violation("k_I", message));
-        }
-        (None, None) => {
-            let message = "missing: give exactly one of gamma, k_I";
-            return violations.push(violation("gamma", message));
-        }
-    };
-    if !(value.is_finite() && value > 0.0) {
-        let message = format!("gives {name} = {value}, beyond double precision");
-        return violations.push(violation(parameter, &message));
-    }
-    if let Some(row) = PARAMETERS.iter().position(|p| p.name == name) {
-        case.values[row] = Some(Value::Number(value));
-    }
-}
-
-/// The bars must close: c = V_left - V_right > 0.
-fn closing(case: &Case, violations: &mut Vec<Violation>) {
-    let (Some(left), right) = (case.number("V0"), case.number("right.V0").unwrap_or(0.0)) else {
-        return;
-    };
-    let c = left - right;
-    if !(c.is_finite() && c > 0.0) {
-        violations.push(Violation {
-            parameter: "V0",
-            message: format!(
-                "the bars must close: V0 of the left bar ({left}) must be greater than that of the right ({right})"
-            ),
-        });
-    }
-}
-
-/// The exact solution follows every front: a bar much shorter than the other, or a very long run, has too many.
-fn trips(case: &Case, violations: &mut Vec<Violation>) {
-    let (Some(scaled), Some(duration)) = (Scaled::new(case), case.number("duration")) else {
-        return;
-    };
-    let Bars {
-        time_ratio,
-        impedance_ratio,
-        ..
-    } = scaled.bars;
-    let count = duration / time_ratio.min(1.0);
-    // Written so that NaN is refused too.
-    if !(count <= MOST_TRIPS && (0.0..f64::INFINITY).contains(&impedance_ratio)) {
-        let message = format!(
-            "waves would travel {count:.3e} times through the shorter bar, at most {MOST_TRIPS:e} are followed; \
-             the bars' travel times may not be so unlike, nor the run so long"
-        );
-        violations.push(Violation {
-            parameter: "duration",
-            message,
-        });
     }
 }

@@ -1,0 +1,204 @@
+//! Friction studies and files that say something impossible: refused at their place, all at once, with nothing written.
+
+use crate::{Bench, Done, ONE, TWO, friction};
+
+/// Runs a bad study with every verb that reads it. Each sign ¶ in the text marks the place of a fault, and is taken out
+/// first; each fault must be told there, and begin with what is expected, in this order.
+#[track_caller]
+pub(crate) fn refused(marked: &str, expected: &[&str]) {
+    let mut expected = expected.iter();
+    let (mut text, mut told) = (String::new(), Vec::new());
+    for (i, part) in marked.split('¶').enumerate() {
+        if i > 0 {
+            let line = text.matches('\n').count() + 1;
+            let column = text.rsplit('\n').next().unwrap().chars().count() + 1;
+            told.push(format!("{line}:{column}: {}", expected.next().unwrap()));
+        }
+        text.push_str(part);
+    }
+    assert!(
+        expected.next().is_none(),
+        "{marked}: more faults than marks"
+    );
+    refused_bytes(text.as_bytes(), &told);
+}
+
+/// The same, with `LINE:COLUMN: ` before what is expected.
+#[track_caller]
+fn refused_bytes(text: &[u8], expected: &[String]) {
+    let bench = Bench::new();
+    bench.file("studies/s.json", text);
+    for verb in ["run", "check", "list"] {
+        let done = bench.expect(2, &[verb]);
+        let lines: Vec<&str> = done.err.lines().collect();
+        let begins = |(line, start): (&&str, &String)| {
+            line.strip_prefix("studies/s.json:")
+                .is_some_and(|rest| rest.starts_with(start))
+        };
+        let fit = lines.len() == expected.len() && lines.iter().zip(expected).all(begins);
+        assert!(fit, "{verb}: found {lines:#?}\nexpected {expected:#?}");
+        assert_eq!(done.out, "");
+    }
+    assert_eq!(bench.tree("."), ["studies/s.json"]);
+    assert!(!bench.path("figures").exists(), "nothing is written");
+}
+
+/// A friction study with this value of alpha.
+#[track_caller]
+fn alpha(value: &str, expected: &str) {
+    let rest = r#""law": "displacement-control", "dT": 1, "duration": 9, "//": "α", "#;
+    let mark = if value.contains('¶') { "" } else { "¶" };
+    refused(
+        &friction(&format!("{rest}\"alpha\": {mark}{value}"), ""),
+        &[expected],
+    );
+}
+
+#[test]
+fn numbers() {
+    alpha("-0.1", "parameters.alpha: must be > 0, got -0.1");
+    alpha("0", "parameters.alpha: must be > 0");
+    alpha(
+        "1e999",
+        "parameters.alpha: must be a finite number, got 1e999",
+    );
+    alpha("\"1/0\"", "parameters.alpha: \"1/0\": ");
+    alpha("\"pi/\"", "parameters.alpha: \"pi/\": ");
+    alpha("\"NaN\"", "parameters.alpha: \"NaN\": ");
+    alpha("NaN", "not valid JSON");
+    alpha("true", "parameters.alpha: must be a number");
+    alpha("null", "parameters.alpha: must be a number");
+    alpha("[]", "parameters.alpha: must be a value or a list");
+    alpha("[¶[0.1]]", "parameters.alpha[0]: must be a number");
+}
+
+#[test]
+fn names() {
+    let beta = TWO.replace("[0.1, 1]", "1, \"beta\": ¶1");
+    refused(
+        &friction(&beta, ""),
+        &[
+            "parameters.beta: does not apply to law displacement-control, only to velocity-control; allowed: law, alpha,",
+        ],
+    );
+    refused(
+        &friction(
+            &TWO.replace("\"displacement-control", "¶\"displacement-controll"),
+            "",
+        ),
+        &[
+            "parameters.law: unknown law \"displacement-controll\", did you mean \"displacement-control\"?; allowed: ",
+        ],
+    );
+    refused(
+        &friction(TWO, "").replace("\"friction-oscillator", "¶\"friction-oscilator"),
+        &[
+            "problem: unknown problem \"friction-oscilator\", did you mean \"friction-oscillator\"?; allowed: ",
+        ],
+    );
+    refused(
+        &friction(&TWO.replace("duration\": ", "duratoin\": ¶"), "").replace(": { ", ": ¶{ "),
+        &[
+            "parameters.duration: missing",
+            "parameters.duratoin: unknown key \"duratoin\", did you mean \"duration\"?; allowed: ",
+        ],
+    );
+    refused(
+        &friction(&format!("{ONE}, ¶\"dT\": 0.5"), ""),
+        &["parameters.dT: key \"dT\" given twice"],
+    );
+}
+
+#[test]
+fn all_faults_of_all_files_at_once() {
+    let bench = Bench::new();
+    bench.file("studies/a.json", "{\n  \"problem\": 7 }");
+    bench.file("studies/b.json", friction(ONE, ""));
+    bench.file(
+        "studies/c.json",
+        friction(
+            &TWO.replace("pi/10", "pi/"),
+            ",\n \"cheks\": [],\n \"checks\": [{ \"metric\": \"rms_error\" }]",
+        ),
+    );
+    let done = bench.expect(2, &["run"]);
+    let places: Vec<String> = done
+        .err
+        .lines()
+        .map(|line| line.splitn(5, ':').take(4).collect::<Vec<_>>().join(":"))
+        .collect();
+    assert_eq!(
+        places,
+        [
+            "studies/a.json:1:1: parameters",
+            "studies/a.json:2:14: problem",
+            "studies/c.json:1:109: parameters.dT",
+            "studies/c.json:2:11: cheks",
+            "studies/c.json:3:13: checks[0]",
+        ],
+        "{}",
+        done.err
+    );
+    assert!(!bench.path("figures").exists());
+}
+
+#[test]
+fn a_step_longer_than_the_run() {
+    refused(
+        &friction(&ONE.replace("0.5", "¶3.0000000001"), ""),
+        &["parameters.dT: must be at most duration = 3, got 3.0000000001"],
+    );
+}
+
+#[test]
+fn files_that_are_no_study() {
+    refused("¶", &["the file is empty"]);
+    refused("¶ \r\n", &["the file is empty"]);
+    refused("¶[]", &["must be an object"]);
+    refused("¶null", &["must be an object"]);
+    refused("¶¶{}", &["problem: missing", "parameters: missing"]);
+    refused(
+        &format!("{}¶", &friction(TWO, "")[..100]),
+        &["the file ends too early"],
+    );
+    refused(&format!("{}¶}}", friction(TWO, "")), &["not valid JSON"]);
+    refused_bytes(b"{\n\"title\": \"\xe9\" }", &["2:11: not UTF-8".into()]);
+    refused_bytes(b"\x00\x01\x02", &["1:1: not valid JSON".into()]);
+    for (open, close) in [("[", "]"), ("{\"a\":", "}")] {
+        let deep = open.repeat(100_000) + "1" + &close.repeat(100_000);
+        refused_bytes(deep.as_bytes(), &["1:".into()]);
+        refused_bytes(open.repeat(100_000).as_bytes(), &["1:".into()]);
+    }
+}
+
+#[test]
+fn folders_and_files_that_are_not_there() {
+    let bench = Bench::new();
+    bench.file("empty/readme.txt", "");
+    let done = bench.expect(2, &["run", "empty"]);
+    assert_eq!(done.err, "slipgap: no studies (*.json) in folder empty\n");
+    for words in [&["run", "none.json"][..], &["check"], &["list", "none"]] {
+        let done = bench.run(words);
+        assert_eq!(done.code, Some(1), "{done:?}");
+        assert!(done.err.starts_with("slipgap: cannot read "), "{done:?}");
+    }
+    assert_eq!(bench.tree("."), ["empty/readme.txt"]);
+}
+
+#[test]
+fn an_output_folder_that_cannot_be_written_is_said_before_anything_is_computed() {
+    let bench = Bench::new();
+    bench.file("studies/a.json", friction(ONE, ""));
+    bench.file("studies/b.json", friction(ONE, ""));
+    bench.file("file", "in the way");
+    bench.file("out/b", "in the way");
+    bench.file("results/a/results.csv/x", "a folder in the way");
+    let cannot = |done: &Done| done.err.starts_with("slipgap: cannot ");
+    let done = bench.expect(1, &["run", "--out", "file"]);
+    assert!(cannot(&done) && done.out.is_empty(), "{done:?}");
+    let done = bench.expect(1, &["run", "--out", "out"]);
+    assert!(cannot(&done) && done.out.is_empty(), "{done:?}");
+    assert!(!bench.path("out/a/results.csv").exists());
+    let done = bench.expect(1, &["run", "--out", "results"]);
+    assert!(cannot(&done), "{done:?}");
+}

@@ -1,0 +1,140 @@
+//! Bar impact studies that say something impossible.
+
+use crate::bad_files::refused;
+use crate::bars;
+
+/// A study of bars with these parameters; see [`refused`].
+#[track_caller]
+fn bad(parameters: &str, expected: &[&str]) {
+    refused(&bars(parameters), expected);
+}
+
+/// The same with what is required and is right.
+#[track_caller]
+fn bad_beside(more: &str, expected: &[&str]) {
+    bad(
+        &format!("\"gamma\": 1, \"n\": 10, \"dt\": 0.1, \"duration\": 1.5, {more}"),
+        expected,
+    );
+}
+
+#[test]
+fn number_of_elements() {
+    for n in ["0", "2.5", "-3", "1e9", "1000001", "\"1/3\""] {
+        let parameters = format!("\"n\": ¶{n}, \"gamma\": 1, \"dt\": 0.1, \"duration\": 1.5");
+        let expected = format!("parameters.n: must be a whole number from 1 to 1000000, got {n}");
+        bad(&parameters, &[&expected]);
+    }
+}
+
+#[test]
+fn stiffness() {
+    let rest = r#""n": 10, "dt": 0.1, "duration": 1.5"#;
+    bad(
+        &format!("\"gamma\": 1, \"k_I\": ¶100, {rest}"),
+        &["parameters.k_I: cannot be given beside gamma; give exactly one of gamma, k_I"],
+    );
+    let neither = bars(rest).replace(": { ", ": ¶{ ");
+    refused(
+        &neither,
+        &["parameters.gamma: missing: give exactly one of gamma, k_I"],
+    );
+    bad(
+        &format!("\"k_I\": ¶0, {rest}"),
+        &["parameters.k_I: must be > 0, got 0"],
+    );
+    let misspelt = bars(&format!("\"k_i\": ¶5, {rest}")).replace(": { ", ": ¶{ ");
+    refused(
+        &misspelt,
+        &[
+            "parameters.gamma: missing: give exactly one of gamma, k_I",
+            "parameters.k_i: unknown key \"k_i\", did you mean \"k_I\"?",
+        ],
+    );
+}
+
+#[test]
+fn times_and_gap() {
+    bad(
+        r#""gamma": 1, "n": 10, "dt": ¶1.6, "duration": 1.5"#,
+        &["parameters.dt: must be at most duration = 1.5, got 1.6"],
+    );
+    bad_beside(
+        "\"gap\": ¶-1e-9",
+        &["parameters.gap: must be >= 0, got -1e-9"],
+    );
+}
+
+#[test]
+fn bars_that_do_not_close() {
+    let left = "parameters.V0: the bars must close: V0 of the left bar (";
+    bad_beside("\"V0\": ¶-0.1", &[left]);
+    bad_beside("\"V0\": ¶0", &[left]);
+    bad_beside("\"V0\": ¶0, \"right\": \"wall\"", &[left]);
+    bad_beside("\"V0\": ¶1, \"right\": { \"V0\": 1 }", &[left]);
+    bad_beside(
+        "\"V0\": [¶0.2, 0.4, ¶-3], \"right\": { \"V0\": 0.3 }",
+        &[
+            "parameters.V0[0]: the bars must close",
+            "parameters.V0[2]: the bars must close",
+        ],
+    );
+    // Where the left bar has its usual velocity, the right one is at fault.
+    bad_beside(
+        "\"right\": { \"V0\": ¶0.1 }",
+        &[
+            "parameters.right.V0: the bars must close: V0 of the left bar (0.1) must be greater than that of the right (0.1)",
+        ],
+    );
+}
+
+#[test]
+fn mass_and_right_bar() {
+    bad_beside(
+        "\"mass\": ¶\"lumpd\"",
+        &[
+            "parameters.mass: unknown mass \"lumpd\", did you mean \"lumped\"?; allowed: lumped, consistent",
+        ],
+    );
+    bad_beside(
+        "\"right\": ¶\"wal\"",
+        &["parameters.right: unknown right \"wal\", did you mean \"wall\"?"],
+    );
+    bad_beside(
+        "\"right\": { \"L\": ¶-1, \"n\": ¶0, \"m\": ¶1 }",
+        &[
+            "parameters.right.L: must be > 0, got -1",
+            "parameters.right.n: must be a whole number from 1 to 1000000, got 0",
+            "parameters.right.m: unknown key \"m\"; allowed: E, A, rho, L, n, V0",
+        ],
+    );
+}
+
+#[test]
+fn cases_too_large_for_memory_are_refused_before_they_run() {
+    bad(
+        r#""gamma": 1, "n": 10, "dt": ¶1e-12, "duration": 1.5"#,
+        &["parameters.dt: gives 1.500e12 steps, at most "],
+    );
+    bad(
+        r#""gamma": 1, "n": 10, "dt": 0.1, "duration": ¶1.5, "right": { "L": 1e-9 }"#,
+        &[
+            "parameters.duration: waves would travel 1.500e10 times through the shorter bar, at most 1e5 ",
+        ],
+    );
+}
+
+#[test]
+fn numbers_beyond_double_precision() {
+    bad_beside(
+        "\"V0\": ¶1e308",
+        &["parameters.V0: the bars close at a speed beyond double precision"],
+    );
+    let unlike = bars(
+        r#""gamma": 1, "n": 10, "dt": 0.1, "duration": 1.5, "right": { "E": 1e-300, "rho": 1e-300 }"#,
+    );
+    refused(
+        &unlike.replace(": { \"gamma", ": ¶{ \"gamma"),
+        &["parameters.right: the bars are so unlike"],
+    );
+}

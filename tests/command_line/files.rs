@@ -1,0 +1,210 @@
+//! What a run writes, where, and what it leaves alone.
+
+use crate::{Bench, ONE, TWO, bars, friction};
+
+#[test]
+fn results_have_a_row_a_case_with_every_parameter_and_metric() {
+    let bench = Bench::new();
+    let blocks = format!("{{ \"parameters\": {{ {TWO} }} }}, {{ \"parameters\": {{ {ONE} }} }}");
+    let study = format!("{{ \"problem\": \"friction-oscillator\", \"blocks\": [{blocks}] }}");
+    bench.file("s.json", study);
+    let done = bench.expect(0, &["run", "s.json"]);
+    assert_eq!(done.out.trim(), "figures/s/results.csv");
+    assert_eq!(done.err, "");
+    let text = bench.text("figures/s/results.csv");
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(
+        rows[0].join(","),
+        "case,law,alpha,beta,dT,duration,x0,initial_slip,rms_error,max_error,peak_error,rest_error,\
+         residual_motion,work_error,sprague_geers_magnitude,sprague_geers_phase,sprague_geers_combined"
+    );
+    let step = std::f64::consts::PI / 10.0;
+    let end = 8.0 * std::f64::consts::PI;
+    let parameters = |row: usize| rows[row][..8].join(",");
+    assert_eq!(rows.len(), 4);
+    assert_eq!(
+        parameters(1),
+        format!("0,displacement-control,0.1,,{step},{end},12,unloaded")
+    );
+    assert_eq!(
+        parameters(2),
+        format!("1,displacement-control,1,,{step},{end},12,unloaded")
+    );
+    assert_eq!(parameters(3), "2,velocity-control,,1,0.5,3,12,");
+    // Defined for the first two; rest comes at 6 pi, which the third does not reach.
+    assert!(
+        rows[1]
+            .iter()
+            .skip(8)
+            .all(|cell| cell.parse::<f64>().is_ok())
+    );
+    assert_eq!(rows[3][11..14], ["", "", ""]);
+    assert!(rows[1][8].starts_with("0.02445"));
+}
+
+#[test]
+fn results_of_bars_fill_in_both_stiffnesses_and_the_right_bar() {
+    let bench = Bench::new();
+    let common = r#""n": 2, "dt": 0.1, "duration": 1.5"#;
+    bench.file("two.json", bars(&format!("\"gamma\": 5, {common}")));
+    let wall = format!("\"k_I\": 100, {common}, \"right\": \"wall\", \"gap\": 0.25");
+    bench.file("wall.json", bars(&wall));
+    bench.expect(0, &["run", "two.json", "wall.json"]);
+    let two = bench.text("figures/two/results.csv");
+    let wall = bench.text("figures/wall/results.csv");
+    assert!(two.starts_with(
+        "case,gamma,k_I,n,dt,duration,gap,mass,E,A,rho,L,V0,right,right.E,right.A,right.rho,right.L,right.n,right.V0,\
+         contact_duration,separations,max_overlap,rdot_oscillation,peak_force,impulse_error,restitution,\
+         energy_drift_max,energy_drift_final,rms_error_r,rms_error_rdot\n"
+    ));
+    assert!(two.contains("\n0,5,100,2,0.1,1.5,0,lumped,100,1,0.01,10,0.1,,100,1,0.01,10,2,-0.1,"));
+    assert!(wall.contains("\n0,5,100,2,0.1,1.5,0.25,lumped,100,1,0.01,10,0.1,wall,,,,,,,"));
+}
+
+#[test]
+fn histories_have_a_row_a_step() {
+    let bench = Bench::new();
+    bench.file("f.json", friction(TWO, ""));
+    bench.file(
+        "b.json",
+        bars(r#""gamma": 1, "n": 2, "dt": 0.25, "duration": 1.5"#),
+    );
+    bench.expect(0, &["run", "f.json", "b.json", "--histories", "--out", "o"]);
+    assert_eq!(
+        bench.tree("o"),
+        [
+            "b/histories/0.csv",
+            "b/manifest.json",
+            "b/results.csv",
+            "f/histories/0.csv",
+            "f/histories/1.csv",
+            "f/manifest.json",
+            "f/results.csv"
+        ]
+    );
+    let f = bench.text("o/f/histories/1.csv");
+    assert!(f.starts_with("T,X,V,S,X_exact,V_exact\n0,12,0,0,12,"));
+    assert_eq!(f.lines().count(), 1 + 81);
+    let b = bench.text("o/b/histories/0.csv");
+    assert!(
+        b.starts_with("t,r,rdot,force,r_exact,rdot_exact\n0,0,-1,0,0,"),
+        "{b}"
+    );
+    let times: Vec<&str> = b
+        .lines()
+        .skip(1)
+        .filter_map(|l| l.split(',').next())
+        .collect();
+    assert_eq!(times, ["0", "0.25", "0.5", "0.75", "1", "1.25", "1.5"]);
+}
+
+#[test]
+fn the_manifest_says_where_results_come_from() {
+    let bench = Bench::new();
+    bench.file("in/s.json", friction(ONE, ""));
+    bench.expect(0, &["run", "in", "--out", "o"]);
+    let manifest: serde_json::Value =
+        serde_json::from_str(&bench.text("o/s/manifest.json")).unwrap();
+    let keys: Vec<&String> = manifest.as_object().unwrap().keys().collect();
+    assert_eq!(
+        keys,
+        [
+            "study",
+            "study_sha256",
+            "program",
+            "program_version",
+            "solver_version",
+            "git_commit",
+            "files"
+        ]
+    );
+    assert_eq!(manifest["study"], "s.json");
+    assert_eq!(manifest["program_version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(manifest["files"], serde_json::json!(["results.csv"]));
+    assert_eq!(manifest["study_sha256"].as_str().unwrap().len(), 64);
+}
+
+#[test]
+fn what_a_former_run_left_goes_and_nothing_else() {
+    let bench = Bench::new();
+    let figure =
+        |name: &str| format!(", \"figures\": [{{ \"name\": \"{name}\", \"kind\": \"law\" }}]");
+    bench.file("s.json", friction(TWO, &figure("old")));
+    bench.expect(0, &["run", "s.json", "--histories"]);
+    bench.file("figures/s/notes.txt", "mine");
+    bench.file("figures/s/old.pdf", "mine");
+    bench.file("figures/s/histories/mine.csv", "mine");
+    bench.file("figures/other/results.csv", "mine");
+    bench.file("s.json", friction(TWO, &figure("new")));
+    bench.expect(0, &["run", "s.json"]);
+    assert_eq!(
+        bench.tree("figures"),
+        [
+            "other/results.csv",
+            "s/histories/mine.csv",
+            "s/manifest.json",
+            "s/new.png",
+            "s/new.svg",
+            "s/notes.txt",
+            "s/old.pdf",
+            "s/results.csv"
+        ]
+    );
+    // A manifest cannot make the program remove what lies outside its folder.
+    bench.file(
+        "figures/s/manifest.json",
+        r#"{"files": ["../other/results.csv", "/etc/none", "..", "", ".", "histories"]}"#,
+    );
+    bench.expect(0, &["run", "s.json"]);
+    assert_eq!(bench.text("figures/other/results.csv"), "mine");
+}
+
+#[test]
+fn an_empty_folder_of_histories_goes_too() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    bench.expect(0, &["run", "s.json", "--histories"]);
+    assert!(bench.path("figures/s/histories/0.csv").exists());
+    bench.expect(0, &["run", "s.json"]);
+    assert!(!bench.path("figures/s/histories").exists());
+}
+
+#[test]
+fn folders_are_mirrored() {
+    let bench = Bench::new();
+    for name in ["a.json", "deep/er/b.c.json", "deep/ü ber.json"] {
+        bench.file(&format!("studies/{name}"), friction(ONE, ""));
+    }
+    bench.file("studies/.hidden.json", "not a study");
+    bench.file("studies/readme.txt", "not a study");
+    let written = [
+        "a/manifest.json",
+        "a/results.csv",
+        "deep/er/b.c/manifest.json",
+        "deep/er/b.c/results.csv",
+        "deep/ü ber/manifest.json",
+        "deep/ü ber/results.csv",
+    ];
+    bench.expect(0, &["run"]);
+    assert_eq!(bench.tree("figures"), written);
+    bench.expect(0, &["run", "./studies/", "--out", "x y/z/"]);
+    assert_eq!(bench.tree("x y/z"), written);
+}
+
+#[test]
+fn a_study_named_twice_runs_once_and_two_of_one_name_are_refused() {
+    let bench = Bench::new();
+    bench.file("a/s.json", friction(ONE, ""));
+    bench.file("b/s.json", friction(ONE, ""));
+    let done = bench.expect(
+        0,
+        &["run", "a/s.json", "a", "./a/../a/s.json", "--out", "o"],
+    );
+    assert_eq!(done.out, "o/s/results.csv\n");
+    let done = bench.expect(2, &["run", "a", "b", "--out", "p"]);
+    assert!(
+        done.err.contains("a/s.json") && done.err.contains("b/s.json"),
+        "{done:?}"
+    );
+    assert!(!bench.path("p").exists());
+}

@@ -1,0 +1,118 @@
+//! Verbs and words: list, schema, help, version, and words that do not fit.
+
+use crate::{Bench, ONE, TWO, friction};
+use std::process::Stdio;
+
+#[test]
+fn help_and_version_go_to_stdout() {
+    let bench = Bench::new();
+    let help = bench.expect(0, &["--help"]);
+    for word in ["run", "check", "list", "schema", "Exit codes", "130"] {
+        assert!(help.out.contains(word), "{help:?}");
+    }
+    for verb in ["run", "check"] {
+        assert!(bench.expect(0, &[verb, "--help"]).out.contains("--jobs"));
+    }
+    let version = bench.expect(0, &["--version"]).out;
+    assert_eq!(version, format!("slipgap {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn words_that_do_not_fit_are_usage() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    for words in [
+        &[][..],
+        &["frobnicate"],
+        &["run", "s.json", "--jobs", "0"],
+        &["run", "s.json", "--jobs", "-1"],
+        &["run", "s.json", "--jobs", "two"],
+        &["run", "s.json", "--jobs"],
+        &["run", "s.json", "--ot", "x"],
+        &["check", "s.json", "--out", "x"],
+        &["schema", "s.json"],
+    ] {
+        let done = bench.expect(2, words);
+        assert!(done.out.is_empty() && !done.err.is_empty(), "{done:?}");
+    }
+    assert_eq!(bench.tree("."), ["s.json"]);
+}
+
+#[test]
+fn list_tells_axes_cases_and_steps_without_running() {
+    let bench = Bench::new();
+    // A run would take hours.
+    let long =
+        r#""law": "velocity-control", "beta": [1, 2, 3], "dT": [1e-3, 1e-2], "duration": 2e4"#;
+    bench.file(
+        "studies/long.json",
+        friction(long, r#", "title": "Very long""#),
+    );
+    bench.file("studies/two.json", friction(TWO, ""));
+    let done = bench.expect(0, &["list"]);
+    let rows: Vec<Vec<&str>> = done
+        .out
+        .lines()
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(
+        rows[0],
+        [
+            "study", "problem", "cases", "steps", "axes", "figures", "title"
+        ]
+    );
+    let long = [
+        "long",
+        "friction-oscillator",
+        "6",
+        "2000000..20000000",
+        "beta(3)",
+        "dT(2)",
+        "Very",
+        "long",
+    ];
+    assert_eq!(rows[1], long);
+    assert_eq!(
+        rows[2],
+        ["two", "friction-oscillator", "2", "80", "alpha(2)"]
+    );
+    assert_eq!(bench.tree("."), ["studies/long.json", "studies/two.json"]);
+}
+
+#[test]
+fn schema_is_json_that_knows_the_problems() {
+    let text = Bench::new().expect(0, &["schema"]).out;
+    let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let problems = &schema["properties"]["problem"]["enum"];
+    assert_eq!(
+        *problems,
+        serde_json::json!(["friction-oscillator", "bar-impact"])
+    );
+}
+
+#[test]
+fn a_reader_that_has_gone_away_is_no_failure() {
+    let bench = Bench::new();
+    let figure = r#", "figures": [{ "name": "history", "kind": "history" }]"#;
+    bench.file("studies/a.json", friction(TWO, figure));
+    for words in [
+        &["schema"][..],
+        &["list"],
+        &["run"],
+        &["check"],
+        &["--help"],
+    ] {
+        let mut command = bench.command();
+        command
+            .args(words)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        drop(child.stdout.take());
+        let done: crate::Done = child.wait_with_output().unwrap().into();
+        assert_eq!(done.code, Some(0), "{words:?}: {done:?}");
+        assert!(!done.err.contains("panicked"), "{words:?}: {done:?}");
+    }
+    let written = ["history.png", "history.svg", "manifest.json", "results.csv"];
+    assert_eq!(bench.tree("figures/a"), written);
+}
