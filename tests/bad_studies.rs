@@ -386,7 +386,7 @@ fn figures_along_the_bars() {
         ),
         (
             "\"kind\": \"profile\", \"times\": [-1]",
-            &["4:45: figures[0].times[0]: must be"],
+            &["4:44: figures[0].times[0]: must be >= 0, got -1"],
         ),
         (
             "\"kind\": \"profile\", \"times\": 1",
