@@ -382,11 +382,11 @@ fn figures_along_the_bars() {
         ),
         (
             "\"kind\": \"profile\", \"where\": {\"gamma\": 1, \"duration\": 2}, \"times\": 3",
-            &["4:83: figures[0].times: must be at most duration = 2, got 3"],
+            &["4:81: figures[0].times: must be at most duration = 2, got 3"],
         ),
         (
             "\"kind\": \"profile\", \"times\": [-1]",
-            &["4:45: figures[0].times[0]: must be"],
+            &["4:44: figures[0].times[0]: must be >= 0, got -1"],
         ),
         (
             "\"kind\": \"profile\", \"times\": 1",
