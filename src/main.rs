@@ -83,6 +83,7 @@ fn main() -> ExitCode {
 }
 
 fn carry_out(cli: Cli) -> Result<u8, Error> {
+    commands::end_on_interrupt()?;
     match cli.verb {
         Verb::Run(run) => {
             let studies = commands::sources::read(&run.studies.studies)?;

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Version of everything that decides a number; it changes when any result may change.
 pub const SOLVER_VERSION: u32 = 1;
@@ -105,8 +106,17 @@ impl Folder {
     }
 }
 
+/// Held while a file is written and renamed.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Waits for the file that is being written, and lets no further one begin while the guard lives.
+pub fn no_more_writing() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Writes a file under a temporary name and renames it: it is there whole or not at all.
 fn whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let _guard = no_more_writing();
     let mut partial = path.as_os_str().to_owned();
     partial.push(".partial");
     let partial = PathBuf::from(partial);

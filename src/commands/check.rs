@@ -1,7 +1,7 @@
 //! `slipgap check`: every check of every study, with the value it judged.
 
 use super::sources::Source;
-use super::{NOT_MET, UNSOLVED, columns, note, progress, run, say};
+use super::{NOT_MET, UNSOLVED, columns, finish, note, progress, run, say};
 use slipgap::batch;
 use slipgap::checks::{self, Verdict};
 use slipgap::error::Error;
@@ -18,7 +18,7 @@ pub fn check(sources: &[Source]) -> Result<u8, Error> {
     for source in sources {
         let bar = progress(&source.name, source.study.len());
         let outcomes = batch::run(&source.study, &bar, |_| false, |_, _| Ok(()))?;
-        bar.finish_and_clear();
+        finish(&bar, &source.name, source.study.len());
         if run::unsolved(source, &outcomes) {
             code = UNSOLVED;
         }

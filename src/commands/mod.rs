@@ -6,6 +6,7 @@ pub mod run;
 pub mod sources;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use slipgap::batch::output::no_more_writing;
 use slipgap::error::Error;
 use std::io::{ErrorKind, IsTerminal, Write, stderr, stdout};
 
@@ -13,6 +14,8 @@ use std::io::{ErrorKind, IsTerminal, Write, stderr, stdout};
 pub const UNSOLVED: u8 = 3;
 /// Exit code where a check is not met.
 pub const NOT_MET: u8 = 5;
+/// Exit code after Ctrl-C.
+const INTERRUPTED: i32 = 130;
 
 /// Writes what was asked for to stdout; a reader that has gone away is no failure.
 pub fn say(text: &str) -> Result<u8, Error> {
@@ -36,6 +39,16 @@ pub fn pool(jobs: Option<u16>) -> Result<rayon::ThreadPool, Error> {
         .map_err(|e| Error::Internal(format!("cannot start threads: {e}")))
 }
 
+/// Ends at once on Ctrl-C, with no file half-written.
+pub fn end_on_interrupt() -> Result<(), Error> {
+    ctrlc::set_handler(|| {
+        let _guard = no_more_writing();
+        note("slipgap: interrupted; files written so far are whole, run again for the rest");
+        std::process::exit(INTERRUPTED);
+    })
+    .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))
+}
+
 /// A progress bar with rate and time left for a terminal, nothing otherwise.
 pub fn progress(name: &str, cases: u64) -> ProgressBar {
     if !stderr().is_terminal() {
@@ -48,6 +61,15 @@ pub fn progress(name: &str, cases: u64) -> ProgressBar {
     ProgressBar::new(cases)
         .with_style(style)
         .with_prefix(name.to_owned())
+}
+
+/// Takes the bar away; where there was none, one plain line says what is done.
+pub fn finish(bar: &ProgressBar, name: &str, cases: u64) {
+    let plain = bar.is_hidden();
+    bar.finish_and_clear();
+    if plain {
+        note(&format!("{name}: {cases} cases run"));
+    }
 }
 
 /// Rows of text in columns, the first row being the header; numbers stand as they are.

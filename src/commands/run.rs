@@ -1,7 +1,7 @@
 //! `slipgap run`: results, figures and, if asked for, histories of every study.
 
 use super::sources::Source;
-use super::{UNSOLVED, note, progress, say};
+use super::{UNSOLVED, finish, note, progress, say};
 use slipgap::batch::output::Folder;
 use slipgap::batch::{self, Outcome, results};
 use slipgap::error::Error;
@@ -43,7 +43,7 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
             Ok(())
         },
     )?;
-    bar.finish_and_clear();
+    finish(&bar, &source.name, study.len());
     if histories {
         let solved = (0..).zip(&outcomes).filter(|(_, o)| o.failure.is_none());
         folder.note(solved.map(|(case, _)| file_name(case)));

@@ -10,7 +10,7 @@ fn results_have_a_row_a_case_with_every_parameter_and_metric() {
     bench.file("s.json", study);
     let done = bench.expect(0, &["run", "s.json"]);
     assert_eq!(done.out.trim(), "figures/s/results.csv");
-    assert_eq!(done.err, "");
+    assert_eq!(done.err, "s: 2 cases run\n");
     let text = bench.text("figures/s/results.csv");
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(
