@@ -78,7 +78,7 @@ impl<const L: usize> Law<L> for VelocityControl<L> {
     }
 }
 
-/// Impact spring [I (7), (8)]: S = k_I <r> r, which pushes while r < 0 and never pulls (the print lacks the last r).
+/// Impact spring `[I (7), (8)]`, `S = k_I <r> r`, which pushes while r < 0 and never pulls (the print lacks the last r).
 #[derive(Debug, Clone, Copy)]
 pub struct ImpactSpring<const L: usize> {
     /// 1/k_I.

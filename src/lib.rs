@@ -1,4 +1,41 @@
 //! Parameter studies of friction and impact models in time-history analysis.
+//!
+//! Two short papers by K. Kawashima put friction and impact into the direct integration of structures: `[F]`, *A
+//! computational model of friction force in dynamic response analysis* (1980), and `[I]`, *An analytical model of contact
+//! and impact in dynamic response analysis* (1981). Both soften a rigid law by a small spring or dashpot; both ask how the
+//! answer depends on it and on the time step. slipgap answers with numbers: every case stands beside its exact solution.
+//!
+//! # The idea
+//!
+//! A structure is its modes, a contact is one scalar law, a step is one recursion per mode and one scalar root.
+//!
+//! ```text
+//! x_k'' + omega_k^2 x_k = -phi_k^2 S            modes, scaled so that r = sum x_k (+ gap)      structure
+//! W' = W - K P - G (S + S'),  P' = P + W'       constant average acceleration, exactly         stepper
+//! r' = r* - h S'(r', state)                     the law's root, in closed form                 law
+//! ```
+//!
+//! # The way of the data
+//!
+//! ```text
+//! studies/*.json -> study -> cases -> [ solve -> history -> metrics, beside exact -> history ] -> results -> figures, checks
+//! ```
+//!
+//! From the top down, each room using only those below it: [`checks`], [`figures`], [`batch`], [`study`], [`problem`],
+//! [`metrics`], [`exact`], [`stepper`], [`law`], [`structure`], [`lane`], [`history`], [`error`]. Beside them stands
+//! [`textbook`]: the papers' matrices and iteration, which the fast form is tested against.
+//!
+//! # Principal types
+//!
+//! - [`study::Study`]: a study file, read and validated; [`study::read`] names every fault with its place.
+//! - [`problem::Problem`]: one of the two problems, [`problem::friction::FrictionOscillator`] and
+//!   [`problem::impact::BarImpact`], with the tables of parameters and metrics that everything else reads.
+//! - [`problem::Solution`]: a case's [`history::History`], the exact one beside it, and the metrics.
+//! - [`stepper::Stepper`] and [`law::Law`]: the method and the contact.
+//! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the stepper.
+//!
+//! Equations are cited where they are carried out, as in `[F (9)]`; `docs/errata.md` says where the papers' print is
+//! departed from, and why.
 
 pub mod batch;
 pub mod checks;

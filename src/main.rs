@@ -94,6 +94,6 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
             commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
         }
         Verb::List(list) => commands::list::list(&commands::sources::read(&list.studies)?),
-        Verb::Schema => commands::say(&format!("{:#}\n", slipgap::study::schema())),
+        Verb::Schema => commands::say(&slipgap::study::schema()),
     }
 }

@@ -73,7 +73,6 @@ fn numbers() {
         ("\"\"", "4:10: parameters.alpha: \"\": expected a number"),
         ("true", number),
         ("null", number),
-        ("{}", number),
         (
             "[]",
             "4:10: parameters.alpha: must be a value or a list of at least one, got []",
@@ -92,7 +91,35 @@ fn numbers() {
         ),
         (
             "{\"linspace\": [0, 1, 5]}",
-            "4:10: parameters.alpha: linspace, geomspace and range are not supported yet",
+            "4:23: parameters.alpha.linspace: must be > 0, got 0",
+        ),
+        (
+            "{\"linspace\": [1, 2]}",
+            "4:23: parameters.alpha.linspace: must be [a, b, n]",
+        ),
+        (
+            "{\"linspace\": [1, 2, 2.5]}",
+            "4:30: parameters.alpha.linspace[2]: must be a whole number >= 2",
+        ),
+        (
+            "{\"geomspace\": [-1, 2, 5]}",
+            "4:29: parameters.alpha.geomspace[1]: must have the sign of a",
+        ),
+        (
+            "{\"range\": [1, 2, -1]}",
+            "4:27: parameters.alpha.range[2]: must be a step that leads from a to b",
+        ),
+        (
+            "{\"range\": [1, 2, 1e-9]}",
+            "4:27: parameters.alpha.range[2]: gives 1",
+        ),
+        (
+            "{}",
+            "4:10: parameters.alpha: must have exactly one of linspace, geomspace, range",
+        ),
+        (
+            "{\"linspac\": [1, 2, 3]}",
+            "4:22: parameters.alpha.linspac: unknown key",
         ),
     ] {
         assert_parameter(&format!("\"alpha\": {alpha}"), expected);
@@ -247,7 +274,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, metric, map, law",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, wave, metric, map, law",
             ],
         ),
         (

@@ -9,7 +9,7 @@ use std::process::Command;
 /// round the single-precision sums that blend a pixel, by one or two steps of a channel.
 const CHANNEL: u8 = 2;
 /// Pixels that may differ by more, where such a sum tips an edge over: fewer than a full stop covers.
-const PIXELS: usize = 20;
+const PIXELS: usize = 8;
 
 #[test]
 #[ignore = "runs every study; run by `make fresh`"]
@@ -175,6 +175,6 @@ impl std::fmt::Display for Picture {
             channels,
             ..
         } = self;
-        write!(f, "{width} x {height} pixels of {channels} channels")
+        write!(f, "{width} x {height} pixels of {channels} bytes")
     }
 }

@@ -85,7 +85,7 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
             record["steps"].as_u64().unwrap(),
             "{parameters}"
         );
-        let solution = problem.solve(&case).unwrap();
+        let solution = problem.solve(&case, &[]).unwrap();
         let tolerance = tolerance(record);
         let difference = history_difference(&solution, &record["history"]);
         if difference.is_nan() || difference > tolerance {
@@ -134,4 +134,54 @@ fn impact() {
     compare("impact.json", |record| {
         (1e-14 * record["sensitivity"].as_f64().unwrap()).max(1e-12)
     });
+}
+
+#[test]
+fn profiles() {
+    let data = data("impact.json");
+    let problem = find("bar-impact").unwrap();
+    let records = data["profiles"].as_array().unwrap();
+    assert!(records.len() > 5);
+    for record in records {
+        let parameters = &record["parameters"];
+        let case = case(problem, parameters);
+        let snapshots = problem.snapshots(&case, &[case.number("duration").unwrap()]);
+        for (name, lines) in ["velocity", "stress"].iter().zip(&snapshots[0].profiles) {
+            let computed = in_order(&lines.computed);
+            // In the data the exact profile stands at the centres of the elements.
+            let centres = in_order(&snapshots[0].profiles[1].computed);
+            let exact: Vec<f64> = centres
+                .iter()
+                .map(|&[x, _]| {
+                    let part = usize::from(x > 0.0);
+                    let line = &lines.exact[part];
+                    let mut ends = line.chunks(2);
+                    let inside = |pair: &&[[f64; 2]]| (pair[0][0] - x) * (pair[1][0] - x) <= 0.0;
+                    ends.find(inside).unwrap()[0][1]
+                })
+                .collect();
+            let computed: Vec<f64> = computed.iter().map(|point| point[1]).collect();
+            let theirs = |key: String| -> Vec<f64> {
+                let numbers = record[key.as_str()].as_array().unwrap();
+                numbers.iter().map(|x| x.as_f64().unwrap()).collect()
+            };
+            for (ours, theirs, what) in [
+                (computed, theirs(name.to_string()), "computed"),
+                (exact, theirs(format!("{name}_exact")), "exact"),
+            ] {
+                assert_eq!(ours.len(), theirs.len(), "{what} {name}: {parameters}");
+                for (a, b) in ours.iter().zip(&theirs) {
+                    // Round-off of sums over up to 41 modes and a stiffness of up to 40 elements.
+                    assert!((a - b).abs() < 1e-11, "{what} {name} {a} {b}: {parameters}");
+                }
+            }
+        }
+    }
+}
+
+/// Points of all parts from left to right; parts are given from the contact on.
+fn in_order(parts: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
+    let mut points: Vec<[f64; 2]> = parts[0].iter().rev().copied().collect();
+    points.extend(parts.iter().skip(1).flatten());
+    points
 }

@@ -50,7 +50,7 @@ fn solve(
     keep: impl Fn(&Case) -> bool,
     visit: impl Fn(u64, &Solution) -> Result<(), Error>,
 ) -> Result<Outcome, Error> {
-    Ok(match study.problem.solve(&case) {
+    Ok(match study.problem.solve(&case, &study.metrics) {
         Ok(solution) => {
             visit(index, &solution)?;
             Outcome {

@@ -6,7 +6,7 @@ use slipgap::batch::output::Folder;
 use slipgap::batch::{self, Outcome, results};
 use slipgap::error::Error;
 use slipgap::figures::{self, Shown};
-use slipgap::problem::Case;
+use slipgap::problem::{Case, Snapshot};
 use slipgap::study::{Figure, Study};
 use std::path::Path;
 
@@ -51,11 +51,16 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
     let mut lines = vec![folder.write("results.csv", &results::table(study, &outcomes)?)?];
     for figure in &study.figures {
         let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
+        let chosen: Vec<(&Outcome, Vec<Snapshot>)> = chosen
+            .map(|outcome| (outcome, snapshots(study, figure, &outcome.case)))
+            .collect();
         let shown: Vec<Shown> = chosen
-            .map(|outcome| Shown {
+            .iter()
+            .map(|(outcome, snapshots)| Shown {
                 case: &outcome.case,
                 metrics: &outcome.metrics,
                 solution: outcome.solution.as_ref(),
+                snapshots,
             })
             .collect();
         let sheet = figures::sheet(study, figure, &shown);
@@ -70,6 +75,14 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
         .collect();
     say(&text)?;
     Ok(outcomes)
+}
+
+fn snapshots(study: &Study, figure: &Figure, case: &Case) -> Vec<Snapshot> {
+    let times = figure.kind.snapshot_times(study.problem, case);
+    match times.is_empty() {
+        true => Vec::new(),
+        false => study.problem.snapshots(case, &times),
+    }
 }
 
 fn needs_history(study: &Study, case: &Case) -> bool {

@@ -1,47 +1,19 @@
 //! Draws a sheet over plotters, the same way for every backend.
 
 use super::clip;
-use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Rect, Sheet, Words};
-use super::style::{self, Marker, UNITS};
-use super::text::{self, Run};
+use super::pen::{Drawn, Pen, at, unit};
+use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Sheet, Words};
+use super::style;
 use crate::error::Error;
-use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, DrawingAreaErrorKind};
-use plotters::element::{Circle, Drawable, PathElement, PointCollection, Polygon, Rectangle};
-use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, WHITE};
-use plotters_backend::{
-    BackendCoord, BackendTextStyle, DrawingBackend, DrawingErrorKind, FontFamily, FontStyle,
-    FontTransform,
-};
+use plotters_backend::DrawingBackend;
 use std::cell::RefCell;
-use std::convert::Infallible;
 use std::rc::Rc;
 
 /// Draws `sheet` on a backend whose size is the sheet's in virtual units.
 pub fn draw<B: DrawingBackend>(sheet: &Sheet, backend: &Rc<RefCell<B>>) -> Result<(), Error> {
-    let mut pen = Pen {
-        area: DrawingArea::from(backend),
-    };
+    let mut pen = Pen::on(backend);
     pen.sheet(sheet)
         .map_err(|error| Error::Internal(format!("drawing: {error}")))
-}
-
-type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
-
-struct Pen<B: DrawingBackend> {
-    area: DrawingArea<B, Shift>,
-}
-
-fn unit(length: f64) -> i32 {
-    (length * UNITS).round() as i32
-}
-
-fn at([x, y]: [f64; 2]) -> BackendCoord {
-    (unit(x), unit(y))
-}
-
-fn line(width: f64) -> ShapeStyle {
-    BLACK.stroke_width(unit(width) as u32)
 }
 
 impl<B: DrawingBackend> Pen<B> {
@@ -52,7 +24,8 @@ impl<B: DrawingBackend> Pen<B> {
         for entry in &sheet.legend {
             self.entry(entry)?;
         }
-        sheet.heading.iter().try_for_each(|words| self.words(words))
+        let words = sheet.heading.iter().chain(&sheet.footer);
+        words.into_iter().try_for_each(|words| self.words(words))
     }
 
     fn panel(&mut self, panel: &Panel) -> Drawn<B> {
@@ -85,15 +58,6 @@ impl<B: DrawingBackend> Pen<B> {
             self.arrow(panel.place(*a), panel.place(*b))?;
         }
         self.lettering(panel)
-    }
-
-    fn frame(&mut self, frame: &Rect) -> Drawn<B> {
-        let corners = [
-            at([frame.left, frame.top]),
-            at([frame.right(), frame.bottom()]),
-        ];
-        self.area
-            .draw(&Rectangle::new(corners, line(style::FRAME_LINE)))
     }
 
     /// All lines first, then all markers, so that no line runs through a marker.
@@ -161,41 +125,48 @@ impl<B: DrawingBackend> Pen<B> {
     }
 
     fn map(&mut self, panel: &Panel, map: &FilledMap) -> Drawn<B> {
-        let columns = map.x_edges.len().saturating_sub(1);
-        for (i, value) in map.values.iter().enumerate() {
-            let Some(value) = value else { continue };
-            let (column, row) = (i % columns, i / columns);
-            let corner =
-                |dx, dy| at(panel.place([map.x_edges[column + dx], map.y_edges[row + dy]]));
-            self.cell(corner(0, 1), corner(1, 0), map.colours.fraction(*value))?;
+        let columns = map.x_edges.len().saturating_sub(1).max(1);
+        for (row, values) in map.values.chunks(columns).enumerate() {
+            let mut column = 0;
+            // Neighbours of one value are one cell.
+            for cells in values.chunk_by(|a, b| a == b) {
+                let (first, last) = (column, column + cells.len());
+                column = last;
+                let fraction = cells[0].map(|value| map.colours.fraction(value));
+                let Some(fraction) = fraction.filter(|f| f.is_finite()) else {
+                    continue;
+                };
+                let corner = |x: usize, y: usize| at(panel.place([map.x_edges[x], map.y_edges[y]]));
+                self.cell(corner(first, row + 1), corner(last, row), fraction)?;
+            }
         }
+        let Some(bar) = &map.bar else {
+            return Ok(());
+        };
         // The bar in so many steps that none is seen.
         const STEPS: i32 = 128;
-        let (left, right) = (unit(map.bar.left), unit(map.bar.right()));
-        let height =
-            |k: i32| unit(map.bar.bottom() - map.bar.height * f64::from(k) / f64::from(STEPS));
+        let (left, right) = (unit(bar.left), unit(bar.right()));
+        let height = |k: i32| unit(bar.bottom() - bar.height * f64::from(k) / f64::from(STEPS));
         for k in 0..STEPS {
             let fraction = (f64::from(k) + 0.5) / f64::from(STEPS);
             self.cell((left, height(k + 1)), (right, height(k)), fraction)?;
         }
-        self.frame(&map.bar)?;
+        self.frame(bar)?;
         let size = style::LABEL;
         for tick in &map.colours.ticks {
-            let y = map.bar.bottom() - map.bar.height * map.colours.fraction(tick.at);
-            let edge = map.bar.right();
+            let y = bar.bottom() - bar.height * map.colours.fraction(tick.at);
+            let edge = bar.right();
             let length = tick_length(&tick.label);
             self.path(&[[edge, y], [edge - length, y]], style::FRAME_LINE)?;
             let place = [edge + style::LABEL_GAP, y + style::CAP_HEIGHT * size / 2.0];
             self.text(&tick.label, size, place, Anchor::Start, false)?;
         }
-        let place = [map.bar.right(), map.bar.top - style::LABEL_GAP - 1.0];
+        let place = [bar.right(), bar.top - style::LABEL_GAP - 1.0];
         self.text(&map.colours.title, style::TITLE, place, Anchor::End, false)
     }
 
-    fn cell(&mut self, from: BackendCoord, to: BackendCoord, fraction: f64) -> Drawn<B> {
-        let [r, g, b] = style::colour(fraction);
-        self.area
-            .draw(&Rectangle::new([from, to], RGBColor(r, g, b).filled()))
+    fn words(&mut self, words: &Words) -> Drawn<B> {
+        self.text(&words.text, words.size, words.at, words.anchor, false)
     }
 
     fn entry(&mut self, entry: &Entry) -> Drawn<B> {
@@ -212,90 +183,6 @@ impl<B: DrawingBackend> Pen<B> {
             y + style::CAP_HEIGHT * style::LABEL / 2.0,
         ];
         self.text(&entry.label, style::LABEL, place, Anchor::Start, false)
-    }
-
-    fn path(&mut self, points: &[[f64; 2]], width: f64) -> Drawn<B> {
-        let points: Vec<_> = points.iter().copied().map(at).collect();
-        self.area.draw(&PathElement::new(points, line(width)))
-    }
-
-    /// A marker, white inside.
-    fn marker(&mut self, marker: Marker, [x, y]: [f64; 2]) -> Drawn<B> {
-        let outline = line(style::MARKER_LINE);
-        match marker {
-            Marker::Circle => {
-                let radius = unit(style::MARKER);
-                self.area
-                    .draw(&Circle::new(at([x, y]), radius, WHITE.filled()))?;
-                self.area.draw(&Circle::new(at([x, y]), radius, outline))
-            }
-            Marker::Cross => {
-                let d = style::MARKER * 0.9;
-                for slope in [-1.0, 1.0] {
-                    let stroke = [[x - d, y - slope * d], [x + d, y + slope * d]];
-                    self.path(&stroke, style::MARKER_LINE)?;
-                }
-                Ok(())
-            }
-            _ => {
-                let corners = marker.corners().iter().map(|[dx, dy]| at([x + dx, y + dy]));
-                let mut corners: Vec<_> = corners.collect();
-                self.area
-                    .draw(&Polygon::new(corners.clone(), WHITE.filled()))?;
-                corners.extend(corners.first().copied());
-                self.area.draw(&PathElement::new(corners, outline))
-            }
-        }
-    }
-
-    /// A thin line with a filled head at both ends.
-    fn arrow(&mut self, a: [f64; 2], b: [f64; 2]) -> Drawn<B> {
-        self.path(&[a, b], style::EXACT_LINE)?;
-        let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
-        let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
-        let long = style::ARROW.min(0.45 * length);
-        for (tip, turn) in [(a, 1.0), (b, -1.0)] {
-            let foot = [0, 1].map(|k| tip[k] + turn * long * along[k]);
-            let half = [-0.27 * long * along[1], 0.27 * long * along[0]];
-            let sides = [1.0, -1.0].map(|s| at([foot[0] + s * half[0], foot[1] + s * half[1]]));
-            let head = vec![at(tip), sides[0], sides[1]];
-            self.area.draw(&Polygon::new(head, BLACK.filled()))?;
-        }
-        Ok(())
-    }
-
-    fn words(&mut self, words: &Words) -> Drawn<B> {
-        self.text(&words.text, words.size, words.at, words.anchor, false)
-    }
-
-    fn text(
-        &mut self,
-        markup: &str,
-        size: f64,
-        [x, y]: [f64; 2],
-        anchor: Anchor,
-        upwards: bool,
-    ) -> Drawn<B> {
-        let (runs, length) = text::set(markup, size);
-        let start = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -length / 2.0,
-            Anchor::End => -length,
-        };
-        for run in runs {
-            let (along, above) = (start + run.x, run.rise);
-            let place = if upwards {
-                at([x - above, y - along])
-            } else {
-                at([x + along, y - above])
-            };
-            self.area.draw(&Lettering {
-                place,
-                run,
-                upwards,
-            })?;
-        }
-        Ok(())
     }
 }
 
@@ -320,77 +207,4 @@ pub fn below(axis: &Axis) -> f64 {
         style::TITLE_GAP + style::TITLE
     };
     numbers + title
-}
-
-/// A run of text as an element of plotters.
-struct Lettering {
-    place: BackendCoord,
-    run: Run,
-    upwards: bool,
-}
-
-impl<'a> PointCollection<'a, BackendCoord> for &'a Lettering {
-    type Point = &'a BackendCoord;
-    type IntoIter = std::iter::Once<&'a BackendCoord>;
-
-    fn point_iter(self) -> Self::IntoIter {
-        std::iter::once(&self.place)
-    }
-}
-
-impl<B: DrawingBackend> Drawable<B> for Lettering {
-    fn draw<I: Iterator<Item = BackendCoord>>(
-        &self,
-        mut places: I,
-        backend: &mut B,
-        _: (u32, u32),
-    ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
-        match places.next() {
-            Some(place) => backend.draw_text(&self.run.text, self, place),
-            None => Ok(()),
-        }
-    }
-}
-
-impl BackendTextStyle for Lettering {
-    type FontError = Infallible;
-
-    fn size(&self) -> f64 {
-        self.run.size * UNITS
-    }
-
-    fn transform(&self) -> FontTransform {
-        if self.upwards {
-            FontTransform::Rotate270
-        } else {
-            FontTransform::None
-        }
-    }
-
-    fn style(&self) -> FontStyle {
-        if self.run.italic {
-            FontStyle::Italic
-        } else {
-            FontStyle::Normal
-        }
-    }
-
-    fn family(&self) -> FontFamily<'_> {
-        FontFamily::Serif
-    }
-
-    // Our backends set text themselves and ask for neither of these.
-
-    fn layout_box(&self, _: &str) -> Result<((i32, i32), (i32, i32)), Infallible> {
-        Ok(((0, 0), (0, 0)))
-    }
-
-    fn draw<E, F: FnMut(i32, i32, plotters_backend::BackendColor) -> Result<(), E>>(
-        &self,
-        _: &str,
-        _: BackendCoord,
-        _: F,
-    ) -> Result<Result<(), E>, Infallible> {
-        Ok(Ok(()))
-    }
 }

@@ -93,11 +93,3 @@ pub fn numbered(labels: &[String]) -> (Vec<usize>, Vec<String>) {
         .collect();
     (numbers, distinct)
 }
-
-/// Title of an axis along which a parameter or metric runs.
-pub fn title(symbol: &str, unit: &str) -> String {
-    match unit {
-        "1" => symbol.into(),
-        unit => format!("{symbol} ({})", super::markup::escape(unit)),
-    }
-}

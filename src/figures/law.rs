@@ -63,7 +63,12 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         let reach = 1.6 * widest;
         let most = grid.width / 32.0;
         let x = ticks::linear(title, [-1.2 * reach, 1.2 * reach], most);
-        let mut panel = Panel::new(grid.frames[0][k], grid.margin, x, force.clone());
+        let mut y = force.clone();
+        if k > 0 {
+            y.title.clear();
+            y.numbered = false;
+        }
+        let mut panel = Panel::new(grid.frames[0][k], grid.margin, x, y);
         panel.zero = true;
         panel.series.push(Series {
             label: "rigid (Coulomb)".into(),

@@ -11,7 +11,7 @@ pub const LETTER_LINE: f64 = style::TITLE + style::LABEL_GAP;
 
 /// Frames of a grid of panels over the width of a sheet, each row with its height.
 pub struct Grid {
-    /// Room left of each frame.
+    /// Room left of the first frame of a row; the others share its vertical axis.
     pub margin: f64,
     /// Width of each frame.
     pub width: f64,
@@ -30,17 +30,18 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .map(|label| text::width(label, style::LABEL))
         .fold(0.0, f64::max);
     let margin = style::TITLE + style::TITLE_GAP + numbers + style::LABEL_GAP;
-    let between = 9.0;
+    // Room for half of a number on either side.
+    let between = 20.0;
     let columns_wide = columns as f64;
-    let free = sheet_width - 2.0 * style::EDGE - right - (columns_wide - 1.0) * between;
+    let free = sheet_width - 2.0 * style::EDGE - margin - right - (columns_wide - 1.0) * between;
     // Whole points, so that frames of one sheet look the same in pixels.
-    let width = (free / columns_wide - margin).floor();
+    let width = (free / columns_wide).floor();
     let mut top = style::EDGE;
     let mut frames = Vec::new();
     for &height in heights {
         top += LETTER_LINE;
         let row = (0..columns).map(|k| Rect {
-            left: style::EDGE + margin + k as f64 * (margin + width + between),
+            left: (style::EDGE + margin).round() + k as f64 * (width + between),
             top,
             width,
             height,
@@ -88,6 +89,11 @@ impl Key {
 ///
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
+    // No room for letters where there are none, before the legend takes its place.
+    let bare = |panel: &Panel| panel.letter.is_empty() && panel.map.is_none();
+    if sheet.panels.iter().all(bare) {
+        move_down(sheet, style::LABEL_GAP - LETTER_LINE);
+    }
     let corners: Option<Vec<Rect>> = keys
         .iter()
         .zip(&sheet.panels)
@@ -105,10 +111,6 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         }
         None => over(sheet, keys),
     };
-    let bare = |panel: &Panel| panel.letter.is_empty() && panel.map.is_none();
-    if sheet.panels.iter().all(bare) {
-        move_down(sheet, style::LABEL_GAP - LETTER_LINE);
-    }
     if let Some(heading) = heading {
         move_down(sheet, style::TITLE + 6.0);
         sheet.heading = Some(Words {
@@ -120,6 +122,30 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     }
     let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+}
+
+/// Adds words under the panels of a finished sheet, broken into lines of its width.
+pub fn footer(sheet: &mut Sheet, note: &str) {
+    let left = sheet.panels.first().map_or(style::EDGE, |p| p.frame.left);
+    let room = sheet.width - style::EDGE - left;
+    let mut lines: Vec<String> = Vec::new();
+    for word in note.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if text::width(&format!("{line} {word}"), style::LABEL) <= room => {
+                *line += &format!(" {word}");
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    for line in lines {
+        sheet.height += style::LEADING;
+        sheet.footer.push(Words {
+            at: [left, sheet.height - style::EDGE],
+            anchor: Anchor::Start,
+            text: line,
+            size: style::LABEL,
+        });
+    }
 }
 
 /// A place in a panel for its legend where it hides nothing.
@@ -209,12 +235,20 @@ fn move_down(sheet: &mut Sheet, by: f64) {
         for words in &mut panel.notes {
             words.at[1] += by;
         }
-        if let Some(map) = &mut panel.map {
-            map.bar.top += by;
+        if let Some(bar) = panel.map.as_mut().and_then(|map| map.bar.as_mut()) {
+            bar.top += by;
         }
     }
     for entry in &mut sheet.legend {
         entry.at[1] += by;
+    }
+}
+
+/// Says over the first panel that only `some` of `all` curves are shown, where that is so.
+pub fn left_out(sheet: &mut Sheet, some: usize, all: usize) {
+    if let (true, Some(first)) = (some < all, sheet.panels.first_mut()) {
+        let space = if first.letter.is_empty() { "" } else { "  " };
+        first.letter += &format!("{space}the first {some} of {all} curves");
     }
 }
 

@@ -1,7 +1,6 @@
 //! A metric over two parameters: shaded cells, one a case, with a colour bar.
 
 use super::Shown;
-use super::label;
 use super::layout;
 use super::sheet::{Axis, FilledMap, Panel, Rect, Sheet};
 use super::style;
@@ -9,8 +8,8 @@ use super::text;
 use super::ticks;
 use crate::study::{Figure, FigureKind, Scale, Study};
 
-const BAR_GAP: f64 = 12.0;
-const BAR_WIDTH: f64 = 11.0;
+pub(super) const BAR_GAP: f64 = 12.0;
+pub(super) const BAR_WIDTH: f64 = 11.0;
 
 /// The sheet of a `map` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
@@ -20,14 +19,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let (parameters, metric) = (study.problem.parameters(), &study.problem.metrics()[*z]);
     let number = |shown: &Shown, row: usize| shown.case.values[row].and_then(|v| v.as_f64());
     let (xs, ys) = (
-        places(cases, |c| number(c, *x)),
-        places(cases, |c| number(c, *y)),
+        places(cases, scales[0], |c| number(c, *x)),
+        places(cases, scales[1], |c| number(c, *y)),
     );
     let mut values = vec![None; xs.len() * ys.len()];
     for shown in cases {
         let found = |places: &[f64], row| {
             let value = number(shown, row)?;
-            places.iter().position(|p| same(*p, value))
+            let i = places.partition_point(|p| *p < value && !same(*p, value));
+            places.get(i).is_some_and(|p| same(*p, value)).then_some(i)
         };
         if let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) {
             values[row * xs.len() + column] = shown.metrics.get(*z).copied().flatten();
@@ -37,18 +37,14 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let along = |row: usize, places: &[f64], scale, most| {
         let edges = edges(places, scale);
         let range = [edges[0], edges[edges.len() - 1]];
-        let title = label::title(parameters[row].symbol, parameters[row].unit);
+        let title = parameters[row].symbol.to_owned();
         let axis = match scale {
             Scale::Linear => ticks::linear(&title, range, most),
             Scale::Log => ticks::log_range(&title, range, most),
         };
         (edges, axis)
     };
-    let colours = colours(
-        &label::title(metric.symbol, metric.unit),
-        values.iter().flatten().copied(),
-        scales[2],
-    );
+    let colours = colours(metric.symbol, values.iter().flatten().copied(), scales[2]);
     let numbers = colours
         .ticks
         .iter()
@@ -66,11 +62,11 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         y_edges,
         values,
         colours,
-        bar: Rect {
+        bar: Some(Rect {
             left: frame.right() + BAR_GAP,
             width: BAR_WIDTH,
             ..frame
-        },
+        }),
     });
     let mut sheet = Sheet {
         width,
@@ -85,9 +81,10 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }
 
-/// The different values of a parameter, rising.
-fn places(cases: &[Shown], value: impl Fn(&Shown) -> Option<f64>) -> Vec<f64> {
-    let mut places: Vec<f64> = cases.iter().filter_map(value).collect();
+/// The different values of a parameter that have a place on the scale, rising.
+fn places(cases: &[Shown], scale: Scale, value: impl Fn(&Shown) -> Option<f64>) -> Vec<f64> {
+    let has_place = |x: &f64| scale == Scale::Linear || *x > 0.0;
+    let mut places: Vec<f64> = cases.iter().filter_map(value).filter(has_place).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| same(*a, *b));
     places
@@ -103,14 +100,7 @@ fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
         Scale::Linear => x,
         Scale::Log => libm::exp(x),
     };
-    let at: Vec<f64> = match scale {
-        Scale::Linear => places.to_vec(),
-        Scale::Log => places
-            .iter()
-            .filter(|x| **x > 0.0)
-            .map(|x| to(*x))
-            .collect(),
-    };
+    let at: Vec<f64> = places.iter().map(|x| to(*x)).collect();
     match at.as_slice() {
         [] => vec![back(0.0), back(1.0)],
         [one] => vec![back(one - 0.5), back(one + 0.5)],

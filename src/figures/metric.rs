@@ -25,7 +25,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let at = |shown: &Shown| shown.case.values[*x].and_then(|value| value.as_f64());
     let cases: Vec<Shown> = cases.iter().copied().filter(|c| at(c).is_some()).collect();
     let labels = label::labels(study.problem.parameters(), &cases, *by, &[*x]);
-    let (looks, labels) = label::numbered(&labels);
+    let (looks, mut labels) = label::numbered(&labels);
+    let all = labels.len();
+    labels.truncate(style::MOST_LOOKS);
     let curves = |metric: usize| -> Vec<Series> {
         let curve = |(look, label): (usize, &String)| {
             let mut points: Vec<[f64; 2]> = cases
@@ -57,18 +59,20 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .map(|(metric, series)| {
             let metric = &study.problem.metrics()[*metric];
             let values = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
-            let title = label::title(metric.symbol, metric.unit);
+            let title = metric.symbol.to_owned();
             axis(&title, values, *y_scale, height / 24.0)
         })
         .collect();
     let width = 1.2 * style::SINGLE;
     let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
     let values: Vec<f64> = cases.iter().filter_map(at).collect();
-    let title = label::title(parameter.symbol, parameter.unit);
-    let all_in_pi = values.iter().all(|v| number::of_pi(*v).is_some());
-    let across = if all_in_pi && *x_scale == Scale::Linear {
-        let most = values.iter().copied().fold(0.0, f64::max);
-        ticks::in_pi(&title, [0.0, 1.05 * most], grid.width / 40.0)
+    let title = parameter.symbol.to_owned();
+    let in_pi = |v: &f64| number::of_pi(*v).is_some();
+    let (low, high) = values
+        .iter()
+        .fold((0.0, 0.0), |(a, b): (f64, f64), v| (a.min(*v), b.max(*v)));
+    let across = if low < high && *x_scale == Scale::Linear && values.iter().all(in_pi) {
+        ticks::in_pi(&title, [1.05 * low, 1.05 * high], grid.width / 40.0)
     } else {
         axis(&title, values.into_iter(), *x_scale, grid.width / 40.0)
     };
@@ -89,6 +93,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         sheet.panels.push(panel);
     }
     layout::letters(&mut sheet.panels);
+    layout::left_out(&mut sheet, labels.len(), all);
     let keys = labels.iter().enumerate().map(|(look, label)| Key {
         label: label.clone(),
         stroke: Stroke::of_case(look),

@@ -3,6 +3,7 @@
 //! A kind of figure (`history`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
 
 mod clip;
+mod curves;
 mod draw;
 mod font;
 mod history;
@@ -13,15 +14,21 @@ mod map;
 pub mod markup;
 mod metric;
 mod number;
+mod outline;
+mod pen;
+mod profile;
 mod raster;
 pub mod sheet;
 pub mod style;
+#[cfg(test)]
+mod tests;
 mod text;
 mod ticks;
 mod vector;
+mod wave;
 
 use crate::error::Error;
-use crate::problem::{Case, Solution};
+use crate::problem::{Case, Snapshot, Solution};
 use crate::study::{Figure, FigureKind, Study};
 use sheet::Sheet;
 use std::cell::RefCell;
@@ -36,6 +43,8 @@ pub struct Shown<'a> {
     pub metrics: &'a [Option<f64>],
     /// What was computed, for kinds that draw histories; `None` if the case could not be solved.
     pub solution: Option<&'a Solution>,
+    /// What stands along the structure, at the times of `FigureKind::snapshot_times`.
+    pub snapshots: &'a [Snapshot],
 }
 
 /// The sheet of `figure` over the cases that its filter chose.
@@ -45,17 +54,16 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         FigureKind::Metric { .. } => metric::sheet(study, figure, cases),
         FigureKind::Map { .. } => map::sheet(study, figure, cases),
         FigureKind::Law => law::sheet(study, figure, cases),
-        // No problem has profiles yet, and the study reader says so.
-        FigureKind::Profile { .. } => Sheet {
-            width: style::SINGLE,
-            height: style::SINGLE,
-            ..Sheet::default()
-        },
+        FigureKind::Profile { .. } => profile::sheet(study, figure, cases),
+        FigureKind::Wave { .. } => wave::sheet(study, figure, cases),
     };
     sheet.title = match &figure.title {
         Some(title) => markup::plain(title),
         None => study.title.clone(),
     };
+    if let Some(note) = &figure.note {
+        layout::footer(&mut sheet, note);
+    }
     let labels: Vec<_> = sheet
         .legend
         .iter()
@@ -63,6 +71,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .collect();
     sheet.description = labels.join("; ");
     sheet
+}
+
+/// A sheet of paper with nothing on it, where a case without a solution leaves nothing to draw.
+fn blank() -> Sheet {
+    Sheet {
+        width: style::SINGLE,
+        height: style::SINGLE,
+        ..Sheet::default()
+    }
 }
 
 /// The sheet as a PNG file; fails only on a sheet too large for memory.

@@ -1,6 +1,7 @@
 //! The drawing backend behind PNG files: tiny-skia at sub-pixel coordinates.
 
 use super::font;
+use super::outline::ToPixels;
 use super::style::{PIXELS, UNITS};
 use crate::error::Error;
 use plotters_backend::{
@@ -229,7 +230,7 @@ impl DrawingBackend for Raster {
 
     fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
         let size = style.size() * SCALE;
-        let mut pen = Pen {
+        let mut pen = ToPixels {
             path: PathBuilder::new(),
             origin: [f64::from(at.0) * SCALE, f64::from(at.1) * SCALE],
             along: 0.0,
@@ -243,55 +244,5 @@ impl DrawingBackend for Raster {
         }
         self.fill(pen.path.finish(), style.color(), true);
         Ok(())
-    }
-}
-
-/// Takes outlines from the font to their place on the sheet.
-struct Pen {
-    path: PathBuilder,
-    origin: [f64; 2],
-    along: f64,
-    scale: f64,
-    upwards: bool,
-}
-
-impl Pen {
-    fn place(&self, x: f32, y: f32) -> (f32, f32) {
-        let along = self.along + f64::from(x) * self.scale;
-        let above = f64::from(y) * self.scale;
-        let [x, y] = self.origin;
-        let (x, y) = if self.upwards {
-            (x - above, y - along)
-        } else {
-            (x + along, y - above)
-        };
-        (x as f32, y as f32)
-    }
-}
-
-impl ttf_parser::OutlineBuilder for Pen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.place(x, y);
-        self.path.move_to(x, y);
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.place(x, y);
-        self.path.line_to(x, y);
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let ((x1, y1), (x, y)) = (self.place(x1, y1), self.place(x, y));
-        self.path.quad_to(x1, y1, x, y);
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let ((x1, y1), (x2, y2)) = (self.place(x1, y1), self.place(x2, y2));
-        let (x, y) = self.place(x, y);
-        self.path.cubic_to(x1, y1, x2, y2, x, y);
-    }
-
-    fn close(&mut self) {
-        self.path.close();
     }
 }

@@ -56,6 +56,8 @@ pub struct Sheet {
     pub height: f64,
     /// Words over the panels, with their place.
     pub heading: Option<Words>,
+    /// Lines of words under the panels, with their places.
+    pub footer: Vec<Words>,
     /// Panels, from upper left to lower right.
     pub panels: Vec<Panel>,
     /// The legend, once for the whole sheet: inside a panel where it hides nothing, else above the panels.
@@ -216,6 +218,6 @@ pub struct FilledMap {
     pub values: Vec<Option<f64>>,
     /// Range and ticks of the colours.
     pub colours: Axis,
-    /// Frame of the colour bar.
-    pub bar: Rect,
+    /// Frame of the colour bar; `None` where another panel has it.
+    pub bar: Option<Rect>,
 }

@@ -101,6 +101,9 @@ impl Stroke {
     }
 }
 
+/// More curves than strokes and markers can tell apart are not drawn.
+pub const MOST_LOOKS: usize = 30;
+
 /// An open marker, filled white so that the line does not run through it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marker {

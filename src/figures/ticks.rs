@@ -10,15 +10,19 @@ use std::f64::consts::PI;
 pub fn around(title: &str, values: impl Iterator<Item = f64>, most: f64) -> Axis {
     let [low, high] = span(values, |x| if x == 0.0 { 1.0 } else { 0.1 * x.abs() });
     let pad = 0.03 * (high - low);
-    let (_, minor) = steps(high - low, most);
+    // The data's steps, not those of the wider range, which may be the next coarser ones.
+    let (major, minor) = steps(high - low, most);
     let low = floor((low - pad) / minor + 1e-9) * minor;
     let high = ceil((high + pad) / minor - 1e-9) * minor;
-    linear(title, [low, high], most)
+    stepped(title, [low, high], (major, minor))
 }
 
 /// A linear axis of exactly this range; `most` labels at most.
 pub fn linear(title: &str, range: [f64; 2], most: f64) -> Axis {
-    let (major, minor) = steps(range[1] - range[0], most);
+    stepped(title, range, steps(range[1] - range[0], most))
+}
+
+fn stepped(title: &str, range: [f64; 2], (major, minor): (f64, f64)) -> Axis {
     let decimals = (-floor(log10(major) + 1e-9)).max(0.0);
     let largest = range[0].abs().max(range[1].abs());
     let label = |x: f64| {

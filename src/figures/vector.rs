@@ -1,6 +1,7 @@
 //! The drawing backend behind SVG files: text written by us, glyphs as outlines, so no reader needs the font.
 
 use super::font::{self, Glyph};
+use super::outline::ToData;
 use super::style::UNITS;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -48,7 +49,7 @@ impl Vector {
             self.title, self.description
         );
         for glyph in &self.glyphs {
-            let mut pen = Pen(String::new());
+            let mut pen = ToData(String::new());
             glyph.outline(&mut pen);
             let _ = writeln!(out, "<path id=\"{}\" d=\"{}\"/>", glyph.name(), pen.0);
         }
@@ -223,30 +224,5 @@ impl DrawingBackend for Vector {
         }
         self.write(format_args!("</g>"));
         Ok(())
-    }
-}
-
-/// Writes outlines as path data in units of the font.
-struct Pen(String);
-
-impl ttf_parser::OutlineBuilder for Pen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        let _ = write!(self.0, "M{x} {y}");
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        let _ = write!(self.0, "L{x} {y}");
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let _ = write!(self.0, "Q{x1} {y1} {x} {y}");
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let _ = write!(self.0, "C{x1} {y1} {x2} {y2} {x} {y}");
-    }
-
-    fn close(&mut self) {
-        self.0.push('Z');
     }
 }

@@ -238,7 +238,7 @@ impl Problem for FrictionOscillator {
         steps(number("duration"), number("dT"))
     }
 
-    fn solve(&self, case: &Case) -> Result<Solution, String> {
+    fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
         let number = |name: &str| {
             case.number(name)
                 .ok_or_else(|| format!("{name} is not given"))

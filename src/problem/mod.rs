@@ -58,7 +58,7 @@ pub struct Violation {
 pub struct Metric {
     /// Column name.
     pub name: &'static str,
-    /// How figures write it.
+    /// How figures write it, with its scale.
     pub symbol: &'static str,
     /// Unit, or `1`.
     pub unit: &'static str,
@@ -103,6 +103,24 @@ pub enum Source {
     VelocityError,
 }
 
+/// What stands along the structure at one time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Snapshot {
+    /// Time of the step, in the problem's unit.
+    pub time: f64,
+    /// In the order of `problem.profiles()`.
+    pub profiles: Vec<Lines>,
+}
+
+/// One quantity along the structure, a line for each of its parts, as points (place, value).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Lines {
+    /// By the stepper, at nodes or in elements.
+    pub computed: Vec<Vec<[f64; 2]>>,
+    /// By the exact solution, with both sides of every jump.
+    pub exact: Vec<Vec<[f64; 2]>>,
+}
+
 /// A case solved: what was computed, and the exact solution at the same times.
 #[derive(Debug, Clone)]
 pub struct Solution {
@@ -130,6 +148,18 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn profiles(&self) -> &'static [Profile] {
         &[]
     }
+    /// Title of the axis along the structure, for profiles.
+    fn place_title(&self) -> &'static str {
+        ""
+    }
+    /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
+    fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
+        Vec::new()
+    }
+    /// How figures write the time.
+    fn time_symbol(&self) -> &'static str {
+        "*t*"
+    }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;
     /// Whether time axes have their ticks at multiples of pi.
@@ -141,7 +171,9 @@ pub trait Problem: Sync + std::fmt::Debug {
     /// Number of steps N of a completed case.
     fn steps(&self, case: &Case) -> u64;
     /// Solves a completed case; an error says why it has no solution in double precision.
-    fn solve(&self, case: &Case) -> Result<Solution, String>;
+    ///
+    /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
     /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
     /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;

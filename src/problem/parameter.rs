@@ -7,7 +7,7 @@ use std::fmt;
 pub struct Parameter {
     /// Key in a study file and column of results.csv; `right.L` stands for key `L` of object `right`.
     pub name: &'static str,
-    /// How figures write it, in the markup of `figures::markup`.
+    /// How figures write it, with its scale, in the markup of `figures::markup`.
     pub symbol: &'static str,
     /// Unit, or `1` for a dimensionless number.
     pub unit: &'static str,

@@ -140,7 +140,10 @@ fn columns(
     let drawn = figures.iter().flat_map(|figure| match &figure.kind {
         FigureKind::Metric { y, .. } => y.as_slice(),
         FigureKind::Map { z, .. } => std::slice::from_ref(z),
-        FigureKind::History { .. } | FigureKind::Profile { .. } | FigureKind::Law => &[],
+        FigureKind::History { .. }
+        | FigureKind::Profile { .. }
+        | FigureKind::Wave { .. }
+        | FigureKind::Law => &[],
     });
     let checked = checks.iter().map(|check| &check.metric);
     let needed: Vec<usize> = asked.iter().chain(drawn).chain(checked).copied().collect();

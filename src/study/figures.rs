@@ -61,6 +61,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
     let figure = Figure {
         name: values.text("name")?,
         title: values.text("title"),
+        note: values.text("note"),
         filter: values.filter(),
         kind: assembled(kind?.name, &values, scope)?,
     };
@@ -83,7 +84,10 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
             );
             faults.add(member.node.at, &object.path(&member.key), message);
         }
-        if member.key == "kind" && kind.name == "profile" && scope.problem.profiles().is_empty() {
+        if member.key == "kind"
+            && ["profile", "wave"].contains(&kind.name)
+            && scope.problem.profiles().is_empty()
+        {
             let problem = scope.problem.name();
             let others = kinds::names().into_iter().filter(|name| *name != kind.name);
             let others: Vec<&str> = others.collect();
@@ -108,6 +112,9 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
                 .rows("y")
                 .unwrap_or_else(|| (0..scope.problem.profiles().len()).collect()),
             times: values.times("times"),
+        },
+        "wave" => FigureKind::Wave {
+            y: values.row("y")?,
         },
         "metric" => FigureKind::Metric {
             x: values.row("x")?,

@@ -7,6 +7,7 @@ use super::report::{Faults, join};
 use super::scope::Scope;
 use super::taken::Values;
 use super::{Figure, FigureKind, Scale};
+use crate::metrics::reached;
 use crate::problem::parameter::{Default, Value};
 
 /// Most curves that line styles can tell apart in one panel.
@@ -47,7 +48,41 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             }
             one_case_a_place(figure, [*x, *y], values, scope, faults);
         }
-        FigureKind::Profile { .. } | FigureKind::Law => {}
+        FigureKind::Profile { times, .. } => {
+            at_most(MOST_CURVES, figure, values, scope, faults);
+            within_the_run(times, figure, values, scope, faults);
+        }
+        FigureKind::Wave { .. } => at_most(1, figure, values, scope, faults),
+        FigureKind::Law => {}
+    }
+}
+
+/// Reports more cases than the kind shows.
+fn at_most(most: usize, figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
+    if scope.select(&figure.filter).nth(most).is_some() {
+        let cases = if most == 1 { "case" } else { "cases" };
+        let message = format!("shows at most {most} {cases}; narrow them with \"where\"");
+        let path = join(values.path, "where");
+        faults.add(values.at("where"), &path, message);
+    }
+}
+
+/// Reports times that a case shown does not reach.
+fn within_the_run(
+    times: &[f64],
+    figure: &Figure,
+    values: &Values,
+    scope: &Scope,
+    faults: &mut Faults,
+) {
+    let cases = scope.select(&figure.filter).take(MOST_CURVES);
+    let case = |index| super::cases::case(scope.problem, &scope.blocks, index);
+    let ends = cases.filter_map(case).filter_map(|c| c.number("duration"));
+    let end = ends.fold(f64::INFINITY, f64::min);
+    if let Some(late) = times.iter().find(|t| !reached(end, **t)) {
+        let (late, end) = (Value::Number(*late), Value::Number(end));
+        let message = format!("must be at most duration = {end}, got {late}");
+        faults.add(values.at("times"), &join(values.path, "times"), message);
     }
 }
 

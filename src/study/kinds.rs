@@ -35,6 +35,8 @@ pub(super) enum Takes {
     Quantities,
     /// One or several of the problem's quantities along the structure.
     Profiles,
+    /// One of the problem's quantities along the structure.
+    Profile,
     /// A metric.
     Metric,
     /// One or several metrics.
@@ -58,7 +60,7 @@ const fn key(name: &'static str, takes: Takes, required: bool, meaning: &'static
 }
 
 /// The keys of every figure.
-pub(super) static COMMON: [Key; 4] = [
+pub(super) static COMMON: [Key; 5] = [
     key(
         "name",
         Takes::FileName,
@@ -68,6 +70,12 @@ pub(super) static COMMON: [Key; 4] = [
     key("kind", Takes::Kind, true, "what is drawn"),
     key("title", Takes::Text, false, "heading; none if left out"),
     key(
+        "note",
+        Takes::Text,
+        false,
+        "words under the panels, for what the reader must know; none if left out",
+    ),
+    key(
         "where",
         Takes::Filter,
         false,
@@ -76,7 +84,7 @@ pub(super) static COMMON: [Key; 4] = [
 ];
 
 /// Every kind of figure.
-pub(super) static KINDS: [Kind; 5] = [
+pub(super) static KINDS: [Kind; 6] = [
     Kind {
         name: "history",
         meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
@@ -109,15 +117,20 @@ pub(super) static KINDS: [Kind; 5] = [
                 "y",
                 Takes::Profiles,
                 false,
-                "quantities, one column of panels each; all if left out",
+                "quantities, one row of panels each; all if left out",
             ),
             key(
                 "times",
                 Takes::Times,
                 true,
-                "times in the problem's unit, one row of panels each",
+                "times in the problem's unit, one column of panels each",
             ),
         ],
+    },
+    Kind {
+        name: "wave",
+        meaning: "a quantity over place and time for one case, as shades, computed beside exact",
+        keys: &[key("y", Takes::Profile, true, "quantity shown as shades")],
     },
     Kind {
         name: "metric",

@@ -19,6 +19,7 @@ mod rules;
 mod schema;
 mod schema_values;
 mod scope;
+mod spread;
 mod taken;
 #[cfg(test)]
 mod tests;
@@ -29,8 +30,8 @@ mod words;
 pub use decode::{parse, read};
 pub use schema::schema;
 
-use crate::problem::Problem;
 use crate::problem::parameter::Value;
+use crate::problem::{Case, Problem};
 
 /// A validated study.
 #[derive(Debug)]
@@ -91,6 +92,8 @@ pub struct Figure {
     pub name: String,
     /// Heading, if the study gives one.
     pub title: Option<String>,
+    /// Words under the panels, if the study gives some.
+    pub note: Option<String>,
     /// Which cases.
     pub filter: Filter,
     /// What is drawn.
@@ -115,6 +118,11 @@ pub enum FigureKind {
         y: Vec<usize>,
         /// Times, in the problem's unit.
         times: Vec<f64>,
+    },
+    /// A quantity over place and time for one case, computed beside exact.
+    Wave {
+        /// Which of the problem's profile quantities.
+        y: usize,
     },
     /// Metrics against a parameter.
     Metric {
@@ -149,7 +157,24 @@ impl FigureKind {
     pub fn draws_histories(&self) -> bool {
         matches!(self, FigureKind::History { .. })
     }
+
+    /// Times at which the figure wants the profiles of `case`; none for kinds without.
+    pub fn snapshot_times(&self, problem: &dyn Problem, case: &Case) -> Vec<f64> {
+        match self {
+            FigureKind::Profile { times, .. } => times.clone(),
+            FigureKind::Wave { .. } => {
+                let (steps, end) = (problem.steps(case), case.number("duration").unwrap_or(0.0));
+                let rows = steps.clamp(1, MOST_ROWS);
+                let row = |k: u64| end * k as f64 / rows as f64;
+                (0..=rows).map(row).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
 }
+
+/// Most rows of a picture over place and time: more than its pixels show.
+const MOST_ROWS: u64 = 600;
 
 /// How numbers are laid along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 
 use super::object::Object;
 use super::report::{Faults, join};
+use super::spread;
 use super::tree::{Node, Tree};
 use super::value::value;
 use super::{Axis, Block};
@@ -103,7 +104,7 @@ fn gather(
     Some(())
 }
 
-/// Decodes a single value or a list of values.
+/// Decodes a single value, a list of values or a rule for them.
 fn axis(
     node: &Node,
     path: String,
@@ -123,6 +124,10 @@ fn axis(
                 let path = format!("{path}[{i}]");
                 values.extend(value(item, &path, row, faults).map(|value| (value, item.at)));
             }
+        }
+        Tree::Object(_) => {
+            let rule = spread::values(node, &path, row, faults);
+            values.extend(rule.into_iter().flatten().map(|value| (value, node.at)));
         }
         _ => values.extend(value(node, &path, row, faults).map(|value| (value, node.at))),
     }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
 use super::schema_values::{
-    EXPRESSION, expression, names, number, object, parameters, refer, value,
+    EXPRESSION, RULE, expression, names, number, object, parameters, refer, rule, value,
 };
 use super::{checks, decode};
 use crate::problem::parameter::{Kind, Parameter, Range};
@@ -32,6 +32,7 @@ pub fn schema() -> String {
     properties["problem"]["enum"] = json!(problems);
     let mut definitions = Map::new();
     definitions.insert(EXPRESSION.into(), expression());
+    definitions.insert(RULE.into(), rule());
     let rules = |problem: &&dyn Problem| of_problem(*problem, &mut definitions);
     let each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
     let mut schema = object(properties, &["problem"]);
@@ -93,7 +94,7 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
         }
     }
     let then = match kind.name {
-        "profile" if problem.profiles().is_empty() => json!(false),
+        "profile" | "wave" if problem.profiles().is_empty() => json!(false),
         _ => object(properties, &required),
     };
     json!({
@@ -123,6 +124,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
             problem.quantities().iter().map(|q| (q.name, q.title)),
         )),
         Takes::Profiles => several(names(problem.profiles().iter().map(|p| (p.name, p.title)))),
+        Takes::Profile => names(problem.profiles().iter().map(|p| (p.name, p.title))),
         Takes::Metric => defined("metric"),
         Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),

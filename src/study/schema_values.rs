@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
+use super::spread::RULES;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 
 /// The `parameters` object, or the object that one of its keys holds.
@@ -73,6 +74,10 @@ fn condition(
 fn axis(parameter: &Parameter) -> Json {
     let one = value(parameter);
     let list = json!({ "type": "array", "minItems": 1, "items": one });
+    let mut forms = vec![one.clone(), list];
+    if !matches!(parameter.kind, Kind::Choice(_)) {
+        forms.push(refer(RULE));
+    }
     let unit = match parameter.unit {
         "1" => String::new(),
         unit => format!(", in {unit}"),
@@ -81,7 +86,7 @@ fn axis(parameter: &Parameter) -> Json {
     if let Some((governor, name)) = parameter.applies {
         description += &format!("; for {governor} {name}");
     }
-    let mut schema = json!({ "anyOf": [one, list] });
+    let mut schema = json!({ "anyOf": forms });
     match parameter.default {
         Default::Required => {}
         Default::Is(value) => {
@@ -137,6 +142,28 @@ pub(super) fn number(range: Range) -> Json {
 
 /// Name of the definition of expressions.
 pub(super) const EXPRESSION: &str = "expression";
+
+/// Name of the definition of axes by rule.
+pub(super) const RULE: &str = "rule";
+
+/// An axis by rule.
+pub(super) fn rule() -> Json {
+    let three =
+        json!({ "type": "array", "minItems": 3, "maxItems": 3, "items": number(Range::Any) });
+    let properties = RULES.iter().map(|(name, meaning)| {
+        let mut schema = three.clone();
+        schema["description"] = (*meaning).into();
+        ((*name).to_owned(), schema)
+    });
+    let mut schema = object(properties.collect(), &[]);
+    schema["description"] =
+        "an axis by rule; a whole-number parameter takes the nearest whole numbers".into();
+    schema["oneOf"] = RULES
+        .map(|(name, _)| json!({ "required": [name] }))
+        .to_vec()
+        .into();
+    schema
+}
 
 /// A string that stands for a number.
 pub(super) fn expression() -> Json {

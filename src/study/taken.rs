@@ -129,6 +129,10 @@ pub(super) fn take(
             let all: Vec<&str> = scope.problem.profiles().iter().map(|p| p.name).collect();
             names(node, path, "profile", &all, faults)
         }
+        Takes::Profile => {
+            let all: Vec<&str> = scope.problem.profiles().iter().map(|p| p.name).collect();
+            name(node, path, "profile", &all, faults).map(|row| vec![row])
+        }
         Takes::Metric => name(node, path, "metric", &scope.metrics(), faults).map(|row| vec![row]),
         Takes::Metrics => names(node, path, "metric", &scope.metrics(), faults),
     };

@@ -4,7 +4,6 @@ use super::cases::select;
 use super::parameters::{Draft, parameters};
 use super::report::Faults;
 use super::{Axis, Block, Filter, rules, tree};
-use crate::history::History;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
 
@@ -59,6 +58,12 @@ static TABLE: [Parameter; 6] = [
 ];
 
 impl Problem for Bars {
+    fn time_in_pi(&self) -> bool {
+        false
+    }
+    fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
+        None
+    }
     fn name(&self) -> &'static str {
         "bars"
     }
@@ -101,15 +106,8 @@ impl Problem for Bars {
     fn steps(&self, _case: &Case) -> u64 {
         0
     }
-    fn solve(&self, _case: &Case) -> Result<Solution, String> {
+    fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
         Err("a test".into())
-    }
-    fn time_in_pi(&self) -> bool {
-        false
-    }
-
-    fn exact(&self, _case: &Case, _times: &[f64]) -> Option<History> {
-        None
     }
 }
 
@@ -293,4 +291,36 @@ fn a_thousand_million_cases_cost_no_memory() {
     let filter = Filter(vec![(2, Value::Number(457.0)), (3, Value::Number(1000.0))]);
     let chosen = block.select(&Bars, &filter);
     assert_eq!(chosen.skip(999).collect::<Vec<_>>(), [999_456_999]);
+}
+
+#[test]
+fn axes_by_rule_end_where_they_say() {
+    let axis = |rule: &str| -> Vec<f64> {
+        let text = format!(
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control",
+               "beta": 1, "dT": 0.1, "duration": 10, "x0": {rule}}}}}"#
+        );
+        let study = super::parse("x.json", &text).unwrap();
+        study.cases().map(|c| c.number("x0").unwrap()).collect()
+    };
+    assert_eq!(axis(r#"{"linspace": [0.1, 0.7, 3]}"#), [0.1, 0.4, 0.7]);
+    assert_eq!(axis(r#"{"range": [0.1, 0.5, 0.1]}"#).len(), 5);
+    assert_eq!(axis(r#"{"range": [0.1, 0.5, 0.1]}"#)[4], 0.5);
+    assert_eq!(axis(r#"{"range": [1, 2, 0.4]}"#), [1.0, 1.4, 1.8]);
+    let powers = axis(r#"{"geomspace": [0.001, "10^3", 7]}"#);
+    assert_eq!((powers[0], powers[6]), (0.001, 1000.0));
+    for (i, x) in powers.iter().enumerate() {
+        // One rounding each of quotient, power and product.
+        assert!((x / 10f64.powi(i as i32 - 3) - 1.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn a_whole_parameter_takes_each_nearest_whole_number_once() {
+    let text = r#"{"problem": "bar-impact", "parameters": {"gamma": 1, "dt": 0.1, "duration": 1,
+               "n": {"geomspace": [1, 10, 9]}}}"#;
+    let study = super::parse("x.json", text).unwrap();
+    let n: Vec<f64> = study.cases().map(|c| c.number("n").unwrap()).collect();
+    // 10^(i/8) = 1, 1.33, 1.78, 2.37, 3.16, 4.22, 5.62, 7.499, 10
+    assert_eq!(n, [1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 10.0]);
 }

@@ -8,9 +8,6 @@ use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 /// What may stand for a number.
 const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 
-/// Axes of the study language that this version does not know yet.
-const AXIS_OBJECTS: [&str; 3] = ["linspace", "geomspace", "range"];
-
 /// A string.
 pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
     match &node.tree {
@@ -91,15 +88,6 @@ fn finite(node: &Node, path: &str, faults: &mut Faults) -> Option<f64> {
                 faults.add(node.at, path, message);
             }
         },
-        Tree::Object(members)
-            if members
-                .iter()
-                .any(|m| AXIS_OBJECTS.contains(&m.key.as_str())) =>
-        {
-            let message = "linspace, geomspace and range are not supported yet; \
-                           allowed: a number, an expression in quotes, or a list of them";
-            faults.add(node.at, path, message);
-        }
         _ => faults.must_be(node, path, NUMBER),
     }
     None

@@ -1,18 +1,19 @@
-//! The impact of two bars of [I], or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
+//! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
 pub mod run;
 pub mod scaled;
+mod snapshot;
 mod tables;
 
 use super::parameter::{Default, Parameter, Value, shortest};
-use super::{Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
+use super::{Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation, time_rules};
 use crate::exact::wave::Bars;
 use crate::history::History;
 use crate::metrics::{self, steps};
 use scaled::Scaled;
-use tables::{METRICS, PARAMETERS, QUANTITIES};
+use tables::{METRICS, PARAMETERS, PROFILES, QUANTITIES};
 
-/// Two uniform bars that meet end to end, an impact spring between them [I] Fig. 2.
+/// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct BarImpact;
 
@@ -44,6 +45,10 @@ impl Problem for BarImpact {
         "Time *t*/*T*_I_"
     }
 
+    fn time_symbol(&self) -> &'static str {
+        "*t*/*T*_I_"
+    }
+
     fn time_in_pi(&self) -> bool {
         false
     }
@@ -71,7 +76,7 @@ impl Problem for BarImpact {
         steps(number("duration"), number("dt"))
     }
 
-    fn solve(&self, case: &Case) -> Result<Solution, String> {
+    fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
         let number = |name: &str| {
             case.number(name)
                 .ok_or_else(|| format!("{name} is not given"))
@@ -96,6 +101,21 @@ impl Problem for BarImpact {
             exact,
             metrics,
         })
+    }
+
+    fn profiles(&self) -> &'static [Profile] {
+        &PROFILES
+    }
+
+    fn place_title(&self) -> &'static str {
+        "*x*/*L*"
+    }
+
+    fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
+        match (Scaled::new(case), case.number("dt")) {
+            (Some(scaled), Some(dt)) => snapshot::snapshots(&scaled, dt, self.steps(case), times),
+            _ => Vec::new(),
+        }
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {

@@ -1,7 +1,7 @@
 //! The tables of the bar impact: parameters, metrics, quantities.
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Metric, Quantity, Source};
+use crate::problem::{Metric, Profile, Quantity, Source};
 
 /// A row of the table of parameters that applies always.
 const fn row(
@@ -77,7 +77,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
     ),
     row(
         "gap",
-        "gap",
+        "gap/(*cT*_I_/2)",
         "c T_I/2",
         Kind::Number(Range::NotNegative),
         is(0.0),
@@ -220,10 +220,15 @@ pub(super) static METRICS: [Metric; 11] = [
         "1",
         "openings that close again, both within 0.9 T_I after the exact first touch",
     ),
-    metric("max_overlap", "max. overlap", "c T_I/2", "max(-r)"),
+    metric(
+        "max_overlap",
+        "max. overlap/(*cT*_I_/2)",
+        "c T_I/2",
+        "max(-r)",
+    ),
     metric(
         "rdot_oscillation",
-        "oscillation of *ṙ*/*c*",
+        "rms of *ṙ*/*c* in contact",
         "c",
         "RMS of rdot over the steps from 0.3 to 0.9 T_I after the exact first touch",
     ),
@@ -254,13 +259,13 @@ pub(super) static METRICS: [Metric; 11] = [
     ),
     metric(
         "rms_error_r",
-        "rms error of *r*",
+        "rms error of *r*/(*cT*_I_/2)",
         "c T_I/2",
         "sqrt(1/duration times the integral of (c - e)^2) of r, trapezoids",
     ),
     metric(
         "rms_error_rdot",
-        "rms error of *ṙ*",
+        "rms error of *ṙ*/*c*",
         "c",
         "sqrt(1/duration times the integral of (c - e)^2) of rdot, trapezoids, at a jump each side's own limit",
     ),
@@ -280,4 +285,15 @@ pub(super) static QUANTITIES: [Quantity; 5] = [
     quantity("force", "*F*/*F*_0_", Source::Force),
     quantity("r_error", "*r* − *r*_exact_", Source::DisplacementError),
     quantity("rdot_error", "*ṙ* − *ṙ*_exact_", Source::VelocityError),
+];
+
+pub(super) static PROFILES: [Profile; 2] = [
+    Profile {
+        name: "velocity",
+        title: "*v*/(*c*/2)",
+    },
+    Profile {
+        name: "stress",
+        title: "*σ*/(*F*_0_/*A*)",
+    },
 ];

@@ -1,0 +1,157 @@
+//! The curves of a history figure, as series.
+
+use super::Shown;
+use super::label;
+use super::layout::Key;
+use super::sheet::{Series, Sheet};
+use super::style::{self, Marker, Stroke};
+use crate::history::History;
+use crate::problem::parameter::Value;
+use crate::problem::{Quantity, Solution, Source};
+use crate::study::Study;
+
+/// Points of an exact curve: less than a point of paper apart.
+const EXACT_POINTS: usize = 800;
+
+/// What the panels draw from.
+pub struct Curves<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// The cases drawn, all solved.
+    pub cases: &'a [Shown<'a>],
+    /// Number of each case's label.
+    pub looks: &'a [usize],
+    /// The different labels.
+    pub labels: &'a [String],
+    /// Last time of any case.
+    pub end: f64,
+    /// Markers along a curve: not a whole number a cycle, so that they do not gather at one phase.
+    pub markers: f64,
+}
+
+impl Curves<'_> {
+    /// The cases of a panel.
+    pub fn members(&self, group: Option<(usize, Option<Value>)>) -> Vec<usize> {
+        let belongs = |i: &usize| match group {
+            Some((row, value)) => label::same(self.cases[*i].case.values[row], value),
+            None => true,
+        };
+        (0..self.cases.len()).filter(belongs).collect()
+    }
+
+    /// The curves of one panel, the exact ones first.
+    pub fn of(&self, quantity: &Quantity, members: &[usize]) -> Vec<Series> {
+        let mut series: Vec<Series> = Vec::new();
+        for shown in members.iter().map(|i| &self.cases[*i]) {
+            if let Some(points) = self.exact(quantity, shown)
+                && !series.iter().any(|s| s.points == points)
+            {
+                series.push(Series {
+                    label: "exact".into(),
+                    points,
+                    stroke: Stroke::Solid,
+                    width: style::EXACT_LINE,
+                    marker: None,
+                    marked: Vec::new(),
+                });
+            }
+        }
+        for &i in members {
+            let Some(solution) = self.cases[i].solution else {
+                continue;
+            };
+            let points = points(quantity.source, solution);
+            let look = self.looks[i];
+            series.push(Series {
+                label: self.labels[look].clone(),
+                marked: self.marked(&points, look),
+                points,
+                stroke: Stroke::of_case(look),
+                width: style::CASE_LINE,
+                marker: Some(Marker::of_case(look)),
+            });
+        }
+        series
+    }
+
+    /// The exact curve, finer than any case's steps; none for an error.
+    fn exact(&self, quantity: &Quantity, shown: &Shown) -> Option<Vec<[f64; 2]>> {
+        if is_error(quantity) {
+            return None;
+        }
+        let time = |i| self.end * i as f64 / EXACT_POINTS as f64;
+        let times: Vec<f64> = (0..=EXACT_POINTS).map(time).collect();
+        let exact = self.study.problem.exact(shown.case, &times)?;
+        let values = column(quantity.source, &exact);
+        let line = exact.time.iter().zip(values);
+        Some(line.map(|(t, x)| [*t, *x]).collect())
+    }
+
+    /// Points that carry a marker: few, and not at the same times for two curves.
+    fn marked(&self, points: &[[f64; 2]], look: usize) -> Vec<usize> {
+        let spacing = self.end / self.markers;
+        let looks = self.labels.len().min(8) as f64;
+        let first = (look as f64 % looks + 0.5) / looks * spacing;
+        let mut marked: Vec<usize> = Vec::new();
+        let mut time = first;
+        while time < self.end && !points.is_empty() {
+            let after = points
+                .partition_point(|p| p[0] < time)
+                .min(points.len() - 1);
+            let nearer = after > 0 && time - points[after - 1][0] < points[after][0] - time;
+            let i = after - usize::from(nearer);
+            if marked.last() != Some(&i) {
+                marked.push(i);
+            }
+            time += spacing;
+        }
+        marked
+    }
+
+    /// The legend: exact, then every look once.
+    pub fn keys(&self, sheet: &Sheet) -> Vec<Key> {
+        let mut keys: Vec<Key> = Vec::new();
+        for series in sheet.panels.iter().flat_map(|panel| &panel.series) {
+            if !keys.iter().any(|key| key.label == series.label) {
+                keys.push(Key {
+                    label: series.label.clone(),
+                    stroke: series.stroke,
+                    width: series.width,
+                    marker: series.marker,
+                });
+            }
+        }
+        keys
+    }
+}
+
+fn points(source: Source, solution: &Solution) -> Vec<[f64; 2]> {
+    let (computed, exact) = (&solution.computed, &solution.exact);
+    let values = column(source, computed);
+    let time = computed.time.iter();
+    match source {
+        Source::Displacement | Source::Velocity | Source::Force => {
+            time.zip(values).map(|(t, c)| [*t, *c]).collect()
+        }
+        Source::DisplacementError | Source::VelocityError => {
+            let pairs = values.iter().zip(column(source, exact));
+            time.zip(pairs).map(|(t, (c, e))| [*t, c - e]).collect()
+        }
+    }
+}
+
+fn column(source: Source, history: &History) -> &[f64] {
+    match source {
+        Source::Displacement | Source::DisplacementError => &history.displacement,
+        Source::Velocity | Source::VelocityError => &history.velocity,
+        Source::Force => &history.force,
+    }
+}
+
+/// Whether a quantity is computed minus exact.
+pub fn is_error(quantity: &Quantity) -> bool {
+    matches!(
+        quantity.source,
+        Source::DisplacementError | Source::VelocityError
+    )
+}

@@ -1,0 +1,118 @@
+//! Velocity and stress along the bars at given times, computed and exact.
+
+use super::run::start;
+use super::scaled::Scaled;
+use crate::exact::wave::Wave;
+use crate::problem::{Lines, Snapshot};
+use crate::structure::bar::Bar;
+use std::f64::consts::PI;
+
+/// Most elements of a bar that are drawn; of more, every second, third, ... is.
+const DRAWN: u32 = 1000;
+
+/// The profiles at the steps nearest to `times`, in the order of the times.
+///
+/// Along the abscissa lengths of the left bar, the contact at 0; velocity (v - mean of the two V0)/(c/2); stress as
+/// force over F0, tension positive.
+pub fn snapshots(scaled: &Scaled, dt: f64, last: u64, times: &[f64]) -> Vec<Snapshot> {
+    let steps: Vec<u64> = times
+        .iter()
+        .map(|t| ((t / dt).round() as u64).min(last))
+        .collect();
+    let furthest = steps.iter().copied().max().unwrap_or(0);
+    let wave = scaled.bars.solve(furthest as f64 * dt);
+    let (mut stepper, mut law) = start(scaled, dt);
+    let mut found: Vec<Option<Snapshot>> = vec![None; times.len()];
+    for step in 0..=furthest {
+        if step > 0 {
+            stepper.step(&mut law);
+        }
+        for (slot, _) in found.iter_mut().zip(&steps).filter(|(_, s)| **s == step) {
+            let modes: Vec<[f64; 2]> = stepper.modes().map(|(x, v)| [x.0[0], v.0[0]]).collect();
+            *slot = Some(snapshot(scaled, &wave, step as f64 * dt, &modes));
+        }
+    }
+    found.into_iter().flatten().collect()
+}
+
+fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snapshot {
+    let mut velocity = Lines::default();
+    let mut stress = Lines::default();
+    let mut modes = modes;
+    // The frame of a wall is its own; the mean of the two V0 moves half as fast as the bar.
+    let frame = if scaled.right.is_some() { 0.0 } else { 1.0 };
+    for (i, bar) in scaled.each().enumerate() {
+        let (own, rest) = modes.split_at(bar.elements as usize + 1);
+        modes = rest;
+        let (sign, length) = [(-1.0, 1.0), (1.0, scaled.length_ratio)][i];
+        let field = Field::new(&bar, own);
+        let n = bar.elements;
+        let stride = n.div_ceil(DRAWN);
+        let place = |s: f64| sign * length * s / f64::from(n);
+        let nodes = (0..=n).step_by(stride as usize);
+        // Scaled coordinates count what opens the gap: the left bar's displacements with their sign turned.
+        velocity.computed.push(
+            nodes
+                .map(|k| [place(f64::from(k)), sign * field.at(k)[1] - frame])
+                .collect(),
+        );
+        let elements = (0..n).step_by(stride as usize);
+        stress.computed.push(
+            elements
+                .map(|k| {
+                    let stretch = field.at(k + 1)[0] - field.at(k)[0];
+                    [place(f64::from(k) + 0.5), element_stiffness(&bar) * stretch]
+                })
+                .collect(),
+        );
+        let exact = wave.profile(i, time);
+        let line = |of: &dyn Fn(&[f64; 3]) -> f64| -> Vec<[f64; 2]> {
+            exact
+                .iter()
+                .map(|corner| [sign * length * corner[0], of(corner)])
+                .collect()
+        };
+        velocity.exact.push(line(&|c| 2.0 * c[1] - frame));
+        stress.exact.push(line(&|c| c[2]));
+    }
+    Snapshot {
+        time,
+        profiles: vec![velocity, stress],
+    }
+}
+
+/// EA/h in the case's scales.
+fn element_stiffness(bar: &Bar) -> f64 {
+    let n = f64::from(bar.elements);
+    bar.mass / n * (2.0 * n / bar.trip) * (2.0 * n / bar.trip)
+}
+
+/// Displacements and velocities at the nodes from those of the modes.
+struct Field<'a> {
+    modes: &'a [[f64; 2]],
+    /// cos(k pi/n), k = 0..2n: every mode's shape at every node is one of these.
+    cosines: Vec<f64>,
+}
+
+impl<'a> Field<'a> {
+    fn new(bar: &Bar, modes: &'a [[f64; 2]]) -> Field<'a> {
+        let n = f64::from(bar.elements);
+        let cosines = (0..2 * bar.elements)
+            .map(|k| libm::cos(f64::from(k) * PI / n))
+            .collect();
+        Field { modes, cosines }
+    }
+
+    /// Displacement and velocity of node `i`, counted from the contact.
+    fn at(&self, i: u32) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        let mut turn = 0;
+        for mode in self.modes {
+            let shape = self.cosines[turn];
+            sum[0] += shape * mode[0];
+            sum[1] += shape * mode[1];
+            turn = (turn + i as usize) % self.cosines.len();
+        }
+        sum
+    }
+}
