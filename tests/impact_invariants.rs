@@ -1,0 +1,193 @@
+//! The impact of two bars: what holds in every step, and what does not change the results.
+
+mod common;
+
+use common::case;
+use serde_json::{Value as Json, json};
+use slipgap::history::History;
+use slipgap::lane::Lane;
+use slipgap::problem::impact::{run, scaled::Scaled};
+use slipgap::problem::{Case, Problem, Solution, find};
+
+fn problem() -> &'static dyn Problem {
+    find("bar-impact").unwrap()
+}
+
+fn bars(given: &Json) -> Case {
+    case(problem(), given)
+}
+
+fn solve(given: &Json) -> Solution {
+    problem().solve(&bars(given), &[]).unwrap()
+}
+
+/// Lumped and consistent, like and unlike bars, a wall, gaps that close within a step.
+fn mixed() -> [Json; 5] {
+    [
+        json!({"k_I": 1000.0, "n": 10, "dt": 0.001, "duration": 1.5}),
+        json!({"gamma": 3.0, "n": 5, "dt": 0.05, "duration": 2.0, "mass": "consistent", "gap": 0.0537}),
+        json!({"gamma": 2.0, "n": 10, "dt": 0.005, "duration": 2.5, "gap": 0.3,
+               "right": {"L": 14.0, "A": 2.0, "n": 7, "V0": 0.03}}),
+        json!({"gamma": 1.0, "n": 20, "dt": 0.01, "duration": 1.5, "right": "wall"}),
+        json!({"k_I": 1e5, "n": 10, "dt": 0.5, "duration": 40.0}),
+    ]
+}
+
+#[test]
+fn energy_changes_by_the_methods_own_identity() {
+    // E(i+1) - E(i) = (S(i+1) r(i) - S(i) r(i+1))/2: nothing unless the contact opens or closes within the step.
+    for given in mixed() {
+        let case = bars(&given);
+        let scaled = Scaled::new(&case).unwrap();
+        let done = run::run(&scaled, case.number("dt").unwrap(), problem().steps(&case));
+        let (e, r, f) = (
+            &done.energy,
+            &done.history.displacement,
+            &done.history.force,
+        );
+        let mut worst: f64 = 0.0;
+        let mut changes = 0;
+        for i in 0..e.len() - 1 {
+            // S = -F.
+            let by_rule = 0.5 * (f[i] * r[i + 1] - f[i + 1] * r[i]);
+            worst = worst.max((e[i + 1] - e[i] - by_rule).abs() / e[0]);
+            changes += usize::from((r[i] < 0.0) != (r[i + 1] < 0.0));
+        }
+        eprintln!("{given}: {worst:e}, {changes} changes");
+        // Sums over up to 42 modes of terms of order E; v is an increment over dt, exact to its last digit.
+        assert!(worst < 2e-14, "{given}: {worst:e}");
+        assert!(changes >= 2, "{given}: the contact must open and close");
+    }
+}
+
+#[test]
+fn momentum_of_two_bars_is_conserved() {
+    for given in mixed().iter().filter(|given| given["right"] != "wall") {
+        let case = bars(given);
+        let scaled = Scaled::new(&case).unwrap();
+        let (mut stepper, mut law) = run::start(&scaled, case.number("dt").unwrap());
+        let (m1, m2) = (scaled.left.mass, scaled.right.unwrap().mass);
+        let first = scaled.left.elements as usize + 1;
+        // Rates are counted as they open the gap: to the left for the left bar.
+        let (mut start, mut worst) = (None, 0.0_f64);
+        for _ in 0..=problem().steps(&case) {
+            let rates: Vec<f64> = stepper.modes().map(|(_, Lane([v]))| v).collect();
+            let momentum = m2 * rates[first] - m1 * rates[0];
+            worst = worst.max((momentum - *start.get_or_insert(momentum)).abs() / (m1 + m2));
+            stepper.step(&mut law);
+        }
+        eprintln!("{given}: {worst:e}");
+        // Each step rounds the two rates once more: a random walk of up to 1500 steps of eps.
+        assert!(worst < 2e-14, "{given}: {worst:e}");
+    }
+}
+
+#[test]
+fn density_and_common_velocity_do_not_reach_the_solver() {
+    // [I] prints rho = 0.1 where its T_I needs 0.01. Scaled results are the same, bit for bit.
+    for given in mixed() {
+        let mut heavy = given.clone();
+        heavy["rho"] = json!(0.1);
+        let wall = given["right"] == "wall";
+        let (a, b) = (solve(&given), solve(&heavy));
+        assert_eq!(a.computed, b.computed, "{given}");
+        assert_eq!(a.exact, b.exact, "{given}");
+        assert_eq!(a.metrics, b.metrics, "{given}");
+        let mut fast = given.clone();
+        fast["V0"] = json!(0.1 + 3.7);
+        if !wall {
+            let right = given["right"]["V0"].as_f64().unwrap_or(-0.1);
+            fast["right"] = given.get("right").cloned().unwrap_or(json!({}));
+            fast["right"]["V0"] = json!(right + 3.7);
+        }
+        let c = solve(&fast);
+        assert_eq!(a.computed, c.computed, "{given}");
+        assert_eq!(a.metrics, c.metrics, "{given}");
+    }
+}
+
+/// Largest difference of two histories' r, rdot and force, the second from row `from` on and with r times `length`.
+fn difference(a: &History, b: &History, from: usize, length: f64) -> f64 {
+    let columns = [
+        (&a.displacement, &b.displacement, length),
+        (&a.velocity, &b.velocity, 1.0),
+        (&a.force, &b.force, 1.0),
+    ];
+    let mut largest: f64 = 0.0;
+    for (a, b, scale) in columns {
+        for (a, b) in a.iter().zip(&b[from..]) {
+            largest = largest.max((a - scale * b).abs());
+        }
+    }
+    largest
+}
+
+/// Round-off of runs in which a disturbance grows less than tenfold.
+const ROUND_OFF: f64 = 1e-12;
+
+#[test]
+fn left_and_right_can_change_places() {
+    // gamma, times and lengths are the left bar's: seen from the other side the same k_I and step are other numbers.
+    let short = json!({"k_I": 100.0, "n": 10, "dt": 0.01, "duration": 2.5, "A": 2.0, "gap": 0.1003,
+                       "V0": 0.07, "right": {"L": 20.0, "A": 1.0, "n": 17, "V0": -0.05}});
+    let long = json!({"k_I": 100.0, "n": 17, "dt": 0.005, "duration": 1.25, "L": 20.0, "gap": 0.05015,
+                      "V0": 0.05, "right": {"L": 10.0, "A": 2.0, "n": 10, "V0": -0.07}});
+    let (a, b) = (solve(&short), solve(&long));
+    // r is over c T_I/2, twice as long there.
+    let computed = difference(&a.computed, &b.computed, 0, 2.0);
+    eprintln!("{computed:e}");
+    assert!(computed < ROUND_OFF, "{computed:e}");
+    let exact = difference(&a.exact, &b.exact, 0, 2.0);
+    assert!(exact < ROUND_OFF, "{exact:e}");
+}
+
+#[test]
+fn a_gap_that_closes_at_a_step_shifts_the_history() {
+    // Powers of two: 16 steps of 1/128 T_I close a gap of 1/4, and r is 0 there to the last bit.
+    let touching = json!({"k_I": 100.0, "n": 10, "dt": 0.0078125, "duration": 1.5});
+    let mut apart = touching.clone();
+    apart["gap"] = json!(0.25);
+    apart["duration"] = json!(1.625);
+    let (a, b) = (solve(&touching).computed, solve(&apart).computed);
+    assert_eq!(b.displacement[16], 0.0);
+    assert_eq!(a.len() + 16, b.len());
+    let shifted = difference(&a, &b, 16, 1.0);
+    eprintln!("{shifted:e}");
+    assert!(shifted < ROUND_OFF, "{shifted:e}");
+}
+
+#[test]
+fn a_wall_is_a_mirror() {
+    // By symmetry the middle of two like bars stands still: a wall, with half the spring on either side.
+    for mass in ["lumped", "consistent"] {
+        let wall = json!({"k_I": 200.0, "n": 10, "dt": 0.005, "duration": 1.5, "gap": 0.0511, "mass": mass, "right": "wall"});
+        let pair = json!({"k_I": 100.0, "n": 10, "dt": 0.005, "duration": 1.5, "gap": 0.0511, "mass": mass});
+        let (a, b) = (solve(&wall), solve(&pair));
+        let computed = difference(&a.computed, &b.computed, 0, 1.0);
+        eprintln!("{computed:e}");
+        assert!(computed < ROUND_OFF, "{computed:e}");
+        assert_eq!(a.exact, b.exact);
+    }
+}
+
+#[test]
+fn only_stiff_springs_make_a_disturbance_visible() {
+    // r(0) moved by 1 to 8 times 1e-13: at k_I = 1e5 (gamma = 1000) and dt = 0.001 T_I the restitution, one curve of
+    // many, moves in its second digit; up to 1e3 it stays within what the largest sensitivity, some 1e4, makes of it.
+    let spread = |k_i: f64| {
+        let case = bars(&json!({"k_I": k_i, "n": 10, "dt": 0.001, "duration": 1.5}));
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for i in 0..=8 {
+            let mut scaled = Scaled::new(&case).unwrap();
+            scaled.bars.gap = f64::from(i) * 1e-13;
+            let restitution = run::run(&scaled, 0.001, 1500).restitution;
+            (least, most) = (restitution.min(least), restitution.max(most));
+        }
+        eprintln!("{k_i}: {least} {most}");
+        most - least
+    };
+    for k_i in [10.0, 100.0, 1e3] {
+        assert!(spread(k_i) < 1e-9, "k_I = {k_i}");
+    }
+    assert!(spread(1e5) > 0.01);
+}

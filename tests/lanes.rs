@@ -1,0 +1,121 @@
+//! Cases side by side: the same bits as each case alone, whatever the number of lanes.
+
+use slipgap::lane::Lane;
+use slipgap::law::{DisplacementControl, ImpactSpring, Law, VelocityControl};
+use slipgap::stepper::{Contact, Start, Stepper};
+use slipgap::structure::Mode;
+use slipgap::structure::bar::{Bar, Mass};
+use std::array;
+
+/// dt, compliance of the law, x0: eight cases that have nothing in common.
+const CASES: [[f64; 3]; 8] = [
+    [0.1, 1.0, 12.0],
+    [0.31, 0.1, -12.5],
+    [0.05, 5.0, 3.3],
+    [1.1, 0.3, 40.0],
+    [0.0123, 0.01, -0.7],
+    [0.7, 2.0, 11.2],
+    [0.2, 0.5, 1e-3],
+    [0.33, 0.05, -100.0],
+];
+
+const STEPS: usize = 500;
+
+/// The bits of r, rdot and S over the steps, one list a lane.
+fn bits<const L: usize>(mut stepper: Stepper<L>, mut law: impl Law<L>) -> [Vec<[u64; 3]>; L] {
+    let mut lists = array::from_fn(|_| Vec::new());
+    for _ in 0..STEPS {
+        let Contact {
+            displacement,
+            velocity,
+            force,
+        } = stepper.step(&mut law);
+        for (l, list) in lists.iter_mut().enumerate() {
+            list.push([displacement, velocity, force].map(|lane| lane.0[l].to_bits()));
+        }
+    }
+    lists
+}
+
+/// One number of L cases from the `first` on.
+fn lane<const L: usize>(first: usize, which: usize) -> Lane<L> {
+    Lane(array::from_fn(|l| CASES[first + l][which]))
+}
+
+fn oscillators<const L: usize>(first: usize) -> Stepper<L> {
+    let unit = Mode {
+        omega2: 1.0,
+        phi2: 1.0,
+    };
+    let start = Start {
+        mode: [unit; L],
+        displacement: lane(first, 2),
+        velocity: Lane::splat(0.0),
+    };
+    let zero = Lane::splat(0.0);
+    Stepper::new(lane(first, 0), &[start], zero, zero)
+}
+
+fn displacement<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
+    let law = DisplacementControl {
+        compliance: lane(first, 1),
+        limit: Lane::splat(1.0),
+        slip: lane(first, 2),
+    };
+    bits(oscillators(first), law)
+}
+
+fn velocity<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
+    let law = VelocityControl {
+        compliance: lane(first, 1),
+        limit: Lane::splat(1.0),
+    };
+    bits(oscillators(first), law)
+}
+
+/// A bar of six elements against a wall, its mass, travel time and gap the case's own.
+fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
+    let bars: [Bar; L] = array::from_fn(|l| Bar {
+        elements: 6,
+        mass: 0.3 + CASES[first + l][1],
+        trip: 1.0 + CASES[first + l][0],
+        kind: Mass::Lumped,
+    });
+    let modes: [Vec<Mode>; L] = array::from_fn(|l| bars[l].modes().collect());
+    let start: Vec<_> = (0..=6)
+        .map(|j| Start {
+            mode: array::from_fn(|l| modes[l][j]),
+            displacement: Lane::splat(0.0),
+            velocity: Lane::splat(if j == 0 { -2.0 } else { 0.0 }),
+        })
+        .collect();
+    let (dt, gap) = (lane(first, 0) * 0.02, lane(first, 0) * 0.07);
+    let law = ImpactSpring {
+        compliance: lane(first, 1),
+    };
+    bits(Stepper::new(dt, &start, gap, Lane::splat(0.0)), law)
+}
+
+#[test]
+fn lanes_do_not_touch_each_other() {
+    for (one, four, eight) in [
+        (
+            displacement::<1> as fn(usize) -> [Vec<[u64; 3]>; 1],
+            displacement::<4> as fn(usize) -> [Vec<[u64; 3]>; 4],
+            displacement::<8>(0),
+        ),
+        (velocity::<1>, velocity::<4>, velocity::<8>(0)),
+        (impact::<1>, impact::<4>, impact::<8>(0)),
+    ] {
+        let fours: Vec<_> = four(0).into_iter().chain(four(4)).collect();
+        for (i, alone) in (0..8).flat_map(one).enumerate() {
+            assert!(alone == fours[i], "case {i} of four");
+            assert!(alone == eight[i], "case {i} of eight");
+            // Motion there must be, or equal bits say nothing.
+            assert!(
+                alone.iter().any(|row| row[2] << 1 != 0),
+                "case {i}: no force"
+            );
+        }
+    }
+}
