@@ -50,7 +50,7 @@ pub fn progress(name: &str, cases: u64) -> ProgressBar {
         .with_prefix(name.to_owned())
 }
 
-/// Rows of text in columns, the first row being the header; numbers stand as they are.
+/// Rows of text in columns, the first row being the header; what would move a terminal's cursor becomes a space.
 pub fn columns(rows: &[Vec<String>]) -> String {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
@@ -64,6 +64,7 @@ pub fn columns(rows: &[Vec<String>]) -> String {
     for row in rows {
         let mut line = String::new();
         for (cell, width) in row.iter().zip(&widths) {
+            let cell = cell.replace(char::is_control, " ");
             line.push_str(&format!("{cell:<width$}  "));
         }
         text.push_str(line.trim_end());

@@ -80,6 +80,18 @@ fn list_tells_axes_cases_and_steps_without_running() {
 }
 
 #[test]
+fn a_title_cannot_move_the_cursor() {
+    let bench = Bench::new();
+    bench.file(
+        "s.json",
+        friction(ONE, r#", "title": "one\ntwo\u001b[31m""#),
+    );
+    let done = bench.expect(0, &["list", "s.json"]);
+    assert_eq!(done.out.lines().count(), 2);
+    assert!(done.out.ends_with("one two [31m\n"), "{done:?}");
+}
+
+#[test]
 fn schema_is_json_that_knows_the_problems() {
     let text = Bench::new().expect(0, &["schema"]).out;
     let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
