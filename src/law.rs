@@ -93,3 +93,116 @@ impl<const L: usize> Law<L> for ImpactSpring<L> {
         (trial.displacement * stiffness).map(|s| if s < 0.0 { s } else { 0.0 })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The root of S = law(r* - h S): `rest` = S - law(r* - h S) rises with S, so halving finds it.
+    fn bisection(rest: impl Fn(f64) -> f64, reach: f64) -> f64 {
+        let (mut low, mut high) = (-reach, reach);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if rest(middle) > 0.0 {
+                high = middle
+            } else {
+                low = middle
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    fn trial(displacement: f64, velocity: f64, h: f64, dt: f64) -> Trial<1> {
+        Trial {
+            displacement: Lane([displacement]),
+            velocity: Lane([velocity]),
+            h: Lane([h]),
+            h_rate: Lane([2.0 * h / dt]),
+        }
+    }
+
+    fn displacement(compliance: f64, limit: f64, slip: f64, trial: &Trial<1>) -> (f64, f64) {
+        let mut law = DisplacementControl {
+            compliance: Lane([compliance]),
+            limit: Lane([limit]),
+            slip: Lane([slip]),
+        };
+        let Lane([force]) = law.respond(trial);
+        (force, law.slip.0[0])
+    }
+
+    fn velocity(compliance: f64, limit: f64, trial: &Trial<1>) -> f64 {
+        let mut law = VelocityControl {
+            compliance: Lane([compliance]),
+            limit: Lane([limit]),
+        };
+        law.respond(trial).0[0]
+    }
+
+    fn impact(compliance: f64, trial: &Trial<1>) -> f64 {
+        let mut law = ImpactSpring {
+            compliance: Lane([compliance]),
+        };
+        law.respond(trial).0[0]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn every_law_gives_the_one_root_and_rises(
+            r in -3.0..3.0_f64,
+            v in -3.0..3.0_f64,
+            slip in -1.0..1.0_f64,
+            compliance in 1e-3..5.0_f64,
+            h in 1e-3..5.0_f64,
+            dt in 0.1..2.0_f64,
+            limit in 0.0..2.0_f64,
+            more in 0.0..1.0_f64,
+        ) {
+            let now = trial(r, v, h, dt);
+            let further = trial(r + more, v + more, h, dt);
+            // The inputs are rounded to eps of some 4, which the steepest law, 1/(compliance + h), turns into this much.
+            let near = |a: f64, b: f64| (a - b).abs() < 32.0 * f64::EPSILON * (1.0 + 1.0 / (compliance + h));
+
+            let (force, moved) = displacement(compliance, limit, slip, &now);
+            let by_law = |s: f64| s - ((r - h * s - slip) / compliance).clamp(-limit, limit);
+            let root = bisection(by_law, limit);
+            prop_assert!(near(force, root), "displacement-control {force} {root}");
+            let elastic = if force.abs() < limit { slip } else { r - h * force - compliance * force };
+            prop_assert!((moved - elastic).abs() < 1e-14, "slip {moved} {elastic}");
+            prop_assert!(displacement(compliance, limit, slip, &further).0 >= force);
+
+            let force = velocity(compliance, limit, &now);
+            let by_law = |s: f64| s - ((v - 2.0 * h / dt * s) / compliance).clamp(-limit, limit);
+            let root = bisection(by_law, limit);
+            prop_assert!(near(force, root), "velocity-control {force} {root}");
+            prop_assert!(velocity(compliance, limit, &further) >= force);
+
+            let force = impact(compliance, &now);
+            let by_law = |s: f64| s - (r - h * s).min(0.0) / compliance;
+            let root = bisection(by_law, 3.0 / compliance);
+            // Here the bisection itself starts from up to 3000.
+            prop_assert!((force - root).abs() < 1e-12, "impact spring {force} {root}");
+            prop_assert!(impact(compliance, &further) >= force);
+        }
+    }
+
+    #[test]
+    fn an_open_contact_has_no_friction_and_forgets_where_it_slid() {
+        for (nu, normal, limit) in [
+            (0.5, -2.0, 1.0),
+            (0.3, -10.0, 3.0),
+            (0.5, 0.0, 0.0),
+            (0.5, 2.0, 0.0),
+        ] {
+            assert_eq!(friction_limit(nu, normal), limit);
+        }
+        assert_eq!(
+            displacement(0.1, 0.0, 5.0, &trial(2.0, 0.0, 0.3, 0.1)),
+            (0.0, 2.0)
+        );
+        assert_eq!(velocity(0.1, 0.0, &trial(2.0, 1.0, 0.3, 0.1)), 0.0);
+    }
+}

@@ -137,3 +137,127 @@ impl<const L: usize> Stepper<L> {
             .map(|mode| (mode.p - mode.w * 0.5, mode.w * self.rate))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::Modal;
+    use nalgebra::{DVector, dmatrix, dvector};
+
+    /// A force that is given, not found; it keeps the h that the stepper offers.
+    struct Given {
+        forces: Vec<f64>,
+        h: f64,
+        h_rate: f64,
+    }
+
+    impl Law<1> for Given {
+        fn respond(&mut self, trial: &Trial<1>) -> Lane<1> {
+            (self.h, self.h_rate) = (trial.h.0[0], trial.h_rate.0[0]);
+            Lane([self.forces.remove(0)])
+        }
+    }
+
+    fn none(steps: usize) -> Given {
+        Given {
+            forces: vec![0.0; steps],
+            h: 0.0,
+            h_rate: 0.0,
+        }
+    }
+
+    #[test]
+    fn free_vibration_has_the_methods_exact_period() {
+        // Phase 2 atan(W/2) a step, W = omega dt: the period is 2 pi/omega (W/2)/atan(W/2), the amplitude stays.
+        for w in [1e-3, 0.1, 1.0, 2.0, 20.0] {
+            let omega = 3.0;
+            let start = Start {
+                mode: [Mode {
+                    omega2: omega * omega,
+                    phi2: 0.7,
+                }],
+                displacement: Lane([1.0]),
+                velocity: Lane([0.4 * omega]),
+            };
+            let zero = Lane([0.0]);
+            let mut stepper = Stepper::new(Lane([w / omega]), &[start], zero, zero);
+            let mut law = none(1000);
+            for step in 1..=1000 {
+                let contact = stepper.step(&mut law);
+                let (sin, cos) = libm::sincos(f64::from(step) * 2.0 * libm::atan(0.5 * w));
+                let (x, v) = (cos + 0.4 * sin, omega * (0.4 * cos - sin));
+                // Each step rounds p and w once; where W is large, v is a small difference turned by W/2.
+                let tolerance = 4.0 * f64::EPSILON * f64::from(step) * (1.0 + w);
+                assert!(
+                    (contact.displacement.0[0] - x).abs() < tolerance,
+                    "W = {w}, step {step}"
+                );
+                assert!(
+                    (contact.velocity.0[0] - v).abs() < tolerance * omega,
+                    "W = {w}, step {step}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn modes_under_a_force_follow_the_textbook_recursion() {
+        // M a + K u + b S = 0 at the step's end, u and v by the mean of both accelerations; a(0) from equilibrium.
+        let m = dmatrix![2.0, 0.3, 0.0; 0.3, 1.0, -0.2; 0.0, -0.2, 0.5];
+        let k = dmatrix![3.0, -1.0, 0.0; -1.0, 2.5, -1.5; 0.0, -1.5, 2.0];
+        let b = dvector![-1.0, 0.0, 1.0];
+        let (gap, force) = (0.25, 0.6);
+        let (mut u, mut v) = (dvector![0.7, -1.3, 2.1], dvector![1.0, 0.0, -0.5]);
+        let modal = Modal::new(&m, &k, &b).unwrap();
+        for dt in [0.01, 0.3, 2.0] {
+            let (x, xdot) = (&modal.to_modes * &u, &modal.to_modes * &v);
+            let start: Vec<_> = modal
+                .modes
+                .iter()
+                .zip(x.iter().zip(xdot.iter()))
+                .map(|(&mode, (&x, &v))| Start {
+                    mode: [mode],
+                    displacement: Lane([x]),
+                    velocity: Lane([v]),
+                })
+                .collect();
+            let mut stepper = Stepper::new(Lane([dt]), &start, Lane([gap]), Lane([force]));
+            let mut law = none(0);
+            law.forces = (1..=100).map(|i| libm::sin(0.37 * f64::from(i))).collect();
+            let forces = law.forces.clone();
+            let solve = |f: DVector<f64>| m.clone().lu().solve(&f).unwrap();
+            let mut a = solve(-(&k * &u + &b * force));
+            let effective = (&m * (4.0 / (dt * dt)) + &k).lu();
+            for s in forces {
+                let inertia = &m * (&u * (4.0 / (dt * dt)) + &v * (4.0 / dt) + &a);
+                let next = effective.solve(&(inertia - &b * s)).unwrap();
+                let change = (&next - &u) * (2.0 / dt);
+                v = &change - &v;
+                u = next;
+                a = solve(-(&k * &u + &b * s));
+                let contact = stepper.step(&mut law);
+                let (r, rdot) = (b.dot(&u) + gap, b.dot(&v));
+                // The recursion takes v from displacements over dt/2 in each of 100 steps.
+                let tolerance = 1e-14 * 100.0 * (1.0 + 1.0 / dt);
+                assert!(
+                    (contact.displacement.0[0] - r).abs() < tolerance,
+                    "dt = {dt}"
+                );
+                assert!(
+                    (contact.velocity.0[0] - rdot).abs() < tolerance,
+                    "dt = {dt}"
+                );
+                assert_eq!(contact.force.0[0], s);
+            }
+            let h = b.dot(&effective.solve(&b).unwrap());
+            assert!((law.h / h - 1.0).abs() < 1e-13, "dt = {dt}");
+            assert!(
+                (law.h_rate / (2.0 * h / dt) - 1.0).abs() < 1e-13,
+                "dt = {dt}"
+            );
+            // Modes give their part of r back.
+            let sum: f64 = stepper.modes().map(|(x, _)| x.0[0]).sum();
+            assert!((sum - b.dot(&u)).abs() < 1e-11);
+        }
+    }
+}

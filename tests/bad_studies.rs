@@ -298,6 +298,12 @@ fn figures() {
             &["6:23: figures[0].kind: friction-oscillator has no profiles"],
         ),
         (
+            "\"name\": \"a\", \"kind\": \"wave\"",
+            &[
+                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, metric, map, law",
+            ],
+        ),
+        (
             "\"name\": \"a\", \"kind\": \"history\", \"y\": [\"X\", \"Y\"]",
             &["6:45: figures[0].y[1]: unknown quantity \"Y\""],
         ),
@@ -356,6 +362,51 @@ fn figures() {
         &with(&signs, scale),
         &["6:73: figures[0].x_scale: log takes numbers > 0, and x0 is -12"],
     );
+}
+
+#[test]
+fn figures_along_the_bars() {
+    let bars = |keys: &str| {
+        format!(
+            "{{\"problem\": \"bar-impact\",\n\"parameters\": {{\"gamma\": [1, 2, 3, 4, 5, 6, 7], \"n\": 4, \"dt\": 0.1, \
+             \"duration\": [1, 2]}},\n\"figures\": [\n{{\"name\": \"a\", {keys}}}]}}"
+        )
+    };
+    for (keys, expected) in [
+        (
+            "\"kind\": \"profile\", \"where\": {\"gamma\": 1}, \"times\": [0, 1, 1.5, 3]",
+            &[
+                "4:73: figures[0].times[2]: must be at most duration = 1, got 1.5",
+                "4:78: figures[0].times[3]: must be at most duration = 1, got 3",
+            ][..],
+        ),
+        (
+            "\"kind\": \"profile\", \"where\": {\"gamma\": 1, \"duration\": 2}, \"times\": 3",
+            &["4:81: figures[0].times: must be at most duration = 2, got 3"],
+        ),
+        (
+            "\"kind\": \"profile\", \"times\": [-1]",
+            &["4:44: figures[0].times[0]: must be >= 0, got -1"],
+        ),
+        (
+            "\"kind\": \"profile\", \"times\": 1",
+            &["4:1: figures[0].where: more than 6 cases in one panel; narrow"],
+        ),
+        (
+            "\"kind\": \"wave\", \"where\": {\"gamma\": 1}",
+            &["4:40: figures[0].where: a wave figure shows one case, and more are chosen; narrow"],
+        ),
+        (
+            "\"kind\": \"wave\", \"where\": {\"gamma\": 1, \"duration\": 2}, \"y\": \"strain\"",
+            &["4:74: figures[0].y: unknown profile \"strain\""],
+        ),
+        (
+            "\"kind\": \"wave\", \"where\": {\"gamma\": 1, \"duration\": 2}",
+            &[],
+        ),
+    ] {
+        assert_faults(&bars(keys), expected);
+    }
 }
 
 #[test]
@@ -524,6 +575,7 @@ const WORDS: &[&str] = &[
     "\"map\"",
     "\"law\"",
     "\"profile\"",
+    "\"wave\"",
     "\"metric\"",
     "\"history\"",
     "\"log\"",

@@ -55,8 +55,8 @@ fn converges_with_second_order() {
     // The method is of second order. Both laws are continuous, so S only kinks where a branch changes: the trapezoid
     // over the step that holds a kink is off by its jump of slope times at most dT^2/8, once for each of the few kinks,
     // which leaves the order 2 but makes the factor depend on where in its step each kink falls. Hence a slope over the
-    // whole ladder instead of ratios of neighbours. At the ladder's coarse end the narrow laws (0.3) take two or three
-    // steps to a swing of S; measured slopes are LOW to HIGH. The reference itself is good to 3e-8.
+    // ladder pi/40 .. pi/2560 instead of ratios of neighbours; measured 1.96 to 2.01. The coarsest step must see a swing
+    // of S (laws narrower than 0.3 fall out of the ladder). The reference itself is off by its own kinks, some 1e-8.
     for given in [
         json!({"law": "displacement-control", "alpha": 1.0, "x0": 12.0}),
         json!({"law": "displacement-control", "alpha": 5.0, "x0": -12.5}),
@@ -83,10 +83,9 @@ fn converges_with_second_order() {
             errors.push(error);
         }
         let slope = slope(&points);
-        eprintln!("{given}: order {slope:.3}, errors {errors:?}");
-        assert!((slope - 2.0).abs() < 0.15, "{given}: order {slope}");
-        // Slope alone would pass a solution that converges to something else from afar.
-        assert!(errors[6] < 1e-3, "{given}: {errors:?}");
+        assert!((slope - 2.0).abs() < 0.08, "{given}: order {slope}");
+        // Were the limit another one, the ladder would level off at the difference; it ends at 4e-6 to 2.3e-5.
+        assert!(errors[6] < 5e-5, "{given}: {errors:?}");
     }
 }
 
@@ -127,6 +126,8 @@ fn any_case() -> impl Strategy<Value = Json> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn mirrored_release_gives_the_mirrored_motion(given in any_case()) {
         let mut mirrored = given.clone();

@@ -52,22 +52,20 @@ fn third_figure_has_its_numbers() {
 
 #[test]
 fn contact_on_a_continuum_lasts_longer_by_the_springs_time_constant() {
-    // At fixed k_I, n -> infinity: contact T_I + 1.67835 tau, tau = T_I/(4 gamma n). The metric counts whole steps, one
-    // more at either end, so two steps are as near as it gets.
-    let limit = 1.0 + 1.67835 / 40.0;
+    // At fixed k_I, n -> infinity: contact T_I + 1.67835 tau, tau = T_I/(4 gamma n) (reference, section 5). A chain
+    // disperses the returning front, so the ends part later, from n = 160 on at times a little earlier, in its ripple.
+    // Both ends of contact_duration are steps: it is at most two steps too long.
+    let dt = 0.0001;
     let excess = |n: u32| {
-        let solution = solve(&json!({"k_I": 100.0, "n": n, "dt": 0.0005, "duration": 1.2}));
-        assert!(metric(&solution, "max_overlap") > 0.0);
-        metric(&solution, "contact_duration") - limit
+        let solution = solve(&json!({"k_I": 100.0, "n": n, "dt": dt, "duration": 1.2}));
+        metric(&solution, "contact_duration") - (1.0 + 1.67835 / 40.0)
     };
-    let excesses = [10, 40, 160, 640].map(excess);
+    let [coarse, middle, fine] = [10, 80, 640].map(excess);
     assert!(
-        excesses[0] > excesses[1] && excesses[1] > excesses[2],
-        "{excesses:?}"
+        0.02 > coarse && coarse > 4.0 * middle && middle > 0.0,
+        "{coarse} {middle}"
     );
-    for excess in &excesses[2..] {
-        assert!(excess.abs() <= 2.0 * 0.0005, "{excesses:?}");
-    }
+    assert!(fine.abs() < 2.0 * dt, "{fine}");
 }
 
 #[test]
@@ -93,12 +91,12 @@ fn force_on_a_continuum_follows_its_closed_form() {
         (squares.sum::<f64>() / c.len() as f64).sqrt()
     };
     let distances = [10, 40, 160, 640].map(distance);
-    eprintln!("{distances:?}");
+    // Ringing fades and fronts sharpen; the last distance, measured 0.0013, is what a front of finite width leaves.
     assert!(
-        distances.windows(2).all(|pair| pair[1] < pair[0] / 1.5),
+        distances.windows(2).all(|pair| pair[1] < pair[0] / 4.0),
         "{distances:?}"
     );
-    assert!(distances[3] < 0.03, "{distances:?}");
+    assert!(distances[3] < 0.003, "{distances:?}");
 }
 
 /// Velocities of both mass centres at the end over c, positive to the right, in the frame of the mean of the two V0.
@@ -135,11 +133,10 @@ fn impedances_two_to_one_hand_over_a_third_and_four_thirds() {
         let [left, right] = centres(&given).map(|v| v + 0.5);
         (left - 1.0 / 3.0).abs().max((right - 4.0 / 3.0).abs())
     };
-    // What is missing is what stays behind as vibration of the meshes; it falls as they are refined.
+    // What is missing is what stays behind as vibration of the meshes; it halves with four times the elements.
     let off = [10, 40, 160].map(off);
-    eprintln!("{off:?}");
     assert!(
-        off[0] < 0.1 && off[1] < off[0] && off[2] < off[1] && off[2] < 0.02,
+        off[0] < 0.03 && off[1] < off[0] / 1.7 && off[2] < off[1] / 1.7,
         "{off:?}"
     );
 }
@@ -167,17 +164,21 @@ fn unequal_lengths_end_force_and_touch_at_different_times() {
     let furthest = c.displacement[1200..1900]
         .iter()
         .fold(0.0, |a: f64, r| a.max(r.abs()));
-    eprintln!("{force} {still} {apart} {furthest}");
-    assert!((force - 1.0).abs() < 0.01, "{force}");
-    assert!(still.abs() < 0.01, "{still}");
-    assert!(furthest < 0.03, "{furthest}");
-    assert!((apart - 1.0).abs() < 0.005, "{apart}");
+    // Between T_I and 2 T_I both ends move with -c/2; then the left bar's end stays at that and the right one's, which the
+    // front has reached, turns to +c/2: rdot = c. Means over windows of 100 to 800 steps, what is left is ringing.
+    assert!((force - 1.0).abs() < 0.001, "{force}");
+    assert!(still.abs() < 0.001, "{still}");
+    // The spring pushes the ends apart by a small part of its overlap F0/k_I, 1/(2 gamma n) = 0.02.
+    assert!(furthest < 0.005, "{furthest}");
+    assert!((apart - 1.0).abs() < 0.003, "{apart}");
 }
 
 #[test]
 fn finer_meshes_approach_dalembert_away_from_fronts() {
-    // gamma = 1 and dt/h fixed, so the spring stiffens with the mesh. r lags by the spring's own overlap 1/(2 gamma n).
-    // Velocity and stress behind a front ring like the tail of an Airy function, which fades with n at a fixed place.
+    // gamma = 1 and dt/h fixed, so the spring stiffens with the mesh. r lags by the spring's overlap 1/(2 gamma n) and by
+    // the spread of the returning front, n^(-2/3). Velocity and stress behind a front ring like the integral of an Airy
+    // function, the tail of which falls as (distance/(h (L/h)^(1/3)))^(-3/4): as n^(-1/2) at a fixed place. So four times
+    // the elements take a factor of at least 2.5 off r and about 2 off the profiles.
     let compare = |n: u32| {
         let given = json!({"gamma": 1.0, "n": n, "dt": 0.05 / f64::from(n), "duration": 1.5});
         let case = bars(&given);
@@ -208,10 +209,8 @@ fn finer_meshes_approach_dalembert_away_from_fronts() {
     };
     let ladder = [40, 160, 640].map(compare);
     for pair in ladder.windows(2) {
-        let [r, v, sigma] = [0, 1, 2].map(|k| pair[0][k] / pair[1][k]);
-        assert!(r > 2.5, "{ladder:?}");
-        // The tail of the front, the integral of an Airy function, falls with its argument's power -3/4, and that
-        // argument grows like n^(2/3): n^(-1/2), a factor of 2 from n to 4 n. It rings, so 1.7 must do.
-        assert!(v > 1.7 && sigma > 1.7, "{ladder:?}");
+        for ((coarse, fine), factor) in pair[0].iter().zip(pair[1]).zip([2.5, 1.6, 1.6]) {
+            assert!(fine < coarse / factor, "{ladder:?}");
+        }
     }
 }

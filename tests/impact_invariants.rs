@@ -53,9 +53,8 @@ fn energy_changes_by_the_methods_own_identity() {
             worst = worst.max((e[i + 1] - e[i] - by_rule).abs() / e[0]);
             changes += usize::from((r[i] < 0.0) != (r[i + 1] < 0.0));
         }
-        eprintln!("{given}: {worst:e}, {changes} changes");
         // Sums over up to 42 modes of terms of order E; v is an increment over dt, exact to its last digit.
-        assert!(worst < 2e-14, "{given}: {worst:e}");
+        assert!(worst < 5e-15, "{given}: {worst:e}");
         assert!(changes >= 2, "{given}: the contact must open and close");
     }
 }
@@ -76,9 +75,8 @@ fn momentum_of_two_bars_is_conserved() {
             worst = worst.max((momentum - *start.get_or_insert(momentum)).abs() / (m1 + m2));
             stepper.step(&mut law);
         }
-        eprintln!("{given}: {worst:e}");
-        // Each step rounds the two rates once more: a random walk of up to 1500 steps of eps.
-        assert!(worst < 2e-14, "{given}: {worst:e}");
+        // A step rounds each rate twice: some eps for a walk of up to 1500 steps, nothing where the bars are alike.
+        assert!(worst < 5e-15, "{given}: {worst:e}");
     }
 }
 
@@ -122,8 +120,8 @@ fn difference(a: &History, b: &History, from: usize, length: f64) -> f64 {
     largest
 }
 
-/// Round-off of runs in which a disturbance grows less than tenfold.
-const ROUND_OFF: f64 = 1e-12;
+/// Round-off: sums over up to 29 modes over up to 300 steps, in runs that make little more of it (measured: 1e-14).
+const ROUND_OFF: f64 = 5e-14;
 
 #[test]
 fn left_and_right_can_change_places() {
@@ -135,7 +133,6 @@ fn left_and_right_can_change_places() {
     let (a, b) = (solve(&short), solve(&long));
     // r is over c T_I/2, twice as long there.
     let computed = difference(&a.computed, &b.computed, 0, 2.0);
-    eprintln!("{computed:e}");
     assert!(computed < ROUND_OFF, "{computed:e}");
     let exact = difference(&a.exact, &b.exact, 0, 2.0);
     assert!(exact < ROUND_OFF, "{exact:e}");
@@ -152,7 +149,6 @@ fn a_gap_that_closes_at_a_step_shifts_the_history() {
     assert_eq!(b.displacement[16], 0.0);
     assert_eq!(a.len() + 16, b.len());
     let shifted = difference(&a, &b, 16, 1.0);
-    eprintln!("{shifted:e}");
     assert!(shifted < ROUND_OFF, "{shifted:e}");
 }
 
@@ -164,7 +160,6 @@ fn a_wall_is_a_mirror() {
         let pair = json!({"k_I": 100.0, "n": 10, "dt": 0.005, "duration": 1.5, "gap": 0.0511, "mass": mass});
         let (a, b) = (solve(&wall), solve(&pair));
         let computed = difference(&a.computed, &b.computed, 0, 1.0);
-        eprintln!("{computed:e}");
         assert!(computed < ROUND_OFF, "{computed:e}");
         assert_eq!(a.exact, b.exact);
     }
@@ -173,7 +168,7 @@ fn a_wall_is_a_mirror() {
 #[test]
 fn only_stiff_springs_make_a_disturbance_visible() {
     // r(0) moved by 1 to 8 times 1e-13: at k_I = 1e5 (gamma = 1000) and dt = 0.001 T_I the restitution, one curve of
-    // many, moves in its second digit; up to 1e3 it stays within what the largest sensitivity, some 1e4, makes of it.
+    // many, moves in its second digit; up to 1e3 it moves no more than r(0) did, give or take the round-off of 1500 steps.
     let spread = |k_i: f64| {
         let case = bars(&json!({"k_I": k_i, "n": 10, "dt": 0.001, "duration": 1.5}));
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -183,11 +178,10 @@ fn only_stiff_springs_make_a_disturbance_visible() {
             let restitution = run::run(&scaled, 0.001, 1500).restitution;
             (least, most) = (restitution.min(least), restitution.max(most));
         }
-        eprintln!("{k_i}: {least} {most}");
         most - least
     };
     for k_i in [10.0, 100.0, 1e3] {
-        assert!(spread(k_i) < 1e-9, "k_I = {k_i}");
+        assert!(spread(k_i) < 5e-12, "k_I = {k_i}");
     }
     assert!(spread(1e5) > 0.01);
 }

@@ -72,59 +72,51 @@ fn projection_has_the_modes_amplitude_and_frequency() {
     }
 }
 
+/// Largest magnitude of a column over `from` <= t < `to`.
+fn largest(time: &[f64], column: &[f64], from: f64, to: f64) -> f64 {
+    let watched = time
+        .iter()
+        .zip(column)
+        .filter(|(t, _)| (from..to).contains(*t));
+    watched.map(|(_, x)| x.abs()).fold(0.0, f64::max)
+}
+
 #[test]
-fn peaks_of_the_force_are_the_modes() {
-    // First peak and late crests of F/F0 as the reference page has them, section 6; half a unit of the last digit.
-    for n in [20, 40] {
-        for (gamma, first, crest) in [
-            (0.25, 1.026, 1.026),
-            (0.5, 1.136, 1.133),
-            (1.0, 1.445, 1.435),
-            (2.0, 1.985, 1.947),
-        ] {
-            let [_, amplitude, omega] = mode(gamma);
-            let alone = 1.0 + 2.0 * gamma * amplitude / omega;
-            assert!((alone - crest).abs() < 0.0005, "gamma = {gamma}: {alone}");
-            // A sampled crest is low by (omega dt)^2/8: a hundredth of h/C0 keeps that below 1e-4.
-            let c = solve(gamma, n, 0.005 / f64::from(n) / 2.0).computed;
-            let largest = |from: f64, to: f64| {
-                let watched = c
-                    .time
-                    .iter()
-                    .zip(&c.force)
-                    .filter(|(t, _)| (from..to).contains(*t));
-                watched.map(|(_, &f)| f).fold(0.0, f64::max)
-            };
-            let (peak, late) = (largest(0.0, 0.9), largest(0.3, 0.85));
-            let swing = c
-                .time
-                .iter()
-                .zip(&c.velocity)
-                .filter(|(t, _)| (0.3..0.85).contains(*t))
-                .fold(0.0, |a: f64, (_, v)| a.max(v.abs()));
-            // At gamma = 0.25 the part that radiates is still there, and n = 20 is short of 1.026 by 0.0013, as the
-            // independent program has it too.
-            let short = if gamma == 0.25 && n == 20 {
-                0.0015
-            } else {
-                0.0006
-            };
-            assert!(
-                (peak - first).abs() < short,
-                "n = {n}, gamma = {gamma}: first peak {peak}"
-            );
-            if gamma >= 0.5 {
-                let of_crest = (late - 1.0) / (alone - 1.0);
-                assert!(
-                    (of_crest - 1.0).abs() < 0.05,
-                    "n = {n}, gamma = {gamma}: {late}"
-                );
-                let of_swing = swing / amplitude;
-                assert!(
-                    (of_swing - 1.0).abs() < 0.05,
-                    "n = {n}, gamma = {gamma}: {swing}"
-                );
+fn crests_of_force_and_velocity_are_the_modes() {
+    // Highest peak and late crests of F/F0 as the reference page has them, section 6. The mode alone must give the
+    // crests to half a unit of the last digit. The window for late ones, 0.3 to 0.85 T_I, is behind the front and
+    // before its return; there the radiating part, slow near the cut-off, still adds 0.3 % of F and 2 % of rdot at
+    // n = 20. Steps of 0.004 h/C0: a crest falls between two of them by less than (0.01)^2 of its height.
+    for (gamma, highest, crest) in [
+        (0.25, 1.026, 1.026),
+        (0.5, 1.136, 1.133),
+        (1.0, 1.445, 1.435),
+        (2.0, 1.985, 1.947),
+    ] {
+        let [_, amplitude, omega] = mode(gamma);
+        let alone = 1.0 + 2.0 * gamma * amplitude / omega;
+        assert!((alone - crest).abs() < 0.0005, "gamma = {gamma}: {alone}");
+        for n in [20, 40] {
+            // At gamma = 0.25 force rises to its highest only after 65 h/C0: a bar of 20 elements is too short.
+            if gamma == 0.25 && n == 20 {
+                continue;
             }
+            let c = solve(gamma, n, 0.002 / f64::from(n)).computed;
+            let peak = largest(&c.time, &c.force, 0.0, 0.9);
+            assert!(
+                (peak - highest).abs() < 0.0006,
+                "n = {n}, gamma = {gamma}: {peak}"
+            );
+            let late = largest(&c.time, &c.force, 0.3, 0.85);
+            assert!(
+                (late / alone - 1.0).abs() < 0.005,
+                "n = {n}, gamma = {gamma}: {late}"
+            );
+            let swing = largest(&c.time, &c.velocity, 0.3, 0.85);
+            assert!(
+                (swing / amplitude - 1.0).abs() < 0.025,
+                "n = {n}, gamma = {gamma}: {swing}"
+            );
         }
     }
 }

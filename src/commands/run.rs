@@ -51,11 +51,11 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
     let mut lines = vec![folder.write(RESULTS, &results::table(study, &outcomes)?)?];
     for figure in &study.figures {
         let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
-        let chosen: Vec<(&Outcome, Vec<Snapshot>)> = chosen
-            .map(|outcome| (outcome, snapshots(study, figure, &outcome.case)))
-            .collect();
+        let chosen: Vec<&Outcome> = chosen.collect();
+        let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
         let shown: Vec<Shown> = chosen
             .iter()
+            .zip(&snapshots)
             .map(|(outcome, snapshots)| Shown {
                 case: &outcome.case,
                 metrics: &outcome.metrics,
@@ -77,12 +77,15 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
     Ok(outcomes)
 }
 
-fn snapshots(study: &Study, figure: &Figure, case: &Case) -> Vec<Snapshot> {
-    let times = figure.kind.snapshot_times(study.problem, case);
-    match times.is_empty() {
-        true => Vec::new(),
-        false => study.problem.snapshots(case, &times),
+/// What a figure draws along the structure; nothing of a case that could not be solved.
+fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
+    let (problem, case) = (study.problem, &outcome.case);
+    let duration = case.number("duration").unwrap_or(0.0);
+    let times = figure.kind.snapshot_times(duration, problem.steps(case));
+    if times.is_empty() || outcome.failure.is_some() {
+        return Vec::new();
     }
+    problem.snapshots(case, &times)
 }
 
 fn needs_history(study: &Study, case: &Case) -> bool {

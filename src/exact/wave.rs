@@ -298,3 +298,214 @@ impl Piece {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// z, theta, gap: like and unlike bars, touching and apart, ratios without common measure, walls.
+    const CASES: [[f64; 3]; 8] = [
+        [1.0, 1.0, 0.0],
+        [1.0, 1.0, 0.3],
+        [2.0, 1.0, 0.0],
+        [1.0, 2.0, 0.1],
+        [0.4, 0.37, 0.25],
+        [3.0, 1.7, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 1.0, 0.21],
+    ];
+
+    const END: f64 = 6.0;
+
+    /// Each case with its shares d_i and trips T_i, written out again, and how many bars there are.
+    fn each(check: impl Fn(&Wave, [f64; 2], [f64; 2], usize)) {
+        for [z, theta, gap] in CASES {
+            let bars = Bars {
+                impedance_ratio: z,
+                time_ratio: theta,
+                gap,
+            };
+            let count = if z == 0.0 { 1 } else { 2 };
+            let share = [1.0 / (1.0 + z), z / (1.0 + z)];
+            check(&bars.solve(END), share, [1.0, theta], count);
+        }
+    }
+
+    /// Times that meet no event of any case: multiples of an irrational number.
+    fn times() -> impl Iterator<Item = f64> {
+        (0..400).map(|i| f64::from(i) * 0.0141421356 + 1e-4)
+    }
+
+    /// Sums of a few numbers of order 1 that were themselves summed along the fronts.
+    const ROUND_OFF: f64 = 1e-13;
+
+    #[test]
+    fn two_like_bars_and_a_wall_are_as_every_textbook_has_them() {
+        let wave = |z, gap| {
+            Bars {
+                impedance_ratio: z,
+                time_ratio: 1.0,
+                gap,
+            }
+            .solve(3.0)
+        };
+        for z in [0.0, 1.0] {
+            for gap in [0.0, 0.5] {
+                let (wave, touch) = (wave(z, gap), 0.5 * gap);
+                for (t, r, rdot, force) in [
+                    (0.5 * touch, 0.5 * gap, -1.0, 0.0),
+                    (touch + 0.5, 0.0, 0.0, 1.0),
+                    (touch + 1.25, 0.5, 1.0, 0.0),
+                ] {
+                    let state = State {
+                        displacement: r,
+                        velocity: rdot,
+                        force,
+                    };
+                    if t > 0.0 {
+                        assert_eq!(wave.at(t), state, "z = {z}, gap = {gap}, t = {t}");
+                    }
+                }
+                assert_eq!(wave.durations(), [Some(touch + 1.0); 2]);
+                assert_eq!(wave.impulse(touch + 0.25), 0.25);
+                assert_eq!(wave.impulse(3.0), 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn each_side_of_a_jump_has_its_own_limit() {
+        let wave = Bars {
+            impedance_ratio: 1.0,
+            time_ratio: 1.0,
+            gap: 0.5,
+        }
+        .solve(2.0);
+        for (t, before, after) in [(0.25, -1.0, 0.0), (1.25, 0.0, 1.0)] {
+            assert_eq!(
+                (wave.before(t).velocity, wave.at(t).velocity),
+                (before, after)
+            );
+            // Not so elsewhere.
+            assert_eq!(wave.before(t + 0.1), wave.at(t + 0.1));
+        }
+        assert_eq!(wave.before(0.0).velocity, -1.0);
+        // The line has both sides of both jumps, at t = 1/4 where a time falls on one and at 5/4 where none does.
+        let line = wave.line(&[0.0, 0.25, 1.0, 2.0]);
+        assert!(line.time.is_sorted());
+        for jump in [0.25, 1.25] {
+            let at: Vec<f64> = (0..line.len())
+                .filter(|&i| line.time[i] == jump)
+                .map(|i| line.velocity[i])
+                .collect();
+            assert_eq!(
+                at[..2],
+                [wave.before(jump).velocity, wave.at(jump).velocity]
+            );
+        }
+    }
+
+    #[test]
+    fn contact_obeys_the_bars_and_never_pulls() {
+        each(|wave, share, trip, count| {
+            for t in times() {
+                let (
+                    State {
+                        displacement,
+                        velocity,
+                        force,
+                    },
+                    free,
+                ) = (wave.at(t), wave.piece(t).free);
+                let rdot = free[1] + share[1] * force - (free[0] - share[0] * force);
+                assert!((velocity - rdot).abs() < ROUND_OFF);
+                assert!(force >= 0.0 && displacement >= -ROUND_OFF);
+                // Force only while they touch and stay so.
+                assert!(
+                    force * displacement.abs() < ROUND_OFF && force * velocity.abs() < ROUND_OFF
+                );
+                for i in 0..count {
+                    let back = t - trip[i];
+                    if back > 0.0 {
+                        let was = wave.piece(back);
+                        let sign = [-2.0, 2.0][i];
+                        let delayed = was.free[i] + sign * share[i] * was.force;
+                        assert!((free[i] - delayed).abs() < ROUND_OFF, "t = {t}, bar {i}");
+                    }
+                }
+                // r is continuous and the integral of 2 rdot: exactly so within a piece and across its end.
+                let step = 1e-5;
+                if wave.before(t + step).velocity == velocity {
+                    let moved = wave.at(t + step).displacement - displacement;
+                    assert!((moved - 2.0 * velocity * step).abs() < ROUND_OFF);
+                }
+            }
+            for piece in &wave.pieces[1..] {
+                let gap = wave.at(piece.start).displacement - wave.before(piece.start).displacement;
+                assert!(gap.abs() < ROUND_OFF);
+            }
+        });
+    }
+
+    #[test]
+    fn profiles_keep_energy_and_momentum() {
+        // Z_i is as 1/d_i; a length's energy is as Z_i T_i (v^2 + (d_i sigma)^2), its momentum as Z_i T_i v.
+        each(|wave, share, trip, count| {
+            let sums = |t: f64| {
+                let (mut energy, mut momentum) = (0.0, 0.0);
+                for i in 0..count {
+                    for pair in wave.profile(i, t).chunks(2) {
+                        let [[from, v, sigma], [to, ..]] = [pair[0], pair[1]];
+                        let weight = trip[i] / share[i] * (to - from);
+                        energy += weight * (v * v + share[i] * share[i] * sigma * sigma);
+                        momentum += weight * v;
+                    }
+                }
+                (energy, momentum)
+            };
+            let (energy, momentum) = sums(0.0);
+            for t in times() {
+                let (e, p) = sums(t);
+                assert!((e / energy - 1.0).abs() < 1e-11, "t = {t}: {e} {energy}");
+                if count == 2 {
+                    assert!((p - momentum).abs() < 1e-11 * energy, "t = {t}");
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn fronts_travel_with_c0_and_jump_by_the_impedance() {
+        each(|wave, share, trip, count| {
+            for t in times() {
+                for i in 0..count {
+                    let profile = wave.profile(i, t);
+                    let (first, last) = (profile[0], profile[profile.len() - 1]);
+                    assert_eq!((first[0], last[0]), (0.0, 1.0));
+                    assert!(last[2].abs() < ROUND_OFF, "the free end carries no stress");
+                    let contact = wave.at(t);
+                    assert!((first[2] + contact.force).abs() < ROUND_OFF);
+                    let end = wave.piece(t).free[i] + [-1.0, 1.0][i] * share[i] * contact.force;
+                    assert!((first[1] - end).abs() < ROUND_OFF);
+                    for pair in profile[1..profile.len() - 1].chunks(2) {
+                        let [[s, v0, sigma0], [_, v1, sigma1]] = [pair[0], pair[1]];
+                        // Where the front stands 1e-6 later tells where it goes.
+                        let way = 1e-6 / (0.5 * trip[i]);
+                        let later = wave.profile(i, t + 1e-6);
+                        let goes = |to: f64| later.iter().any(|c| (c[0] - to).abs() < 1e-3 * way);
+                        let (out, back) = (goes(s + way), goes(s - way));
+                        assert!(out || back || !(way..1.0 - way).contains(&s));
+                        if out != back {
+                            // Away from the contact the force is -Z v to the right and Z v to the left.
+                            let sign = if out { -1.0 } else { 1.0 } * [-1.0, 1.0][i];
+                            let jump = share[i] * (sigma1 - sigma0) - sign * (v1 - v0);
+                            assert!(jump.abs() < ROUND_OFF, "t = {t}, s = {s}: {jump}");
+                        }
+                        let [v, sigma] = wave.inside(i, s - 1e-6, t);
+                        assert_eq!([v, sigma], [v0, sigma0]);
+                    }
+                }
+            }
+        });
+    }
+}

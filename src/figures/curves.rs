@@ -113,12 +113,7 @@ impl Curves<'_> {
         let mut keys: Vec<Key> = Vec::new();
         for series in sheet.panels.iter().flat_map(|panel| &panel.series) {
             if !keys.iter().any(|key| key.label == series.label) {
-                keys.push(Key {
-                    label: series.label.clone(),
-                    stroke: series.stroke,
-                    width: series.width,
-                    marker: series.marker,
-                });
+                keys.push(Key::of(series));
             }
         }
         keys

@@ -2,10 +2,10 @@
 
 use super::clip;
 use super::pen::{Drawn, Pen, at, unit};
-use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Sheet, Words};
+use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Rect, Sheet, Words};
 use super::style;
 use crate::error::Error;
-use plotters_backend::DrawingBackend;
+use plotters_backend::{BackendCoord, DrawingBackend};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -24,8 +24,8 @@ impl<B: DrawingBackend> Pen<B> {
         for entry in &sheet.legend {
             self.entry(entry)?;
         }
-        let words = sheet.heading.iter().chain(&sheet.footer);
-        words.into_iter().try_for_each(|words| self.words(words))
+        let mut words = sheet.heading.iter().chain(&sheet.small_print);
+        words.try_for_each(|words| self.words(words))
     }
 
     fn panel(&mut self, panel: &Panel) -> Drawn<B> {
@@ -125,36 +125,41 @@ impl<B: DrawingBackend> Pen<B> {
     }
 
     fn map(&mut self, panel: &Panel, map: &FilledMap) -> Drawn<B> {
-        let columns = map.x_edges.len().saturating_sub(1).max(1);
-        for (row, values) in map.values.chunks(columns).enumerate() {
-            let mut column = 0;
-            // Neighbours of one value are one cell.
-            for cells in values.chunk_by(|a, b| a == b) {
-                let (first, last) = (column, column + cells.len());
-                column = last;
-                let fraction = cells[0].map(|value| map.colours.fraction(value));
-                let Some(fraction) = fraction.filter(|f| f.is_finite()) else {
-                    continue;
-                };
-                let corner = |x: usize, y: usize| at(panel.place([map.x_edges[x], map.y_edges[y]]));
-                self.cell(corner(first, row + 1), corner(last, row), fraction)?;
+        let mut shades: Vec<Vec<[BackendCoord; 2]>> = vec![Vec::new(); SHADES];
+        for cell in &map.cells {
+            let fraction = map.colours.fraction(cell.value);
+            if !fraction.is_finite() {
+                continue;
+            }
+            let from = at(panel.place([cell.x[0], cell.y[1]]));
+            let to = at(panel.place([cell.x[1], cell.y[0]]));
+            let shade = &mut shades[((fraction * SHADES as f64) as usize).min(SHADES - 1)];
+            match shade.last_mut() {
+                // One with its left neighbour of the same shade.
+                Some([start, end]) if *end == (from.0, to.1) && start.1 == from.1 => *end = to,
+                _ => shade.push([from, to]),
             }
         }
-        let Some(bar) = &map.bar else {
-            return Ok(());
-        };
-        // The bar in so many steps that none is seen.
-        const STEPS: i32 = 128;
+        for (k, cells) in shades.iter().enumerate() {
+            for [from, to] in cells {
+                self.cell(*from, *to, middle(k))?;
+            }
+        }
+        map.bar
+            .iter()
+            .try_for_each(|bar| self.bar(bar, &map.colours))
+    }
+
+    fn bar(&mut self, bar: &Rect, colours: &Axis) -> Drawn<B> {
         let (left, right) = (unit(bar.left), unit(bar.right()));
-        let height = |k: i32| unit(bar.bottom() - bar.height * f64::from(k) / f64::from(STEPS));
-        for k in 0..STEPS {
-            let fraction = (f64::from(k) + 0.5) / f64::from(STEPS);
-            self.cell((left, height(k + 1)), (right, height(k)), fraction)?;
+        let height = |k: usize| unit(bar.bottom() - bar.height * k as f64 / SHADES as f64);
+        for k in 0..SHADES {
+            self.cell((left, height(k + 1)), (right, height(k)), middle(k))?;
         }
         self.frame(bar)?;
         let size = style::LABEL;
-        for tick in &map.colours.ticks {
-            let y = bar.bottom() - bar.height * map.colours.fraction(tick.at);
+        for tick in &colours.ticks {
+            let y = bar.bottom() - bar.height * colours.fraction(tick.at);
             let edge = bar.right();
             let length = tick_length(&tick.label);
             self.path(&[[edge, y], [edge - length, y]], style::FRAME_LINE)?;
@@ -162,7 +167,7 @@ impl<B: DrawingBackend> Pen<B> {
             self.text(&tick.label, size, place, Anchor::Start, false)?;
         }
         let place = [bar.right(), bar.top - style::LABEL_GAP - 1.0];
-        self.text(&map.colours.title, style::TITLE, place, Anchor::End, false)
+        self.text(&colours.title, style::TITLE, place, Anchor::End, false)
     }
 
     fn words(&mut self, words: &Words) -> Drawn<B> {
@@ -184,6 +189,14 @@ impl<B: DrawingBackend> Pen<B> {
         ];
         self.text(&entry.label, style::LABEL, place, Anchor::Start, false)
     }
+}
+
+/// Shades of a map: so many that no step is seen in the colour bar.
+const SHADES: usize = 128;
+
+/// The middle of shade `k` on the scale of colours.
+fn middle(k: usize) -> f64 {
+    (k as f64 + 0.5) / SHADES as f64
 }
 
 fn tick_length(label: &str) -> f64 {

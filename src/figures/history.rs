@@ -1,6 +1,7 @@
 //! Curves over time: one row of panels a quantity, the exact solution thin below the cases.
 
 use super::Shown;
+use super::arrangement::Arrangement;
 use super::curves::{Curves, is_error};
 use super::label;
 use super::layout;
@@ -21,19 +22,19 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .filter(|c| c.solution.is_some())
         .collect();
     let drawn = &solved[..solved.len().min(style::MOST_LOOKS)];
-    let except: Vec<usize> = panels.iter().copied().collect();
-    let mut labels = label::labels(study.problem.parameters(), drawn, *by, &except);
+    let table = study.problem.parameters();
+    let except = panels.map_or(Vec::new(), |row| label::bound(table, drawn, row));
+    let (looks, labels) = label::numbered(&label::labels(table, drawn, *by, &except));
     let groups = match panels {
         Some(row) if !drawn.is_empty() => label::values(drawn, *row),
         _ => vec![None],
     };
-    // A case alone in its panel needs no name of its own.
-    if panels.is_some() && groups.len() == drawn.len() {
-        labels.fill("computed".into());
-    }
-    let (looks, labels) = label::numbered(&labels);
-    // Groups side by side, at most three; of one quantity alone, below one another.
-    let columns = if y.len() > 1 { groups.len().min(3) } else { 1 };
+    let arranged = Arrangement::of(y.len(), groups.len());
+    let columns = match arranged {
+        Arrangement::Stack => 1,
+        Arrangement::GroupsAcross => groups.len(),
+        Arrangement::QuantitiesAcross => y.len(),
+    };
     let width = if columns > 1 {
         style::DOUBLE
     } else {
@@ -54,70 +55,72 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         markers: 9.3 / (0.6 + 0.4 * columns as f64),
     };
 
-    // One row of panels for each quantity, or each group and quantity.
     let quantities: Vec<&Quantity> = y.iter().map(|q| &study.problem.quantities()[*q]).collect();
     let members: Vec<Vec<usize>> = groups
         .iter()
         .map(|group| curves.members(panels.map(|row| (row, *group))))
         .collect();
-    let blocks: Vec<&[Vec<usize>]> = members.chunks(columns).collect();
-    let mut rows: Vec<Vec<(Vec<Series>, &Quantity, usize)>> = Vec::new();
-    for (b, block) in blocks.iter().enumerate() {
-        for quantity in &quantities {
-            let panel = |(k, members): (usize, &Vec<usize>)| {
-                (curves.of(quantity, members), *quantity, b * columns + k)
-            };
-            rows.push(block.iter().enumerate().map(panel).collect());
-        }
-    }
-    // Several blocks of rows still go on one page.
-    let shrink = if blocks.len() > 1 { 0.7 } else { 1.0 };
-    let height = |quantity: &Quantity| shrink * height(quantity);
-    let heights: Vec<f64> = rows.iter().map(|row| height(row[0].1)).collect();
+    let rows = arranged.rows(quantities.len(), groups.len());
+    let series: Vec<Vec<Vec<Series>>> = members
+        .iter()
+        .map(|group| quantities.iter().map(|q| curves.of(q, group)).collect())
+        .collect();
+    let heights: Vec<f64> = rows
+        .iter()
+        .map(|row| match arranged {
+            Arrangement::QuantitiesAcross => LOW,
+            _ => row
+                .first()
+                .map_or(LOW, |cell| height(quantities[cell.quantity])),
+        })
+        .collect();
+    let tallest = heights.iter().fold(0.0, |a: f64, b| a.max(*b));
     let axes: Vec<Axis> = quantities
         .iter()
-        .map(|quantity| {
-            let of_it = rows
-                .iter()
-                .flatten()
-                .filter(|panel| panel.1.name == quantity.name);
-            let values = of_it
-                .flat_map(|panel| &panel.0)
-                .flat_map(|s| &s.points)
-                .map(|p| p[1]);
-            ticks::around(quantity.title, values, height(quantity) / 17.0)
+        .enumerate()
+        .map(|(q, quantity)| {
+            let of_it = series.iter().flat_map(|group| &group[q]);
+            let values = of_it.flat_map(|s| &s.points).map(|p| p[1]);
+            ticks::around(quantity.title, values, height(quantity).min(tallest) / 17.0)
         })
         .collect();
 
-    let grid = layout::grid(width, columns, &heights, &axes, 4.0);
-    let time = time_axis(study, end, grid.width / 38.0);
+    // One grid for the whole sheet, or one for each column where each has its own vertical axis.
+    let grids = match arranged {
+        Arrangement::QuantitiesAcross => layout::columns(width, &heights, &axes),
+        _ => vec![layout::grid(width, columns, &heights, &axes, 4.0)],
+    };
+    let time = time_axis(
+        study,
+        end,
+        grids.first().map_or(1.0, |grid| grid.width / 38.0),
+    );
     let mut sheet = Sheet {
         width,
         ..Sheet::default()
     };
-    let rows_below: Vec<Option<usize>> = (0..rows.len())
-        .map(|r| rows.get(r + 1).map(Vec::len))
-        .collect();
-    for (r, row) in rows.into_iter().enumerate() {
-        for (column, (series, _, group)) in row.into_iter().enumerate() {
-            let mut y = axes[r % quantities.len()].clone();
-            if column > 0 {
+    let last = rows.len().saturating_sub(1);
+    for (r, row) in rows.iter().enumerate() {
+        for (column, cell) in row.iter().enumerate() {
+            let (grid, frame) = match grids.get(column) {
+                Some(own) if grids.len() > 1 => (own, own.frames[r][0]),
+                _ => (&grids[0], grids[0].frames[r][column]),
+            };
+            let mut y = axes[cell.quantity].clone();
+            if column > 0 && grids.len() == 1 {
                 y.title.clear();
                 y.numbered = false;
             }
             let mut x = time.clone();
-            // The last panel of its column has the numbers, below it or where its block is not full.
-            if rows_below[r].is_some_and(|below| below > column) {
+            if r != last {
                 x.title.clear();
                 x.numbered = false;
             }
-            let mut panel = Panel::new(grid.frames[r][column], grid.margin, x, y);
+            let mut panel = Panel::new(frame, grid.margin, x, y);
             panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
-            panel.series = series;
-            if let (Some(row), Some(Some(value))) = (panels, groups.get(group))
-                && r % quantities.len() == 0
-            {
-                panel.letter = label::said(&study.problem.parameters()[*row], *value);
+            panel.series = series[cell.group][cell.quantity].clone();
+            if let (0, Some(first)) = (cell.quantity, members[cell.group].first()) {
+                panel.letter = label::all_said(table, drawn, &except, drawn[*first].case);
             }
             sheet.panels.push(panel);
         }
@@ -128,6 +131,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }
+
+/// Height of panels in a sheet of many rows.
+const LOW: f64 = 92.0;
 
 /// Errors lie flatter than the response.
 fn height(quantity: &Quantity) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::Shown;
 use super::number;
+use crate::problem::Case;
 use crate::problem::parameter::{Kind, Parameter, Value};
 
 /// Whether two values are the same, or both do not apply.
@@ -25,6 +26,41 @@ pub fn values(cases: &[Shown], row: usize) -> Vec<Option<Value>> {
     found
 }
 
+/// The parameters that vary, and are the same wherever `by` is: panels of `by` tell them all. `by` is the first.
+pub fn bound(table: &[Parameter], cases: &[Shown], by: usize) -> Vec<usize> {
+    let groups = values(cases, by);
+    let settled = |row: &usize| {
+        groups.iter().all(|group| {
+            let of_group = cases.iter().filter(|c| same(c.case.values[by], *group));
+            let mut its = of_group.map(|c| c.case.values[*row]);
+            let first = its.next().flatten();
+            its.all(|value| same(value, first))
+        })
+    };
+    let others = (0..table.len()).filter(|row| *row != by && varies(cases, *row));
+    std::iter::once(by).chain(others.filter(settled)).collect()
+}
+
+/// What a case has for these parameters, in markup, without those that only repeat another.
+pub fn all_said(table: &[Parameter], cases: &[Shown], rows: &[usize], case: &Case) -> String {
+    let telling = rows.iter().filter(|row| !echoes(cases, **row));
+    let parts = telling.filter_map(|row| case.values[*row].map(|value| said(&table[*row], value)));
+    parts.collect::<Vec<_>>().join(", ")
+}
+
+fn varies(cases: &[Shown], row: usize) -> bool {
+    values(cases, row).iter().flatten().count() > 1
+}
+
+/// Whether a parameter has in every case the value of one before it: the right bar's mesh is as the left one's.
+fn echoes(cases: &[Shown], row: usize) -> bool {
+    let repeats = |other| {
+        let alike = |c: &Shown| same(c.case.values[other], c.case.values[row]);
+        cases.iter().all(alike)
+    };
+    (0..row).any(repeats)
+}
+
 /// The labels of the cases: by parameter `by`, or else by all that vary but the rows `except`. Never empty ones.
 pub fn labels(
     table: &[Parameter],
@@ -35,7 +71,7 @@ pub fn labels(
     let mut rows = match by {
         Some(row) => vec![row],
         None => (0..table.len())
-            .filter(|row| !except.contains(row) && values(cases, *row).iter().flatten().count() > 1)
+            .filter(|row| !except.contains(row) && varies(cases, *row) && !echoes(cases, *row))
             .collect(),
     };
     // A law need not be named where each case's own parameter tells it.

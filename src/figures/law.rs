@@ -89,7 +89,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
                 marked,
             });
         }
-        keys.push(panel.series.iter().map(key).collect());
+        keys.push(panel.series.iter().map(Key::of).collect());
         if title.starts_with("*r*") {
             dimension(&mut panel, widest, [1.0, 1.25], "*r*^E^/Δ = *α*");
             dimension(&mut panel, reach - widest, [0.0, -1.25], "*r*^S^/Δ");
@@ -101,15 +101,6 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     layout::letters(&mut sheet.panels);
     layout::finish(&mut sheet, keys, figure.title.as_deref());
     sheet
-}
-
-fn key(series: &Series) -> Key {
-    Key {
-        label: series.label.clone(),
-        stroke: series.stroke,
-        width: series.width,
-        marker: series.marker,
-    }
 }
 
 /// A curve of a law: its points, and which of them carry a marker.
@@ -151,14 +142,8 @@ fn velocity(width: f64, reach: f64) -> Curve {
 /// A dimension line from the origin to `reach` at height `to`, with thin lines from the height `from` and words beyond.
 fn dimension(panel: &mut Panel, reach: f64, [from, to]: [f64; 2], text: &str) {
     for x in [0.0, reach] {
-        panel.series.push(Series {
-            label: String::new(),
-            points: vec![[x, from], [x, 1.06 * to]],
-            stroke: Stroke::Solid,
-            width: style::ZERO_LINE,
-            marker: None,
-            marked: Vec::new(),
-        });
+        let rule = Series::rule([[x, from], [x, 1.06 * to]]);
+        panel.series.push(rule);
     }
     panel.arrows.push([[0.0, to], [reach, to]]);
     let [x, y] = panel.place([reach / 2.0, to]);

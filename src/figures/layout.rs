@@ -2,7 +2,7 @@
 
 use super::clip;
 use super::draw::below;
-use super::sheet::{Anchor, Axis, Entry, Panel, Rect, Sheet, Words};
+use super::sheet::{Anchor, Axis, Entry, Panel, Rect, Series, Sheet, Words};
 use super::style::{self, Marker, Stroke};
 use super::text;
 
@@ -30,8 +30,8 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
         .map(|label| text::width(label, style::LABEL))
         .fold(0.0, f64::max);
     let margin = style::TITLE + style::TITLE_GAP + numbers + style::LABEL_GAP;
-    // Room for half of a number on either side.
-    let between = 20.0;
+    // Wide enough for the last number of one axis and the first of the next.
+    let between = 18.0;
     let columns_wide = columns as f64;
     let free = sheet_width - 2.0 * style::EDGE - margin - right - (columns_wide - 1.0) * between;
     // Whole points, so that frames of one sheet look the same in pixels.
@@ -56,6 +56,20 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
     }
 }
 
+/// Lays out rows of the given heights with a column for each of the vertical axes `y`, each with room for its own.
+pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
+    let share = (sheet_width / y.len() as f64).floor();
+    let column = |k: usize| {
+        // Room for the longest numbers in every column, so that frames are alike.
+        let mut grid = grid(share, 1, heights, y, 6.0);
+        for frame in grid.frames.iter_mut().flatten() {
+            frame.left += k as f64 * share;
+        }
+        grid
+    };
+    (0..y.len()).map(column).collect()
+}
+
 /// A line of the legend before it has its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Key {
@@ -70,6 +84,16 @@ pub struct Key {
 }
 
 impl Key {
+    /// The key of a curve.
+    pub fn of(series: &Series) -> Key {
+        Key {
+            label: series.label.clone(),
+            stroke: series.stroke,
+            width: series.width,
+            marker: series.marker,
+        }
+    }
+
     fn length(&self) -> f64 {
         style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
     }
@@ -124,25 +148,25 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
 }
 
-/// Adds words under the panels of a finished sheet, broken into lines of its width.
-pub fn footer(sheet: &mut Sheet, note: &str) {
-    let left = sheet.panels.first().map_or(style::EDGE, |p| p.frame.left);
-    let room = sheet.width - style::EDGE - left;
+/// Sets words small under a finished sheet, in as many lines as they need.
+pub fn small_print(sheet: &mut Sheet, markup: &str) {
+    let free = sheet.width - 2.0 * style::EDGE;
     let mut lines: Vec<String> = Vec::new();
-    for word in note.split_whitespace() {
+    for word in markup.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if text::width(&format!("{line} {word}"), style::LABEL) <= room => {
-                *line += &format!(" {word}");
+            Some(line) if text::width(&format!("{line} {word}"), style::LABEL) <= free => {
+                line.push(' ');
+                line.push_str(word);
             }
             _ => lines.push(word.to_owned()),
         }
     }
-    for line in lines {
+    for text in lines {
         sheet.height += style::LEADING;
-        sheet.footer.push(Words {
-            at: [left, sheet.height - style::EDGE],
+        sheet.small_print.push(Words {
+            at: [style::EDGE, sheet.height - style::EDGE],
             anchor: Anchor::Start,
-            text: line,
+            text,
             size: style::LABEL,
         });
     }

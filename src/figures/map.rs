@@ -2,14 +2,14 @@
 
 use super::Shown;
 use super::layout;
-use super::sheet::{Axis, FilledMap, Panel, Rect, Sheet};
+use super::sheet::{Axis, Cell, FilledMap, Panel, Rect, Sheet};
 use super::style;
 use super::text;
 use super::ticks;
 use crate::study::{Figure, FigureKind, Scale, Study};
 
-pub(super) const BAR_GAP: f64 = 12.0;
-pub(super) const BAR_WIDTH: f64 = 11.0;
+const BAR_GAP: f64 = 12.0;
+const BAR_WIDTH: f64 = 11.0;
 
 /// The sheet of a `map` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
@@ -22,51 +22,50 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         places(cases, scales[0], |c| number(c, *x)),
         places(cases, scales[1], |c| number(c, *y)),
     );
-    let mut values = vec![None; xs.len() * ys.len()];
+    let (x_edges, y_edges) = (edges(&xs, scales[0]), edges(&ys, scales[1]));
+    let mut cells: Vec<Cell> = Vec::new();
     for shown in cases {
         let found = |places: &[f64], row| {
             let value = number(shown, row)?;
             let i = places.partition_point(|p| *p < value && !same(*p, value));
             places.get(i).is_some_and(|p| same(*p, value)).then_some(i)
         };
-        if let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) {
-            values[row * xs.len() + column] = shown.metrics.get(*z).copied().flatten();
+        let value = shown.metrics.get(*z).copied().flatten();
+        if let (Some(column), Some(row), Some(value)) = (found(&xs, *x), found(&ys, *y), value) {
+            cells.push(Cell {
+                x: [x_edges[column], x_edges[column + 1]],
+                y: [y_edges[row], y_edges[row + 1]],
+                value,
+            });
         }
     }
     let height = 190.0;
-    let along = |row: usize, places: &[f64], scale, most| {
-        let edges = edges(places, scale);
+    let along = |row: usize, edges: &[f64], scale, most| {
         let range = [edges[0], edges[edges.len() - 1]];
         let title = parameters[row].symbol.to_owned();
-        let axis = match scale {
+        match scale {
             Scale::Linear => ticks::linear(&title, range, most),
             Scale::Log => ticks::log_range(&title, range, most),
-        };
-        (edges, axis)
+        }
     };
-    let colours = colours(metric.symbol, values.iter().flatten().copied(), scales[2]);
-    let numbers = colours
-        .ticks
-        .iter()
-        .map(|t| text::width(&t.label, style::LABEL));
-    let beside = BAR_GAP + BAR_WIDTH + style::LABEL_GAP + numbers.fold(0.0, f64::max);
-    let (y_edges, y_axis) = along(*y, &ys, scales[1], height / 28.0);
+    let colours = colours(metric.symbol, cells.iter().map(|c| c.value), scales[2]);
+    let y_axis = along(*y, &y_edges, scales[1], height / 28.0);
     let width = 1.3 * style::SINGLE;
-    let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), beside);
-    let (x_edges, x_axis) = along(*x, &xs, scales[0], grid.width / 40.0);
+    let grid = layout::grid(
+        width,
+        1,
+        &[height],
+        std::slice::from_ref(&y_axis),
+        beside(&colours),
+    );
+    let x_axis = along(*x, &x_edges, scales[0], grid.width / 40.0);
 
     let frame = grid.frames[0][0];
     let mut panel = Panel::new(frame, grid.margin, x_axis, y_axis);
     panel.map = Some(FilledMap {
-        x_edges,
-        y_edges,
-        values,
+        cells,
         colours,
-        bar: Some(Rect {
-            left: frame.right() + BAR_GAP,
-            width: BAR_WIDTH,
-            ..frame
-        }),
+        bar: Some(bar(&frame)),
     });
     let mut sheet = Sheet {
         width,
@@ -75,6 +74,22 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     };
     layout::finish(&mut sheet, Vec::new(), figure.title.as_deref());
     sheet
+}
+
+/// Room that a colour bar and its numbers take right of a frame.
+pub fn beside(colours: &Axis) -> f64 {
+    let labels = colours.ticks.iter().map(|t| &t.label);
+    let numbers = labels.map(|label| text::width(label, style::LABEL));
+    BAR_GAP + BAR_WIDTH + style::LABEL_GAP + numbers.fold(0.0, f64::max)
+}
+
+/// The colour bar right of a frame.
+pub fn bar(frame: &Rect) -> Rect {
+    Rect {
+        left: frame.right() + BAR_GAP,
+        width: BAR_WIDTH,
+        ..*frame
+    }
 }
 
 fn same(a: f64, b: f64) -> bool {
@@ -114,7 +129,8 @@ fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
     }
 }
 
-fn colours(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Scale) -> Axis {
+/// The axis of the colours: from the smallest to the largest of the values that have a place on the scale.
+pub fn colours(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Scale) -> Axis {
     let most = 7.0;
     let usable = values.filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0));
     let low = usable.clone().fold(f64::INFINITY, f64::min);

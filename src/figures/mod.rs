@@ -1,7 +1,8 @@
 //! Figures: a study's cases as sheets of panels, drawn as PNG and SVG by the same strokes. Draws data, never simulates.
 //!
-//! A kind of figure (`history`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
+//! A kind of figure (`history`, `profile`, `wave`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
 
+mod arrangement;
 mod clip;
 mod curves;
 mod draw;
@@ -22,6 +23,8 @@ pub mod sheet;
 pub mod style;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_extent;
 mod text;
 mod ticks;
 mod vector;
@@ -43,7 +46,7 @@ pub struct Shown<'a> {
     pub metrics: &'a [Option<f64>],
     /// What was computed, for kinds that draw histories; `None` if the case could not be solved.
     pub solution: Option<&'a Solution>,
-    /// What stands along the structure, at the times of `FigureKind::snapshot_times`.
+    /// What stands along the structure at the figure's times, rising with them; none for kinds that do not draw it.
     pub snapshots: &'a [Snapshot],
 }
 
@@ -61,25 +64,16 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         Some(title) => markup::plain(title),
         None => study.title.clone(),
     };
-    if let Some(note) = &figure.note {
-        layout::footer(&mut sheet, note);
-    }
-    let labels: Vec<_> = sheet
-        .legend
-        .iter()
-        .map(|e| markup::plain(&e.label))
+    let labels = sheet.legend.iter().map(|entry| &entry.label);
+    let said: Vec<_> = labels
+        .chain(&figure.note)
+        .map(|s| markup::plain(s))
         .collect();
-    sheet.description = labels.join("; ");
-    sheet
-}
-
-/// A sheet of paper with nothing on it, where a case without a solution leaves nothing to draw.
-fn blank() -> Sheet {
-    Sheet {
-        width: style::SINGLE,
-        height: style::SINGLE,
-        ..Sheet::default()
+    sheet.description = said.join("; ");
+    if let Some(note) = &figure.note {
+        layout::small_print(&mut sheet, note);
     }
+    sheet
 }
 
 /// The sheet as a PNG file; fails only on a sheet too large for memory.

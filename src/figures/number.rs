@@ -28,6 +28,17 @@ pub fn plain(x: f64) -> String {
     }
 }
 
+/// A number in markup, as `3/4` where that says it with a denominator up to 12.
+pub fn fraction(x: f64) -> String {
+    let parts = (2..=12_u32).find_map(|q| {
+        let p = x * f64::from(q);
+        let whole = p.round();
+        (x.fract() != 0.0 && whole.abs() < 100.0 && (p - whole).abs() <= 1e-12 * p.abs())
+            .then(|| format!("{whole}/{q}").replace('-', "−"))
+    });
+    parts.unwrap_or_else(|| plain(x))
+}
+
 /// `x` as a multiple of pi with a denominator up to 1000, if it is one within rounding.
 pub fn of_pi(x: f64) -> Option<String> {
     let (q, p) = (1..=1000_u32).find_map(|q| {
@@ -51,6 +62,19 @@ pub fn of_pi(x: f64) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fractions() {
+        for (x, text) in [
+            (0.0, "0"),
+            (0.25, "1/4"),
+            (0.5, "1/2"),
+            (-1.5, "−3/2"),
+            (0.31, "0.31"),
+        ] {
+            assert_eq!(fraction(x), text);
+        }
+    }
 
     #[test]
     fn multiples_of_pi_and_others() {

@@ -1,4 +1,5 @@
-//! Quantities along the structure: one row of panels a quantity, one column a time, the exact solution thin.
+//! Quantities along the structure: a row of panels for each time, a column for each quantity, the exact profile thin
+//! below the cases ([I] Fig. 6).
 
 use super::Shown;
 use super::label;
@@ -7,147 +8,171 @@ use super::number;
 use super::sheet::{Axis, Panel, Series, Sheet};
 use super::style::{self, Marker, Stroke};
 use super::ticks;
-use crate::problem::{Lines, parameter::Value};
 use crate::study::{Figure, FigureKind, Study};
 
-/// Most markers on one part of a curve.
-const MOST_MARKERS: usize = 14;
+/// Most markers along a part of the structure.
+const MARKERS: usize = 12;
 
 /// The sheet of a `profile` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let FigureKind::Profile { y, times } = &figure.kind else {
         return Sheet::default();
     };
-    if cases.iter().all(|shown| shown.snapshots.is_empty()) {
-        return super::blank();
-    }
-    let labels = label::labels(study.problem.parameters(), cases, None, &[]);
-    let (looks, labels) = label::numbered(&labels);
-    let panel_series = |quantity: usize, column: usize| -> Vec<Series> {
-        let lines: Vec<(usize, &Lines)> = cases
-            .iter()
-            .zip(&looks)
-            .filter_map(|(shown, look)| {
-                let lines = shown.snapshots.get(column)?.profiles.get(quantity)?;
-                Some((*look, lines))
-            })
-            .collect();
-        let mut series: Vec<Series> = Vec::new();
-        for part in lines.iter().flat_map(|(_, lines)| &lines.exact) {
-            if !series.iter().any(|s| s.points == *part) {
-                series.push(exact(part));
-            }
-        }
-        for (look, lines) in &lines {
-            let computed = lines.computed.iter();
-            series.extend(computed.map(|part| computed_series(part, &labels[*look], *look)));
-        }
-        series
-    };
-    let rows: Vec<Vec<Vec<Series>>> = y
-        .iter()
-        .map(|q| (0..times.len()).map(|t| panel_series(*q, t)).collect())
+    let (problem, width) = (study.problem, style::DOUBLE);
+    let solved = cases.iter().copied();
+    let solved: Vec<Shown> = solved
+        .filter(|c| c.snapshots.len() == times.len())
         .collect();
-    let height = 120.0;
-    let axes: Vec<Axis> = y
-        .iter()
-        .zip(&rows)
-        .map(|(q, row)| {
-            let points = row.iter().flatten().flat_map(|s| &s.points);
-            let title = study.problem.profiles()[*q].title;
-            ticks::around(title, points.map(|p| p[1]), height / 17.0)
+    let drawn = &solved[..solved.len().min(style::MOST_LOOKS)];
+    let labels = label::labels(problem.parameters(), drawn, None, &[]);
+    let (looks, labels) = label::numbered(&labels);
+    let panels: Vec<Vec<Vec<Series>>> = (0..times.len())
+        .map(|row| {
+            let panel = |quantity| curves(drawn, &looks, &labels, row, quantity);
+            y.iter().map(|quantity| panel(*quantity)).collect()
         })
         .collect();
-    let width = if times.len() > 2 {
-        style::DOUBLE
-    } else {
-        style::MIDDLE
+    let height = if times.len() > 1 { 92.0 } else { 160.0 };
+    let along = |k: usize, panel: fn(&[f64; 2]) -> f64| {
+        let series = panels.iter().flat_map(move |row| &row[k]);
+        series.flat_map(|s| &s.points).map(panel)
     };
-    let grid = layout::grid(width, times.len(), &vec![height; y.len()], &axes, 4.0);
-    let places = rows.iter().flatten().flatten().flat_map(|s| &s.points);
-    let (first, last) = places.fold((0.0, 0.0), |(a, b): (f64, f64), p| {
-        (a.min(p[0]), b.max(p[0]))
-    });
-    let across = ticks::linear(
-        study.problem.place_title(),
-        [first, last],
-        grid.width / 40.0,
-    );
+    let axes: Vec<Axis> = (0..y.len())
+        .map(|k| {
+            let title = problem.profiles()[y[k]].title;
+            ticks::around(title, along(k, |p| p[1]), height / 17.0)
+        })
+        .collect();
+    let grids = layout::columns(width, &vec![height; times.len()], &axes);
+    let places = (0..y.len()).flat_map(|k| along(k, |p| p[0]));
+    let most = grids.first().map_or(1.0, |grid| grid.width / 32.0);
+    let place = ticks::around(problem.place_title(), places, most);
+    let ends = ends(drawn);
 
     let mut sheet = Sheet {
         width,
         ..Sheet::default()
     };
-    let count = rows.len();
-    for (r, row) in rows.into_iter().enumerate() {
-        for (column, series) in row.into_iter().enumerate() {
-            let (mut x, mut axis) = (across.clone(), axes[r].clone());
-            if r + 1 < count {
+    for (r, row) in panels.into_iter().enumerate() {
+        for (k, series) in row.into_iter().enumerate() {
+            let mut x = place.clone();
+            if r + 1 < times.len() {
                 x.title.clear();
                 x.numbered = false;
             }
-            if column > 0 {
-                axis.title.clear();
-                axis.numbered = false;
+            let [low, high] = axes[k].range;
+            let mut panel = Panel::new(grids[k].frames[r][0], grids[k].margin, x, axes[k].clone());
+            panel.zero = low < 0.0 && high > 0.0;
+            // Where the parts end: at the contact, and free.
+            let rules = ends
+                .iter()
+                .map(|end| Series::rule([[*end, low], [*end, high]]));
+            panel.series = rules.chain(series).collect();
+            if k == 0 {
+                panel.letter = moment(study, drawn, r);
             }
-            let mut panel = Panel::new(grid.frames[r][column], grid.margin, x, axis);
-            panel.zero = true;
-            if r == 0 {
-                let time = number::value(Value::Number(times[column]));
-                panel.letter = format!("{} = {time}", study.problem.time_symbol());
-            }
-            panel.series = vec![contact(panel.y.range)];
-            panel.series.extend(series);
             sheet.panels.push(panel);
         }
     }
     layout::letters(&mut sheet.panels);
-    let mut keys: Vec<Key> = Vec::new();
-    for series in sheet.panels.iter().flat_map(|panel| &panel.series) {
-        if !series.label.is_empty() && !keys.iter().any(|key| key.label == series.label) {
-            keys.push(Key {
-                label: series.label.clone(),
-                stroke: series.stroke,
-                width: series.width,
-                marker: series.marker,
-            });
-        }
-    }
+    layout::left_out(&mut sheet, drawn.len(), solved.len());
+    let keys = keys(&sheet);
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }
 
-fn exact(part: &[[f64; 2]]) -> Series {
-    Series {
-        label: "exact".into(),
-        points: part.to_vec(),
-        stroke: Stroke::Solid,
-        width: style::EXACT_LINE,
-        marker: None,
-        marked: Vec::new(),
+/// The curves of one panel, the exact ones first.
+fn curves(
+    cases: &[Shown],
+    looks: &[usize],
+    labels: &[String],
+    row: usize,
+    quantity: usize,
+) -> Vec<Series> {
+    let mut exact: Vec<Series> = Vec::new();
+    let mut computed = Vec::new();
+    for (shown, look) in cases.iter().zip(looks) {
+        let lines = &shown.snapshots[row].profiles[quantity];
+        let points = joined(&lines.exact);
+        if !exact.iter().any(|series| alike(&series.points, &points)) {
+            exact.push(Series {
+                label: "exact".into(),
+                points,
+                stroke: Stroke::Solid,
+                width: style::EXACT_LINE,
+                marker: None,
+                marked: Vec::new(),
+            });
+        }
+        computed.push(Series {
+            label: labels[*look].clone(),
+            points: joined(&lines.computed),
+            stroke: Stroke::of_case(*look),
+            width: style::CASE_LINE,
+            marker: Some(Marker::of_case(*look)),
+            marked: marked(&lines.computed, *look, labels.len()),
+        });
     }
+    exact.extend(computed);
+    exact
 }
 
-fn computed_series(part: &[[f64; 2]], label: &str, look: usize) -> Series {
-    let every = part.len().div_ceil(MOST_MARKERS).max(1);
-    Series {
-        label: label.to_owned(),
-        points: part.to_vec(),
-        stroke: Stroke::of_case(look),
-        width: style::CASE_LINE,
-        marker: Some(Marker::of_case(look)),
-        marked: (0..part.len()).step_by(every).collect(),
-    }
+/// The lines of all parts as one series, with a gap between them.
+fn joined(lines: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
+    lines.join(&[f64::NAN; 2])
 }
 
-/// The place where the parts meet.
-fn contact(range: [f64; 2]) -> Series {
-    Series {
-        label: String::new(),
-        points: vec![[0.0, range[0]], [0.0, range[1]]],
-        stroke: Stroke::Solid,
-        width: style::ZERO_LINE,
-        marker: None,
-        marked: Vec::new(),
+/// Whether two series have the same points, gaps included.
+fn alike(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    let same = |a: f64, b: f64| a == b || (a.is_nan() && b.is_nan());
+    let pairs = a.iter().flatten().zip(b.iter().flatten());
+    a.len() == b.len() && pairs.into_iter().all(|(a, b)| same(*a, *b))
+}
+
+/// Which points of the joined lines carry a marker: of many, every second, third, ..., other ones for other curves.
+fn marked(lines: &[Vec<[f64; 2]>], look: usize, looks: usize) -> Vec<usize> {
+    let mut marked = Vec::new();
+    let mut start = 0;
+    for line in lines {
+        let every = line.len().div_ceil(MARKERS).max(1);
+        let first = look * every / looks.max(1);
+        marked.extend((first..line.len()).step_by(every).map(|i| start + i));
+        // One point further is the gap.
+        start += line.len() + 1;
     }
+    marked
+}
+
+/// The ends of the parts of the structure, each once.
+fn ends(cases: &[Shown]) -> Vec<f64> {
+    let snapshots = cases.iter().flat_map(|c| c.snapshots);
+    let lines = snapshots.flat_map(|s| &s.profiles).flat_map(|p| &p.exact);
+    let both = lines.flat_map(|line| line.first().into_iter().chain(line.last()));
+    let mut ends: Vec<f64> = both.map(|point| point[0]).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
+    ends
+}
+
+/// The time of a row in words: those of the steps, where cases have other ones than asked for.
+fn moment(study: &Study, cases: &[Shown], row: usize) -> String {
+    let mut times: Vec<f64> = cases.iter().map(|c| c.snapshots[row].time).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
+    let title = study.problem.time_title();
+    let symbol = title.strip_prefix("Time ").unwrap_or(title);
+    let times: Vec<String> = times.into_iter().map(number::fraction).collect();
+    format!("{symbol} = {}", times.join(", "))
+}
+
+/// The legend: exact, then every look once.
+fn keys(sheet: &Sheet) -> Vec<Key> {
+    let series = sheet.panels.first().map_or(&[][..], |panel| &panel.series);
+    let mut keys: Vec<Key> = Vec::new();
+    for series in series.iter().filter(|s| !s.label.is_empty()) {
+        if !keys.iter().any(|key| key.label == series.label) {
+            keys.push(Key::of(series));
+        }
+    }
+    keys
 }

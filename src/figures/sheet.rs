@@ -1,6 +1,6 @@
 //! A figure as data: what is drawn where, before anything is drawn. Lengths are points, y downwards.
 
-use super::style::{Marker, Stroke};
+use super::style::{self, Marker, Stroke};
 use crate::study::Scale;
 
 /// A rectangle on the sheet.
@@ -57,7 +57,7 @@ pub struct Sheet {
     /// Words over the panels, with their place.
     pub heading: Option<Words>,
     /// Lines of words under the panels, with their places.
-    pub footer: Vec<Words>,
+    pub small_print: Vec<Words>,
     /// Panels, from upper left to lower right.
     pub panels: Vec<Panel>,
     /// The legend, once for the whole sheet: inside a panel where it hides nothing, else above the panels.
@@ -168,6 +168,20 @@ pub struct Series {
     pub marked: Vec<usize>,
 }
 
+impl Series {
+    /// A thin line that is no curve: it has no name and no place in the legend.
+    pub fn rule(points: [[f64; 2]; 2]) -> Series {
+        Series {
+            label: String::new(),
+            points: points.to_vec(),
+            stroke: Stroke::Solid,
+            width: style::ZERO_LINE,
+            marker: None,
+            marked: Vec::new(),
+        }
+    }
+}
+
 /// A line of the legend.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
@@ -207,17 +221,24 @@ pub enum Anchor {
     End,
 }
 
-/// A quantity over two axes as filled cells, with its colour bar.
+/// A quantity over two axes as filled cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilledMap {
-    /// Edges of the cells along x, one more than cells.
-    pub x_edges: Vec<f64>,
-    /// Edges of the cells along y, one more than cells.
-    pub y_edges: Vec<f64>,
-    /// Values, x fastest; `None` leaves the cell white.
-    pub values: Vec<Option<f64>>,
+    /// The cells; where there is none the panel stays white.
+    pub cells: Vec<Cell>,
     /// Range and ticks of the colours.
     pub colours: Axis,
-    /// Frame of the colour bar; `None` where another panel has it.
+    /// Frame of the colour bar, in one of the panels that share the colours.
     pub bar: Option<Rect>,
+}
+
+/// A cell of a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cell {
+    /// Its edges along x, rising.
+    pub x: [f64; 2],
+    /// Its edges along y, rising.
+    pub y: [f64; 2],
+    /// What its colour shows.
+    pub value: f64,
 }

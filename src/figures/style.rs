@@ -30,7 +30,7 @@ pub const FRAME_LINE: f64 = 0.6;
 /// Width of the line at zero.
 pub const ZERO_LINE: f64 = 0.3;
 /// Width of the exact solution.
-pub const EXACT_LINE: f64 = 0.5;
+pub const EXACT_LINE: f64 = 0.6;
 /// Width of a case's curve.
 pub const CASE_LINE: f64 = 0.9;
 /// Width of a marker's outline.

@@ -22,6 +22,8 @@ pub struct Vector {
     body: String,
     /// Colour, width and path data of the strokes not written yet: neighbours in one style share an element.
     strokes: (String, u32, String),
+    /// Colour and path data of the filled rectangles not written yet, which share elements too.
+    cells: (String, String),
 }
 
 impl Vector {
@@ -34,6 +36,7 @@ impl Vector {
             glyphs: BTreeSet::new(),
             body: String::new(),
             strokes: Default::default(),
+            cells: Default::default(),
         }
     }
 
@@ -65,6 +68,13 @@ impl Vector {
         if !data.is_empty() {
             self.write(format_args!(
                 "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\"{data}\"/>"
+            ));
+        }
+        let (colour, data) = std::mem::take(&mut self.cells);
+        if !data.is_empty() {
+            // Without smoothing, so that neighbouring cells of a map leave no seam.
+            self.write(format_args!(
+                "<path fill=\"{colour}\" shape-rendering=\"crispEdges\" d=\"{data}\"/>"
             ));
         }
     }
@@ -140,7 +150,7 @@ impl DrawingBackend for Vector {
     ) -> Drawn {
         let points: Vec<_> = points.into_iter().collect();
         let (colour, width) = (colour(style.color()), style.stroke_width());
-        if self.strokes.0 != colour || self.strokes.1 != width {
+        if self.strokes.0 != colour || self.strokes.1 != width || !self.cells.1.is_empty() {
             self.flush();
             self.strokes = (colour, width, String::new());
         }
@@ -160,10 +170,12 @@ impl DrawingBackend for Vector {
         }
         let colour = colour(style.color());
         let (w, h) = (x1 - x0, y1 - y0);
-        // Without smoothing, so that neighbouring cells of a map leave no seam.
-        self.element(format_args!(
-            "<rect x=\"{x0}\" y=\"{y0}\" width=\"{w}\" height=\"{h}\" fill=\"{colour}\" shape-rendering=\"crispEdges\"/>"
-        ));
+        if self.cells.0 != colour || !self.strokes.2.is_empty() {
+            self.flush();
+            self.cells.0 = colour;
+        }
+        // Writing to a string cannot fail.
+        let _ = write!(self.cells.1, "M{x0} {y0}h{w}v{h}h{}z", -w);
         Ok(())
     }
 

@@ -1,98 +1,84 @@
-//! A quantity over place and time, computed beside exact, in the same shades.
+//! One quantity over place and time: computed as cells, a node or an element wide and a step high; exact as the pieces
+//! between its fronts.
 
 use super::Shown;
 use super::layout;
-use super::map::{BAR_GAP, BAR_WIDTH};
-use super::sheet::{FilledMap, Panel, Rect, Sheet};
+use super::map;
+use super::sheet::{Cell, FilledMap, Panel, Series, Sheet};
 use super::style;
-use super::text;
 use super::ticks;
 use crate::problem::Lines;
-use crate::study::{Figure, FigureKind, Study};
+use crate::study::{Figure, FigureKind, Scale, Study};
 
-/// Cells of the exact picture across the structure.
-const FINE: usize = 600;
+/// What stands between two places.
+type Piece = ([f64; 2], f64);
 
-/// The sheet of a `wave` figure.
+const HEIGHT: f64 = 240.0;
+
+/// The sheet of a `wave` figure, which shows the first of the cases; the study reader sees to it that there is one.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
-    let (FigureKind::Wave { y }, Some(shown)) = (&figure.kind, cases.first()) else {
-        return super::blank();
+    let FigureKind::Wave { y } = figure.kind else {
+        return Sheet::default();
     };
-    let rows: Vec<(f64, &Lines)> = shown
-        .snapshots
-        .iter()
-        .filter_map(|snapshot| Some((snapshot.time, snapshot.profiles.get(*y)?)))
-        .collect();
-    let (Some((_, first)), Some((end, _))) = (rows.first(), rows.last()) else {
-        return super::blank();
-    };
-    let parts: Vec<[f64; 2]> = first.exact.iter().map(|part| extent(part)).collect();
-    let coarse: Vec<f64> = first
-        .computed
-        .iter()
-        .zip(&parts)
-        .flat_map(|(part, extent)| cells(part, *extent))
-        .collect();
-    let coarse = joined(coarse);
-    let left = parts.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min);
-    let right = parts.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
-    let fine: Vec<f64> = (0..=FINE)
-        .map(|k| left + (right - left) * k as f64 / FINE as f64)
-        .collect();
-    let computed: Vec<Option<f64>> = rows
-        .iter()
-        .flat_map(|(_, lines)| rising(&lines.computed))
-        .map(|point| Some(point[1]))
-        .collect();
-    let exact: Vec<Option<f64>> = rows
-        .iter()
-        .flat_map(|(_, lines)| sampled(&lines.exact, &fine))
-        .collect();
-    let values = computed.iter().chain(&exact).flatten().copied();
-    let low = values.clone().fold(f64::INFINITY, f64::min);
-    let high = values.fold(f64::NEG_INFINITY, f64::max);
-    let title = study.problem.profiles()[*y].title;
-    let colours = ticks::linear(title, [low, high.max(low + 1e-9)], 7.0);
-
-    let height = 190.0;
-    let numbers = colours
-        .ticks
-        .iter()
-        .map(|t| text::width(&t.label, style::LABEL));
-    let beside = BAR_GAP + BAR_WIDTH + style::LABEL_GAP + numbers.fold(0.0, f64::max);
-    let upwards = ticks::linear(study.problem.time_title(), [0.0, *end], height / 28.0);
-    let axes = std::slice::from_ref(&upwards);
-    let grid = layout::grid(style::DOUBLE, 2, &[height], axes, beside);
-    let across = ticks::linear(
-        study.problem.place_title(),
-        [left, right],
-        grid.width / 100.0,
-    );
+    let mut rows: Vec<(f64, &Lines)> = Vec::new();
+    for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots) {
+        // Times closer than steps have the same one.
+        if rows.last().is_none_or(|(time, _)| *time < snapshot.time) {
+            rows.push((snapshot.time, &snapshot.profiles[y]));
+        }
+    }
     let times: Vec<f64> = rows.iter().map(|row| row.0).collect();
+    let edges = between(&times, times.first(), times.last());
+    let cells = |of: fn(&Lines) -> Vec<Piece>| -> Vec<Cell> {
+        let each = rows.iter().zip(edges.windows(2));
+        each.flat_map(|((_, lines), edge)| {
+            let y = [edge[0], edge[1]];
+            let pieces = of(lines).into_iter();
+            pieces.map(move |(x, value)| Cell { x, y, value })
+        })
+        .collect()
+    };
+    let panels = [("computed", cells(computed)), ("exact", cells(exact))];
+
+    let all = panels.iter().flat_map(|panel| &panel.1);
+    let title = study.problem.profiles()[y].title;
+    let colours = map::colours(title, all.clone().map(|cell| cell.value), Scale::Linear);
+    let [left, right] = all.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
+        [a.min(cell.x[0]), b.max(cell.x[1])]
+    });
+    let across = if left < right {
+        [left, right]
+    } else {
+        [0.0, 1.0]
+    };
+    let end = times
+        .last()
+        .copied()
+        .filter(|end| *end > 0.0)
+        .unwrap_or(1.0);
+    let time = ticks::linear(study.problem.time_title(), [0.0, end], HEIGHT / 28.0);
+    let width = style::DOUBLE;
+    let axis = std::slice::from_ref(&time);
+    let grid = layout::grid(width, 2, &[HEIGHT], axis, map::beside(&colours));
+    let place = ticks::linear(study.problem.place_title(), across, grid.width / 32.0);
     let mut sheet = Sheet {
-        width: style::DOUBLE,
+        width,
         ..Sheet::default()
     };
-    let pictures = [("computed", coarse, computed), ("exact", fine, exact)];
-    for (column, (name, x_edges, values)) in pictures.into_iter().enumerate() {
-        let frame = grid.frames[0][column];
-        let mut y = upwards.clone();
-        if column > 0 {
+    for (k, (what, cells)) in panels.into_iter().enumerate() {
+        let (frame, mut y) = (grid.frames[0][k], time.clone());
+        if k > 0 {
             y.title.clear();
             y.numbered = false;
         }
-        let mut panel = Panel::new(frame, grid.margin, across.clone(), y);
-        panel.letter = name.into();
+        let mut panel = Panel::new(frame, grid.margin, place.clone(), y);
+        panel.letter = what.into();
+        // The contact.
+        panel.series.push(Series::rule([[0.0, 0.0], [0.0, end]]));
         panel.map = Some(FilledMap {
-            x_edges,
-            y_edges: between(&times, [0.0, *end]),
-            values,
+            cells,
             colours: colours.clone(),
-            bar: (column > 0).then(|| Rect {
-                left: frame.right() + BAR_GAP,
-                width: BAR_WIDTH,
-                ..frame
-            }),
+            bar: (k == 1).then(|| map::bar(&frame)),
         });
         sheet.panels.push(panel);
     }
@@ -101,53 +87,41 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     sheet
 }
 
-/// First and last place of a part.
-fn extent(part: &[[f64; 2]]) -> [f64; 2] {
-    let places = part.iter().map(|p| p[0]);
-    [
-        places.clone().fold(f64::INFINITY, f64::min),
-        places.fold(f64::NEG_INFINITY, f64::max),
-    ]
+/// Edges of cells round rising places: half-way between neighbours, and at the ends.
+fn between(places: &[f64], first: Option<&f64>, last: Option<&f64>) -> Vec<f64> {
+    let middles = places.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0);
+    first
+        .copied()
+        .into_iter()
+        .chain(middles)
+        .chain(last.copied())
+        .collect()
 }
 
-/// Edges of the cells round a part's points, from the left.
-fn cells(part: &[[f64; 2]], extent: [f64; 2]) -> Vec<f64> {
-    let mut places: Vec<f64> = part.iter().map(|p| p[0]).collect();
-    places.sort_by(f64::total_cmp);
-    between(&places, extent)
+/// A cell round each node or element, reaching to the ends of its part.
+fn computed(lines: &Lines) -> Vec<Piece> {
+    let mut cells = Vec::new();
+    for (line, exact) in lines.computed.iter().zip(&lines.exact) {
+        let mut points = line.clone();
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut ends: Vec<f64> = exact.iter().map(|point| point[0]).collect();
+        ends.sort_by(f64::total_cmp);
+        let places: Vec<f64> = points.iter().map(|point| point[0]).collect();
+        let edges = between(&places, ends.first(), ends.last());
+        let pairs = edges.windows(2).zip(points);
+        cells.extend(pairs.map(|(edge, [_, value])| ([edge[0], edge[1]], value)));
+    }
+    cells
 }
 
-/// The ends of a range, and half-way between neighbours.
-fn between(places: &[f64], [first, last]: [f64; 2]) -> Vec<f64> {
-    let mut edges = vec![first];
-    edges.extend(places.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0));
-    edges.push(last);
-    edges
-}
-
-/// The edges of all parts in one row: where two parts meet, their common edge once.
-fn joined(mut edges: Vec<f64>) -> Vec<f64> {
-    edges.sort_by(f64::total_cmp);
-    edges.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
-    edges
-}
-
-/// All points of all parts from left to right.
-fn rising(parts: &[Vec<[f64; 2]>]) -> Vec<[f64; 2]> {
-    let mut points: Vec<[f64; 2]> = parts.concat();
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    points
-}
-
-/// The value of the lines in the middle of each cell.
-fn sampled(parts: &[Vec<[f64; 2]>], edges: &[f64]) -> Vec<Option<f64>> {
-    let pieces: Vec<&[[f64; 2]]> = parts.iter().flat_map(|part| part.chunks(2)).collect();
-    let value = |x: f64| {
-        let inside = |piece: &&&[[f64; 2]]| (piece[0][0] - x) * (piece[1][0] - x) <= 0.0;
-        pieces.iter().find(inside).map(|piece| piece[0][1])
-    };
-    edges
-        .windows(2)
-        .map(|edge| value((edge[0] + edge[1]) / 2.0))
+/// The pieces between fronts, on each of which the exact solution has one value.
+fn exact(lines: &Lines) -> Vec<Piece> {
+    let pieces = lines.exact.iter().flat_map(|line| line.windows(2));
+    pieces
+        .filter(|piece| piece[0][0] != piece[1][0])
+        .map(|piece| {
+            let [a, b] = [piece[0], piece[1]];
+            ([a[0].min(b[0]), a[0].max(b[0])], (a[1] + b[1]) / 2.0)
+        })
         .collect()
 }

@@ -96,3 +96,87 @@ fn residual_motion(exact: &Coulomb, c: &History) -> Option<f64> {
     };
     Some((late().reduce(f64::max)? - late().reduce(f64::min)?) * 0.5)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::tests::assert_metrics;
+
+    /// Rows at T = i pi/2 with these X and S.
+    fn history(rows: &[(f64, f64)]) -> History {
+        let mut history = History::default();
+        for (i, &(x, s)) in rows.iter().enumerate() {
+            history.push(i as f64 * 0.5 * PI, x, 0.0, s);
+        }
+        history
+    }
+
+    #[test]
+    fn a_short_history_by_hand() {
+        // x0 = 3 rests at -1 from T = pi on (m = 1), having lost (9 - 1)/2 = 4.
+        let c = history(&[
+            (3.0, 0.0),
+            (1.0, -1.0),
+            (-1.5, -0.4),
+            (-0.9, 1.0),
+            (-1.1, 0.0),
+            (-0.8, 0.2),
+        ]);
+        let e = history(&[
+            (3.0, 0.0),
+            (0.0, 0.0),
+            (-1.0, 0.0),
+            (-1.0, 0.0),
+            (-1.0, 0.0),
+            (-1.0, 0.0),
+        ]);
+        // c - e = 0, 1, -0.5, 0.1, -0.1, 0.2; work = 1 + 1.75 + 0.18 - 0.1 + 0.03 = 2.86.
+        let (cc, ee, ce): (f64, f64, f64) = (14.91, 13.0, 13.3);
+        let magnitude = (cc / ee).sqrt() - 1.0;
+        let phase = (ce / (cc * ee).sqrt()).acos() / PI;
+        let wanted = [
+            (1.31_f64 / 6.0).sqrt() / 3.0,
+            1.0 / 3.0,
+            // Within pi/2 <= T <= 3 pi/2 the lowest is -1.5.
+            0.5 / 3.0,
+            0.2 / 3.0,
+            // From 2 pi on: -1.1 and -0.8.
+            0.15 / 3.0,
+            2.86 / 4.0 - 1.0,
+            magnitude,
+            phase,
+            magnitude.hypot(phase),
+        ];
+        assert_metrics(&evaluate(3.0, 2.5 * PI, &c, &e), &wanted.map(Some));
+        // Mirrored, everything stays.
+        let mirror = |h: &History| {
+            let mut h = h.clone();
+            for x in h.displacement.iter_mut().chain(&mut h.force) {
+                *x = -*x;
+            }
+            h
+        };
+        assert_metrics(
+            &evaluate(-3.0, 2.5 * PI, &mirror(&c), &mirror(&e)),
+            &wanted.map(Some),
+        );
+    }
+
+    #[test]
+    fn cells_without_meaning_are_empty() {
+        let rows = [(3.0, 0.0), (1.0, -1.0), (-1.5, -0.4), (-0.9, 1.0)];
+        let defined = |x0: f64, rows: &[(f64, f64)]| {
+            let c = history(rows);
+            let duration = *c.time.last().unwrap();
+            let metrics = evaluate(x0, duration, &c, &c);
+            [metrics[2], metrics[3], metrics[4], metrics[5]].map(|m| m.is_some())
+        };
+        // peak, rest, residual motion, work
+        assert_eq!(defined(3.0, &rows), [true, true, false, true]);
+        // Before m pi, with a step in the peak's window and without.
+        assert_eq!(defined(3.0, &rows[..2]), [true, false, false, false]);
+        assert_eq!(defined(3.0, &rows[..1]), [false, false, false, false]);
+        // Never moves: m = 0, no peak, no work.
+        assert_eq!(defined(0.5, &rows), [false, true, true, false]);
+    }
+}

@@ -106,3 +106,103 @@ fn rms_error(t: &[f64], c: &[f64], wave: &Wave, of: fn(State) -> f64, duration: 
         .sum();
     (integral / duration).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::wave::Bars;
+    use crate::metrics::tests::assert_metrics;
+
+    fn wave(gap: f64, end: f64) -> Wave {
+        Bars {
+            impedance_ratio: 1.0,
+            time_ratio: 1.0,
+            gap,
+        }
+        .solve(end)
+    }
+
+    /// Rows (r, rdot, F) at steps of a quarter T_I.
+    fn history(rows: &[(f64, f64, f64)]) -> History {
+        let mut history = History::default();
+        for (i, &(r, rdot, force)) in rows.iter().enumerate() {
+            history.push(i as f64 * 0.25, r, rdot, force);
+        }
+        history
+    }
+
+    const ROWS: [(f64, f64, f64); 7] = [
+        (0.0, -0.5, 0.0),
+        (-0.1, -0.1, 1.2),
+        (0.05, 0.3, 0.0),
+        (-0.2, -0.4, 1.5),
+        (-0.1, 0.2, 0.9),
+        (0.3, 1.0, 0.0),
+        (0.8, 1.0, 0.0),
+    ];
+
+    #[test]
+    fn a_short_history_by_hand() {
+        let energy = [2.0, 2.1, 1.8, 1.9, 1.9, 2.05, 2.05];
+        // Exact r is 0 until T_I, then 2 (t - 1): off by 0, -0.1, 0.05, -0.2, -0.1, -0.2, -0.2. Exact rdot is 0, then
+        // 1, and at t = 1 each side has its own: trapezoids of (0.25, 0.01), (0.01, 0.09), (0.09, 0.16), (0.16, 0.04),
+        // (0.64, 0), (0, 0).
+        let r: f64 = 0.25 * (0.1425 - 0.02) / 1.5;
+        let rdot: f64 = 0.25 * 0.5 * 1.45 / 1.5;
+        let wanted = [
+            // From the step before the first overlap to the step after the last.
+            1.25,
+            // Open at 0.5, closed at 0.75.
+            1.0,
+            0.2,
+            // Steps at 0.5 and 0.75.
+            (0.125_f64).sqrt(),
+            1.5,
+            0.25 * 3.6 - 1.0,
+            0.8,
+            -0.1,
+            0.025,
+            r.sqrt(),
+            rdot.sqrt(),
+        ];
+        let found = evaluate(&history(&ROWS), &wave(0.0, 1.5), 1.5, &energy, 0.8);
+        assert_metrics(&found, &wanted.map(Some));
+    }
+
+    #[test]
+    fn separations_must_close_again_in_time() {
+        let count = |touch: f64, r: &[f64]| {
+            let rows: Vec<_> = r.iter().map(|&r| (r, 0.0, 0.0)).collect();
+            separations(&history(&rows), touch)
+        };
+        for (touch, r, wanted) in [
+            (0.0, &[0.0, 0.1, -0.1][..], 0.0),
+            (0.0, &[-0.1, 0.1, 0.1, 0.1, -0.1], 0.0),
+            (0.1, &[-0.1, 0.1, 0.1, 0.1, -0.1], 1.0),
+            (0.0, &[-0.1, 0.0, -0.1, 0.0], 1.0),
+            (1.0, &[-0.1, 0.1, -0.1, 0.1, -0.1, 0.1, -0.1], 3.0),
+        ] {
+            assert_eq!(count(touch, r), wanted, "{touch} {r:?}");
+        }
+    }
+
+    #[test]
+    fn cells_without_meaning_are_empty() {
+        let defined = |rows: &[(f64, f64, f64)], gap: f64| {
+            let c = history(rows);
+            let duration = *c.time.last().unwrap();
+            let metrics = evaluate(&c, &wave(gap, duration), duration, &[1.0], 0.0);
+            // contact duration, oscillation of rdot, impulse
+            [metrics[0], metrics[3], metrics[5]].map(|m| m.is_some())
+        };
+        assert_eq!(defined(&ROWS, 0.0), [true, true, true]);
+        // Still in contact; exact contact ends with the run, which is not beyond it.
+        assert_eq!(defined(&ROWS[..5], 0.0), [false, true, false]);
+        // Ends before 0.3 T_I; never in contact at all.
+        assert_eq!(defined(&ROWS[..2], 0.0), [false, false, false]);
+        let apart = [(9.0, -1.0, 0.0), (8.5, -1.0, 0.0)];
+        assert_eq!(defined(&apart, 9.0), [false, false, false]);
+        let overlap = evaluate(&history(&apart), &wave(9.0, 0.25), 0.25, &[1.0], 0.0)[2];
+        assert_eq!(overlap, Some(-8.5));
+    }
+}

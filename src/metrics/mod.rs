@@ -16,3 +16,43 @@ pub fn steps(duration: f64, step: f64) -> u64 {
 pub fn reached(t: f64, mark: f64) -> bool {
     t * (1.0 + SLACK) >= mark
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    /// Asserts each metric: the same cells empty, the others within round-off of a short sum.
+    pub(super) fn assert_metrics(found: &[Option<f64>], wanted: &[Option<f64>]) {
+        assert_eq!(found.len(), wanted.len());
+        for (i, (found, wanted)) in found.iter().zip(wanted).enumerate() {
+            match (found, wanted) {
+                (Some(a), Some(b)) => assert!((a - b).abs() < 1e-14, "metric {i}: {a}, not {b}"),
+                _ => assert_eq!(found, wanted, "metric {i}"),
+            }
+        }
+    }
+
+    #[test]
+    fn whole_quotients_lose_no_step() {
+        for (duration, step, count) in [
+            (1.2, 0.4, 3),
+            (8.0 * PI, PI / 10.0, 80),
+            (1.0, 0.3, 3),
+            (0.7, 0.1, 7),
+            (1.0, 1.0, 1),
+            (1.0 - 1e-9, 1.0, 0),
+        ] {
+            assert_eq!(steps(duration, step), count, "{duration}/{step}");
+        }
+        // Where it is larger than a number of steps can be, it saturates.
+        assert_eq!(steps(1e300, 1e-300), u64::MAX);
+    }
+
+    #[test]
+    fn times_are_reached_within_the_slack() {
+        assert!(reached(70.0 * (PI / 10.0), 7.0 * PI));
+        assert!(reached(1.0 - 5e-13, 1.0));
+        assert!(!reached(1.0 - 2e-12, 1.0));
+    }
+}

@@ -156,10 +156,6 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
         Vec::new()
     }
-    /// How figures write the time.
-    fn time_symbol(&self) -> &'static str {
-        "*t*"
-    }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;
     /// Whether time axes have their ticks at multiples of pi.

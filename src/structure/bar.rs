@@ -74,3 +74,103 @@ impl Bar {
         cos(turn as f64 * PI / f64::from(self.elements))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::Modal;
+    use nalgebra::{DMatrix, DVector};
+
+    /// M and K of a bar element by element, the contact at node 0.
+    fn assembled(bar: &Bar) -> (DMatrix<f64>, DMatrix<f64>) {
+        let n = bar.elements as usize;
+        let (mut m, mut k) = (DMatrix::zeros(n + 1, n + 1), DMatrix::zeros(n + 1, n + 1));
+        let element = bar.mass / n as f64;
+        // EA/h = (EA/C0) (C0/h) with EA/C0 = mass C0/L = 2 mass/trip.
+        let stiffness = 2.0 * bar.mass / bar.trip * (2.0 * n as f64 / bar.trip);
+        let (own, other) = match bar.kind {
+            Mass::Lumped => (element / 2.0, 0.0),
+            Mass::Consistent => (element / 3.0, element / 6.0),
+        };
+        for i in 0..n {
+            for (row, column, sign) in [
+                (i, i, 1.0),
+                (i + 1, i + 1, 1.0),
+                (i, i + 1, -1.0),
+                (i + 1, i, -1.0),
+            ] {
+                m[(row, column)] += if row == column { own } else { other };
+                k[(row, column)] += sign * stiffness;
+            }
+        }
+        (m, k)
+    }
+
+    fn each(check: impl Fn(&Bar, DMatrix<f64>, DMatrix<f64>)) {
+        for kind in [Mass::Lumped, Mass::Consistent] {
+            for elements in [1, 2, 7] {
+                let bar = Bar {
+                    elements,
+                    mass: 3.0,
+                    trip: 0.7,
+                    kind,
+                };
+                let (m, k) = assembled(&bar);
+                check(&bar, m, k);
+            }
+        }
+    }
+
+    /// Sums over up to 8 nodes and an eigensolver, relative to the largest number there is.
+    const ROUND_OFF: f64 = 1e-13;
+
+    #[test]
+    fn modes_are_those_of_the_assembled_bar() {
+        each(|bar, m, k| {
+            let size = m.nrows();
+            let mut contact = DVector::zeros(size);
+            contact[0] = 1.0;
+            let modal = Modal::new(&m, &k, &contact).unwrap();
+            let highest = modal.modes[size - 1].omega2;
+            assert_eq!(bar.modes().count(), size);
+            for (ours, theirs) in bar.modes().zip(&modal.modes) {
+                assert!(
+                    (ours.omega2 - theirs.omega2).abs() < ROUND_OFF * highest,
+                    "{bar:?}"
+                );
+                assert!((ours.phi2 - theirs.phi2).abs() < ROUND_OFF, "{bar:?}");
+            }
+        });
+    }
+
+    #[test]
+    fn shapes_are_orthogonal_in_mass_and_stiffness() {
+        each(|bar, m, k| {
+            let size = m.nrows();
+            let shapes = DMatrix::from_fn(size, size, |i, j| bar.shape(j as u32, i as u32));
+            let (masses, stiffnesses) = (
+                shapes.transpose() * m * &shapes,
+                shapes.transpose() * k * &shapes,
+            );
+            let highest = stiffnesses.amax();
+            for (i, own) in bar.modes().enumerate() {
+                assert_eq!(shapes[(0, i)], 1.0);
+                for j in 0..size {
+                    let (mass, stiffness) = if i == j {
+                        (1.0 / own.phi2, own.omega2 / own.phi2)
+                    } else {
+                        (0.0, 0.0)
+                    };
+                    assert!(
+                        (masses[(i, j)] - mass).abs() < ROUND_OFF * bar.mass,
+                        "{bar:?} {i} {j}"
+                    );
+                    assert!(
+                        (stiffnesses[(i, j)] - stiffness).abs() < ROUND_OFF * highest,
+                        "{bar:?} {i} {j}"
+                    );
+                }
+            }
+        });
+    }
+}

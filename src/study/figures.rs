@@ -84,13 +84,10 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
             );
             faults.add(member.node.at, &object.path(&member.key), message);
         }
-        if member.key == "kind"
-            && ["profile", "wave"].contains(&kind.name)
-            && scope.problem.profiles().is_empty()
-        {
+        if member.key == "kind" && kind.needs_extent() && scope.problem.profiles().is_empty() {
             let problem = scope.problem.name();
-            let others = kinds::names().into_iter().filter(|name| *name != kind.name);
-            let others: Vec<&str> = others.collect();
+            let others = KINDS.iter().filter(|other| !other.needs_extent());
+            let others: Vec<&str> = others.map(|other| other.name).collect();
             let message = format!("{problem} has no profiles; allowed: {}", others.join(", "));
             faults.add(member.node.at, &object.path("kind"), message);
         }
@@ -114,7 +111,10 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
             times: values.times("times"),
         },
         "wave" => FigureKind::Wave {
-            y: values.row("y")?,
+            y: match values.row("y") {
+                Some(row) => row,
+                None => scope.problem.profiles().len().checked_sub(1)?,
+            },
         },
         "metric" => FigureKind::Metric {
             x: values.row("x")?,

@@ -7,13 +7,18 @@ use super::report::{Faults, join};
 use super::scope::Scope;
 use super::taken::Values;
 use super::{Figure, FigureKind, Scale};
-use crate::metrics::reached;
 use crate::problem::parameter::{Default, Value};
 
 /// Most curves that line styles can tell apart in one panel.
 const MOST_CURVES: usize = 8;
 
-/// Most panels that `panels` may ask for.
+/// Most cases of a figure of profiles, whose markers lie close.
+const MOST_PROFILES: usize = 6;
+
+/// What to do about too many cases.
+const NARROW: &str = "narrow the cases with \"where\"";
+
+/// Most panels that `panels`, or times and quantities of profiles, may ask for.
 const MOST_PANELS: usize = 24;
 
 /// Most steps of all histories in one figure: the histories of all its cases are held at once.
@@ -51,41 +56,12 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             }
             one_case_a_place(figure, [*x, *y], values, scope, faults);
         }
-        FigureKind::Profile { times, .. } => {
-            at_most(MOST_CURVES, figure, values, scope, faults);
-            within_the_run(times, figure, values, scope, faults);
+        FigureKind::Profile { y, times } => {
+            profiles(figure, y.len() * times.len(), values, scope, faults);
+            within(figure, times, values, scope, faults);
         }
-        FigureKind::Wave { .. } => at_most(1, figure, values, scope, faults),
+        FigureKind::Wave { .. } => one_case(figure, values, scope, faults),
         FigureKind::Law => {}
-    }
-}
-
-/// Reports more cases than the kind shows.
-fn at_most(most: usize, figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
-    if scope.select(&figure.filter).nth(most).is_some() {
-        let cases = if most == 1 { "case" } else { "cases" };
-        let message = format!("shows at most {most} {cases}; narrow them with \"where\"");
-        let path = join(values.path, "where");
-        faults.add(values.at("where"), &path, message);
-    }
-}
-
-/// Reports times that a case shown does not reach.
-fn within_the_run(
-    times: &[f64],
-    figure: &Figure,
-    values: &Values,
-    scope: &Scope,
-    faults: &mut Faults,
-) {
-    let cases = scope.select(&figure.filter).take(MOST_CURVES);
-    let case = |index| super::cases::case(scope.problem, &scope.blocks, index);
-    let ends = cases.filter_map(case).filter_map(|c| c.number("duration"));
-    let end = ends.fold(f64::INFINITY, f64::min);
-    if let Some(late) = times.iter().find(|t| !reached(end, **t)) {
-        let (late, end) = (Value::Number(*late), Value::Number(end));
-        let message = format!("must be at most duration = {end}, got {late}");
-        faults.add(values.at("times"), &join(values.path, "times"), message);
     }
 }
 
@@ -138,11 +114,10 @@ fn curves(
     scope: &Scope,
     faults: &mut Faults,
 ) {
-    let narrow = "narrow the cases with \"where\"";
     if let Some(row) = panels {
         let count = scope.levels(&figure.filter, row).len();
         if count > MOST_PANELS {
-            let message = format!("{count} panels; allowed: at most {MOST_PANELS}; {narrow}");
+            let message = format!("{count} panels; allowed: at most {MOST_PANELS}; {NARROW}");
             faults.add(values.at("panels"), &join(values.path, "panels"), message);
             return;
         }
@@ -162,9 +137,45 @@ fn curves(
         } else {
             continue;
         };
-        let message = format!("more than {most}; {narrow}");
+        let message = format!("more than {most}; {NARROW}");
         faults.add(values.at("where"), &join(values.path, "where"), message);
         return;
+    }
+}
+
+/// Reports more profiles than can be told apart, or than fit a page.
+fn profiles(figure: &Figure, panels: usize, values: &Values, scope: &Scope, faults: &mut Faults) {
+    if panels > MOST_PANELS {
+        let message = format!("{panels} panels; allowed: at most {MOST_PANELS}");
+        faults.add(values.at("times"), &join(values.path, "times"), message);
+    }
+    if scope.select(&figure.filter).nth(MOST_PROFILES).is_some() {
+        let message = format!("more than {MOST_PROFILES} cases in one panel; {NARROW}");
+        faults.add(values.at("where"), &join(values.path, "where"), message);
+    }
+}
+
+/// Reports times that a case shown does not reach.
+fn within(figure: &Figure, times: &[f64], values: &Values, scope: &Scope, faults: &mut Faults) {
+    let table = scope.problem.parameters();
+    let Some(row) = table.iter().position(|p| p.name == "duration") else {
+        return;
+    };
+    let ends = scope.levels(&figure.filter, row);
+    let end = ends.iter().filter_map(|level| level.as_f64());
+    let end = end.fold(f64::INFINITY, f64::min);
+    for (i, time) in times.iter().enumerate().filter(|(_, t)| **t > end) {
+        let (at, path) = values.item("times", i);
+        let message = format!("must be at most duration = {end}, got {time}");
+        faults.add(at, &path, message);
+    }
+}
+
+/// Reports more cases than the one that a wave shows.
+fn one_case(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
+    if scope.select(&figure.filter).nth(1).is_some() {
+        let message = format!("a wave figure shows one case, and more are chosen; {NARROW}");
+        faults.add(values.at("where"), &join(values.path, "where"), message);
     }
 }
 

@@ -33,10 +33,10 @@ pub(super) enum Takes {
     NumericParameter,
     /// One or several of the problem's quantities over time.
     Quantities,
-    /// One or several of the problem's quantities along the structure.
-    Profiles,
     /// One of the problem's quantities along the structure.
     Profile,
+    /// One or several of the problem's quantities along the structure.
+    Profiles,
     /// A metric.
     Metric,
     /// One or several metrics.
@@ -73,7 +73,7 @@ pub(super) static COMMON: [Key; 5] = [
         "note",
         Takes::Text,
         false,
-        "words under the panels, for what the reader must know; none if left out",
+        "what a reader must know beside it, small under the panels; none if left out",
     ),
     key(
         "where",
@@ -111,26 +111,31 @@ pub(super) static KINDS: [Kind; 6] = [
     },
     Kind {
         name: "profile",
-        meaning: "quantities along the structure at given times",
+        meaning: "quantities along the structure at given times, the exact solution as a thin line; at most 6 cases",
         keys: &[
             key(
                 "y",
                 Takes::Profiles,
                 false,
-                "quantities, one row of panels each; all if left out",
+                "quantities, one column of panels each; all if left out",
             ),
             key(
                 "times",
                 Takes::Times,
                 true,
-                "times in the problem's unit, one column of panels each",
+                "times in the problem's unit, one row of panels each; none beyond the duration of a case",
             ),
         ],
     },
     Kind {
         name: "wave",
-        meaning: "a quantity over place and time for one case, as shades, computed beside exact",
-        keys: &[key("y", Takes::Profile, true, "quantity shown as shades")],
+        meaning: "one case over place and time, as shades with a colour bar: computed, and exact beside it",
+        keys: &[key(
+            "y",
+            Takes::Profile,
+            false,
+            "quantity along the structure; the problem's last if left out",
+        )],
     },
     Kind {
         name: "metric",
@@ -206,6 +211,14 @@ pub(super) static KINDS: [Kind; 6] = [
         keys: &[],
     },
 ];
+
+impl Kind {
+    /// Whether it draws what only a problem with extent has.
+    pub fn needs_extent(&self) -> bool {
+        let along = |key: &Key| matches!(key.takes, Takes::Profile | Takes::Profiles);
+        self.keys.iter().any(along)
+    }
+}
 
 /// Names of all kinds.
 pub(super) fn names() -> Vec<&'static str> {

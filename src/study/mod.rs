@@ -30,8 +30,8 @@ mod words;
 pub use decode::{parse, read};
 pub use schema::schema;
 
+use crate::problem::Problem;
 use crate::problem::parameter::Value;
-use crate::problem::{Case, Problem};
 
 /// A validated study.
 #[derive(Debug)]
@@ -92,13 +92,16 @@ pub struct Figure {
     pub name: String,
     /// Heading, if the study gives one.
     pub title: Option<String>,
-    /// Words under the panels, if the study gives some.
+    /// What stands small under the panels, if the study says anything.
     pub note: Option<String>,
     /// Which cases.
     pub filter: Filter,
     /// What is drawn.
     pub kind: FigureKind,
 }
+
+/// Most times that a wave is drawn at: about two pixels each.
+const MOST_ROWS: u64 = 300;
 
 /// The kinds of figure and what each needs to know.
 #[derive(Debug)]
@@ -119,9 +122,9 @@ pub enum FigureKind {
         /// Times, in the problem's unit.
         times: Vec<f64>,
     },
-    /// A quantity over place and time for one case, computed beside exact.
+    /// One case over place and time, computed and exact, as shades with a colour bar.
     Wave {
-        /// Which of the problem's profile quantities.
+        /// Row of `problem.profiles()`.
         y: usize,
     },
     /// Metrics against a parameter.
@@ -158,23 +161,20 @@ impl FigureKind {
         matches!(self, FigureKind::History { .. })
     }
 
-    /// Times at which the figure wants the profiles of `case`; none for kinds without.
-    pub fn snapshot_times(&self, problem: &dyn Problem, case: &Case) -> Vec<f64> {
+    /// The times at which it draws what stands along the structure, for a case of this duration and number of steps;
+    /// none for kinds that do not.
+    pub fn snapshot_times(&self, duration: f64, steps: u64) -> Vec<f64> {
         match self {
             FigureKind::Profile { times, .. } => times.clone(),
             FigureKind::Wave { .. } => {
-                let (steps, end) = (problem.steps(case), case.number("duration").unwrap_or(0.0));
                 let rows = steps.clamp(1, MOST_ROWS);
-                let row = |k: u64| end * k as f64 / rows as f64;
-                (0..=rows).map(row).collect()
+                let time = |row| duration * row as f64 / rows as f64;
+                (0..=rows).map(time).collect()
             }
             _ => Vec::new(),
         }
     }
 }
-
-/// Most rows of a picture over place and time: more than its pixels show.
-const MOST_ROWS: u64 = 600;
 
 /// How numbers are laid along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

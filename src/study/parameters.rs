@@ -27,6 +27,8 @@ pub(super) struct Draft {
     pub at: usize,
     pub path: String,
     pub given: Vec<Given>,
+    /// Rows of parameters that are given, but with a faulty value: of them nothing further is said.
+    pub faulty: Vec<usize>,
 }
 
 impl Draft {
@@ -41,25 +43,28 @@ impl Draft {
     }
 }
 
-/// Decodes a `parameters` object; `None` if it has a fault.
+/// Decodes a `parameters` object, what is faulty left out; `None` if it is none.
 pub(super) fn parameters(
     node: &Node,
     path: &str,
     table: &'static [Parameter],
     faults: &mut Faults,
 ) -> Option<Draft> {
-    let before = faults.count();
     let mut given = Vec::new();
     gather(node, path, "", table, &mut given, faults)?;
-    let draft = Draft {
+    let mut draft = Draft {
         at: node.at,
         path: path.to_owned(),
         given,
+        faulty: Vec::new(),
     };
     for (row, parameter) in table.iter().enumerate() {
         applies(&draft, row, parameter, table, faults);
     }
-    (faults.count() == before).then_some(draft)
+    let without = draft.given.iter().filter(|given| given.values.is_empty());
+    draft.faulty = without.map(|given| given.parameter).collect();
+    draft.given.retain(|given| !given.values.is_empty());
+    Some(draft)
 }
 
 /// Decodes the keys of one object; `right.L` of the table is key `L` of the object `right`.

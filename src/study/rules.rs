@@ -48,11 +48,20 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, faults: &mut Faults) {
     let mut told = std::collections::HashSet::new();
     for index in 0..sieved.len().min(MOST_CHECKED) {
         let mut case = sieved.case(problem, index);
+        for row in &draft.faulty {
+            case.values[*row] = None;
+        }
         for violation in problem.complete(&mut case) {
             let row = problem
                 .parameters()
                 .iter()
                 .position(|p| p.name == violation.parameter);
+            // What is faulty itself has been told, and may be what another seems to lack.
+            let told_already = row.is_some_and(|row| draft.faulty.contains(&row));
+            let lacks = violation.message.starts_with("missing") && !draft.faulty.is_empty();
+            if told_already || lacks {
+                continue;
+            }
             let axis = block.axes.iter().position(|a| Some(a.parameter) == row);
             let (at, path) = match axis {
                 Some(axis) => {

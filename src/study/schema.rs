@@ -93,9 +93,10 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
             required.push(key.name);
         }
     }
-    let then = match kind.name {
-        "profile" | "wave" if problem.profiles().is_empty() => json!(false),
-        _ => object(properties, &required),
+    let then = if kind.needs_extent() && problem.profiles().is_empty() {
+        json!(false)
+    } else {
+        object(properties, &required)
     };
     json!({
         "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
@@ -110,6 +111,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         let fitting = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
         names(fitting.map(|p| (p.name, p.meaning)))
     };
+    let profiles = || names(problem.profiles().iter().map(|p| (p.name, p.title)));
     let defined = |what: &str| refer(&name_of(problem, what));
     match key.takes {
         Takes::FileName => {
@@ -123,8 +125,8 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Quantities => several(names(
             problem.quantities().iter().map(|q| (q.name, q.title)),
         )),
-        Takes::Profiles => several(names(problem.profiles().iter().map(|p| (p.name, p.title)))),
-        Takes::Profile => names(problem.profiles().iter().map(|p| (p.name, p.title))),
+        Takes::Profile => profiles(),
+        Takes::Profiles => several(profiles()),
         Takes::Metric => defined("metric"),
         Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),

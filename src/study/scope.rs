@@ -20,6 +20,10 @@ impl Scope {
         self.problem.parameters().iter().map(|p| p.name).collect()
     }
 
+    pub fn profiles(&self) -> Vec<&'static str> {
+        self.problem.profiles().iter().map(|p| p.name).collect()
+    }
+
     pub fn metrics(&self) -> Vec<&'static str> {
         self.problem.metrics().iter().map(|m| m.name).collect()
     }

@@ -1,7 +1,7 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
 use super::kinds::{Key, SCALES, Takes};
-use super::report::Faults;
+use super::report::{Faults, join};
 use super::scope::{Scope, names};
 use super::tree::{Node, Tree};
 use super::value::{name, number, text};
@@ -77,6 +77,16 @@ impl Values<'_> {
         let found = self.taken.iter().find(|taken| taken.0 == key);
         found.map_or(self.node.at, |taken| taken.1.at)
     }
+
+    /// The offset and path of item `i` of the value of `key`, which may stand there without a list.
+    pub fn item(&self, key: &str, i: usize) -> (usize, String) {
+        let path = join(self.path, key);
+        let found = self.taken.iter().find(|taken| taken.0 == key);
+        match found.map(|taken| &taken.1.tree) {
+            Some(Tree::List(items)) if i < items.len() => (items[i].at, format!("{path}[{i}]")),
+            _ => (self.at(key), path),
+        }
+    }
 }
 
 /// Decodes the value of one key by what the table says it takes.
@@ -125,14 +135,10 @@ pub(super) fn take(
             let all: Vec<&str> = scope.problem.quantities().iter().map(|q| q.name).collect();
             names(node, path, "quantity", &all, faults)
         }
-        Takes::Profiles => {
-            let all: Vec<&str> = scope.problem.profiles().iter().map(|p| p.name).collect();
-            names(node, path, "profile", &all, faults)
-        }
         Takes::Profile => {
-            let all: Vec<&str> = scope.problem.profiles().iter().map(|p| p.name).collect();
-            name(node, path, "profile", &all, faults).map(|row| vec![row])
+            name(node, path, "profile", &scope.profiles(), faults).map(|row| vec![row])
         }
+        Takes::Profiles => names(node, path, "profile", &scope.profiles(), faults),
         Takes::Metric => name(node, path, "metric", &scope.metrics(), faults).map(|row| vec![row]),
         Takes::Metrics => names(node, path, "metric", &scope.metrics(), faults),
     };

@@ -43,9 +43,13 @@ fn stiffness() {
         &format!("\"k_I\": ¶0, {rest}"),
         &["parameters.k_I: must be > 0, got 0"],
     );
-    bad(
-        &format!("\"k_i\": ¶5, {rest}"),
-        &["parameters.k_i: unknown key \"k_i\", did you mean \"k_I\"?"],
+    let misspelt = bars(&format!("\"k_i\": ¶5, {rest}"), "").replace(": { ", ": ¶{ ");
+    refused(
+        &misspelt,
+        &[
+            "parameters.gamma: missing: give exactly one of gamma, k_I",
+            "parameters.k_i: unknown key \"k_i\", did you mean \"k_I\"?",
+        ],
     );
 }
 

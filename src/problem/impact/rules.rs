@@ -1,0 +1,142 @@
+//! What follows from a case's parameters, and the rules across them.
+
+use super::scaled::Scaled;
+use super::tables::PARAMETERS;
+use crate::exact::wave::Bars;
+use crate::problem::parameter::{Default, Value, shortest};
+use crate::problem::{Case, Violation, time_rules};
+
+/// Most fronts of the exact solution that fit in memory: trips there and back within the run.
+const MOST_TRIPS: f64 = 1e5;
+
+/// Fills in what follows, and names every rule that the case breaks.
+pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
+    let mut violations = Vec::new();
+    follow_left(case);
+    stiffness(case, &mut violations);
+    if let (Some(step), Some(duration)) = (case.number("dt"), case.number("duration")) {
+        violations.extend(time_rules("dt", step, duration));
+    }
+    closing(case, &mut violations);
+    if violations.is_empty() {
+        scales(case, &mut violations);
+    }
+    violations
+}
+
+/// What is left out of the right bar is as in the left one; its velocity has the sign turned.
+fn follow_left(case: &mut Case) {
+    let wall = case.choice("right") == "wall";
+    for (row, parameter) in PARAMETERS.iter().enumerate() {
+        let Some(name) = parameter.name.strip_prefix("right.") else {
+            continue;
+        };
+        if wall {
+            case.values[row] = None;
+        } else if case.values[row].is_none() {
+            case.values[row] = match (name, case.get(name)) {
+                ("V0", Some(Value::Number(v))) => Some(Value::Number(0.0 - v)),
+                (_, value) => value,
+            };
+        }
+    }
+}
+
+/// gamma and k_I, each from the other.
+fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
+    let number = |name| case.number(name);
+    let (gamma, k_i) = (number("gamma"), number("k_I"));
+    let violation = |parameter, message: &str| Violation {
+        parameter,
+        message: message.into(),
+    };
+    match (gamma, k_i) {
+        (Some(_), Some(_)) => {
+            let message = "cannot be given beside gamma; give exactly one of gamma, k_I";
+            return violations.push(violation("k_I", message));
+        }
+        (None, None) => {
+            let message = "missing: give exactly one of gamma, k_I";
+            return violations.push(violation("gamma", message));
+        }
+        _ => {}
+    }
+    let parts = (number("n"), number("E"), number("A"), number("L"));
+    let (Some(n), Some(e), Some(a), Some(l)) = parts else {
+        return;
+    };
+    let element = n * e * a / l;
+    let (parameter, name, value) = match (gamma, k_i) {
+        (Some(gamma), _) => ("gamma", "k_I", gamma * element),
+        (None, Some(k_i)) => ("k_I", "gamma", k_i / element),
+        (None, None) => return,
+    };
+    if !(value.is_finite() && value > 0.0) {
+        let message = format!("gives {name} = {value}, beyond double precision");
+        return violations.push(violation(parameter, &message));
+    }
+    if let Some(row) = PARAMETERS.iter().position(|p| p.name == name) {
+        case.values[row] = Some(Value::Number(value));
+    }
+}
+
+/// The bars must close: c = V_left - V_right > 0.
+fn closing(case: &Case, violations: &mut Vec<Violation>) {
+    let (Some(left), right) = (case.number("V0"), case.number("right.V0").unwrap_or(0.0)) else {
+        return;
+    };
+    let c = left - right;
+    let message = if c.is_infinite() {
+        "the bars close at a speed beyond double precision".into()
+    } else if c > 0.0 {
+        return;
+    } else {
+        format!(
+            "the bars must close: V0 of the left bar ({}) must be greater than that of the right ({})",
+            shortest(left),
+            shortest(right)
+        )
+    };
+    // A left bar at its default is not to blame.
+    let default = PARAMETERS
+        .iter()
+        .find(|p| p.name == "V0")
+        .map(|p| p.default);
+    let parameter = match default {
+        Some(Default::Is(usual)) if usual.matches(Value::Number(left)) => "right.V0",
+        _ => "V0",
+    };
+    violations.push(Violation { parameter, message });
+}
+
+/// The scaled data must be doubles, and waves must not be too many for the exact solution, which follows every front:
+/// in a bar much shorter than the other, or in a very long run.
+fn scales(case: &Case, violations: &mut Vec<Violation>) {
+    let (Some(scaled), Some(duration)) = (Scaled::new(case), case.number("duration")) else {
+        return;
+    };
+    let Bars {
+        time_ratio,
+        impedance_ratio,
+        ..
+    } = scaled.bars;
+    let mut violation = |parameter, message| violations.push(Violation { parameter, message });
+    let wall = case.choice("right") == "wall";
+    if !(time_ratio.is_normal() && (wall || impedance_ratio.is_normal())) {
+        let message = "the bars are so unlike that the ratio of their impedances A sqrt(E rho) or of their travel times \
+                       L sqrt(rho/E) is beyond double precision";
+        return violation("right", message.into());
+    }
+    if !scaled.spring.is_finite() {
+        let message = "a spring so much stiffer than the bars is beyond double precision";
+        return violation("gamma", message.into());
+    }
+    let count = duration / time_ratio.min(1.0);
+    if count > MOST_TRIPS {
+        let message = format!(
+            "waves would travel {count:.3e} times through the shorter bar, at most {MOST_TRIPS:e} are followed; \
+             the bars' travel times may not be so unlike, nor the run so long"
+        );
+        violation("duration", message);
+    }
+}
