@@ -5,7 +5,6 @@ use super::scaled::Scaled;
 use crate::exact::wave::Wave;
 use crate::problem::{Lines, Snapshot};
 use crate::structure::bar::Bar;
-use std::f64::consts::PI;
 
 /// Most elements of a bar that are drawn; of more, every second, third, ... is.
 const DRAWN: u32 = 1000;
@@ -96,10 +95,7 @@ struct Field<'a> {
 
 impl<'a> Field<'a> {
     fn new(bar: &Bar, modes: &'a [[f64; 2]]) -> Field<'a> {
-        let n = f64::from(bar.elements);
-        let cosines = (0..2 * bar.elements)
-            .map(|k| libm::cos(f64::from(k) * PI / n))
-            .collect();
+        let cosines = (0..2 * bar.elements).map(|k| bar.shape(1, k)).collect();
         Field { modes, cosines }
     }
 
