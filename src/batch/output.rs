@@ -3,15 +3,24 @@
 use crate::error::Error;
 use crate::study::Study;
 use serde_json::{Value, json};
-use std::fs;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
 
 /// Version of everything that decides a number; it changes when any result may change.
 pub const SOLVER_VERSION: u32 = 1;
 
+/// Name of the table of results.
+pub const RESULTS: &str = "results.csv";
+
 const MANIFEST: &str = "manifest.json";
+
+/// Whether a file is the manifest of a folder of results, and so no study.
+pub fn is_manifest(file: &Path) -> bool {
+    file.file_name().is_some_and(|name| name == MANIFEST) && file.with_file_name(RESULTS).is_file()
+}
 
 /// A folder that results go to, and what this run has put there.
 #[derive(Debug)]
@@ -36,16 +45,20 @@ impl Folder {
     /// Writes `name`, as in `histories/3.csv`, and gives its path.
     pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<PathBuf, Error> {
         self.written.push(name.to_owned());
-        self.put(name, bytes)
+        self.put(name, |out| out.write_all(bytes))
     }
 
-    /// Writes one of many files of a sub-folder without noting it; see [`Folder::note`].
-    pub fn put(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, Error> {
+    /// Writes one of many files of a sub-folder, piece by piece, without noting it; see [`Folder::note`].
+    pub fn put(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    ) -> Result<PathBuf, Error> {
         let path = self.path.join(name);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(Error::io("cannot make folder", parent))?;
         }
-        whole(&path, bytes)?;
+        whole(&path, write)?;
         Ok(path)
     }
 
@@ -89,10 +102,9 @@ impl Folder {
             "git_commit": commit_of(file),
             "files": self.written,
         });
-        whole(
-            &self.path.join(MANIFEST),
-            format!("{manifest:#}\n").as_bytes(),
-        )
+        whole(&self.path.join(MANIFEST), |out| {
+            writeln!(out, "{manifest:#}")
+        })
     }
 
     /// Files that a former run's manifest names.
@@ -106,21 +118,26 @@ impl Folder {
     }
 }
 
-/// Held while a file is written and renamed.
-static WRITING: Mutex<()> = Mutex::new(());
+/// Shared by all who write a file, from its beginning until it has its name.
+static WRITING: RwLock<()> = RwLock::new(());
 
-/// Waits for the file that is being written, and lets no further one begin while the guard lives.
-pub fn no_more_writing() -> MutexGuard<'static, ()> {
-    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+/// Waits for the files that are being written, and lets no further one begin while the guard lives.
+pub fn no_more_writing() -> RwLockWriteGuard<'static, ()> {
+    WRITING.write().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Writes a file under a temporary name and renames it: it is there whole or not at all.
-fn whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let _guard = no_more_writing();
+fn whole(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<(), Error> {
+    let _writing = WRITING.read().unwrap_or_else(PoisonError::into_inner);
     let mut partial = path.as_os_str().to_owned();
     partial.push(".partial");
     let partial = PathBuf::from(partial);
-    fs::write(&partial, bytes)
+    File::create(&partial)
+        .map(BufWriter::new)
+        .and_then(|mut out| write(&mut out).and_then(|()| out.flush()))
         .and_then(|()| fs::rename(&partial, path))
         .map_err(|e| {
             let _ = fs::remove_file(&partial);

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::problem::parameter::shortest;
 use crate::problem::{Problem, Solution};
 use crate::study::Study;
+use std::io::{self, Write};
 
 /// results.csv: one row a case in case order; `case`, the parameters in the table's order, then the metrics.
 pub fn table(study: &Study, outcomes: &[Outcome]) -> Result<Vec<u8>, Error> {
@@ -29,13 +30,11 @@ pub fn table(study: &Study, outcomes: &[Outcome]) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(internal)
 }
 
-/// A case's history: the problem's six columns, one row a step.
-pub fn history(problem: &dyn Problem, solution: &Solution) -> Result<Vec<u8>, Error> {
+/// Writes a case's history: the problem's six columns, one row a step.
+pub fn history(problem: &dyn Problem, solution: &Solution, out: impl Write) -> io::Result<()> {
     let (c, e) = (&solution.computed, &solution.exact);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer
-        .write_record(problem.history_columns())
-        .map_err(internal)?;
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(problem.history_columns())?;
     for i in 0..c.len() {
         let row = [
             c.time[i],
@@ -45,9 +44,9 @@ pub fn history(problem: &dyn Problem, solution: &Solution) -> Result<Vec<u8>, Er
             e.displacement[i],
             e.velocity[i],
         ];
-        writer.write_record(row.map(shortest)).map_err(internal)?;
+        writer.write_record(row.map(shortest))?;
     }
-    writer.into_inner().map_err(internal)
+    writer.flush()
 }
 
 fn cell(value: Option<f64>) -> String {

@@ -68,11 +68,15 @@ pub fn finish(bar: &ProgressBar, name: &str, cases: u64) {
     let plain = bar.is_hidden();
     bar.finish_and_clear();
     if plain {
-        note(&format!("{name}: {cases} cases run"));
+        let cases = match cases {
+            1 => "1 case".into(),
+            _ => format!("{cases} cases"),
+        };
+        note(&format!("{name}: {cases} run"));
     }
 }
 
-/// Rows of text in columns, the first row being the header; numbers stand as they are.
+/// Rows of text in columns, the first row being the header; what would move a terminal's cursor becomes a space.
 pub fn columns(rows: &[Vec<String>]) -> String {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
@@ -86,6 +90,7 @@ pub fn columns(rows: &[Vec<String>]) -> String {
     for row in rows {
         let mut line = String::new();
         for (cell, width) in row.iter().zip(&widths) {
+            let cell = cell.replace(char::is_control, " ");
             line.push_str(&format!("{cell:<width$}  "));
         }
         text.push_str(line.trim_end());

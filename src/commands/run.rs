@@ -2,7 +2,7 @@
 
 use super::sources::Source;
 use super::{UNSOLVED, finish, note, progress, say};
-use slipgap::batch::output::Folder;
+use slipgap::batch::output::{Folder, RESULTS};
 use slipgap::batch::{self, Outcome, results};
 use slipgap::error::Error;
 use slipgap::figures::{self, Shown};
@@ -37,8 +37,8 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
         |case| needs_history(study, case),
         |case, solution| {
             if histories {
-                let bytes = results::history(study.problem, solution)?;
-                folder.put(&file_name(case), &bytes)?;
+                let name = file_name(case);
+                folder.put(&name, |out| results::history(study.problem, solution, out))?;
             }
             Ok(())
         },
@@ -48,7 +48,7 @@ fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outco
         let solved = (0..).zip(&outcomes).filter(|(_, o)| o.failure.is_none());
         folder.note(solved.map(|(case, _)| file_name(case)));
     }
-    let mut lines = vec![folder.write("results.csv", &results::table(study, &outcomes)?)?];
+    let mut lines = vec![folder.write(RESULTS, &results::table(study, &outcomes)?)?];
     for figure in &study.figures {
         let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
         let chosen: Vec<&Outcome> = chosen.collect();

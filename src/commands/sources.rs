@@ -1,5 +1,6 @@
 //! From what the user named to the studies that are meant, each with the folder its results go to.
 
+use slipgap::batch::output;
 use slipgap::error::Error;
 use slipgap::study::{self, Study};
 use std::collections::BTreeMap;
@@ -41,6 +42,11 @@ pub fn read(named: &[PathBuf]) -> Result<Vec<Source>, Error> {
 fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
     if !path.is_dir() {
         let stem = path.file_stem().unwrap_or(path.as_os_str());
+        // `...json` without its ending is a way out of the output folder.
+        if stem == "." || stem == ".." {
+            let what = format!("no folder can be named after {}; rename it", path.display());
+            return Err(Error::Usage(what));
+        }
         return Ok(vec![(path.to_owned(), name(Path::new(stem)))]);
     }
     let mut files = Vec::new();
@@ -51,7 +57,9 @@ fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         })?;
         let file = entry.path();
         let hidden = entry.file_name().to_string_lossy().starts_with('.');
-        if file.is_file() && !hidden && file.extension().is_some_and(|e| e == "json") {
+        // Results may stand in the folder that is read.
+        let result = output::is_manifest(file);
+        if file.is_file() && !hidden && !result && file.extension().is_some_and(|e| e == "json") {
             let relative = file.strip_prefix(path).unwrap_or(file).with_extension("");
             files.push((file.to_owned(), name(&relative)));
         }

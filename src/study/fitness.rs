@@ -21,6 +21,9 @@ const NARROW: &str = "narrow the cases with \"where\"";
 /// Most panels that `panels`, or times and quantities of profiles, may ask for.
 const MOST_PANELS: usize = 24;
 
+/// Most steps of all histories in one figure: the histories of all its cases are held at once.
+const MOST_DRAWN: u64 = 10_000_000;
+
 /// Reports what keeps a figure from being drawn or read.
 pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
     let on = |key: &'static str, row| Axis { key, row };
@@ -103,7 +106,7 @@ impl Axis {
     }
 }
 
-/// Reports more curves in a panel than can be told apart, or more panels than fit a page.
+/// Reports more curves in a panel than can be told apart, more panels than fit a page, or more steps than fit in memory.
 fn curves(
     figure: &Figure,
     panels: Option<usize>,
@@ -120,17 +123,23 @@ fn curves(
         }
     }
     let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
+    let mut steps = 0u64;
     let case = |index| super::cases::case(scope.problem, &scope.blocks, index);
     for case in scope.select(&figure.filter).filter_map(case) {
         let panel = panels.and_then(|row| case.values[row]).map(identity);
         let count = counts.entry(panel).or_default();
         *count += 1;
-        if *count > MOST_CURVES {
-            let message = format!("more than {MOST_CURVES} cases in one panel; {NARROW}");
-            let path = join(values.path, "where");
-            faults.add(values.at("where"), &path, message);
-            return;
-        }
+        steps = steps.saturating_add(scope.problem.steps(&case));
+        let most = if *count > MOST_CURVES {
+            format!("{MOST_CURVES} cases in one panel")
+        } else if steps > MOST_DRAWN {
+            format!("{MOST_DRAWN} steps to draw")
+        } else {
+            continue;
+        };
+        let message = format!("more than {most}; {NARROW}");
+        faults.add(values.at("where"), &join(values.path, "where"), message);
+        return;
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::object::Object;
 use super::report::{Faults, quoted};
-use super::tree::{Node, Tree};
+use super::tree::{Member, Node, Tree};
 use super::value::{name, value};
 use super::{Block, Filter};
 use crate::problem::Problem;
@@ -39,6 +39,16 @@ impl Scope {
                 continue;
             };
             let path = object.path(&member.key);
+            if let Tree::Object(inner) = &member.node.tree {
+                let dotted = |inner: &Member| format!("{}.{}", member.key, inner.key);
+                let known = |key: &String| self.parameters().contains(&key.as_str());
+                if let Some(key) = inner.iter().map(dotted).find(known) {
+                    let dotted = quoted(&key);
+                    let message = format!("must be a value; write {dotted} as one key");
+                    faults.add(member.node.at, &path, message);
+                    continue;
+                }
+            }
             terms.extend(value(&member.node, &path, &table[row], faults).map(|v| (row, v)));
         }
         if faults.count() > before {

@@ -199,6 +199,39 @@ fn an_output_folder_that_cannot_be_written_is_said_before_anything_is_computed()
     let done = bench.expect(1, &["run", "--out", "out"]);
     assert!(cannot(&done) && done.out.is_empty(), "{done:?}");
     assert!(!bench.path("out/a/results.csv").exists());
+    // Only the writing itself shows a folder where a file should be.
     let done = bench.expect(1, &["run", "--out", "results"]);
-    assert!(cannot(&done), "{done:?}");
+    assert!(done.err.contains("slipgap: cannot write "), "{done:?}");
+}
+
+#[test]
+fn figures_of_more_steps_than_fit_in_memory() {
+    let long = ONE
+        .replace("0.5", "5e-7")
+        .replace("\"beta\": 1", "\"beta\": [1, 2, 3]");
+    let figure = r#", "figures": [{ "name": "h", "kind": "history"WHERE }]"#;
+    let text = friction(&long, &figure.replace("WHERE", ""));
+    refused(
+        &text.replace("[{ \"name", "[¶{ \"name"),
+        &["figures[0].where: more than 10000000 steps to draw; narrow the cases with \"where\""],
+    );
+    let bench = Bench::new();
+    let narrowed = figure.replace("WHERE", ", \"where\": { \"beta\": 1 }");
+    bench.file("s.json", friction(&long, &narrowed));
+    bench.expect(0, &["list", "s.json"]);
+}
+
+#[test]
+fn a_name_that_leads_out_of_the_output_folder() {
+    let bench = Bench::new();
+    bench.file("...json", friction(ONE, ""));
+    bench.file("..json", friction(ONE, ""));
+    for name in ["...json", "..json"] {
+        let done = bench.expect(2, &["run", name, "--out", "deep/out"]);
+        assert!(
+            done.err.contains("no folder can be named after"),
+            "{done:?}"
+        );
+    }
+    assert_eq!(bench.tree("."), ["...json", "..json"]);
 }

@@ -1,12 +1,12 @@
 //! Bar impact studies that say something impossible.
 
 use crate::bad_files::refused;
-use crate::bars;
+use crate::{Bench, bars};
 
 /// A study of bars with these parameters; see [`refused`].
 #[track_caller]
 fn bad(parameters: &str, expected: &[&str]) {
-    refused(&bars(parameters), expected);
+    refused(&bars(parameters, ""), expected);
 }
 
 /// The same with what is required and is right.
@@ -34,7 +34,7 @@ fn stiffness() {
         &format!("\"gamma\": 1, \"k_I\": ¶100, {rest}"),
         &["parameters.k_I: cannot be given beside gamma; give exactly one of gamma, k_I"],
     );
-    let neither = bars(rest).replace(": { ", ": ¶{ ");
+    let neither = bars(rest, "").replace(": { ", ": ¶{ ");
     refused(
         &neither,
         &["parameters.gamma: missing: give exactly one of gamma, k_I"],
@@ -43,7 +43,7 @@ fn stiffness() {
         &format!("\"k_I\": ¶0, {rest}"),
         &["parameters.k_I: must be > 0, got 0"],
     );
-    let misspelt = bars(&format!("\"k_i\": ¶5, {rest}")).replace(": { ", ": ¶{ ");
+    let misspelt = bars(&format!("\"k_i\": ¶5, {rest}"), "").replace(": { ", ": ¶{ ");
     refused(
         &misspelt,
         &[
@@ -132,9 +132,34 @@ fn numbers_beyond_double_precision() {
     );
     let unlike = bars(
         r#""gamma": 1, "n": 10, "dt": 0.1, "duration": 1.5, "right": { "E": 1e-300, "rho": 1e-300 }"#,
+        "",
     );
     refused(
         &unlike.replace(": { \"gamma", ": ¶{ \"gamma"),
         &["parameters.right: the bars are so unlike"],
+    );
+}
+
+#[test]
+fn filters_name_the_right_bars_parameters_in_one_word() {
+    let lengths = r#""gamma": 1, "n": 10, "dt": 0.1, "duration": 1.5, "right": { "L": [10, 20] }"#;
+    let check = r#", "checks": [{ "metric": "restitution", "max": 2, "where": { FILTER } }]"#;
+    refused(
+        &bars(
+            lengths,
+            &check.replace("FILTER", "\"right\": ¶{ \"L\": 20 }"),
+        ),
+        &["checks[0].where.right: must be a value; write \"right.L\" as one key"],
+    );
+    let bench = Bench::new();
+    bench.file(
+        "s.json",
+        bars(lengths, &check.replace("FILTER", "\"right.L\": \"2*10\"")),
+    );
+    let done = bench.expect(0, &["check", "s.json"]);
+    assert!(
+        done.out.contains("\ns      1     restitution"),
+        "{}",
+        done.out
     );
 }

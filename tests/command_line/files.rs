@@ -10,7 +10,7 @@ fn results_have_a_row_a_case_with_every_parameter_and_metric() {
     bench.file("s.json", study);
     let done = bench.expect(0, &["run", "s.json"]);
     assert_eq!(done.out.trim(), "figures/s/results.csv");
-    assert_eq!(done.err, "s: 2 cases run\n");
+    assert_eq!(done.err, "s: 3 cases run\n");
     let text = bench.text("figures/s/results.csv");
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(
@@ -46,9 +46,9 @@ fn results_have_a_row_a_case_with_every_parameter_and_metric() {
 fn results_of_bars_fill_in_both_stiffnesses_and_the_right_bar() {
     let bench = Bench::new();
     let common = r#""n": 2, "dt": 0.1, "duration": 1.5"#;
-    bench.file("two.json", bars(&format!("\"gamma\": 5, {common}")));
+    bench.file("two.json", bars(&format!("\"gamma\": 5, {common}"), ""));
     let wall = format!("\"k_I\": 100, {common}, \"right\": \"wall\", \"gap\": 0.25");
-    bench.file("wall.json", bars(&wall));
+    bench.file("wall.json", bars(&wall, ""));
     bench.expect(0, &["run", "two.json", "wall.json"]);
     let two = bench.text("figures/two/results.csv");
     let wall = bench.text("figures/wall/results.csv");
@@ -67,7 +67,7 @@ fn histories_have_a_row_a_step() {
     bench.file("f.json", friction(TWO, ""));
     bench.file(
         "b.json",
-        bars(r#""gamma": 1, "n": 2, "dt": 0.25, "duration": 1.5"#),
+        bars(r#""gamma": 1, "n": 2, "dt": 0.25, "duration": 1.5"#, ""),
     );
     bench.expect(0, &["run", "f.json", "b.json", "--histories", "--out", "o"]);
     assert_eq!(
@@ -207,4 +207,18 @@ fn a_study_named_twice_runs_once_and_two_of_one_name_are_refused() {
         "{done:?}"
     );
     assert!(!bench.path("p").exists());
+}
+
+#[test]
+fn results_in_the_folder_that_is_read_are_no_studies() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    for _ in 0..2 {
+        let done = bench.expect(0, &["run", "."]);
+        assert_eq!(done.out, "figures/s/results.csv\n");
+    }
+    // A study may have that name all the same.
+    bench.file("studies/manifest.json", friction(ONE, ""));
+    let done = bench.expect(0, &["run", "studies"]);
+    assert_eq!(done.out, "figures/manifest/results.csv\n");
 }

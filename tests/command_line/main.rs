@@ -4,6 +4,8 @@ mod bad_files;
 mod bad_impact;
 mod checks;
 mod files;
+#[cfg(unix)]
+mod interrupted;
 mod same_bytes;
 mod verbs;
 
@@ -97,9 +99,9 @@ pub(crate) fn friction(parameters: &str, more: &str) -> String {
     )
 }
 
-/// A bar impact study with these parameters.
-pub(crate) fn bars(parameters: &str) -> String {
-    format!("{{ \"problem\": \"bar-impact\",\n  \"parameters\": {{ {parameters} }} }}\n")
+/// A bar impact study with these parameters and further keys.
+pub(crate) fn bars(parameters: &str, more: &str) -> String {
+    format!("{{ \"problem\": \"bar-impact\",\n  \"parameters\": {{ {parameters} }}{more} }}\n")
 }
 
 /// Two cases of friction with displacement-control.

@@ -13,12 +13,9 @@ fn with_1_2_and_7_threads() {
         { "name": "metric", "kind": "metric", "x": "alpha", "y": ["rms_error", "work_error"] },
         { "name": "map", "kind": "map", "x": "alpha", "y": "x0", "z": "rms_error" }]"#;
     bench.file("studies/friction.json", friction(many, figures));
-    let history = r#" }, "figures": [{ "name": "r", "kind": "history", "panels": "k_I" "#;
+    let history = r#", "figures": [{ "name": "r", "kind": "history", "panels": "k_I" }]"#;
     let impact = r#""k_I": [10, 100, 1e5], "n": [2, 10], "dt": 0.01, "duration": 1.5"#;
-    bench.file(
-        "studies/bars.json",
-        bars(&format!("{impact}{history}")).replace("\"k_I\"  }", "\"k_I\" }] "),
-    );
+    bench.file("studies/bars.json", bars(impact, history));
     for jobs in ["1", "2", "7"] {
         bench.expect(0, &["run", "--histories", "--jobs", jobs, "--out", jobs]);
     }

@@ -80,6 +80,18 @@ fn list_tells_axes_cases_and_steps_without_running() {
 }
 
 #[test]
+fn a_title_cannot_move_the_cursor() {
+    let bench = Bench::new();
+    bench.file(
+        "s.json",
+        friction(ONE, r#", "title": "one\ntwo\u001b[31m""#),
+    );
+    let done = bench.expect(0, &["list", "s.json"]);
+    assert_eq!(done.out.lines().count(), 2);
+    assert!(done.out.ends_with("one two [31m\n"), "{done:?}");
+}
+
+#[test]
 fn schema_is_json_that_knows_the_problems() {
     let text = Bench::new().expect(0, &["schema"]).out;
     let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
@@ -115,27 +127,4 @@ fn a_reader_that_has_gone_away_is_no_failure() {
     }
     let written = ["history.png", "history.svg", "manifest.json", "results.csv"];
     assert_eq!(bench.tree("figures/a"), written);
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupt_ends_at_once_with_no_file_half_written() {
-    let bench = Bench::new();
-    // Far longer than anyone would wait.
-    let long = r#""gamma": 1, "n": 100000, "dt": 1e-6, "duration": 1.5"#;
-    bench.file("s.json", crate::bars(long));
-    let mut run = bench.command();
-    run.args(["run", "s.json"]).stderr(Stdio::piped());
-    let run = run.spawn().unwrap();
-    // The folder is there once the program listens.
-    while !bench.path("figures/s").exists() {
-        std::thread::yield_now();
-    }
-    let mut kill = std::process::Command::new("kill");
-    kill.args(["-INT", &run.id().to_string()]);
-    assert!(kill.status().unwrap().success());
-    let done: crate::Done = run.wait_with_output().unwrap().into();
-    assert_eq!(done.code, Some(130), "{done:?}");
-    assert!(done.err.contains("interrupted"), "{done:?}");
-    assert_eq!(bench.tree("figures"), [""; 0]);
 }
