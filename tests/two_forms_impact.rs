@@ -78,19 +78,16 @@ fn both_forms_agree_as_far_as_the_problem_allows() {
     // [I] Fig. 3: k_I = 10 .. 1e5 is gamma = 0.1 .. 1000.
     for gamma in [0.1, 1.0, 10.0, 100.0, 1000.0] {
         let (until, difference) = compare(&equal(gamma, 10, Mass::Lumped), 0.001, 1.5);
-        eprintln!("gamma = {gamma}: up to {until} T_I, {difference:e}");
         assert!(
             difference < round_off(0.001),
             "gamma = {gamma}: {difference:e}"
         );
-        if gamma <= 10.0 {
+        if gamma <= 100.0 {
             assert_eq!(until, 1.5, "gamma = {gamma}");
         }
         if gamma == 1000.0 {
-            assert!(
-                (0.1..1.0).contains(&until),
-                "the limit lies within the contact"
-            );
+            // 0.374 T_I when measured; where exactly is for round-off to say.
+            assert!((0.2..0.6).contains(&until), "the limit lies at {until}");
         }
     }
 }

@@ -81,7 +81,8 @@ impl Coulomb {
         let (side, swing, phase) = (self.side(k), self.amplitude(k) - 1.0, time - k * PI);
         State {
             displacement: side * (1.0 + swing * cos(phase)),
-            velocity: -side * swing * sin(phase),
+            // From zero, so that a peak has the velocity 0 and not -0.
+            velocity: 0.0 - side * swing * sin(phase),
             force: -side,
         }
     }
