@@ -34,6 +34,25 @@
 //! - [`stepper::Stepper`] and [`law::Law`]: the method and the contact.
 //! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the stepper.
 //!
+//! # An example
+//!
+//! One case of `[F]` Fig. 5, and its `rms_error`:
+//!
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let study = slipgap::study::parse(
+//!     "fig5.json",
+//!     r#"{ "problem": "friction-oscillator",
+//!          "parameters": { "law": "displacement-control", "alpha": 0.1, "dT": "pi/10", "duration": "8*pi" } }"#,
+//! )?;
+//! let case = study.case(0).ok_or("no case")?;
+//! let solution = study.problem.solve(&case, &[])?;
+//! assert_eq!(study.problem.metrics()[0].name, "rms_error");
+//! assert!((solution.metrics[0].ok_or("undefined")? - 0.0245).abs() < 5e-5);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Equations are cited where they are carried out, as in `[F (9)]`; `docs/errata.md` says where the papers' print is
 //! departed from, and why.
 
