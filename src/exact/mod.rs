@@ -1,4 +1,5 @@
 //! Exact solutions. They never import the stepper, so that the one can judge the other.
 
 pub mod coulomb;
+pub mod regularised;
 pub mod wave;

@@ -38,7 +38,24 @@ pub fn evaluate(x0: f64, duration: f64, c: &History, e: &History) -> Vec<Option<
     .collect()
 }
 
-/// Computed and exact displacement, step by step.
+/// What the error is made of, for the regularised motion `g` in continuous time between the exact one and the
+/// computed: norms of g - e and c - g as `rms_error` has them, then their shares <part, c - e>/<c - e, c - e>.
+///
+/// Each share is a part's own; their sum is 1, and a share beyond 1 says that the other part takes from it.
+pub fn budget(x0: f64, c: &History, e: &History, g: &History) -> [Option<f64>; 4] {
+    let scale = x0.abs();
+    let sum = |a: &History, b: &History, of: &dyn Fn(f64, f64) -> f64| -> f64 {
+        let totals = pairs(c, e).map(|(c, e)| (c - e) / scale);
+        let parts = pairs(a, b).map(|(a, b)| (a - b) / scale);
+        parts.zip(totals).map(|(part, total)| of(part, total)).sum()
+    };
+    let rms = |a, b| (sum(a, b, &|part, _| part * part) / c.len() as f64).sqrt();
+    let whole = sum(c, e, &|total, _| total * total);
+    let share = |a, b| sum(a, b, &|part, total| part * total) / whole;
+    [rms(g, e), rms(c, g), share(g, e), share(c, g)].map(|x| Some(x).filter(|x| x.is_finite()))
+}
+
+/// Displacements of two histories, step by step.
 fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)> + 'a {
     c.displacement
         .iter()

@@ -5,6 +5,7 @@ mod tables;
 use super::parameter::Parameter;
 use super::{Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
 use crate::exact::coulomb::Coulomb;
+use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::law::{DisplacementControl, Law, VelocityControl};
@@ -62,7 +63,7 @@ impl Problem for FrictionOscillator {
         steps(number("duration"), number("dT"))
     }
 
-    fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let number = |name: &str| {
             case.number(name)
                 .ok_or_else(|| format!("{name} is not given"))
@@ -88,7 +89,14 @@ impl Problem for FrictionOscillator {
             return Err("the motion leaves the range of double precision".into());
         }
         let exact = self.exact(case, &computed.time).ok_or("x0 is not given")?;
-        let metrics = metrics::friction::evaluate(x0, number("duration")?, &computed, &exact);
+        let mut metrics = metrics::friction::evaluate(x0, number("duration")?, &computed, &exact);
+        let budget = wanted
+            .iter()
+            .any(|&row| !METRICS[row].default)
+            .then(|| between(case, &computed.time))
+            .flatten()
+            .map(|between| metrics::friction::budget(x0, &computed, &exact, &between));
+        metrics.extend(budget.unwrap_or([None; 4]));
         Ok(Solution {
             computed,
             exact,
@@ -105,6 +113,28 @@ impl Problem for FrictionOscillator {
         }
         Some(exact)
     }
+}
+
+/// The case's own model in continuous time, between the exact solution and the computed one; `None` where the run is
+/// too long for it.
+fn between(case: &Case, times: &[f64]) -> Option<History> {
+    if *times.last()? > regularised::LATEST {
+        return None;
+    }
+    let x0 = case.number("x0")?;
+    let mut motion = match case.number("alpha") {
+        Some(alpha) => {
+            let (_, force) = release(case.choice("initial_slip"), x0, alpha);
+            Regularised::displacement(x0, alpha, force)
+        }
+        None => Regularised::velocity(x0, case.number("beta")?),
+    };
+    let mut history = History::with_capacity(times.len());
+    for &time in times {
+        let state = motion.at(time);
+        history.push(time, state.displacement, state.velocity, state.force);
+    }
+    Some(history)
 }
 
 /// Slip r^S(0) and force S(0) at release ([F] does not say which).

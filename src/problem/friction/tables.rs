@@ -88,7 +88,7 @@ pub(super) static PARAMETERS: [Parameter; 7] = [
     },
 ];
 
-pub(super) static METRICS: [Metric; 9] = [
+pub(super) static METRICS: [Metric; 13] = [
     Metric {
         name: "rms_error",
         symbol: "rms error",
@@ -151,6 +151,34 @@ pub(super) static METRICS: [Metric; 9] = [
         unit: "1",
         meaning: "sqrt(magnitude^2 + phase^2)",
         default: true,
+    },
+    Metric {
+        name: "regularisation_error",
+        symbol: "regularisation error",
+        unit: "1",
+        meaning: "rms_error of g instead of c: the model's own, g its motion in continuous time",
+        default: false,
+    },
+    Metric {
+        name: "step_error",
+        symbol: "step error",
+        unit: "1",
+        meaning: "rms_error of c against g instead of e: what the time step adds",
+        default: false,
+    },
+    Metric {
+        name: "regularisation_share",
+        symbol: "regularisation share",
+        unit: "1",
+        meaning: "sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where model and step oppose each other",
+        default: false,
+    },
+    Metric {
+        name: "step_share",
+        symbol: "step share",
+        unit: "1",
+        meaning: "sum (c - g) (c - e) / sum (c - e)^2; with regularisation_share it makes 1",
+        default: false,
     },
 ];
 
