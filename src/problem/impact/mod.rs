@@ -1,5 +1,6 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
+mod between;
 mod rules;
 pub mod run;
 pub mod scaled;
@@ -59,7 +60,7 @@ impl Problem for BarImpact {
         steps(number("duration"), number("dt"))
     }
 
-    fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let number = |name: &str| {
             case.number(name)
                 .ok_or_else(|| format!("{name} is not given"))
@@ -72,13 +73,22 @@ impl Problem for BarImpact {
         }
         let wave = scaled.bars.solve(duration);
         let exact = wave.history(&done.history.time);
-        let metrics = metrics::impact::evaluate(
+        let mut metrics = metrics::impact::evaluate(
             &done.history,
             &wave,
             duration,
             &done.energy,
             done.restitution,
         );
+        let budget = wanted
+            .iter()
+            .any(|&row| !METRICS[row].default)
+            .then(|| between::between(&scaled, &done.history.time))
+            .flatten()
+            .map(|[spring, chain]| {
+                metrics::impact::budget(&done.history, &wave, &spring, &chain, duration)
+            });
+        metrics.extend(budget.unwrap_or([None; 12]));
         Ok(Solution {
             computed: done.history,
             exact,

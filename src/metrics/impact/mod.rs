@@ -1,5 +1,9 @@
 //! Metrics of the bar impact; `c` is the computed history, `wave` the exact solution.
 
+mod budget;
+
+pub use budget::budget;
+
 use super::reached;
 use crate::exact::wave::{State, Wave};
 use crate::history::History;
@@ -19,8 +23,12 @@ pub fn evaluate(
     let touch = wave.first_touch();
     let drift = |e: f64| (e - energy[0]) / energy[0];
     let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
-    let r: fn(State) -> f64 = |state| state.displacement;
-    let rdot: fn(State) -> f64 = |state| state.velocity;
+    let norm = |of| Norm {
+        time: &c.time,
+        wave,
+        of,
+        duration,
+    };
     vec![
         contact_duration(c),
         Some(separations(c, touch)),
@@ -32,12 +40,20 @@ pub fn evaluate(
         Some(restitution),
         energy.iter().map(|&e| drift(e)).reduce(larger),
         energy.last().map(|&e| drift(e)),
-        Some(rms_error(&c.time, &c.displacement, wave, r, duration)),
-        Some(rms_error(&c.time, &c.velocity, wave, rdot, duration)),
+        Some(norm(displacement).rms_error(&c.displacement)),
+        Some(norm(velocity).rms_error(&c.velocity)),
     ]
     .into_iter()
     .map(|value| value.filter(|x: &f64| x.is_finite()))
     .collect()
+}
+
+fn displacement(state: State) -> f64 {
+    state.displacement
+}
+
+fn velocity(state: State) -> f64 {
+    state.velocity
 }
 
 /// From the last step before the first overlap to the first step after the last one.
@@ -94,17 +110,32 @@ fn impulse_error(c: &History, wave: &Wave, duration: f64) -> Option<f64> {
     Some(impulse / wave.impulse(*c.time.last()?) - 1.0)
 }
 
-/// Trapezoids over the steps, each with the exact limits of its own side; jumps inside a step are not looked for.
-fn rms_error(t: &[f64], c: &[f64], wave: &Wave, of: fn(State) -> f64, duration: f64) -> f64 {
-    let integral: f64 = t
-        .windows(2)
-        .zip(c.windows(2))
-        .map(|(t, c)| {
-            let (a, b) = (c[0] - of(wave.at(t[0])), c[1] - of(wave.before(t[1])));
-            0.5 * (t[1] - t[0]) * (a * a + b * b)
-        })
-        .sum();
-    (integral / duration).sqrt()
+/// Means over the duration of something that depends on the exact r or rdot.
+struct Norm<'a> {
+    time: &'a [f64],
+    wave: &'a Wave,
+    of: fn(State) -> f64,
+    duration: f64,
+}
+
+impl Norm<'_> {
+    /// Of `what(i, e)`, i a step and e the exact value there: trapezoids over the steps, each with the exact limits of
+    /// its own side; jumps inside a step are not looked for.
+    fn mean(&self, what: impl Fn(usize, f64) -> f64) -> f64 {
+        let steps = self.time.windows(2).enumerate();
+        let integral: f64 = steps
+            .map(|(i, t)| {
+                let start = what(i, (self.of)(self.wave.at(t[0])));
+                let end = what(i + 1, (self.of)(self.wave.before(t[1])));
+                0.5 * (t[1] - t[0]) * (start + end)
+            })
+            .sum();
+        integral / self.duration
+    }
+
+    fn rms_error(&self, c: &[f64]) -> f64 {
+        self.mean(|i, e| (c[i] - e) * (c[i] - e)).sqrt()
+    }
 }
 
 #[cfg(test)]
