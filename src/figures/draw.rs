@@ -4,6 +4,8 @@ use super::clip;
 use super::pen::{Drawn, Pen, at, unit};
 use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Rect, Sheet, Words};
 use super::style;
+use super::tags;
+use super::text;
 use crate::error::Error;
 use plotters_backend::{BackendCoord, DrawingBackend};
 use std::cell::RefCell;
@@ -54,6 +56,7 @@ impl<B: DrawingBackend> Pen<B> {
             self.path(&[[right, y], [right - length, y]], style::FRAME_LINE)?;
         }
         self.curves(panel)?;
+        self.tags(panel)?;
         for [a, b] in &panel.arrows {
             self.arrow(panel.place(*a), panel.place(*b))?;
         }
@@ -124,7 +127,57 @@ impl<B: DrawingBackend> Pen<B> {
         panel.notes.iter().try_for_each(|words| self.words(words))
     }
 
+    /// The numbers on contour lines, each on white.
+    fn tags(&mut self, panel: &Panel) -> Drawn<B> {
+        for words in panel.map.iter().flat_map(|map| &map.tags) {
+            let height = style::CAP_HEIGHT * words.size;
+            let under = Rect {
+                left: words.at[0],
+                top: words.at[1] - height,
+                width: text::width(&words.text, words.size),
+                height,
+            };
+            self.blank(&under.inflated(tags::RIM))?;
+            self.words(words)?;
+        }
+        Ok(())
+    }
+
+    fn bands(&mut self, panel: &Panel, map: &FilledMap) -> Drawn<B> {
+        let count = map.levels.len() + 1;
+        let frame = &panel.frame;
+        let corners = [
+            at([frame.left, frame.top]),
+            at([frame.right(), frame.bottom()]),
+        ];
+        self.cell(corners[0], corners[1], style::band(0, count))?;
+        for (band, points) in &map.areas {
+            let within = |p: &[f64; 2]| {
+                let [x, y] = panel.place(*p);
+                [
+                    x.clamp(frame.left, frame.right()),
+                    y.clamp(frame.top, frame.bottom()),
+                ]
+            };
+            let corners: Vec<_> = points.iter().map(within).collect();
+            self.area(&corners, style::band(*band, count))?;
+        }
+        for corners in &map.blank {
+            let [[left, bottom], [right, top]] = corners.map(|p| panel.place(p));
+            self.blank(&Rect {
+                left,
+                top,
+                width: right - left,
+                height: bottom - top,
+            })?;
+        }
+        Ok(())
+    }
+
     fn map(&mut self, panel: &Panel, map: &FilledMap) -> Drawn<B> {
+        if !map.levels.is_empty() {
+            self.bands(panel, map)?;
+        }
         let mut shades: Vec<Vec<[BackendCoord; 2]>> = vec![Vec::new(); SHADES];
         for cell in &map.cells {
             let fraction = map.colours.fraction(cell.value);
@@ -145,16 +198,34 @@ impl<B: DrawingBackend> Pen<B> {
                 self.cell(*from, *to, middle(k))?;
             }
         }
-        map.bar
-            .iter()
-            .try_for_each(|bar| self.bar(bar, &map.colours))
+        map.bar.iter().try_for_each(|bar| self.bar(bar, map))
     }
 
-    fn bar(&mut self, bar: &Rect, colours: &Axis) -> Drawn<B> {
+    fn bar(&mut self, bar: &Rect, map: &FilledMap) -> Drawn<B> {
+        let colours = &map.colours;
         let (left, right) = (unit(bar.left), unit(bar.right()));
-        let height = |k: usize| unit(bar.bottom() - bar.height * k as f64 / SHADES as f64);
-        for k in 0..SHADES {
-            self.cell((left, height(k + 1)), (right, height(k)), middle(k))?;
+        let height = |fraction: f64| unit(bar.bottom() - bar.height * fraction.clamp(0.0, 1.0));
+        if map.levels.is_empty() {
+            let edge = |k: usize| height(k as f64 / SHADES as f64);
+            for k in 0..SHADES {
+                self.cell((left, edge(k + 1)), (right, edge(k)), middle(k))?;
+            }
+        } else {
+            let mut edges = vec![height(0.0)];
+            edges.extend(
+                map.levels
+                    .iter()
+                    .map(|level| height(colours.fraction(*level))),
+            );
+            edges.push(height(1.0));
+            let count = edges.len() - 1;
+            for k in 0..count {
+                self.cell(
+                    (left, edges[k + 1]),
+                    (right, edges[k]),
+                    style::band(k, count),
+                )?;
+            }
         }
         self.frame(bar)?;
         let size = style::LABEL;
@@ -177,8 +248,11 @@ impl<B: DrawingBackend> Pen<B> {
     fn entry(&mut self, entry: &Entry) -> Drawn<B> {
         let [x, y] = entry.at;
         let sample = [[x, y], [x + style::SAMPLE, y]];
+        // Places that are only marked have no line.
         for dash in clip::dashes(&sample, entry.stroke.pattern()) {
-            self.path(&dash, entry.width)?;
+            if entry.width > 0.0 {
+                self.path(&dash, entry.width)?;
+            }
         }
         if let Some(marker) = entry.marker {
             self.marker(marker, [x + style::SAMPLE / 2.0, y])?;

@@ -197,7 +197,8 @@ fn free_corner(panel: &Panel, keys: &[Key]) -> Option<Rect> {
         .find(|place| is_free(panel, &place.inflated(3.0)))
 }
 
-fn is_free(panel: &Panel, area: &Rect) -> bool {
+/// Whether nothing is drawn in an area of a panel.
+pub fn is_free(panel: &Panel, area: &Rect) -> bool {
     let clear = |a: [f64; 2], b: [f64; 2]| clip::segment(a, b, area).is_none();
     let zero = panel.x.range.map(|x| panel.place([x, 0.0]));
     if panel.map.is_some() || (panel.zero && !clear(zero[0], zero[1])) {
@@ -259,8 +260,13 @@ fn move_down(sheet: &mut Sheet, by: f64) {
         for words in &mut panel.notes {
             words.at[1] += by;
         }
-        if let Some(bar) = panel.map.as_mut().and_then(|map| map.bar.as_mut()) {
-            bar.top += by;
+        if let Some(map) = &mut panel.map {
+            for words in &mut map.tags {
+                words.at[1] += by;
+            }
+            if let Some(bar) = &mut map.bar {
+                bar.top += by;
+            }
         }
     }
     for entry in &mut sheet.legend {

@@ -1,7 +1,8 @@
-//! A metric over two parameters: shaded cells, one a case, with a colour bar.
+//! A metric over two parameters with a colour bar: filled contours, or cells where there are too few places for them.
 
 use super::Shown;
-use super::layout;
+use super::bands;
+use super::layout::{self, Key};
 use super::sheet::{Axis, Cell, FilledMap, Panel, Rect, Sheet};
 use super::style;
 use super::text;
@@ -11,9 +12,19 @@ use crate::study::{Figure, FigureKind, Scale, Study};
 const BAR_GAP: f64 = 12.0;
 const BAR_WIDTH: f64 = 11.0;
 
+/// Fewest places along each axis that make a contour.
+const FEWEST: usize = 3;
+
 /// The sheet of a `map` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
-    let FigureKind::Map { x, y, z, scales } = &figure.kind else {
+    let FigureKind::Map {
+        x,
+        y,
+        z,
+        scales,
+        marks,
+    } = &figure.kind
+    else {
         return Sheet::default();
     };
     let (parameters, metric) = (study.problem.parameters(), &study.problem.metrics()[*z]);
@@ -22,7 +33,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         places(cases, scales[0], |c| number(c, *x)),
         places(cases, scales[1], |c| number(c, *y)),
     );
+    let contoured = xs.len().min(ys.len()) >= FEWEST;
     let (x_edges, y_edges) = (edges(&xs, scales[0]), edges(&ys, scales[1]));
+    let mut values = vec![f64::NAN; xs.len() * ys.len()];
     let mut cells: Vec<Cell> = Vec::new();
     for shown in cases {
         let found = |places: &[f64], row| {
@@ -32,6 +45,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         };
         let value = shown.metrics.get(*z).copied().flatten();
         if let (Some(column), Some(row), Some(value)) = (found(&xs, *x), found(&ys, *y), value) {
+            values[column * ys.len() + row] = value;
             cells.push(Cell {
                 x: [x_edges[column], x_edges[column + 1]],
                 y: [y_edges[row], y_edges[row + 1]],
@@ -40,8 +54,10 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
     }
     let height = 190.0;
-    let along = |row: usize, edges: &[f64], scale, most| {
-        let range = [edges[0], edges[edges.len() - 1]];
+    let along = |row: usize, places: &[f64], edges: &[f64], scale, most| {
+        // Contours reach from the first place to the last, cells half-way beyond them.
+        let ends = if contoured { places } else { edges };
+        let range = [ends[0], ends[ends.len() - 1]];
         let title = parameters[row].symbol.to_owned();
         match scale {
             Scale::Linear => ticks::linear(&title, range, most),
@@ -49,7 +65,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
     };
     let colours = colours(metric.symbol, cells.iter().map(|c| c.value), scales[2]);
-    let y_axis = along(*y, &y_edges, scales[1], height / 28.0);
+    let y_axis = along(*y, &ys, &y_edges, scales[1], height / 28.0);
     let width = 1.3 * style::SINGLE;
     let grid = layout::grid(
         width,
@@ -58,21 +74,49 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         std::slice::from_ref(&y_axis),
         beside(&colours),
     );
-    let x_axis = along(*x, &x_edges, scales[0], grid.width / 40.0);
+    let x_axis = along(*x, &xs, &x_edges, scales[0], grid.width / 40.0);
 
     let frame = grid.frames[0][0];
     let mut panel = Panel::new(frame, grid.margin, x_axis, y_axis);
-    panel.map = Some(FilledMap {
-        cells,
-        colours,
-        bar: Some(bar(&frame)),
-    });
+    let bar = Some(bar(&frame));
+    let mut keys = Vec::new();
+    if contoured {
+        let values = bands::Values {
+            places: [xs, ys],
+            z: values,
+        };
+        let valley = values.valley();
+        let marked: Vec<[f64; 2]> = marks.iter().flat_map(|m| m.at.clone()).collect();
+        let busy: Vec<[f64; 2]> = marked.iter().chain(&valley).copied().collect();
+        values.fill(
+            &mut panel,
+            FilledMap::of_cells(Vec::new(), colours, bar),
+            &busy,
+        );
+        if valley.iter().any(|p| p[1].is_finite()) {
+            let label = format!("least {} at each {}", metric.symbol, parameters[*x].symbol);
+            panel.series.push(bands::ridge(valley, label));
+            keys.extend(panel.series.last().map(Key::of));
+        }
+    } else {
+        panel.map = Some(FilledMap::of_cells(cells, colours, bar));
+    }
+    if let Some(marks) = marks {
+        panel.series.push(bands::marks(marks));
+        keys.extend(panel.series.last().map(Key::of));
+    }
     let mut sheet = Sheet {
         width,
         panels: vec![panel],
         ..Sheet::default()
     };
-    layout::finish(&mut sheet, Vec::new(), figure.title.as_deref());
+    // A map without either has no legend, nor room for one.
+    let keys = if keys.is_empty() {
+        Vec::new()
+    } else {
+        vec![keys]
+    };
+    layout::finish(&mut sheet, keys, figure.title.as_deref());
     sheet
 }
 

@@ -1,25 +1,28 @@
-//! Metrics against a parameter: one panel a metric, one curve for each value of what else varies.
+//! Metrics against a parameter, or errors against the step: one panel a metric, one curve for each value of what else
+//! varies.
 
 use super::Shown;
 use super::label;
 use super::layout::{self, Key};
 use super::number;
-use super::sheet::{Axis, Panel, Series, Sheet};
+use super::sheet::{Anchor, Axis, Panel, Series, Sheet, Words};
+use super::slope;
 use super::style::{self, Marker, Stroke};
 use super::ticks;
 use crate::study::{Figure, FigureKind, Scale, Study};
 
-/// The sheet of a `metric` figure.
+/// The sheet of a `metric` or `convergence` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
-    let FigureKind::Metric {
-        x,
-        y,
-        by,
-        x_scale,
-        y_scale,
-    } = &figure.kind
-    else {
-        return Sheet::default();
+    let (x, y, by, x_scale, y_scale, orders) = match &figure.kind {
+        FigureKind::Metric {
+            x,
+            y,
+            by,
+            x_scale,
+            y_scale,
+        } => (x, y, by, x_scale, y_scale, false),
+        FigureKind::Convergence { x, y, by } => (x, y, by, &Scale::Log, &Scale::Log, true),
+        _ => return Sheet::default(),
     };
     let parameter = &study.problem.parameters()[*x];
     let at = |shown: &Shown| shown.case.values[*x].and_then(|value| value.as_f64());
@@ -81,6 +84,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         width,
         ..Sheet::default()
     };
+    let count = axes.len();
     for (i, (series, y)) in panels.into_iter().zip(axes).enumerate() {
         let mut x = across.clone();
         if i + 1 < grid.frames.len() {
@@ -90,10 +94,24 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
         panel.zero = *y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
         panel.series = series;
+        if orders {
+            order_lines(&mut panel);
+        }
+        if orders && count > 1 {
+            slope::write(&mut panel);
+        }
         sheet.panels.push(panel);
     }
     layout::letters(&mut sheet.panels);
     layout::left_out(&mut sheet, labels.len(), all);
+    // In a panel alone the legend says the orders; in several they stand at the curves.
+    if let (true, [panel]) = (orders, &sheet.panels[..]) {
+        for (label, series) in labels.iter_mut().zip(&panel.series) {
+            if let Some(stretch) = slope::straight(&series.points) {
+                *label = format!("{label}: {:.2}", stretch.slope).replace('-', "−");
+            }
+        }
+    }
     let keys = labels.iter().enumerate().map(|(look, label)| Key {
         label: label.clone(),
         stroke: Stroke::of_case(look),
@@ -108,6 +126,31 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     };
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
+}
+
+/// Thin lines of order 1 and 2 from the lower left corner, to compare with.
+fn order_lines(panel: &mut Panel) {
+    let [[left, right], [bottom, top]] = [panel.x.range, panel.y.range];
+    for order in [1, 2] {
+        let end = bottom * libm::pow(right / left, f64::from(order));
+        let mut line = Series::rule([[left, bottom], [right, end]]);
+        line.stroke = Stroke::Dotted;
+        line.width = style::EXACT_LINE;
+        panel.series.push(line);
+        // Its name a little before the line leaves the frame.
+        let reach = (top / bottom).min(end / bottom);
+        let at = |part: f64| {
+            let y = bottom * libm::pow(reach, part);
+            [left * libm::pow(y / bottom, 1.0 / f64::from(order)), y]
+        };
+        let [x, y] = panel.place(at(0.93));
+        panel.notes.push(Words {
+            at: [x + 4.0, y + style::LABEL],
+            anchor: Anchor::Start,
+            text: order.to_string(),
+            size: style::LABEL,
+        });
+    }
 }
 
 /// An axis round the values, on the scale asked for.

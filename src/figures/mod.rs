@@ -1,9 +1,12 @@
 //! Figures: a study's cases as sheets of panels, drawn as PNG and SVG by the same strokes. Draws data, never simulates.
 //!
-//! A kind of figure (`history`, `profile`, `wave`, `metric`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
+//! A kind of figure (`history`, `profile`, `wave`, `metric`, `budget`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
 
 mod arrangement;
+mod bands;
+mod budget;
 mod clip;
+mod contours;
 mod curves;
 mod draw;
 mod font;
@@ -20,7 +23,9 @@ mod pen;
 mod profile;
 mod raster;
 pub mod sheet;
+mod slope;
 pub mod style;
+mod tags;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -54,7 +59,10 @@ pub struct Shown<'a> {
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let mut sheet = match &figure.kind {
         FigureKind::History { .. } => history::sheet(study, figure, cases),
-        FigureKind::Metric { .. } => metric::sheet(study, figure, cases),
+        FigureKind::Metric { .. } | FigureKind::Convergence { .. } => {
+            metric::sheet(study, figure, cases)
+        }
+        FigureKind::Budget { .. } => budget::sheet(study, figure, cases),
         FigureKind::Map { .. } => map::sheet(study, figure, cases),
         FigureKind::Law => law::sheet(study, figure, cases),
         FigureKind::Profile { .. } => profile::sheet(study, figure, cases),

@@ -59,6 +59,16 @@ pub fn of_pi(x: f64) -> Option<String> {
     Some(format!("{sign}{times}π{over}"))
 }
 
+/// A round number on a scale: without the last digits, where a product of digit and power has its rounding, and without
+/// a power of ten where it can be read without.
+pub fn short(x: f64) -> String {
+    let freed: f64 = format!("{x:.6e}").parse().unwrap_or(x);
+    match freed.abs() {
+        1e-4..1e5 => freed.to_string().replace('-', "−"),
+        _ => plain(freed),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -62,6 +62,20 @@ impl<B: DrawingBackend> Pen<B> {
             .draw(&Rectangle::new([from, to], RGBColor(r, g, b).filled()))
     }
 
+    /// A filled area, in a colour of maps.
+    pub fn area(&mut self, corners: &[[f64; 2]], fraction: f64) -> Drawn<B> {
+        let [r, g, b] = style::colour(fraction);
+        let corners: Vec<_> = corners.iter().copied().map(at).collect();
+        self.area
+            .draw(&Polygon::new(corners, RGBColor(r, g, b).filled()))
+    }
+
+    /// A white rectangle.
+    pub fn blank(&mut self, area: &Rect) -> Drawn<B> {
+        let corners = [at([area.left, area.top]), at([area.right(), area.bottom()])];
+        self.area.draw(&Rectangle::new(corners, WHITE.filled()))
+    }
+
     /// A line through points.
     pub fn path(&mut self, points: &[[f64; 2]], width: f64) -> Drawn<B> {
         let points: Vec<_> = points.iter().copied().map(at).collect();

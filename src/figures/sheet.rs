@@ -221,15 +221,38 @@ pub enum Anchor {
     End,
 }
 
-/// A quantity over two axes as filled cells.
+/// A quantity over two axes as filled cells or bands.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilledMap {
     /// The cells; where there is none the panel stays white.
     pub cells: Vec<Cell>,
+    /// Where bands of colour meet, rising; none for cells.
+    pub levels: Vec<f64>,
+    /// Areas painted one over the other, over the lowest band, each with the number of its band.
+    pub areas: Vec<(usize, Vec<[f64; 2]>)>,
+    /// Where nothing is known, as two corners: left white.
+    pub blank: Vec<[[f64; 2]; 2]>,
+    /// Numbers on the lines between bands, with their places on the sheet.
+    pub tags: Vec<Words>,
     /// Range and ticks of the colours.
     pub colours: Axis,
     /// Frame of the colour bar, in one of the panels that share the colours.
     pub bar: Option<Rect>,
+}
+
+impl FilledMap {
+    /// A map of cells.
+    pub fn of_cells(cells: Vec<Cell>, colours: Axis, bar: Option<Rect>) -> FilledMap {
+        FilledMap {
+            cells,
+            levels: Vec::new(),
+            areas: Vec::new(),
+            blank: Vec::new(),
+            tags: Vec::new(),
+            colours,
+            bar,
+        }
+    }
 }
 
 /// A cell of a map.

@@ -31,6 +31,10 @@ pub const FRAME_LINE: f64 = 0.6;
 pub const ZERO_LINE: f64 = 0.3;
 /// Width of the exact solution.
 pub const EXACT_LINE: f64 = 0.6;
+/// Width of a contour line.
+pub const CONTOUR_LINE: f64 = 0.45;
+/// Width of the line along the valley of a map.
+pub const RIDGE_LINE: f64 = 1.3;
 /// Width of a case's curve.
 pub const CASE_LINE: f64 = 0.9;
 /// Width of a marker's outline.
@@ -175,6 +179,12 @@ const VIRIDIS: [[u8; 3]; 11] = [
     [189, 223, 38],
     [253, 231, 37],
 ];
+
+/// Where on the scale of colours band `k` of `count` has its colour: from the third on, so that black lines and numbers
+/// show on all of them.
+pub fn band(k: usize, count: usize) -> f64 {
+    0.3 + 0.7 * (k as f64 + 0.5) / count as f64
+}
 
 /// The colour at `fraction` of a map's range; ends beyond 0 and 1 take the end colours.
 pub fn colour(fraction: f64) -> [u8; 3] {

@@ -219,6 +219,7 @@ fn a_map_has_a_cell_for_every_case() {
         y: DT,
         z: 0,
         scales: [Scale::Log; 3],
+        marks: None,
     });
     let map = sheet.panels[0].map.as_ref().unwrap();
     assert_eq!(map.cells.len(), 6);
@@ -262,6 +263,7 @@ fn nothing_to_draw_is_drawn_all_the_same() {
         y: DT,
         z: 0,
         scales: [Scale::Log, Scale::Linear, Scale::Log],
+        marks: None,
     };
     let profile = FigureKind::Profile {
         y: vec![],

@@ -82,6 +82,8 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
     let decades = (first..=last)
         .filter(|k| inside(pow(10.0, f64::from(*k))))
         .count();
+    // Three numbers a decade, where that is not much more than asked for.
+    let fine = decades < 2 || 3.0 * log10(range[1] / range[0]) <= 1.5 * most;
     let mut ticks = Vec::new();
     for k in first..=last {
         for digit in 1..=9 {
@@ -91,14 +93,12 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
             }
             let numbered = match digit {
                 1 => k.rem_euclid(every) == 0,
-                2 | 5 => decades < 2,
+                2 | 5 => fine,
                 _ => false,
             };
             let label = match (numbered, digit) {
                 (false, _) => String::new(),
-                (true, _) if (-2..=2).contains(&k) && decades < 2 => {
-                    number::plain(format!("{at:.3e}").parse().unwrap_or(at))
-                }
+                (true, _) if (-4..=2).contains(&k) && fine => number::short(at),
                 (true, 1) => format!("10^{k}^").replace('-', "−"),
                 (true, _) => format!("{digit} × 10^{k}^").replace('-', "−"),
             };
@@ -223,8 +223,10 @@ mod tests {
 
     #[test]
     fn decades() {
-        let axis = log("", [2e-3, 5.0].into_iter(), 8.0);
+        let axis = log("", [2e-3, 5.0].into_iter(), 4.0);
         assert_eq!(labels(&axis), ["10^−2^", "10^−1^", "10^0^"]);
+        let roomy = log("", [0.02, 5.0].into_iter(), 8.0);
+        assert_eq!(labels(&roomy)[..4], ["0.02", "0.05", "0.1", "0.2"]);
         let short = log("", [0.02, 0.09].into_iter(), 8.0);
         assert_eq!(labels(&short), ["0.02", "0.05"]);
         assert!(

@@ -75,11 +75,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         panel.letter = what.into();
         // The contact.
         panel.series.push(Series::rule([[0.0, 0.0], [0.0, end]]));
-        panel.map = Some(FilledMap {
-            cells,
-            colours: colours.clone(),
-            bar: (k == 1).then(|| map::bar(&frame)),
-        });
+        let bar = (k == 1).then(|| map::bar(&frame));
+        panel.map = Some(FilledMap::of_cells(cells, colours.clone(), bar));
         sheet.panels.push(panel);
     }
     layout::letters(&mut sheet.panels);

@@ -79,6 +79,27 @@ pub struct Quantity {
     pub source: Source,
 }
 
+/// An error and what it is made of, for budget figures.
+#[derive(Debug)]
+pub struct Budget {
+    /// Its name in a figure's `y`.
+    pub name: &'static str,
+    /// Axis title, in the markup of `figures::markup`.
+    pub title: &'static str,
+    /// Row of the table of metrics.
+    pub total: usize,
+    /// What each part is called, and its row.
+    pub parts: &'static [(&'static str, usize)],
+}
+
+impl Budget {
+    /// Rows of the total and of its parts.
+    pub fn metrics(&self) -> Vec<usize> {
+        let parts = self.parts.iter().map(|part| part.1);
+        std::iter::once(self.total).chain(parts).collect()
+    }
+}
+
 /// A quantity along the structure that profile figures can draw.
 #[derive(Debug)]
 pub struct Profile {
@@ -148,6 +169,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn profiles(&self) -> &'static [Profile] {
         &[]
     }
+    /// The errors that budget figures can take apart.
+    fn budgets(&self) -> &'static [Budget];
+    /// Name of the parameter that is the time step.
+    fn step(&self) -> &'static str;
     /// Title of the axis along the structure, for profiles.
     fn place_title(&self) -> &'static str {
         ""

@@ -15,7 +15,7 @@ use super::tree::{self, Node, Tree};
 use super::value::{name, text};
 use super::{Check, Figure, FigureKind, Study};
 use crate::error::{Error, Fault};
-use crate::problem::{self, PROBLEMS, Problem};
+use crate::problem::{self, Budget, PROBLEMS, Problem};
 
 /// The keys of a study, each with what it holds.
 pub(super) const KEYS: [(&str, &str); 8] = [
@@ -138,15 +138,20 @@ fn columns(
     checks: &[Check],
 ) -> Vec<usize> {
     let drawn = figures.iter().flat_map(|figure| match &figure.kind {
-        FigureKind::Metric { y, .. } => y.as_slice(),
-        FigureKind::Map { z, .. } => std::slice::from_ref(z),
+        FigureKind::Metric { y, .. } | FigureKind::Convergence { y, .. } => y.clone(),
+        FigureKind::Map { z, .. } => vec![*z],
+        FigureKind::Budget { y, .. } => {
+            let budgets = y.iter().map(|row| &problem.budgets()[*row]);
+            budgets.flat_map(Budget::metrics).collect()
+        }
         FigureKind::History { .. }
         | FigureKind::Profile { .. }
         | FigureKind::Wave { .. }
-        | FigureKind::Law => &[],
+        | FigureKind::Law => Vec::new(),
     });
-    let checked = checks.iter().map(|check| &check.metric);
-    let needed: Vec<usize> = asked.iter().chain(drawn).chain(checked).copied().collect();
+    let checked = checks.iter().map(|check| check.metric);
+    let listed = asked.iter().copied().chain(checked);
+    let needed: Vec<usize> = listed.chain(drawn).collect();
     let metrics = problem.metrics().iter().enumerate();
     metrics
         .filter(|(row, metric)| metric.default || needed.contains(row))

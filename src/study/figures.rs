@@ -123,11 +123,30 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
             x_scale: values.scale("x_scale"),
             y_scale: values.scale("y_scale"),
         },
+        "convergence" => FigureKind::Convergence {
+            x: match values.row("x") {
+                Some(row) => row,
+                None => {
+                    let table = scope.problem.parameters();
+                    table.iter().position(|p| p.name == scope.problem.step())?
+                }
+            },
+            y: values.rows("y")?,
+            by: values.row("by"),
+        },
+        "budget" => FigureKind::Budget {
+            x: values.row("x")?,
+            y: values
+                .rows("y")
+                .unwrap_or_else(|| (0..scope.problem.budgets().len()).collect()),
+            panels: values.row("panels"),
+        },
         "map" => FigureKind::Map {
             x: values.row("x")?,
             y: values.row("y")?,
             z: values.row("z")?,
             scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
+            marks: values.marks("marks"),
         },
         _ => FigureKind::Law,
     })

@@ -7,7 +7,7 @@ use super::report::{Faults, join};
 use super::scope::Scope;
 use super::taken::Values;
 use super::{Figure, FigureKind, Scale};
-use crate::problem::parameter::{Default, Value};
+use crate::problem::parameter::{Default, Value, shortest};
 
 /// Most curves that line styles can tell apart in one panel.
 const MOST_CURVES: usize = 8;
@@ -44,7 +44,33 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
                 on("by", *by).has_values(figure, values, scope, faults);
             }
         }
-        FigureKind::Map { x, y, scales, .. } => {
+        FigureKind::Convergence { x, by, .. } => {
+            let x = on("x", *x);
+            x.has_values(figure, values, scope, faults);
+            x.fits(Scale::Log, figure, values, scope, faults);
+            if let Some(by) = by {
+                on("by", *by).has_values(figure, values, scope, faults);
+            }
+        }
+        FigureKind::Budget { x, y, panels } => {
+            let along = on("x", *x);
+            along.has_values(figure, values, scope, faults);
+            along.fits(Scale::Log, figure, values, scope, faults);
+            let mut axes = vec![*x];
+            if let Some(row) = panels {
+                on("panels", *row).has_values(figure, values, scope, faults);
+                panel_count(figure, *row, y.len(), values, scope, faults);
+                axes.push(*row);
+            }
+            one_case_a_place(figure, &axes, values, scope, faults);
+        }
+        FigureKind::Map {
+            x,
+            y,
+            scales,
+            marks,
+            ..
+        } => {
             let axes = [on("x", *x), on("y", *y)];
             for (axis, scale) in axes.iter().zip(scales) {
                 axis.has_values(figure, values, scope, faults);
@@ -54,7 +80,12 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
                 let path = join(values.path, "y");
                 faults.add(values.at("y"), &path, "must be another parameter than x");
             }
-            one_case_a_place(figure, [*x, *y], values, scope, faults);
+            one_case_a_place(figure, &[*x, *y], values, scope, faults);
+            for (i, at) in marks.iter().flat_map(|marks| &marks.at).enumerate() {
+                for (axis, place) in axes.iter().zip(at) {
+                    axis.reaches(*place, i, figure, values, scope, faults);
+                }
+            }
         }
         FigureKind::Profile { y, times } => {
             profiles(figure, y.len() * times.len(), values, scope, faults);
@@ -103,6 +134,49 @@ impl Axis {
             let message = format!("log takes numbers > 0, and {name} is {bad} in a case shown");
             faults.add(values.at(&key), &join(values.path, &key), message);
         }
+    }
+}
+
+impl Axis {
+    /// Reports a mark beyond the values of its axis.
+    fn reaches(
+        &self,
+        place: f64,
+        mark: usize,
+        figure: &Figure,
+        values: &Values,
+        scope: &Scope,
+        faults: &mut Faults,
+    ) {
+        let levels = scope.levels(&figure.filter, self.row);
+        let numbers = levels.iter().filter_map(|level| level.as_f64());
+        let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (a.min(x), b.max(x))
+        });
+        let slack = 1e-12 * place.abs();
+        if low <= high && !(place >= low - slack && place <= high + slack) {
+            let name = scope.problem.parameters()[self.row].name;
+            let (low, high, place) = (shortest(low), shortest(high), shortest(place));
+            let message =
+                format!("{name} of mark {mark} must lie within {low}..{high}, got {place}");
+            faults.add(values.at("marks"), &join(values.path, "marks"), message);
+        }
+    }
+}
+
+/// Reports more panels than fit a page.
+fn panel_count(
+    figure: &Figure,
+    row: usize,
+    rows: usize,
+    values: &Values,
+    scope: &Scope,
+    faults: &mut Faults,
+) {
+    let count = rows * scope.levels(&figure.filter, row).len();
+    if count > MOST_PANELS {
+        let message = format!("{count} panels; allowed: at most {MOST_PANELS}; {NARROW}");
+        faults.add(values.at("panels"), &join(values.path, "panels"), message);
     }
 }
 
@@ -179,10 +253,10 @@ fn one_case(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults
     }
 }
 
-/// Reports parameters that vary beside the two axes of a map, so that cases would hide each other.
+/// Reports parameters that vary beside the axes of a figure that shows one case a place.
 fn one_case_a_place(
     figure: &Figure,
-    axes: [usize; 2],
+    axes: &[usize],
     values: &Values,
     scope: &Scope,
     faults: &mut Faults,
@@ -195,7 +269,11 @@ fn one_case_a_place(
         .collect();
     if !names.is_empty() {
         let names = names.join(", ");
-        let message = format!("a map shows one case a place, and {names} varies; fix it here");
+        let kind = match figure.kind {
+            FigureKind::Map { .. } => "map",
+            _ => "budget",
+        };
+        let message = format!("a {kind} shows one case a place, and {names} varies; fix it here");
         faults.add(values.at("where"), &join(values.path, "where"), message);
     }
 }

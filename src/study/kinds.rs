@@ -43,6 +43,10 @@ pub(super) enum Takes {
     Metrics,
     /// One or several times, not negative.
     Times,
+    /// One or several of the problem's budgets.
+    Budgets,
+    /// Places on a map and their name.
+    Marks,
     /// `linear` or `log`.
     Scale,
 }
@@ -84,7 +88,7 @@ pub(super) static COMMON: [Key; 5] = [
 ];
 
 /// Every kind of figure.
-pub(super) static KINDS: [Kind; 6] = [
+pub(super) static KINDS: [Kind; 8] = [
     Kind {
         name: "history",
         meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
@@ -169,8 +173,51 @@ pub(super) static KINDS: [Kind; 6] = [
         ],
     },
     Kind {
+        name: "convergence",
+        meaning: "errors against the step, both scales logarithmic, with the observed order where a curve is straight",
+        keys: &[
+            key(
+                "x",
+                Takes::NumericParameter,
+                false,
+                "parameter along the horizontal axis; the step if left out",
+            ),
+            key("y", Takes::Metrics, true, "metrics, one panel each"),
+            key(
+                "by",
+                Takes::Parameter,
+                false,
+                "parameter whose values are told apart by line style; all others that vary if left out",
+            ),
+        ],
+    },
+    Kind {
+        name: "budget",
+        meaning: "the error and its parts against a parameter, both scales logarithmic, with the slope where a curve is straight",
+        keys: &[
+            key(
+                "x",
+                Takes::NumericParameter,
+                true,
+                "parameter along the horizontal axis",
+            ),
+            key(
+                "y",
+                Takes::Budgets,
+                false,
+                "whose error, one row of panels each; all that the problem has if left out",
+            ),
+            key(
+                "panels",
+                Takes::Parameter,
+                false,
+                "parameter whose values get panels of their own",
+            ),
+        ],
+    },
+    Kind {
         name: "map",
-        meaning: "one metric over two parameters, as shades with a colour bar",
+        meaning: "one metric over two parameters, as filled contours with a colour bar and a line where it is least for each x",
         keys: &[
             key(
                 "x",
@@ -202,6 +249,12 @@ pub(super) static KINDS: [Kind; 6] = [
                 Takes::Scale,
                 false,
                 "scale of the shades, linear if left out",
+            ),
+            key(
+                "marks",
+                Takes::Marks,
+                false,
+                "places to mark: { \"label\": words, \"at\": [[x, y], ...] }",
             ),
         ],
     },

@@ -140,7 +140,25 @@ pub enum FigureKind {
         /// Scale of the vertical axes.
         y_scale: Scale,
     },
-    /// One metric over two parameters, as shades with a colour bar.
+    /// Metrics against the step, with the observed order.
+    Convergence {
+        /// The step, along the horizontal axis.
+        x: usize,
+        /// Rows of `problem.metrics()`, one panel each.
+        y: Vec<usize>,
+        /// Parameter whose values are told apart by line style; `None`: all others that vary.
+        by: Option<usize>,
+    },
+    /// The parts of the error against a parameter, the total beside.
+    Budget {
+        /// Parameter along the horizontal axis.
+        x: usize,
+        /// Rows of `problem.budgets()`, one row of panels each.
+        y: Vec<usize>,
+        /// Parameter whose values get panels of their own.
+        panels: Option<usize>,
+    },
+    /// One metric over two parameters, as filled contours with a colour bar.
     Map {
         /// Parameter along the horizontal axis.
         x: usize,
@@ -150,6 +168,8 @@ pub enum FigureKind {
         z: usize,
         /// Scales of the two axes and of the colours.
         scales: [Scale; 3],
+        /// Places to mark, if any.
+        marks: Option<Marks>,
     },
     /// The laws of the problem's cases: force over displacement or velocity.
     Law,
@@ -174,6 +194,15 @@ impl FigureKind {
             _ => Vec::new(),
         }
     }
+}
+
+/// Places that a map marks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Marks {
+    /// What the legend calls them, in markup.
+    pub label: String,
+    /// Their values of the two axes' parameters.
+    pub at: Vec<[f64; 2]>,
 }
 
 /// How numbers are laid along an axis.

@@ -8,6 +8,7 @@ use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
 use super::schema_values::{
     EXPRESSION, RULE, expression, names, number, object, parameters, refer, rule, value,
 };
+use super::taken::MARKS;
 use super::{checks, decode};
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{PROBLEMS, Problem};
@@ -130,12 +131,30 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Metric => defined("metric"),
         Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),
+        Takes::Budgets => several(names(problem.budgets().iter().map(|b| (b.name, b.title)))),
+        Takes::Marks => marks(),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
     }
 }
 
 fn several(one: Json) -> Json {
     json!({ "anyOf": [one, { "type": "array", "minItems": 1, "items": one }] })
+}
+
+fn marks() -> Json {
+    let place =
+        json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": number(Range::Any) });
+    let mut properties = Map::new();
+    for (key, meaning) in MARKS {
+        properties.insert(
+            key.into(),
+            match key {
+                "at" => json!({ "type": "array", "items": place, "description": meaning }),
+                _ => json!({ "type": "string", "description": meaning }),
+            },
+        );
+    }
+    object(properties, &MARKS.map(|key| key.0))
 }
 
 /// A `where`: single values of parameters.

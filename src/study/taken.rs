@@ -1,11 +1,12 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
 use super::kinds::{Key, SCALES, Takes};
+use super::object::Object;
 use super::report::{Faults, join};
 use super::scope::{Scope, names};
 use super::tree::{Node, Tree};
 use super::value::{name, number, text};
-use super::{Filter, Scale};
+use super::{Filter, Marks, Scale};
 use crate::problem::parameter::{self, Range};
 
 /// Longest file name of a figure, well within what file systems take with an ending.
@@ -18,6 +19,7 @@ pub(super) enum Taken {
     Rows(Vec<usize>),
     Times(Vec<f64>),
     Scale(Scale),
+    Marks(Marks),
 }
 
 /// The decoded values of one figure, by key.
@@ -50,6 +52,13 @@ impl Values<'_> {
         match self.get(key) {
             Some(Taken::Scale(scale)) => *scale,
             _ => Scale::Linear,
+        }
+    }
+
+    pub fn marks(&self, key: &str) -> Option<Marks> {
+        match self.get(key)? {
+            Taken::Marks(marks) => Some(marks.clone()),
+            _ => None,
         }
     }
 
@@ -139,6 +148,11 @@ pub(super) fn take(
             name(node, path, "profile", &scope.profiles(), faults).map(|row| vec![row])
         }
         Takes::Profiles => names(node, path, "profile", &scope.profiles(), faults),
+        Takes::Budgets => {
+            let all: Vec<&str> = scope.problem.budgets().iter().map(|b| b.name).collect();
+            names(node, path, "budget", &all, faults)
+        }
+        Takes::Marks => return marks(node, path, faults).map(Taken::Marks),
         Takes::Metric => name(node, path, "metric", &scope.metrics(), faults).map(|row| vec![row]),
         Takes::Metrics => names(node, path, "metric", &scope.metrics(), faults),
     };
@@ -160,4 +174,33 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
     // Collected first, so that every faulty time is told.
     let numbers: Vec<Option<f64>> = numbers.collect();
     numbers.into_iter().collect()
+}
+
+/// The keys of `marks`.
+pub(super) const MARKS: [(&str, &str); 2] = [
+    ("label", "what the legend calls them"),
+    ("at", "places, each [x, y]; expressions allowed"),
+];
+
+fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {
+    let before = faults.count();
+    let object = Object::open(node, path, &MARKS.map(|key| key.0), faults)?;
+    let label = object
+        .need("label", MARKS[0].1, faults)
+        .and_then(|node| text(node, &object.path("label"), faults));
+    let at = object.items("at", faults, |node, path, faults| {
+        let Tree::List(items) = &node.tree else {
+            faults.must_be(node, path, "a place [x, y]");
+            return None;
+        };
+        let [x, y] = items.as_slice() else {
+            faults.must_be(node, path, "a place [x, y]");
+            return None;
+        };
+        let mut one = |node, i| number(node, &format!("{path}[{i}]"), Range::Any, faults);
+        let (x, y) = (one(x, 0), one(y, 1));
+        Some([x?, y?])
+    });
+    object.need("at", MARKS[1].1, faults)?;
+    (faults.count() == before).then_some(Marks { label: label?, at })
 }

@@ -79,6 +79,12 @@ impl Problem for Bars {
     fn quantities(&self) -> &'static [Quantity] {
         &[]
     }
+    fn budgets(&self) -> &'static [crate::problem::Budget] {
+        &[]
+    }
+    fn step(&self) -> &'static str {
+        "dt"
+    }
     fn time_title(&self) -> &'static str {
         "t"
     }

@@ -3,7 +3,7 @@
 mod tables;
 
 use super::parameter::Parameter;
-use super::{Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
+use super::{Budget, Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
@@ -12,7 +12,7 @@ use crate::law::{DisplacementControl, Law, VelocityControl};
 use crate::metrics::{self, steps};
 use crate::stepper::{Start, Stepper};
 use crate::structure::Mode;
-use tables::{METRICS, PARAMETERS, QUANTITIES};
+use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -37,6 +37,14 @@ impl Problem for FrictionOscillator {
 
     fn quantities(&self) -> &'static [Quantity] {
         &QUANTITIES
+    }
+
+    fn budgets(&self) -> &'static [Budget] {
+        &BUDGETS
+    }
+
+    fn step(&self) -> &'static str {
+        "dT"
     }
 
     fn time_title(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Metric, Quantity, Source};
+use crate::problem::{Budget, Metric, Quantity, Source};
 
 pub(super) static PARAMETERS: [Parameter; 7] = [
     Parameter {
@@ -209,3 +209,10 @@ pub(super) static QUANTITIES: [Quantity; 5] = [
         source: Source::VelocityError,
     },
 ];
+
+pub(super) static BUDGETS: [Budget; 1] = [Budget {
+    name: "X",
+    title: "rms error of *X* over |*X*_0_|",
+    total: 0,
+    parts: &[("regularisation", 9), ("step", 10)],
+}];

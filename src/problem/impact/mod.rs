@@ -8,11 +8,11 @@ mod snapshot;
 mod tables;
 
 use super::parameter::Parameter;
-use super::{Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
+use super::{Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
 use crate::history::History;
 use crate::metrics::{self, steps};
 use scaled::Scaled;
-use tables::{METRICS, PARAMETERS, PROFILES, QUANTITIES};
+use tables::{BUDGETS, METRICS, PARAMETERS, PROFILES, QUANTITIES};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -37,6 +37,14 @@ impl Problem for BarImpact {
 
     fn quantities(&self) -> &'static [Quantity] {
         &QUANTITIES
+    }
+
+    fn budgets(&self) -> &'static [Budget] {
+        &BUDGETS
+    }
+
+    fn step(&self) -> &'static str {
+        "dt"
     }
 
     fn time_title(&self) -> &'static str {

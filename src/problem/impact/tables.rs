@@ -1,7 +1,7 @@
 //! The tables of the bar impact: parameters, metrics, quantities.
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Metric, Profile, Quantity, Source};
+use crate::problem::{Budget, Metric, Profile, Quantity, Source};
 
 /// A row of the table of parameters that applies always.
 const fn row(
@@ -380,5 +380,20 @@ pub(super) static PROFILES: [Profile; 2] = [
     Profile {
         name: "stress",
         title: "*σ*/(*F*_0_/*A*)",
+    },
+];
+
+pub(super) static BUDGETS: [Budget; 2] = [
+    Budget {
+        name: "r",
+        title: "rms error of *r*/(*cT*_I_/2)",
+        total: 9,
+        parts: &[("regularisation", 11), ("mesh", 13), ("step", 15)],
+    },
+    Budget {
+        name: "rdot",
+        title: "rms error of *ṙ*/*c*",
+        total: 10,
+        parts: &[("regularisation", 12), ("mesh", 14), ("step", 16)],
     },
 ];

@@ -1,0 +1,178 @@
+//! A map as filled contours: the field over its axes, the levels between bands, the valley along it.
+
+use super::contours::{Field, Ring};
+use super::number;
+use super::sheet::{Axis, FilledMap, Panel, Series};
+use super::style::{self, Marker, Stroke};
+use super::tags;
+use crate::study::{Marks, Scale};
+
+/// Most levels that are told apart.
+const MOST_LEVELS: usize = 10;
+
+/// A metric over two parameters, one value a place.
+pub struct Values {
+    /// Places along x and y, rising.
+    pub places: [Vec<f64>; 2],
+    /// Values, y fastest; NaN where there is none.
+    pub z: Vec<f64>,
+}
+
+/// Round levels over the range of the colours.
+pub fn levels(colours: &Axis) -> Vec<f64> {
+    let [low, high] = colours.range;
+    let inside = |x: &f64| *x > low && *x < high;
+    let linear = || {
+        let ticks = super::ticks::linear("", colours.range, MOST_LEVELS as f64 - 1.0).ticks;
+        let major = ticks.into_iter().filter(|tick| !tick.label.is_empty());
+        major.map(|tick| tick.at).filter(inside).collect()
+    };
+    if colours.scale == Scale::Linear {
+        return linear();
+    }
+    let (first, last) = (libm::log10(low) as i32 - 2, libm::log10(high) as i32 + 1);
+    let decades = |digits: &[f64], every: i32| -> Vec<f64> {
+        let powers = (first..=last).filter(|k| k.rem_euclid(every) == 0);
+        let all = powers.flat_map(|k| {
+            digits
+                .iter()
+                .map(move |d| d * libm::pow(10.0, f64::from(k)))
+        });
+        all.filter(inside).collect()
+    };
+    let series: [(&[f64], i32); 7] = [
+        (&[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0], 1),
+        (&[1.0, 1.5, 2.0, 3.0, 5.0, 7.0], 1),
+        (&[1.0, 2.0, 5.0], 1),
+        (&[1.0, 3.0], 1),
+        (&[1.0], 1),
+        (&[1.0], 2),
+        (&[1.0], 5),
+    ];
+    let fitting = series.iter().map(|(digits, every)| decades(digits, *every));
+    match fitting
+        .into_iter()
+        .find(|levels| levels.len() <= MOST_LEVELS)
+    {
+        Some(levels) if levels.len() > 2 => levels,
+        _ => linear(),
+    }
+}
+
+impl Values {
+    /// Fills the panel with bands, their lines and numbers; `busy` places stay free of numbers.
+    pub fn fill(&self, panel: &mut Panel, map: FilledMap, busy: &[[f64; 2]]) {
+        let levels = levels(&map.colours);
+        let scale = |axis: &Axis, x: f64| match axis.scale {
+            Scale::Linear => x,
+            Scale::Log => libm::log(x),
+        };
+        let back = |axis: &Axis, x: f64| match axis.scale {
+            Scale::Linear => x,
+            Scale::Log => libm::exp(x),
+        };
+        let even = |axis: &Axis, k: usize| self.places[k].iter().map(|x| scale(axis, *x)).collect();
+        let z = |x: &f64| match scale(&map.colours, *x) {
+            z if z.is_finite() => z,
+            _ => f64::NAN,
+        };
+        let field = Field {
+            x: even(&panel.x, 0),
+            y: even(&panel.y, 1),
+            z: self.z.iter().map(z).collect(),
+        };
+        let at: Vec<f64> = levels.iter().map(|x| scale(&map.colours, *x)).collect();
+        let mut rings = field.rings(&at);
+        for point in rings.iter_mut().flat_map(|ring| &mut ring.points) {
+            *point = [back(&panel.x, point[0]), back(&panel.y, point[1])];
+        }
+        let lines: Vec<(String, Vec<[f64; 2]>)> = rings
+            .iter()
+            .map(|ring| (number::short(levels[ring.level]), line(ring)))
+            .collect();
+        for (_, points) in &lines {
+            panel.series.push(Series {
+                label: String::new(),
+                points: points.clone(),
+                stroke: Stroke::Solid,
+                width: style::CONTOUR_LINE,
+                marker: None,
+                marked: Vec::new(),
+            });
+        }
+        let tags = tags::tags(panel, lines, busy);
+        // Inside a rise begins the band above its level, inside a hollow the one below.
+        let band = |ring: &Ring| ring.level + usize::from(ring.area > 0.0);
+        panel.map = Some(FilledMap {
+            areas: rings.into_iter().map(|r| (band(&r), r.points)).collect(),
+            blank: self.blank(),
+            levels,
+            tags,
+            ..map
+        });
+    }
+
+    /// Squares of the grid with a corner that has no value.
+    fn blank(&self) -> Vec<[[f64; 2]; 2]> {
+        let [x, y] = &self.places;
+        let known = |i: usize, j: usize| self.z[i * y.len() + j].is_finite();
+        let mut blank = Vec::new();
+        for i in 1..x.len() {
+            for j in 1..y.len() {
+                if !(known(i - 1, j - 1) && known(i, j - 1) && known(i - 1, j) && known(i, j)) {
+                    blank.push([[x[i - 1], y[j - 1]], [x[i], y[j]]]);
+                }
+            }
+        }
+        blank
+    }
+
+    /// The place of the least value in each column; where that lies at the edge, the valley is out of sight.
+    pub fn valley(&self) -> Vec<[f64; 2]> {
+        let [x, y] = &self.places;
+        let column = |i: usize| &self.z[i * y.len()..(i + 1) * y.len()];
+        let least = |i: usize| {
+            let known = column(i).iter().enumerate().filter(|(_, z)| z.is_finite());
+            let j = known.min_by(|a, b| a.1.total_cmp(b.1))?.0;
+            (j > 0 && j + 1 < y.len()).then_some(y[j])
+        };
+        (0..x.len())
+            .map(|i| [x[i], least(i).unwrap_or(f64::NAN)])
+            .collect()
+    }
+}
+
+/// A ring as a line, broken where it only closes along the edge of what is known.
+fn line(ring: &Ring) -> Vec<[f64; 2]> {
+    let points = ring.points.iter().zip(&ring.real);
+    let mut line: Vec<[f64; 2]> = points
+        .map(|(point, real)| if *real { *point } else { [f64::NAN; 2] })
+        .collect();
+    line.extend(line.first().copied());
+    line
+}
+
+/// The line along the valley.
+pub fn ridge(points: Vec<[f64; 2]>, label: String) -> Series {
+    Series {
+        label,
+        points,
+        stroke: Stroke::Dashed,
+        width: style::RIDGE_LINE,
+        marker: None,
+        marked: Vec::new(),
+    }
+}
+
+/// Markers without a line.
+pub fn marks(marks: &Marks) -> Series {
+    let apart = marks.at.iter().flat_map(|place| [*place, [f64::NAN; 2]]);
+    Series {
+        label: marks.label.clone(),
+        points: apart.collect(),
+        stroke: Stroke::Solid,
+        width: 0.0,
+        marker: Some(Marker::Circle),
+        marked: (0..marks.at.len()).map(|i| 2 * i).collect(),
+    }
+}
