@@ -3,17 +3,19 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures test lint fresh licences schema
+.PHONY: help figures test lint fresh licences schema mutants
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
 
-figures: ## run every study in studies/, write tables and pictures to figures/
+figures: ## run every study in studies/, judge the claims, write tables, pictures and claims.md to figures/
 	cargo run --release --locked -- run
+	cargo run --release --locked -- claims
 
 # The tests come last, so that their summary ends the output.
-test: ## hold the studies to their checks, run all tests
+test: ## hold the studies to their checks and the claims to their verdicts, run all tests
 	cargo run --locked -- check
+	cargo run --locked -- claims --out target
 	cargo test --locked
 
 lint: ## formatting, clippy and documentation without warnings
@@ -26,6 +28,11 @@ fresh: ## compare committed tables, pictures and schema with what is written now
 
 licences: ## hold the licences of all dependencies to the list allowed
 	cargo test --locked --test licences -- --ignored
+
+# Hours on two cores, and not part of CI. What survives is explained in tests/mutants.md.
+mutants: ## change law, stepper, exact and metrics in every small way, and see that a test notices
+	cargo mutants --version || cargo install --locked cargo-mutants
+	cargo mutants
 
 # Built first: a build that fails must not leave an empty schema behind.
 schema: ## write schema/study.json, which editors read

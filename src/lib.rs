@@ -21,7 +21,7 @@
 //! studies/*.json -> study -> cases -> [ solve -> history -> metrics, beside exact -> history ] -> results -> figures, checks
 //! ```
 //!
-//! From the top down, each room using only those below it: [`checks`], [`figures`], [`batch`], [`study`], [`problem`],
+//! From the top down, each room using only those below it: [`claims`] and [`checks`], [`figures`], [`batch`], [`study`], [`problem`],
 //! [`metrics`], [`exact`], [`stepper`], [`law`], [`structure`], [`lane`], [`history`], [`error`]. Beside them stands
 //! [`textbook`]: the papers' matrices and iteration, which the fast form is tested against.
 //!
@@ -58,6 +58,7 @@
 
 pub mod batch;
 pub mod checks;
+pub mod claims;
 pub mod error;
 pub mod exact;
 pub mod figures;

@@ -16,7 +16,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 good; 1 internal or I/O; 2 usage or study; 3 a case could not be solved; \
-5 a check is not met; 130 interrupted.";
+5 a check is not met, a verdict other than recorded or a target out of reach; 130 interrupted.";
 
 #[derive(Subcommand)]
 enum Verb {
@@ -26,6 +26,8 @@ enum Verb {
     Check(Check),
     /// Show studies, their axes, cases and steps, without running them
     List(Studies),
+    /// Judge the papers' sentences by their studies, print the ledger and write it as claims.md
+    Claims(Claims),
     /// Print the JSON schema of study files
     Schema,
 }
@@ -55,6 +57,18 @@ struct Run {
 struct Check {
     #[command(flatten)]
     studies: Studies,
+    #[command(flatten)]
+    jobs: Jobs,
+}
+
+#[derive(Args)]
+struct Claims {
+    /// Ledgers of claims, or folders of them
+    #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
+    ledgers: Vec<PathBuf>,
+    /// Folder for claims.md, beside the studies' results
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
     #[command(flatten)]
     jobs: Jobs,
 }
@@ -95,6 +109,8 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
             commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
         }
         Verb::List(list) => commands::list::list(&commands::sources::read(&list.studies)?),
+        Verb::Claims(claims) => commands::pool(claims.jobs.jobs)?
+            .install(|| commands::claims::claims(&claims.ledgers, &claims.out)),
         Verb::Schema => commands::say(&slipgap::study::schema()),
     }
 }

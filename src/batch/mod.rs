@@ -50,7 +50,11 @@ fn solve(
     keep: impl Fn(&Case) -> bool,
     visit: impl Fn(u64, &Solution) -> Result<(), Error>,
 ) -> Result<Outcome, Error> {
-    Ok(match study.problem.solve(&case, &study.metrics) {
+    let solved = match study.once {
+        true => study.problem.solve_once(&case, &study.metrics),
+        false => study.problem.solve(&case, &study.metrics),
+    };
+    Ok(match solved {
         Ok(solution) => {
             visit(index, &solution)?;
             Outcome {

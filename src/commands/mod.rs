@@ -1,6 +1,7 @@
 //! One file for each verb, and what they share.
 
 pub mod check;
+pub mod claims;
 pub mod list;
 pub mod run;
 pub mod sources;

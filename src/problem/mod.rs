@@ -195,6 +195,9 @@ pub trait Problem: Sync + std::fmt::Debug {
     ///
     /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
+    /// The same by the papers' element matrices, each step solved once and not to the end: the other reading of the
+    /// papers, for the ledger of claims.
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
     /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
     /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;

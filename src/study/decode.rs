@@ -18,7 +18,7 @@ use crate::error::{Error, Fault};
 use crate::problem::{self, Budget, PROBLEMS, Problem};
 
 /// The keys of a study, each with what it holds.
-pub(super) const KEYS: [(&str, &str); 8] = [
+pub(super) const KEYS: [(&str, &str); 9] = [
     (
         "$schema",
         "where editors find the schema; otherwise ignored",
@@ -37,32 +37,43 @@ pub(super) const KEYS: [(&str, &str); 8] = [
         "metrics",
         "columns of results.csv beyond those that every study of the problem has",
     ),
+    (
+        "iteration",
+        "converged: each step is solved to its root, as all results of record are; once: by the papers' matrices and not iterated, the other reading of the papers; converged if left out",
+    ),
     ("figures", "figures to draw"),
     ("checks", "tolerances that `slipgap check` holds"),
 ];
 
+/// Names of the ways to solve a step.
+pub(super) const ITERATIONS: [&str; 2] = ["converged", "once"];
+
 /// Reads a study file. Faults name the file as `file` does.
 pub fn read(file: &Path) -> Result<Study, Error> {
+    parse(&file.display().to_string(), &text_of(file)?)
+}
+
+/// The text of a file; other encodings than UTF-8 are refused.
+pub(super) fn text_of(file: &Path) -> Result<String, Error> {
     let bytes = std::fs::read(file).map_err(Error::io("cannot read", file))?;
-    let shown = file.display().to_string();
-    match std::str::from_utf8(&bytes) {
-        Ok(text) => parse(&shown, text),
-        Err(error) => {
-            let (good, bad) = bytes.split_at(error.valid_up_to());
-            let good = String::from_utf8_lossy(good);
-            let byte = bad.first().copied().unwrap_or_default();
-            let message = format!("not UTF-8: byte 0x{byte:02x}; save the file as UTF-8");
-            Err(refused(&shown, &good, good.len(), message))
-        }
-    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let (good, bad) = error.as_bytes().split_at(at);
+        let byte = bad.first().copied().unwrap_or_default();
+        let message = format!("not UTF-8: byte 0x{byte:02x}; save the file as UTF-8");
+        let good = String::from_utf8_lossy(good);
+        refused(&file.display().to_string(), &good, good.len(), message)
+    })
+}
+
+/// The tree of a text; `file` is its name in the fault of one that is no JSON.
+pub(super) fn tree_of(file: &str, text: &str) -> Result<Node, Error> {
+    tree::parse(text).map_err(|fault| refused(file, text, fault.at, fault.message))
 }
 
 /// Reads a study from its text; `file` is its name in faults.
 pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
-    let root = match tree::parse(text) {
-        Ok(root) => root,
-        Err(fault) => return Err(refused(file, text, fault.at, fault.message)),
-    };
+    let root = tree_of(file, text)?;
     let mut faults = Faults::default();
     match study(&root, sha256(text.as_bytes()), &mut faults) {
         Some(study) if faults.count() == 0 => Ok(study),
@@ -99,7 +110,15 @@ fn study(root: &Node, sha256: String, faults: &mut Faults) -> Option<Study> {
     let blocks = blocks(&object, problem, faults);
     // Without a problem the names of parameters and metrics mean nothing.
     let problem = problem?;
-    let scope = Scope { problem, blocks };
+    let once = object
+        .get("iteration")
+        .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
+        == Some(1);
+    let scope = Scope {
+        problem,
+        blocks,
+        once,
+    };
     let metrics = scope.metrics();
     let asked = object.items("metrics", faults, |node, path, faults| {
         name(node, path, "metric", &metrics, faults)
@@ -111,6 +130,7 @@ fn study(root: &Node, sha256: String, faults: &mut Faults) -> Option<Study> {
     Some(Study {
         title,
         problem,
+        once,
         metrics: columns(problem, &asked, &figures, &checks),
         blocks: scope.blocks,
         figures,

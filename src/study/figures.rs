@@ -84,7 +84,11 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
             );
             faults.add(member.node.at, &object.path(&member.key), message);
         }
-        if member.key == "kind" && kind.needs_extent() && scope.problem.profiles().is_empty() {
+        if member.key == "kind" && kind.needs_extent() && scope.once {
+            let message = format!("a {} figure takes steps that are converged", kind.name);
+            faults.add(member.node.at, &object.path("kind"), message);
+        } else if member.key == "kind" && kind.needs_extent() && scope.problem.profiles().is_empty()
+        {
             let problem = scope.problem.name();
             let others = KINDS.iter().filter(|other| !other.needs_extent());
             let others: Vec<&str> = others.map(|other| other.name).collect();

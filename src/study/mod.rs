@@ -11,6 +11,7 @@ pub mod expression;
 mod figures;
 mod fitness;
 mod kinds;
+pub mod ledger;
 mod object;
 mod parameters;
 mod place;
@@ -40,6 +41,8 @@ pub struct Study {
     pub title: String,
     /// The problem whose cases it runs.
     pub problem: &'static dyn Problem,
+    /// Whether each step is solved once, by the papers' matrices, in place of its root.
+    pub once: bool,
     /// Blocks of cases, one after the other.
     pub blocks: Vec<Block>,
     /// Rows of `problem.metrics()` that results.csv has, in the table's order.
@@ -53,14 +56,14 @@ pub struct Study {
 }
 
 /// A block: the product of its axes in file order, last axis fastest.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Block {
     /// Every parameter that the block gives, a single value being an axis of one.
     pub axes: Vec<Axis>,
 }
 
 /// The values of one parameter.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Axis {
     /// Row of `problem.parameters()`.
     pub parameter: usize,

@@ -31,6 +31,7 @@ pub fn schema() -> String {
     }
     let problems: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
     properties["problem"]["enum"] = json!(problems);
+    properties["iteration"]["enum"] = json!(decode::ITERATIONS);
     let mut definitions = Map::new();
     definitions.insert(EXPRESSION.into(), expression());
     definitions.insert(RULE.into(), rule());

@@ -13,6 +13,8 @@ pub(super) struct Scope {
     pub problem: &'static dyn Problem,
     /// Empty when a block is faulty: then nothing is said of which cases a filter chooses.
     pub blocks: Vec<Block>,
+    /// Whether steps are solved once, so that nothing is known along the structure.
+    pub once: bool,
 }
 
 impl Scope {

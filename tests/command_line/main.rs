@@ -3,6 +3,7 @@
 mod bad_files;
 mod bad_impact;
 mod checks;
+mod claims;
 mod files;
 #[cfg(unix)]
 mod interrupted;

@@ -1,5 +1,6 @@
 //! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
+mod once;
 mod tables;
 
 use super::parameter::Parameter;
@@ -93,6 +94,36 @@ impl Problem for FrictionOscillator {
             };
             run(law, force, x0, step, last)
         };
+        self.judged(case, computed, wanted)
+    }
+
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
+        let given = case.number("dT").zip(case.number("x0"));
+        let (step, x0) = given.ok_or("dT or x0 is not given")?;
+        let computed =
+            once::run(case, step, x0, self.steps(case)).ok_or("a step has no solution")?;
+        self.judged(case, computed, wanted)
+    }
+
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+        let coulomb = Coulomb::new(case.number("x0")?);
+        let mut exact = History::with_capacity(times.len());
+        for &time in times {
+            let state = coulomb.at(time);
+            exact.push(time, state.displacement, state.velocity, state.force);
+        }
+        Some(exact)
+    }
+}
+
+impl FrictionOscillator {
+    /// A computed history beside the exact one, with its metrics.
+    fn judged(&self, case: &Case, computed: History, wanted: &[usize]) -> Result<Solution, String> {
+        let number = |name: &str| {
+            case.number(name)
+                .ok_or_else(|| format!("{name} is not given"))
+        };
+        let x0 = number("x0")?;
         if !computed.is_finite() {
             return Err("the motion leaves the range of double precision".into());
         }
@@ -110,16 +141,6 @@ impl Problem for FrictionOscillator {
             exact,
             metrics,
         })
-    }
-
-    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
-        let coulomb = Coulomb::new(case.number("x0")?);
-        let mut exact = History::with_capacity(times.len());
-        for &time in times {
-            let state = coulomb.at(time);
-            exact.push(time, state.displacement, state.velocity, state.force);
-        }
-        Some(exact)
     }
 }
 

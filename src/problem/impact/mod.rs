@@ -1,6 +1,7 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
 mod between;
+mod once;
 mod rules;
 pub mod run;
 pub mod scaled;
@@ -76,32 +77,15 @@ impl Problem for BarImpact {
         let (dt, duration) = (number("dt")?, number("duration")?);
         let scaled = Scaled::new(case).ok_or("a parameter is not given")?;
         let done = run::run(&scaled, dt, self.steps(case));
-        if !done.history.is_finite() {
-            return Err("the motion leaves the range of double precision".into());
-        }
-        let wave = scaled.bars.solve(duration);
-        let exact = wave.history(&done.history.time);
-        let mut metrics = metrics::impact::evaluate(
-            &done.history,
-            &wave,
-            duration,
-            &done.energy,
-            done.restitution,
-        );
-        let budget = wanted
-            .iter()
-            .any(|&row| !METRICS[row].default)
-            .then(|| between::between(&scaled, &done.history.time))
-            .flatten()
-            .map(|[spring, chain]| {
-                metrics::impact::budget(&done.history, &wave, &spring, &chain, duration)
-            });
-        metrics.extend(budget.unwrap_or([None; 12]));
-        Ok(Solution {
-            computed: done.history,
-            exact,
-            metrics,
-        })
+        judged(&scaled, done, duration, wanted)
+    }
+
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
+        let given = case.number("dt").zip(case.number("duration"));
+        let (dt, duration) = given.ok_or("dt or duration is not given")?;
+        let scaled = Scaled::new(case).ok_or("a parameter is not given")?;
+        let done = once::run(&scaled, dt, self.steps(case))?;
+        judged(&scaled, done, duration, wanted)
     }
 
     fn profiles(&self) -> &'static [Profile] {
@@ -123,4 +107,39 @@ impl Problem for BarImpact {
         let wave = Scaled::new(case)?.bars.solve(*times.last()?);
         Some(wave.line(times))
     }
+}
+
+/// A run beside the exact solution, with its metrics.
+fn judged(
+    scaled: &Scaled,
+    done: run::Run,
+    duration: f64,
+    wanted: &[usize],
+) -> Result<Solution, String> {
+    if !done.history.is_finite() {
+        return Err("the motion leaves the range of double precision".into());
+    }
+    let wave = scaled.bars.solve(duration);
+    let exact = wave.history(&done.history.time);
+    let mut metrics = metrics::impact::evaluate(
+        &done.history,
+        &wave,
+        duration,
+        &done.energy,
+        done.restitution,
+    );
+    let budget = wanted
+        .iter()
+        .any(|&row| !METRICS[row].default)
+        .then(|| between::between(scaled, &done.history.time))
+        .flatten()
+        .map(|[spring, chain]| {
+            metrics::impact::budget(&done.history, &wave, &spring, &chain, duration)
+        });
+    metrics.extend(budget.unwrap_or([None; 12]));
+    Ok(Solution {
+        computed: done.history,
+        exact,
+        metrics,
+    })
 }

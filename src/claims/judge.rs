@@ -1,0 +1,184 @@
+//! One reading against the cases it names.
+
+use super::Finding;
+use crate::batch::Outcome;
+use crate::problem::{Lines, Problem, Snapshot};
+use crate::study::Study;
+use crate::study::ledger::{Demand, Expect, Looked, Reading};
+
+/// Most values that a finding lists one by one.
+const MOST: usize = 6;
+
+/// Whether all that a reading expects is so.
+pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Finding {
+    let each = reading
+        .expect
+        .iter()
+        .map(|e| expectation(study, outcomes, e));
+    let (holds, found): (Vec<bool>, Vec<String>) = each.unzip();
+    Finding {
+        holds: holds.into_iter().all(|holds| holds),
+        found,
+    }
+}
+
+fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, String) {
+    let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
+    let cases: Vec<&Outcome> = cases.collect();
+    match (&expect.of, &expect.demand) {
+        (Looked::Profile(row), Demand::Away { times, away, max }) => {
+            let errors = cases
+                .iter()
+                .map(|o| away_from_fronts(study.problem, o, *row, times, *away));
+            let name = study.problem.profiles()[*row].name;
+            within(errors.collect(), name, None, Some(*max))
+        }
+        (Looked::Metric(row), demand) => {
+            let name = study.problem.metrics()[*row].name;
+            let value = |o: &&Outcome| o.metrics[*row].filter(|x| x.is_finite());
+            match demand {
+                Demand::Within { min, max } => {
+                    within(cases.iter().map(value).collect(), name, *min, *max)
+                }
+                Demand::Trend { along, rising } => {
+                    let line = ordered(&cases, *along, value);
+                    let holds = line.as_ref().is_some_and(|line| {
+                        line.windows(2).all(|pair| {
+                            (pair[1][1] > pair[0][1]) == *rising && pair[1][1] != pair[0][1]
+                        })
+                    });
+                    let parameter = study.problem.parameters()[*along].name;
+                    (
+                        holds,
+                        format!("`{name}` along `{parameter}`: {}", listed(&line)),
+                    )
+                }
+                Demand::LeastAt { along, range } => {
+                    let line = ordered(&cases, *along, value);
+                    let least =
+                        line.and_then(|line| line.into_iter().min_by(|a, b| a[1].total_cmp(&b[1])));
+                    let parameter = study.problem.parameters()[*along].name;
+                    match least {
+                        Some([at, x]) => (
+                            at >= range[0] && at <= range[1],
+                            format!(
+                                "`{name}` least at `{parameter}` = {}: {}",
+                                short(at),
+                                short(x)
+                            ),
+                        ),
+                        None => (false, format!("`{name}` undefined")),
+                    }
+                }
+                Demand::Away { .. } => (false, String::new()),
+            }
+        }
+        (Looked::Profile(_), _) => (false, String::new()),
+    }
+}
+
+fn within(
+    values: Vec<Option<f64>>,
+    name: &str,
+    min: Option<f64>,
+    max: Option<f64>,
+) -> (bool, String) {
+    let inside = |x: &f64| min.is_none_or(|min| *x >= min) && max.is_none_or(|max| *x <= max);
+    let holds = values.iter().all(|x| x.as_ref().is_some_and(inside));
+    let limits = match (min, max) {
+        (Some(min), Some(max)) => format!(" ({}..{})", short(min), short(max)),
+        (Some(min), None) => format!(" (at least {})", short(min)),
+        (None, Some(max)) => format!(" (at most {})", short(max)),
+        (None, None) => String::new(),
+    };
+    (holds, format!("`{name}` {}{limits}", said(&values)))
+}
+
+/// Values in words: each, or from the least to the largest of many.
+fn said(values: &[Option<f64>]) -> String {
+    let known: Vec<f64> = values.iter().copied().flatten().collect();
+    if known.len() < values.len() || known.is_empty() {
+        return "undefined".into();
+    }
+    if known.len() <= MOST {
+        let each: Vec<String> = known.into_iter().map(short).collect();
+        return each.join(", ");
+    }
+    let low = known.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = known.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    format!("{}..{} in {} cases", short(low), short(high), known.len())
+}
+
+/// Parameter and value of every case, the parameter rising; `None` where a value is undefined.
+fn ordered(
+    cases: &[&Outcome],
+    along: usize,
+    value: impl Fn(&&Outcome) -> Option<f64>,
+) -> Option<Vec<[f64; 2]>> {
+    let point = |o: &&Outcome| Some([o.case.values[along]?.as_f64()?, value(o)?]);
+    let mut line = cases.iter().map(point).collect::<Option<Vec<_>>>()?;
+    line.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    Some(line)
+}
+
+fn listed(line: &Option<Vec<[f64; 2]>>) -> String {
+    match line {
+        None => "undefined".into(),
+        Some(line) => {
+            let each = line
+                .iter()
+                .map(|[at, x]| format!("{} at {}", short(*x), short(*at)));
+            each.collect::<Vec<_>>().join(", ")
+        }
+    }
+}
+
+/// Four digits, as a reader wants them.
+pub fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    match rounded.abs() {
+        0.0 | 1e-4..1e6 => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+/// Root mean square of a profile's error where no front is near.
+fn away_from_fronts(
+    problem: &dyn Problem,
+    outcome: &Outcome,
+    row: usize,
+    times: &[f64],
+    away: f64,
+) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0_u32);
+    for Snapshot { profiles, .. } in problem.snapshots(&outcome.case, times) {
+        let Lines { computed, exact } = profiles.get(row)?;
+        let fronts: Vec<f64> = exact.iter().flat_map(|line| jumps(line)).collect();
+        for (points, line) in computed.iter().zip(exact) {
+            for [x, y] in points {
+                let far = fronts.iter().all(|front| (x - front).abs() > away);
+                if let (true, Some(e)) = (far, at(line, *x)) {
+                    sum += (y - e) * (y - e);
+                    count += 1;
+                }
+            }
+        }
+    }
+    (count > 0).then(|| (sum / f64::from(count)).sqrt())
+}
+
+/// Places where a line jumps.
+fn jumps(line: &[[f64; 2]]) -> impl Iterator<Item = f64> + '_ {
+    let jump = |pair: &&[[f64; 2]]| pair[0][0] == pair[1][0] && pair[0][1] != pair[1][1];
+    line.windows(2).filter(jump).map(|pair| pair[0][0])
+}
+
+/// The value of a line at `x`.
+fn at(line: &[[f64; 2]], x: f64) -> Option<f64> {
+    let pair = line.windows(2).find(|pair| {
+        let (a, b) = (pair[0][0].min(pair[1][0]), pair[0][0].max(pair[1][0]));
+        a < b && (a..=b).contains(&x)
+    })?;
+    let part = (x - pair[0][0]) / (pair[1][0] - pair[0][0]);
+    Some(pair[0][1] + part * (pair[1][1] - pair[0][1]))
+}

@@ -1,0 +1,109 @@
+//! The ledger as a page: a table of verdicts for each paper, then every claim with its readings and numbers.
+
+use super::{Finding, Verdict};
+use crate::study::ledger::{Claim, Ledger};
+use std::fmt::Write;
+
+/// A ledger with what was computed for each reading of each claim.
+#[derive(Debug)]
+pub struct Judged {
+    /// The ledger.
+    pub ledger: Ledger,
+    /// Claim by claim, reading by reading.
+    pub findings: Vec<Vec<Finding>>,
+}
+
+impl Judged {
+    /// The claims with what was found.
+    pub fn claims(&self) -> impl Iterator<Item = (&Claim, &[Finding])> {
+        let findings = self.findings.iter().map(Vec::as_slice);
+        self.ledger.claims.iter().zip(findings)
+    }
+
+    /// The claims of which a reading came out other than recorded.
+    pub fn changed(&self) -> usize {
+        let changed = |(claim, findings): &(&Claim, &[Finding])| {
+            let mut readings = claim.readings.iter().zip(*findings);
+            readings.any(|(reading, finding)| reading.holds != finding.holds)
+        };
+        self.claims().filter(changed).count()
+    }
+}
+
+/// The page in Markdown; its links start from the output folder.
+pub fn page(all: &[Judged]) -> String {
+    let mut page = String::from(
+        "# The papers' sentences, judged by computation\n\n\
+         Every sentence that a computation can settle, in our words, with the readings tried and the verdict computed by \
+         `slipgap claims`. A claim that fails is a finding: below it stands why.\n",
+    );
+    for judged in all {
+        let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);
+        page.push_str("| | sentence | verdict |\n| --- | --- | --- |\n");
+        for (claim, findings) in judged.claims() {
+            let verdict = verdict(findings).said();
+            let id = &claim.id;
+            let _ = writeln!(
+                page,
+                "| [{id}](#{}) | {} | {verdict} |",
+                id.to_lowercase(),
+                cell(&claim.says)
+            );
+        }
+        for (claim, findings) in judged.claims() {
+            section(&mut page, &judged.ledger, claim, findings);
+        }
+    }
+    page
+}
+
+/// What a claim comes to by its findings.
+pub fn verdict(findings: &[Finding]) -> Verdict {
+    Verdict::of(findings.iter().map(|finding| finding.holds))
+}
+
+fn section(page: &mut String, ledger: &Ledger, claim: &Claim, findings: &[Finding]) {
+    let _ = write!(
+        page,
+        "\n### {}\n\n{}: {} **{}**\n\nJudged by {}.\n\n",
+        claim.id,
+        claim.place,
+        claim.says,
+        capital(verdict(findings).said()),
+        claim.quantity
+    );
+    page.push_str("| reading | found | holds | see |\n| --- | --- | --- | --- |\n");
+    for (reading, finding) in claim.readings.iter().zip(findings) {
+        let study = &ledger.studies[reading.study].name;
+        let see = match &reading.figure {
+            Some(figure) => format!("[{study}]({study}/{figure}.png)"),
+            None => format!("[{study}]({study}/results.csv)"),
+        };
+        let holds = match (finding.holds, reading.holds) {
+            (true, true) => "yes",
+            (false, false) => "no",
+            (true, false) => "yes, **recorded: no**",
+            (false, true) => "no, **recorded: yes**",
+        };
+        let _ = writeln!(
+            page,
+            "| {} | {} | {holds} | {see} |",
+            cell(&reading.name),
+            cell(&finding.found.join("; "))
+        );
+    }
+    if let Some(because) = &claim.because {
+        let _ = write!(page, "\n{because}\n");
+    }
+}
+
+/// Words in a cell of a table.
+fn cell(words: &str) -> String {
+    words.replace('|', "\\|")
+}
+
+fn capital(word: &str) -> String {
+    let mut letters = word.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str() + "."
+}

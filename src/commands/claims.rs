@@ -1,0 +1,104 @@
+//! `slipgap claims`: the papers' sentences with their verdicts, and the page about them.
+
+use super::{NOT_MET, columns, finish, note, progress, say};
+use slipgap::batch::output::Folder;
+use slipgap::claims::{self, Judged, Verdict};
+use slipgap::error::Error;
+use slipgap::study::ledger::{self, Ledger};
+use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
+
+/// Name of the page.
+const PAGE: &str = "claims.md";
+
+/// Judges the ledgers, prints them and writes the page into `out`; gives the exit code.
+pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
+    let ledgers = read(named)?;
+    let mut folder = Folder::open(out)?;
+    let mut all = Vec::new();
+    for ledger in ledgers {
+        let cases = ledger.studies.iter().map(|s| s.study.len()).sum();
+        let bar = progress(&ledger.paper, cases);
+        let findings = claims::compute(&ledger, &bar)?;
+        finish(&bar, &ledger.paper, cases);
+        all.push(Judged { ledger, findings });
+    }
+    let path = folder.write(PAGE, claims::page(&all).as_bytes())?;
+    let mut rows = vec![
+        ["claim", "verdict", "", "sentence"]
+            .map(String::from)
+            .to_vec(),
+    ];
+    for (claim, findings) in all.iter().flat_map(Judged::claims) {
+        let verdict = Verdict::of(findings.iter().map(|f| f.holds));
+        let pairs = claim.readings.iter().zip(findings);
+        let held = pairs
+            .clone()
+            .filter(|(_, f)| f.holds)
+            .map(|(r, _)| r.name.as_str());
+        let changed = pairs.filter(|(r, f)| r.holds != f.holds);
+        let changed: Vec<&str> = changed.map(|(r, _)| r.name.as_str()).collect();
+        let mut says = claim.says.clone();
+        if verdict == Verdict::HoldsIf {
+            let held: Vec<&str> = held.collect();
+            says += &format!(" [if: {}]", held.join("; "));
+        }
+        if !changed.is_empty() {
+            says += &format!(" [changed: {}]", changed.join("; "));
+        }
+        let mark = if changed.is_empty() { "" } else { "CHANGED" };
+        rows.push(vec![
+            claim.id.clone(),
+            verdict.said().into(),
+            mark.into(),
+            says,
+        ]);
+    }
+    say(&columns(&rows))?;
+    let count = rows.len() - 1;
+    let changed: usize = all.iter().map(Judged::changed).sum();
+    note(&format!(
+        "{count} claims, {changed} other than recorded; {}",
+        path.display()
+    ));
+    Ok(if changed > 0 { NOT_MET } else { 0 })
+}
+
+/// Reads the ledgers of the files and folders named, in order; every fault of every ledger is reported.
+fn read(named: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
+    let mut files = Vec::new();
+    for path in named {
+        if !path.is_dir() {
+            files.push(path.clone());
+            continue;
+        }
+        let before = files.len();
+        for entry in WalkDir::new(path).sort_by_file_name() {
+            let entry = entry.map_err(|e| {
+                let at = e.path().unwrap_or(path).to_owned();
+                Error::io("cannot read", at)(e.into())
+            })?;
+            let file = entry.path();
+            if file.is_file() && file.extension().is_some_and(|e| e == "json") {
+                files.push(file.to_owned());
+            }
+        }
+        if files.len() == before {
+            let what = format!("no ledgers (*.json) in folder {}", path.display());
+            return Err(Error::Usage(what));
+        }
+    }
+    let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
+    for file in files {
+        match ledger::read(&file) {
+            Ok(ledger) => ledgers.push(ledger),
+            Err(Error::Faults(more)) => faults.extend(more),
+            Err(other) => return Err(other),
+        }
+    }
+    if faults.is_empty() {
+        Ok(ledgers)
+    } else {
+        Err(Error::Faults(faults))
+    }
+}

@@ -1,0 +1,77 @@
+//! The bars by the papers' element matrices, each step solved once: the other reading of [I], where the residual was
+//! held against an external force that is zero.
+
+use super::run::Run;
+use super::scaled::Scaled;
+use crate::history::History;
+use crate::textbook::element::ImpactElement;
+use crate::textbook::{Iteration, Newmark, bars::assemble};
+use nalgebra::DVector;
+
+/// Most elements of both bars, whose matrices are full here.
+const MOST_ELEMENTS: u32 = 400;
+
+/// Runs `last` steps; the error says why not.
+pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Run, String> {
+    let elements: u32 = scaled.each().map(|bar| bar.elements).sum();
+    if elements > MOST_ELEMENTS {
+        return Err(format!(
+            "the un-iterated form takes at most {MOST_ELEMENTS} elements, got {elements}"
+        ));
+    }
+    let assembly = assemble(scaled.left, scaled.right, scaled.bars.gap);
+    let first = scaled.left.elements as usize + 1;
+    let size = assembly.mass.nrows();
+    // Velocities in c/2, in the frame of their mean; of the wall for a wall.
+    let [left, right] = match scaled.right {
+        Some(_) => [1.0, -1.0],
+        None => [2.0, 0.0],
+    };
+    let v = DVector::from_fn(size, |i, _| if i < first { left } else { right });
+    let (mass, stiffness) = (assembly.mass.clone(), assembly.stiffness.clone());
+    let element = ImpactElement::new(scaled.spring);
+    let mut newmark = Newmark::new(assembly, element, dt, DVector::zeros(size), v)
+        .ok_or("the mass matrix has no inverse")?;
+    let one = |from: usize, to: usize| {
+        DVector::from_fn(size, |i, _| if (from..to).contains(&i) { 1.0 } else { 0.0 })
+    };
+    let (ones, masses) = match scaled.right {
+        Some(_) => (
+            vec![one(0, first), one(first, size)],
+            [scaled.left.mass, scaled.right.map_or(0.0, |bar| bar.mass)],
+        ),
+        None => (vec![one(0, first)], [scaled.left.mass, 0.0]),
+    };
+    let mut history = History::with_capacity(last as usize + 1);
+    let mut energy = Vec::with_capacity(last as usize + 1);
+    let mut centres = vec![0.0; ones.len()];
+    for i in 0..=last {
+        if i > 0 {
+            newmark
+                .step(Iteration::Once)
+                .map_err(|cycle| format!("step {} has no solution", cycle.step))?;
+        }
+        let [r, rdot, s] = newmark.contact();
+        history.push(i as f64 * dt, r, 0.5 * rdot, 0.0 - s);
+        let (u, v) = newmark.state();
+        let momentum = &mass * v;
+        for ((centre, one), mass) in centres.iter_mut().zip(&ones).zip(masses) {
+            *centre = one.dot(&momentum) / mass;
+        }
+        // A wall is a body of infinite mass, and the common centre stays with it.
+        let common = match scaled.right {
+            Some(_) => momentum.sum() / (masses[0] + masses[1]),
+            None => 0.0,
+        };
+        let relative = v.add_scalar(-common);
+        let kinetic = relative.dot(&(&mass * &relative));
+        let strain = u.dot(&(&stiffness * u));
+        energy.push(0.5 * (kinetic + strain + scaled.spring * r.min(0.0) * r.min(0.0)));
+    }
+    let restitution = 0.5 * (centres.get(1).copied().unwrap_or(0.0) - centres[0]);
+    Ok(Run {
+        history,
+        energy,
+        restitution,
+    })
+}
