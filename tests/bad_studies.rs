@@ -274,7 +274,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, wave, metric, map, law",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, wave, metric, convergence, budget, map, law",
             ],
         ),
         (
@@ -300,7 +300,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"wave\"",
             &[
-                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, metric, map, law",
+                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, metric, convergence, budget, map, law",
             ],
         ),
         (
@@ -335,6 +335,17 @@ fn figures() {
             &[
                 "6:1: figures[0].where: a map shows one case a place, and alpha varies",
                 "6:46: figures[0].y: must be another parameter than x",
+            ],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"budget\"",
+            &["6:1: figures[0].x: missing"],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"budget\", \"x\": \"law\", \"y\": \"rdot\"",
+            &[
+                "6:38: figures[0].x: must be a parameter that is a number, got \"law\"",
+                "6:50: figures[0].y: unknown budget \"rdot\"; allowed: X",
             ],
         ),
         (

@@ -182,3 +182,34 @@ fn at(line: &[[f64; 2]], x: f64) -> Option<f64> {
     let part = (x - pair[0][0]) / (pair[1][0] - pair[0][0]);
     Some(pair[0][1] + part * (pair[1][1] - pair[0][1]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_hold_for_every_value_and_none_is_missing() {
+        let hold = |values: &[Option<f64>]| within(values.to_vec(), "x", Some(1.0), Some(2.0)).0;
+        assert!(hold(&[Some(1.0), Some(2.0)]));
+        assert!(!hold(&[Some(1.0), Some(2.1)]) && !hold(&[Some(1.5), None]));
+    }
+
+    #[test]
+    fn values_are_told_to_four_digits() {
+        assert_eq!(short(0.123456), "0.1235");
+        assert_eq!(short(1e-7), "1e-7");
+        assert_eq!(short(0.0), "0");
+        assert_eq!(said(&[Some(1.0), None]), "undefined");
+        assert_eq!(said(&[Some(3.0); 7]), "3..3 in 7 cases");
+    }
+
+    #[test]
+    fn profiles_have_their_value_and_their_fronts() {
+        let line = [[0.0, 1.0], [0.4, 1.0], [0.4, -1.0], [1.0, -1.0]];
+        assert_eq!(jumps(&line).collect::<Vec<_>>(), [0.4]);
+        assert_eq!((at(&line, 0.2), at(&line, 0.7)), (Some(1.0), Some(-1.0)));
+        assert_eq!(at(&line, 1.5), None);
+        // From right to left as well.
+        assert_eq!(at(&[[1.0, 3.0], [0.0, 1.0]], 0.25), Some(1.5));
+    }
+}

@@ -3,7 +3,6 @@
 use super::Shown;
 use super::label;
 use super::layout::{self, Key};
-use super::number;
 use super::sheet::{Axis, Panel, Series, Sheet};
 use super::slope;
 use super::style::{self, Marker, Stroke};
@@ -78,7 +77,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
         let mut panel = Panel::new(grid.frames[place.0][place.1], grid.margin, x_axis, y_axis);
         if let (Some(row), Some(value)) = (panels, group) {
-            panel.letter = format!("{} = {}", parameters[*row].symbol, number::value(value));
+            panel.letter = label::said(&parameters[*row], value);
         }
         panel.series = series;
         slope::write(&mut panel);

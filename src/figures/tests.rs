@@ -47,6 +47,7 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
         .collect();
     let metrics = solutions.iter().map(|s| s.metrics.clone()).collect();
     let study = Study {
+        once: false,
         title: "a test".into(),
         sha256: String::new(),
         problem,

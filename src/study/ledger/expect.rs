@@ -1,0 +1,139 @@
+//! What a reading expects of the cases of its study.
+
+use super::{Demand, Expect, Looked};
+use crate::problem::parameter::Range;
+use crate::study::Filter;
+use crate::study::object::Object;
+use crate::study::report::Faults;
+use crate::study::scope::Scope;
+use crate::study::tree::Node;
+use crate::study::value::{name, number};
+
+const EXPECT: [&str; 11] = [
+    "metric", "profile", "where", "min", "max", "along", "trend", "least_at", "times", "away", "//",
+];
+
+/// Decodes one expectation; `columns` are the metrics that the study has.
+pub(super) fn expect(
+    node: &Node,
+    path: &str,
+    scope: &Scope,
+    columns: &[usize],
+    faults: &mut Faults,
+) -> Option<Expect> {
+    let before = faults.count();
+    let object = Object::open(node, path, &EXPECT, faults)?;
+    let filter = match object.get("where") {
+        Some(node) => scope.filter(node, &object.path("where"), faults),
+        None => Some(Filter::default()),
+    };
+    let of = match (object.get("metric"), object.get("profile")) {
+        (Some(node), None) => {
+            let all = scope.metrics();
+            let row = name(node, &object.path("metric"), "metric", &all, faults)?;
+            if !columns.contains(&row) {
+                faults.add(
+                    node.at,
+                    &object.path("metric"),
+                    "the study does not list it",
+                );
+            }
+            Looked::Metric(row)
+        }
+        (None, Some(node)) => Looked::Profile(name(
+            node,
+            &object.path("profile"),
+            "profile",
+            &scope.profiles(),
+            faults,
+        )?),
+        _ => {
+            object.fault("takes a \"metric\" or a \"profile\"", faults);
+            return None;
+        }
+    };
+    let mut limit = |key: &str| {
+        let node = object.get(key)?;
+        number(node, &object.path(key), Range::Any, faults)
+    };
+    let (min, max, away) = (limit("min"), limit("max"), limit("away"));
+    let along = object.get("along").and_then(|node| {
+        name(
+            node,
+            &object.path("along"),
+            "parameter",
+            &scope.parameters(),
+            faults,
+        )
+    });
+    let demand = if let Looked::Profile(_) = of {
+        let times = object.items("times", faults, |node, path, faults| {
+            number(node, path, Range::NotNegative, faults)
+        });
+        match (away, max) {
+            (Some(away), Some(max)) if !times.is_empty() => Demand::Away { times, away, max },
+            _ => {
+                object.fault("a profile takes \"times\", \"away\" and \"max\"", faults);
+                return None;
+            }
+        }
+    } else if let Some(along) = along {
+        sequence(&object, along, filter.as_ref()?, scope, faults)?
+    } else if min.is_some() || max.is_some() {
+        Demand::Within { min, max }
+    } else {
+        object.fault("takes \"min\", \"max\" or both, or \"along\"", faults);
+        return None;
+    };
+    (faults.count() == before).then_some(Expect {
+        of,
+        filter: filter?,
+        demand,
+    })
+}
+
+/// What is demanded along a parameter, each of whose values has one case.
+fn sequence(
+    object: &Object,
+    along: usize,
+    filter: &Filter,
+    scope: &Scope,
+    faults: &mut Faults,
+) -> Option<Demand> {
+    let cases = scope.select(filter).count();
+    if cases != scope.levels(filter, along).len() || cases < 2 {
+        let name = scope.problem.parameters()[along].name;
+        let message = format!("\"along\" takes one case for each {name}; {cases} are chosen");
+        object.fault(message, faults);
+        return None;
+    }
+    match (object.get("trend"), object.get("least_at")) {
+        (Some(node), None) => {
+            let trends = ["rising", "falling"];
+            let row = name(node, &object.path("trend"), "trend", &trends, faults)?;
+            Some(Demand::Trend {
+                along,
+                rising: row == 0,
+            })
+        }
+        (None, Some(_)) => {
+            let range = object.items("least_at", faults, |node, path, faults| {
+                number(node, path, Range::Any, faults)
+            });
+            match range[..] {
+                [a, b] if a <= b => Some(Demand::LeastAt {
+                    along,
+                    range: [a, b],
+                }),
+                _ => {
+                    object.fault("\"least_at\" takes [from, to]", faults);
+                    None
+                }
+            }
+        }
+        _ => {
+            object.fault("\"along\" takes a \"trend\" or \"least_at\"", faults);
+            None
+        }
+    }
+}
