@@ -21,7 +21,8 @@
 //! studies/*.json -> study -> cases -> [ solve -> history -> metrics, beside exact -> history ] -> results -> figures, checks
 //! ```
 //!
-//! From the top down, each room using only those below it: [`claims`] and [`checks`], [`figures`], [`batch`], [`study`], [`problem`],
+//! From the top down, each room using only those below it: [`claims`] and [`checks`], [`figures`], [`batch`], [`study`],
+//! [`recommend`], [`problem`],
 //! [`metrics`], [`exact`], [`stepper`], [`law`], [`structure`], [`lane`], [`history`], [`error`]. Beside them stands
 //! [`textbook`]: the papers' matrices and iteration, which the fast form is tested against.
 //!
@@ -67,6 +68,7 @@ pub mod lane;
 pub mod law;
 pub mod metrics;
 pub mod problem;
+pub mod recommend;
 pub mod stepper;
 pub mod structure;
 pub mod study;

@@ -3,6 +3,7 @@
 mod commands;
 
 use clap::{Args, Parser, Subcommand};
+use commands::asked::Jobs;
 use slipgap::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -28,6 +29,9 @@ enum Verb {
     List(Studies),
     /// Judge the papers' sentences by their studies, print the ledger and write it as claims.md
     Claims(Claims),
+    /// Find the cheapest parameters that reach a target, with the run that proves it and the alternatives
+    #[command(subcommand)]
+    Recommend(commands::asked::Asked),
     /// Print the JSON schema of study files
     Schema,
 }
@@ -73,13 +77,6 @@ struct Claims {
     jobs: Jobs,
 }
 
-#[derive(Args)]
-struct Jobs {
-    /// Number of threads; all cores where it is not given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    jobs: Option<u16>,
-}
-
 fn main() -> ExitCode {
     let cli = Cli::parse();
     // A fault of this program ends like any other error: one message, exit code 1.
@@ -111,6 +108,11 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
         Verb::List(list) => commands::list::list(&commands::sources::read(&list.studies)?),
         Verb::Claims(claims) => commands::pool(claims.jobs.jobs)?
             .install(|| commands::claims::claims(&claims.ledgers, &claims.out)),
+        Verb::Recommend(asked) => {
+            let (space, targets, common) = asked.meant();
+            commands::pool(common.jobs.jobs)?
+                .install(|| commands::recommend::recommend(&*space, &targets, &common.out))
+        }
         Verb::Schema => commands::say(&slipgap::study::schema()),
     }
 }

@@ -78,7 +78,10 @@ fn slipgap(words: &[&str]) -> Vec<u8> {
 fn results(folder: &Path) -> BTreeSet<PathBuf> {
     walkdir::WalkDir::new(folder)
         .into_iter()
-        .filter_entry(|entry| entry.file_name() != "histories")
+        .filter_entry(|entry| {
+            let name = entry.file_name().to_string_lossy();
+            name != "histories" && !name.starts_with("recommend-")
+        })
         .map(|entry| entry.unwrap())
         .filter(|entry| entry.file_type().is_file() && entry.file_name() != "manifest.json")
         .map(|entry| entry.path().strip_prefix(folder).unwrap().to_owned())

@@ -1,8 +1,10 @@
 //! One file for each verb, and what they share.
 
+pub mod asked;
 pub mod check;
 pub mod claims;
 pub mod list;
+pub mod recommend;
 pub mod run;
 pub mod sources;
 

@@ -10,6 +10,7 @@ mod contours;
 mod curves;
 mod draw;
 mod font;
+mod front;
 mod history;
 mod label;
 mod law;
@@ -34,6 +35,8 @@ mod text;
 mod ticks;
 mod vector;
 mod wave;
+
+pub use front::Front;
 
 use crate::error::Error;
 use crate::problem::{Case, Snapshot, Solution};
