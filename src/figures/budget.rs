@@ -97,6 +97,18 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
     }
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+    let whole = |shown: &&Shown| {
+        let mut rows = budgets.iter().flat_map(|b| b.metrics());
+        rows.all(|row| shown.metrics.get(row).is_some_and(Option::is_some))
+    };
+    let bare = cases.len() - cases.iter().filter(whole).count();
+    if bare > 0 {
+        let words = format!(
+            "{bare} of {} cases have no reference between exact and computed: of them only the total is shown.",
+            cases.len()
+        );
+        layout::small_print(&mut sheet, &words);
+    }
     sheet
 }
 

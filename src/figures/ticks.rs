@@ -77,11 +77,11 @@ pub fn log(title: &str, values: impl Iterator<Item = f64>, most: f64) -> Axis {
 /// A logarithmic axis of exactly this range.
 pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
     let (first, last) = (floor(log10(range[0])) as i32, ceil(log10(range[1])) as i32);
-    let every = ceil(f64::from(last - first) / most).max(1.0) as i32;
     let inside = |x: f64| x >= range[0] * (1.0 - 1e-12) && x <= range[1] * (1.0 + 1e-12);
     let decades = (first..=last)
         .filter(|k| inside(pow(10.0, f64::from(*k))))
         .count();
+    let every = ceil((decades as f64 - 1.0) / most).max(1.0) as i32;
     // Three numbers a decade, where that is not much more than asked for.
     let fine = decades < 2 || 3.0 * log10(range[1] / range[0]) <= 1.5 * most;
     let mut ticks = Vec::new();
@@ -104,6 +104,10 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
             };
             ticks.push(Tick { at, label });
         }
+    }
+    // Between two round numbers, steps of a linear axis; they are not even here, and need not be.
+    if ticks.iter().filter(|tick| !tick.label.is_empty()).count() < 2 {
+        ticks = linear(title, range, most.min(4.0)).ticks;
     }
     Axis {
         title: title.into(),
@@ -227,6 +231,11 @@ mod tests {
         assert_eq!(labels(&axis), ["10^−2^", "10^−1^", "10^0^"]);
         let roomy = log("", [0.02, 5.0].into_iter(), 8.0);
         assert_eq!(labels(&roomy)[..4], ["0.02", "0.05", "0.1", "0.2"]);
+        // What counts is the powers of ten in the range, not those around it.
+        let narrow = log("", [0.05, 10.0].into_iter(), 3.0);
+        assert_eq!(labels(&narrow), ["10^−1^", "10^0^", "10^1^"]);
+        let between = log("", [0.28, 0.39].into_iter(), 6.0);
+        assert_eq!(labels(&between), ["0.30", "0.35", "0.40"]);
         let short = log("", [0.02, 0.09].into_iter(), 8.0);
         assert_eq!(labels(&short), ["0.02", "0.05"]);
         assert!(

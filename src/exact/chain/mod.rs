@@ -6,7 +6,7 @@
 //! a mode of the pair stands for a like mode of each.
 //!
 //! Time is in T_I, r in c T_I/2, rdot in c, force in F0. An event's time is right to 1e-13; what follows is as
-//! sensitive to that as the problem itself, which for stiff springs that rattle is much (docs/findings-impact.md).
+//! sensitive to that as the problem itself, which for stiff springs that rattle is much (docs/findings.md).
 
 mod modes;
 mod search;
