@@ -143,3 +143,34 @@ fn tends_to_the_continuum_as_the_mesh_does() {
         assert!(order[0] > 1.0 && order[1] > 0.67, "{order:?}");
     }
 }
+
+#[test]
+fn flies_until_the_gap_is_closed_and_then_is_as_without_it() {
+    // r' = -2 in c T_I/2 over T_I. The peak of the force at gamma = 1 is printed as 1.445 on the reference page.
+    let (gap, mut touching) = (0.3, lumped(1.0, 40));
+    let mut chain = Chain::new(&bar(40, Mass::Lumped), 80.0, gap);
+    for (t, r) in [(0.0, 0.3), (0.05, 0.2), (0.15, 0.0)] {
+        let state = chain.at(t).unwrap();
+        assert!((state.displacement - r).abs() < 1e-16, "{t}: {state:?}");
+        // The rate is a sum over 41 modes once the ends touch.
+        assert!(
+            (state.velocity + 1.0).abs() < 1e-14 && state.force.abs() < 1e-14,
+            "{t}"
+        );
+    }
+    let mut peak = 0.0_f64;
+    for i in 0..12_000 {
+        let t = 1e-4 * f64::from(i);
+        let (there, here) = (chain.at(0.15 + t).unwrap(), touching.at(t).unwrap());
+        // 0.15 + t is rounded, and rdot changes by 100 a T_I.
+        assert!((there.displacement - here.displacement).abs() < 1e-14);
+        assert!((there.velocity - here.velocity).abs() < 1e-12);
+        assert!((here.force - (-80.0 * here.displacement).max(0.0)).abs() < 1e-13);
+        peak = peak.max(here.force);
+    }
+    assert!((peak - 1.445).abs() < 5e-4, "{peak}");
+    assert_eq!(chain.events().len(), touching.events().len());
+    for (there, here) in chain.events().iter().zip(touching.events()) {
+        assert!((there - here - 0.15).abs() < 1e-12);
+    }
+}
