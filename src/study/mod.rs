@@ -26,7 +26,6 @@ mod taken;
 mod tests;
 mod tree;
 mod value;
-mod words;
 
 pub use decode::{parse, read};
 pub use schema::schema;

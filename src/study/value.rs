@@ -1,6 +1,6 @@
 //! One value of the study file as a number, a string or a value of a parameter.
 
-use super::expression::evaluate;
+use super::expression::Formula;
 use super::report::{Faults, quoted, shown, unknown};
 use super::tree::{Node, Tree};
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
@@ -81,7 +81,8 @@ fn finite(node: &Node, path: &str, faults: &mut Faults) -> Option<f64> {
             Ok(x) if x.is_finite() => return Some(x),
             _ => faults.must_be(node, path, "a finite number"),
         },
-        Tree::Text(formula) => match evaluate(formula, &|_| None) {
+        Tree::Text(formula) => match Formula::number(formula, &[]).and_then(|f| f.value(&|_| None))
+        {
             Ok(x) => return Some(x),
             Err(fault) => {
                 let message = format!("{}: {}", quoted(formula), fault.message);

@@ -1,0 +1,133 @@
+//! The words of expressions: operators, constants, functions and numbers.
+
+use crate::problem::parameter::Value;
+
+/// A function by its number of arguments.
+#[derive(Clone, Copy)]
+pub(super) enum Function {
+    One(fn(f64) -> f64),
+    Two(fn(f64, f64) -> f64),
+}
+
+/// The constants.
+pub(in crate::study) const CONSTANTS: [&str; 2] = ["pi", "e"];
+
+/// The functions by name.
+pub(in crate::study) const FUNCTIONS: [(&str, Function); 13] = [
+    ("sqrt", Function::One(f64::sqrt)),
+    ("sin", Function::One(libm::sin)),
+    ("cos", Function::One(libm::cos)),
+    ("tan", Function::One(libm::tan)),
+    ("exp", Function::One(libm::exp)),
+    ("ln", Function::One(libm::log)),
+    ("log10", Function::One(libm::log10)),
+    ("abs", Function::One(f64::abs)),
+    ("round", Function::One(f64::round)),
+    ("floor", Function::One(f64::floor)),
+    ("ceil", Function::One(f64::ceil)),
+    ("min", Function::Two(f64::min)),
+    ("max", Function::Two(f64::max)),
+];
+
+/// An operator between two operands.
+pub(super) struct Operator {
+    pub token: &'static str,
+    /// How tightly it binds what is to its left.
+    pub binds: u8,
+    /// How tightly what is to its right must bind: for a power a little less, as 2^3^2 is 2^9.
+    pub right: u8,
+    pub function: fn(f64, f64) -> f64,
+}
+
+/// How tightly comparisons bind.
+const COMPARISON: u8 = 4;
+
+impl Operator {
+    /// Whether it makes a condition of numbers.
+    pub fn compares(&self) -> bool {
+        self.binds == COMPARISON
+    }
+
+    /// Whether it makes a condition of conditions.
+    pub fn joins(&self) -> bool {
+        self.binds < COMPARISON
+    }
+}
+
+const fn operator_of(
+    token: &'static str,
+    binds: u8,
+    right: u8,
+    function: fn(f64, f64) -> f64,
+) -> Operator {
+    Operator {
+        token,
+        binds,
+        right,
+        function,
+    }
+}
+
+fn truth(holds: bool) -> f64 {
+    f64::from(u8::from(holds))
+}
+
+pub(super) fn not(x: f64) -> f64 {
+    1.0 - x
+}
+
+/// Longer tokens before those they begin with.
+static OPERATORS: [Operator; 16] = [
+    operator_of("or", 1, 1, f64::max),
+    operator_of("||", 1, 1, f64::max),
+    operator_of("and", 2, 2, f64::min),
+    operator_of("&&", 2, 2, f64::min),
+    operator_of("<=", COMPARISON, COMPARISON, |a, b| truth(a <= b)),
+    operator_of(">=", COMPARISON, COMPARISON, |a, b| truth(a >= b)),
+    operator_of("==", COMPARISON, COMPARISON, |a, b| truth(same(a, b))),
+    operator_of("!=", COMPARISON, COMPARISON, |a, b| truth(!same(a, b))),
+    operator_of("<", COMPARISON, COMPARISON, |a, b| truth(a < b)),
+    operator_of(">", COMPARISON, COMPARISON, |a, b| truth(a > b)),
+    operator_of("+", 11, 11, |a, b| a + b),
+    operator_of("-", 11, 11, |a, b| a - b),
+    operator_of("**", 14, 13, libm::pow),
+    operator_of("*", 12, 12, |a, b| a * b),
+    operator_of("/", 12, 12, |a, b| a / b),
+    operator_of("^", 14, 13, libm::pow),
+];
+
+/// As a `where` compares numbers.
+fn same(a: f64, b: f64) -> bool {
+    Value::Number(a).matches(Value::Number(b))
+}
+
+/// The operator that `rest` begins with.
+pub(super) fn operator(rest: &str) -> Option<&'static Operator> {
+    OPERATORS.iter().find(|operator| {
+        let word = operator.token.starts_with(char::is_alphabetic);
+        rest.strip_prefix(operator.token).is_some_and(|after| {
+            !(word && after.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
+        })
+    })
+}
+
+/// Number of bytes that the number at the beginning of `rest` takes, as in 12, .5 or 1.5e-3.
+pub(super) fn length_of_number(rest: &[u8]) -> usize {
+    let digits = |from: usize| {
+        let digits = rest[from..].iter().take_while(|b| b.is_ascii_digit());
+        from + digits.count()
+    };
+    let mut end = digits(0);
+    if rest.get(end) == Some(&b'.') {
+        end = digits(end + 1);
+    }
+    if matches!(rest.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(rest.get(end + 1), Some(b'+' | b'-')));
+        let first = end + 1 + sign;
+        // Without a digit this is the constant e after a number, which the parser refuses.
+        if rest.get(first).is_some_and(u8::is_ascii_digit) {
+            end = digits(first);
+        }
+    }
+    end
+}
