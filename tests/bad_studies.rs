@@ -158,7 +158,7 @@ fn names_and_keys() {
     );
     assert_parameter(
         "\"alpha\": 1, \"zip\": []",
-        "4:20: parameters.zip: \"zip\" is not supported yet",
+        "4:20: parameters.zip: unknown key \"zip\"; allowed: law, alpha",
     );
     let law = |law: &str| with(&GOOD.replace("displacement-control", law), "");
     assert_faults(
@@ -219,7 +219,9 @@ fn the_whole() {
             "6:11: blocks: stands in place of \"parameters\"",
             "7:10: title: must be a string, got 3",
             "8:12: $schema: must be a string, got null",
-            "9:11: design: \"design\" is not supported yet",
+            "9:11: design.kind: missing: one of latin-hypercube, sobol, saltelli",
+            "9:11: design.n: missing: the number of points",
+            "9:11: design: samples nothing",
         ],
     );
     let blocks =
@@ -237,7 +239,6 @@ fn the_whole() {
         &[
             "2:12: blocks[0].parameters: missing",
             "2:16: blocks[1].parameters: missing",
-            "2:25: blocks[1].when: \"when\" is not supported yet",
         ],
     );
     assert_faults(
@@ -246,6 +247,190 @@ fn the_whole() {
         )),
         &["3:108: blocks[1].parameters.x0: must be not 0, got 0"],
     );
+}
+
+/// A study of bars with these parameters and what stands beside them.
+fn bars(parameters: &str, beside: &str) -> String {
+    format!(
+        "{{\"problem\": \"bar-impact\", \"parameters\":\n{{\"gamma\": 1, \"duration\": 1.5, {parameters}}}{beside}}}"
+    )
+}
+
+/// Each `§` stands before a value with a fault, in the order of those expected.
+#[track_caller]
+fn assert_marked(text: &str, expected: &[&str]) {
+    let (mut line, mut column, mut marks) = (1, 1, Vec::new());
+    for c in text.chars() {
+        match c {
+            '§' => marks.push(format!("{line}:{column}")),
+            '\n' => (line, column) = (line + 1, 1),
+            _ => column += 1,
+        }
+    }
+    assert_eq!(marks.len(), expected.len(), "{text}");
+    let expected: Vec<String> = marks
+        .iter()
+        .zip(expected)
+        .map(|(mark, message)| format!("{mark}: {message}"))
+        .collect();
+    let expected: Vec<&str> = expected.iter().map(String::as_str).collect();
+    assert_faults(&text.replace('§', ""), &expected);
+}
+
+#[test]
+fn expressions_of_parameters() {
+    for (parameters, expected) in [
+        (
+            r#""n": 5, "dt": §"0.5/m""#,
+            r#"parameters.dt: "0.5/m": unknown name "m"; allowed: pi, e, sqrt"#,
+        ),
+        (
+            r#""n": 5, "dt": §"0.5/k_I""#,
+            r#"parameters.dt: "0.5/k_I": k_I is not given in this block"#,
+        ),
+        (
+            r#""n": [5, 10], "dt": §"1/(n - 10.5)""#,
+            r#"parameters.dt: must be > 0, got "1/(n - 10.5)" = -0.18181818181818182 with n = 5"#,
+        ),
+        (
+            r#""n": [11, 10], "dt": §"1/(n - 10)""#,
+            r#"parameters.dt: "1/(n - 10)" with n = 10: must be finite, got inf"#,
+        ),
+        (
+            r#""n": §"3/gamma + 0.5", "dt": 0.1"#,
+            r#"parameters.n: must be a whole number from 1 to 1000000, got "3/gamma + 0.5" = 3.5 with gamma = 1"#,
+        ),
+        (
+            r#""n": §"50*dt", "dt": "gap", "gap": "1/n""#,
+            r#"parameters.n: goes round in a circle: n -> dt -> gap -> n"#,
+        ),
+        (
+            r#""n": 5, "dt": §"duration > 1""#,
+            r#"parameters.dt: "duration > 1": must be a number"#,
+        ),
+        (
+            r#""n": [5, §"2*gamma"], "dt": 0.1"#,
+            r#"parameters.n[1]: "2*gamma": unknown name "gamma""#,
+        ),
+        (
+            r#""n": [2, 4], "dt": §"0.4*n""#,
+            r#"parameters.dt: must be at most duration = 1.5, got 1.6"#,
+        ),
+    ] {
+        assert_marked(&bars(parameters, ""), &[expected]);
+    }
+}
+
+#[test]
+fn groups_and_conditions() {
+    let axes = r#""n": [2, 4, 8], "dt": [0.1, 0.2, 0.3], "gap": [0, 1], "mass": "lumped""#;
+    for (beside, expected) in [
+        (
+            r#""zip": §3"#,
+            &["zip: must be a list of lists of parameters"][..],
+        ),
+        (
+            r#""zip": [§["n"], §["dt", "gap"], ["n", §"mas"], ["n", §"mass"], ["n", §"n"]]"#,
+            &[
+                "zip[0]: takes at least two parameters",
+                "zip[1]: takes as many values of each; dt has 3, gap has 2",
+                "zip[2][1]: unknown parameter \"mas\", did you mean \"mass\"?",
+                "zip[3][1]: \"mass\" has one value, not a list of them",
+                "zip[4][1]: \"n\" is in a group already",
+            ],
+        ),
+        (
+            r#""zip": [["n", "dt"], [§"dt", §"E"]]"#,
+            &[
+                "zip[1][0]: \"dt\" is in a group already",
+                "zip[1][1]: \"E\" is not given in this block",
+            ],
+        ),
+        (r#""when": §"n""#, &["when: \"n\": must be a condition"]),
+        (
+            r#""when": §"n > 100""#,
+            &["when: \"n > 100\": no combination meets it"],
+        ),
+        (
+            r#""when": §"gap/k_I > 1""#,
+            &["when: \"gap/k_I > 1\": k_I is not given in this block"],
+        ),
+        (
+            r#""when": §"1/gap > 1""#,
+            &["when: \"1/gap > 1\" with gap = 0: must be finite, got inf"],
+        ),
+        (
+            r#""blocks": §[], "when": "n > 1""#,
+            &["blocks: stands in place of \"parameters\""],
+        ),
+    ] {
+        assert_marked(&bars(axes, &format!(",{beside}")), expected);
+    }
+    assert_marked(
+        "{\"problem\": \"bar-impact\", \"blocks\": [{\"parameters\": {\"gamma\": 1, \"n\": 2, \"dt\": 0.1, \"duration\": 1}}],\n\"when\": §\"n > 1\"}",
+        &["when: belongs beside \"parameters\", inside its block"],
+    );
+}
+
+#[test]
+fn designs() {
+    for (parameters, beside, expected) in [
+        (
+            r#""n": §{"uniform": [2, 40]}, "dt": §{"loguniform": [0.01, 0.1]}"#,
+            "",
+            &[
+                "parameters.n: needs a \"design\" beside the parameters",
+                "parameters.dt: needs a \"design\" beside the parameters",
+            ][..],
+        ),
+        (
+            r#""n": {"uniform": [2, 40]}, "dt": {"loguniform": [0.01, 0.1]}"#,
+            r#", "design": {"kind": §"sobel", "n": §0.5, "seed": §-1}"#,
+            &[
+                "design.kind: unknown kind \"sobel\", did you mean \"sobol\"?",
+                "design.n: must be a whole number from 2 to 1000000, got 0.5",
+                "design.seed: must be a whole number from 0 to 9007199254740992, got -1",
+            ],
+        ),
+        (
+            r#""n": {"uniform": [40, §2]}, "dt": {"loguniform": [§0, 0.1]}"#,
+            r#", "design": {"kind": "sobol", "n": 4}"#,
+            &[
+                "parameters.n.uniform[1]: must be greater than a",
+                "parameters.dt.loguniform[0]: must be > 0, got 0",
+            ],
+        ),
+        (
+            r#""n": {"uniform": [2, 40], "linspace": §[1, 2, 3]}, "dt": {"uniform": §3}, "mass": §{"uniform": [1, 2]}"#,
+            r#", "design": {"kind": "sobol", "n": 4}"#,
+            &[
+                "parameters.n.linspace: unknown key \"linspace\"; allowed: uniform, loguniform",
+                "parameters.dt.uniform: must be [a, b], got 3",
+                "parameters.mass.uniform: must be a name or a list of names",
+            ],
+        ),
+        (
+            r#""n": {"uniform": [2, 40]}, "dt": [0.1, 0.2]"#,
+            r#", "design": §{"kind": "saltelli", "n": 4}"#,
+            &["design: a saltelli design stands alone"],
+        ),
+        (
+            r#""n": 2, "dt": 0.1"#,
+            r#", "design": §{"kind": "sobol", "n": 4}"#,
+            &["design: samples nothing"],
+        ),
+    ] {
+        assert_marked(&bars(parameters, beside), expected);
+    }
+    let late = faults(&bars(
+        r#""n": {"uniform": [2, 40]}, "dt": {"uniform": [0.1, 2]}"#,
+        r#", "design": {"kind": "sobol", "n": 64}"#,
+    ));
+    assert!(!late.is_empty());
+    for fault in late {
+        let rule = "2:64: parameters.dt: must be at most duration = 1.5, got ";
+        assert!(fault.starts_with(rule), "{fault}");
+    }
 }
 
 #[test]

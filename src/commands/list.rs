@@ -3,7 +3,7 @@
 use super::sources::Source;
 use super::{columns, say};
 use slipgap::error::Error;
-use slipgap::study::Study;
+use slipgap::study::{Axis, Block, Study};
 
 /// Prints one row a study; gives the exit code.
 pub fn list(sources: &[Source]) -> Result<u8, Error> {
@@ -30,20 +30,21 @@ pub fn list(sources: &[Source]) -> Result<u8, Error> {
     say(&columns(&rows))
 }
 
-/// The axes of every block, as in `alpha(3) dT(2)`.
+/// The axes of every block, as in `alpha(3) dT+duration(2)`; what advances together is joined.
 fn axes(study: &Study) -> String {
-    let block = |block: &slipgap::study::Block| {
-        let swept = block.axes.iter().filter(|axis| axis.values.len() > 1);
-        let names: Vec<String> = swept
-            .map(|axis| {
-                let name = study.problem.parameters()[axis.parameter].name;
-                format!("{name}({})", axis.values.len())
+    let name = |axis: &Axis| study.problem.parameters()[axis.parameter].name;
+    let block = |block: &Block| {
+        let swept = block.groups.iter().filter(|group| group.len() > 1);
+        let groups: Vec<String> = swept
+            .map(|group| {
+                let names: Vec<&str> = group.axes.iter().map(name).collect();
+                format!("{}({})", names.join("+"), group.len())
             })
             .collect();
-        if names.is_empty() {
+        if groups.is_empty() {
             "-".to_owned()
         } else {
-            names.join(" ")
+            groups.join(" ")
         }
     };
     let blocks: Vec<String> = study.blocks.iter().map(block).collect();

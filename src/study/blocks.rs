@@ -1,17 +1,21 @@
 //! The blocks of a study: one in `parameters`, or several in `blocks`.
 
 use super::Block;
+use super::expression::Formula;
 use super::object::Object;
 use super::parameters::{Draft, parameters};
-use super::report::Faults;
+use super::report::{Faults, quoted};
 use super::rules;
 use super::tree::{Node, Tree};
+use super::value::text;
+use super::zip::zip;
 use crate::problem::Problem;
 
-/// The blocks; none if one of them could not be decoded.
+/// The blocks, of no more than `limit` raw combinations; none if one of them could not be decoded.
 pub(super) fn blocks(
     object: &Object,
     problem: Option<&'static dyn Problem>,
+    limit: u64,
     faults: &mut Faults,
 ) -> Vec<Block> {
     let before = faults.count();
@@ -30,51 +34,99 @@ pub(super) fn blocks(
     // Both are decoded even so: every fault is told at once.
     let mut drafts = Vec::new();
     if let (Some(node), Some(problem)) = (one, problem) {
-        drafts.extend(parameters(node, "parameters", problem.parameters(), faults));
+        drafts.extend(draft(object, node, problem, faults));
+    }
+    if one.is_none() {
+        for key in BESIDE.map(|key| key.0) {
+            if let Some(node) = object.get(key) {
+                let message = "belongs beside \"parameters\", inside its block";
+                faults.add(node.at, key, message);
+            }
+        }
     }
     drafts.extend(object.items("blocks", faults, |node, path, faults| {
-        block(node, path, problem, faults)
+        let keys: Vec<&str> = std::iter::once("parameters")
+            .chain(BESIDE.map(|k| k.0))
+            .collect();
+        let object = Object::open(node, path, &keys, faults)?;
+        let node = object.need("parameters", "the parameters of the block", faults)?;
+        draft(&object, node, problem?, faults)
     }));
     if let (None, Some(node)) = (one, several)
         && matches!(&node.tree, Tree::List(blocks) if blocks.is_empty())
     {
         faults.must_be(node, "blocks", "a list of at least one block");
     }
-    let whole = faults.count() == before;
+    let mut whole = faults.count() == before;
     let key = if several.is_some() {
         "blocks"
     } else {
         "parameters"
     };
     let at = several.or(one).map_or(0, |node| node.at);
-    if !rules::count(&drafts, at, key, faults) {
+    if !rules::count(&drafts, limit, at, key, faults) {
         return Vec::new();
     }
-    if let Some(problem) = problem {
-        for draft in &drafts {
-            rules::check(problem, draft, faults);
-        }
+    let Some(problem) = problem else {
+        return Vec::new();
+    };
+    let mut blocks = Vec::new();
+    for draft in &mut drafts {
+        draft.sample(problem.parameters());
+        let Some(block) = draft.block(problem, faults) else {
+            whole = false;
+            continue;
+        };
+        rules::check(problem, draft, &block, faults);
+        blocks.push(block);
     }
     // A case that breaks a rule is still a case that figures and checks may mean.
     match whole {
-        true => drafts.iter().map(Draft::block).collect(),
+        true => blocks,
         false => Vec::new(),
     }
 }
 
-/// One item of `blocks`.
-fn block(
+/// The keys that may stand beside `parameters`, each with what it holds.
+pub(super) const BESIDE: [(&str, &str); 3] = [
+    (
+        "zip",
+        "groups of axes that advance together: one case for each position, not for each combination",
+    ),
+    (
+        "when",
+        "a condition that combinations must meet to be cases, as in \"dt <= 0.5/n\"; names are compared in single quotes",
+    ),
+    (
+        "design",
+        "points that fill the ranges of all parameters given as uniform or loguniform",
+    ),
+];
+
+/// The parameters at `node` with what stands beside them in `object`.
+fn draft(
+    object: &Object,
     node: &Node,
-    path: &str,
-    problem: Option<&'static dyn Problem>,
+    problem: &'static dyn Problem,
     faults: &mut Faults,
 ) -> Option<Draft> {
-    let object = Object::open(node, path, &["parameters"], faults)?;
-    let node = object.need("parameters", "the parameters of the block", faults)?;
-    parameters(
-        node,
-        &object.path("parameters"),
-        problem?.parameters(),
-        faults,
-    )
+    let table = problem.parameters();
+    let mut draft = parameters(node, &object.path("parameters"), table, faults)?;
+    if let Some(node) = object.get("zip") {
+        zip(node, &object.path("zip"), table, &mut draft, faults);
+    }
+    if let Some(node) = object.get("when") {
+        let path = object.path("when");
+        draft.when =
+            text(node, &path, faults).and_then(|text| match Formula::condition(&text, table) {
+                Ok(formula) => Some((formula, node.at, text)),
+                Err(fault) => {
+                    let message = format!("{}: {}", quoted(&text), fault.message);
+                    faults.add(node.at, &path, message);
+                    None
+                }
+            });
+    }
+    draft.design(object, faults);
+    Some(draft)
 }

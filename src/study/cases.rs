@@ -1,111 +1,93 @@
-//! Cases of a study, made one at a time from their number: a study of 10^9 cases takes no more memory than one of 10.
+//! Cases of a study, and which of them a filter chooses.
 
 use std::collections::HashSet;
 
-use super::{Block, Filter, Study};
-use crate::problem::parameter::{Default, Value};
+use super::{Block, Filter, Group, Study};
+use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
 
 impl Block {
-    /// Number of cases; at most 10^9 in a study that was read.
-    pub fn len(&self) -> u64 {
-        self.axes
-            .iter()
-            .map(|axis| axis.values.len() as u64)
-            .product()
-    }
-
-    /// Whether there are no cases, which no study that was read allows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// Case `index`, from 0, last axis fastest, with what it leaves out at its default but before
-    /// `Problem::complete`; `index` must be less than `len`.
-    pub(super) fn case(&self, problem: &dyn Problem, index: u64) -> Case {
-        let mut case = Case::new(problem.parameters());
-        let mut rest = index;
-        for axis in self.axes.iter().rev() {
-            let len = axis.values.len() as u64;
-            case.values[axis.parameter] = Some(axis.values[(rest % len) as usize]);
-            rest /= len;
-        }
-        for (row, parameter) in case.table.iter().enumerate() {
-            if let (None, Default::Is(value)) = (case.values[row], parameter.default)
-                && parameter
-                    .applies
-                    .is_none_or(|(governor, name)| case.choice(governor) == name)
-            {
-                case.values[row] = Some(value);
-            }
-        }
-        case
-    }
-
-    /// The same, with the values that follow from others.
-    pub(super) fn completed(&self, problem: &dyn Problem, index: u64) -> Case {
-        let mut case = self.case(problem, index);
-        // What it may violate was reported when the study was read.
-        let _ = problem.complete(&mut case);
-        case
-    }
-
-    /// The numbers of the cases that `filter` chooses, rising. Axes are sieved before cases are made.
+    /// The cases that `filter` chooses, as combination and case number of the block, rising. Axes are sieved before cases
+    /// are made.
     pub(super) fn select<'a>(
         &'a self,
         problem: &'static dyn Problem,
         filter: &'a Filter,
-    ) -> impl Iterator<Item = u64> + 'a {
-        let kept: Vec<Vec<u64>> = self.axes.iter().map(|axis| axis.sieve(filter)).collect();
-        let on_axis = |row: usize| self.axes.iter().any(|axis| axis.parameter == row);
+    ) -> impl Iterator<Item = (u64, u64)> + 'a {
+        let kept: Vec<Vec<u64>> = self
+            .groups
+            .iter()
+            .map(|group| group.sieve(filter))
+            .collect();
+        let on_axis = |row: usize| self.axes().any(|axis| axis.parameter == row);
         let settled = filter.0.iter().all(|(row, _)| on_axis(*row));
         let count: u64 = kept.iter().map(|kept| kept.len() as u64).product();
-        let numbers = (0..count).map(move |number| {
-            let (mut rest, mut index, mut stride) = (number, 0, 1);
-            for (axis, kept) in self.axes.iter().zip(&kept).rev() {
+        let combinations = (0..count).map(move |number| {
+            let (mut rest, mut raw, mut stride) = (number, 0, 1);
+            for (group, kept) in self.groups.iter().zip(&kept).rev() {
                 let len = kept.len() as u64;
-                index += stride * kept[(rest % len) as usize];
-                stride *= axis.values.len() as u64;
+                raw += stride * kept[(rest % len) as usize];
+                stride *= group.len();
                 rest /= len;
             }
-            index
+            raw
         });
-        numbers.filter(move |index| settled || filter.matches(&self.completed(problem, *index)))
+        let chosen = combinations.filter(move |raw| {
+            self.keeps(problem, *raw) && (settled || filter.matches(&self.completed(problem, *raw)))
+        });
+        // Case numbers rise with combinations, so that each is counted on from the one before.
+        let (mut last, mut number) = (0, 0);
+        chosen.map(move |raw| {
+            if self.when.is_none() {
+                return (raw, raw);
+            }
+            number = if raw - last > 4096 {
+                self.rank(problem, raw)
+            } else {
+                number + (last..raw).filter(|r| self.keeps(problem, *r)).count() as u64
+            };
+            last = raw;
+            (raw, number)
+        })
     }
 
-    /// The different values of a parameter among the cases that `filter` may choose; none where it is left to follow
-    /// from others or does not apply.
+    /// The different values of a parameter among the cases that `filter` may choose; none where it does not apply, or
+    /// where it follows from others without an expression.
     pub(super) fn levels(
         &self,
         problem: &'static dyn Problem,
         filter: &Filter,
         parameter: usize,
     ) -> Vec<Value> {
-        let Some(first) = self.select(problem, filter).next() else {
-            return Vec::new();
-        };
-        match self.axes.iter().find(|axis| axis.parameter == parameter) {
-            Some(axis) => {
-                let kept = axis.sieve(filter);
-                distinct(kept.iter().map(|index| axis.values[*index as usize]))
+        let axis_of = |group: &Group| group.axes.iter().position(|a| a.parameter == parameter);
+        let group = self.groups.iter().find(|group| axis_of(group).is_some());
+        let varies = group.is_some_and(|group| group.len() > 1)
+            || self.derived.iter().any(|d| d.parameter == parameter);
+        let mut raws = self.select(problem, filter).map(|(raw, _)| raw);
+        let value = |raw: u64| self.raw_case(problem, raw).values[parameter];
+        match (group, &self.when) {
+            _ if !varies => raws.next().and_then(value).into_iter().collect(),
+            (Some(group), None) if raws.next().is_some() => {
+                let axis = &group.axes[axis_of(group).unwrap_or(0)];
+                let kept = group.sieve(filter);
+                distinct(kept.iter().map(|place| axis.values[*place as usize]))
             }
-            None => self.case(problem, first).values[parameter]
-                .into_iter()
-                .collect(),
+            (Some(_), None) => Vec::new(),
+            _ => distinct(raws.filter_map(value)),
         }
     }
 }
 
-impl super::Axis {
-    /// Positions of the values that a filter lets through.
+impl Group {
+    /// Places whose values a filter lets through.
     fn sieve(&self, filter: &Filter) -> Vec<u64> {
-        let wanted = |value: Value| {
-            let mut terms = filter.0.iter().filter(|(row, _)| *row == self.parameter);
-            terms.all(|(_, wanted)| value.matches(*wanted))
+        let wanted = |place: u64| {
+            self.axes.iter().all(|axis| {
+                let mut terms = filter.0.iter().filter(|(row, _)| *row == axis.parameter);
+                terms.all(|(_, wanted)| axis.values[place as usize].matches(*wanted))
+            })
         };
-        (0..self.values.len() as u64)
-            .filter(|index| wanted(self.values[*index as usize]))
-            .collect()
+        (0..self.len()).filter(|place| wanted(*place)).collect()
     }
 }
 
@@ -141,14 +123,20 @@ impl Filter {
 }
 
 impl Study {
-    /// Number of cases, at most 10^9.
+    /// Number of cases.
     pub fn len(&self) -> u64 {
-        self.blocks.iter().map(Block::len).sum()
+        let blocks = self.blocks.iter();
+        blocks.map(|block| block.len(self.problem)).sum()
     }
 
     /// Whether there are no cases, which no study that was read allows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Number of raw combinations; at most the limit that the study was read with.
+    pub fn raw_len(&self) -> u64 {
+        self.blocks.iter().map(Block::raw_len).sum()
     }
 
     /// Case `index`, from 0, complete; `None` from `len` on.
@@ -158,7 +146,28 @@ impl Study {
 
     /// All cases in order, made as they are asked for.
     pub fn cases(&self) -> impl Iterator<Item = Case> + '_ {
-        (0..self.len()).map_while(|index| self.case(index))
+        self.range(0, self.raw_len()).map(|(_, case)| case)
+    }
+
+    /// The cases among raw combinations `from..to`, with their numbers, made as they are asked for.
+    pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
+        let (mut start, mut cases) = (0, 0);
+        self.blocks.iter().flat_map(move |block| {
+            let (first, before) = (start, cases);
+            start += block.raw_len();
+            let from = from.clamp(first, start) - first;
+            let to = to.clamp(first, start) - first;
+            let number = if from < to {
+                before + block.rank(self.problem, from)
+            } else {
+                0
+            };
+            if start < self.raw_len() {
+                cases += block.len(self.problem);
+            }
+            let raws = (from..to).filter(|raw| block.keeps(self.problem, *raw));
+            (number..).zip(raws.map(|raw| block.completed(self.problem, raw)))
+        })
     }
 
     /// The numbers of the cases that a filter chooses, rising.
@@ -174,12 +183,15 @@ pub(super) fn select<'a>(
     filter: &'a Filter,
 ) -> impl Iterator<Item = u64> + 'a {
     let mut end = 0;
-    blocks.iter().flat_map(move |block| {
+    blocks.iter().enumerate().flat_map(move |(i, block)| {
         let start = end;
-        end += block.len();
+        // The last block's need not be counted.
+        if i + 1 < blocks.len() {
+            end += block.len(problem);
+        }
         block
             .select(problem, filter)
-            .map(move |index| start + index)
+            .map(move |(_, number)| start + number)
     })
 }
 
@@ -187,10 +199,11 @@ pub(super) fn select<'a>(
 pub(super) fn case(problem: &dyn Problem, blocks: &[Block], index: u64) -> Option<Case> {
     let mut rest = index;
     for block in blocks {
-        if rest < block.len() {
-            return Some(block.completed(problem, rest));
+        let len = block.len(problem);
+        if rest < len {
+            return Some(block.completed(problem, block.raw_of(problem, rest)?));
         }
-        rest -= block.len();
+        rest -= len;
     }
     None
 }

@@ -4,15 +4,16 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
-use super::blocks::blocks;
+use super::blocks::{BESIDE, blocks};
 use super::checks::check;
 use super::figures::figures;
 use super::object::Object;
 use super::place::Place;
 use super::report::{Faults, nearest};
+use super::rules::MOST_CASES;
 use super::scope::Scope;
 use super::tree::{self, Node, Tree};
-use super::value::{name, text};
+use super::value::{self, name};
 use super::{Check, Figure, FigureKind, Study};
 use crate::error::{Error, Fault};
 use crate::problem::{self, Budget, PROBLEMS, Problem};
@@ -48,9 +49,14 @@ pub(super) const KEYS: [(&str, &str); 9] = [
 /// Names of the ways to solve a step.
 pub(super) const ITERATIONS: [&str; 2] = ["converged", "once"];
 
-/// Reads a study file. Faults name the file as `file` does.
+/// Reads a study file of at most [`MOST_CASES`] raw combinations. Faults name the file as `file` does.
 pub fn read(file: &Path) -> Result<Study, Error> {
-    parse(&file.display().to_string(), &text_of(file)?)
+    read_up_to(file, MOST_CASES)
+}
+
+/// The same with another limit to the number of raw combinations.
+pub fn read_up_to(file: &Path, limit: u64) -> Result<Study, Error> {
+    parse_up_to(&file.display().to_string(), &text_of(file)?, limit)
 }
 
 /// The text of a file; other encodings than UTF-8 are refused.
@@ -73,9 +79,13 @@ pub(super) fn tree_of(file: &str, text: &str) -> Result<Node, Error> {
 
 /// Reads a study from its text; `file` is its name in faults.
 pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
+    parse_up_to(file, text, MOST_CASES)
+}
+
+fn parse_up_to(file: &str, text: &str, limit: u64) -> Result<Study, Error> {
     let root = tree_of(file, text)?;
     let mut faults = Faults::default();
-    match study(&root, sha256(text.as_bytes()), &mut faults) {
+    match study(&root, text, limit, &mut faults) {
         Some(study) if faults.count() == 0 => Ok(study),
         _ => Err(Error::Faults(faults.in_file_order(file, text))),
     }
@@ -98,16 +108,17 @@ fn sha256(bytes: &[u8]) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn study(root: &Node, sha256: String, faults: &mut Faults) -> Option<Study> {
-    let object = Object::open(root, "", &KEYS.map(|key| key.0), faults)?;
+fn study(root: &Node, text: &str, limit: u64, faults: &mut Faults) -> Option<Study> {
+    let keys: Vec<&str> = KEYS.iter().chain(&BESIDE).map(|key| key.0).collect();
+    let object = Object::open(root, "", &keys, faults)?;
     let mut string = |key: &str| {
         let node = object.get(key)?;
-        text(node, &object.path(key), faults)
+        value::text(node, &object.path(key), faults)
     };
     string("$schema");
     let title = string("title").unwrap_or_default();
     let problem = problem(&object, faults);
-    let blocks = blocks(&object, problem, faults);
+    let blocks = blocks(&object, problem, limit, faults);
     // Without a problem the names of parameters and metrics mean nothing.
     let problem = problem?;
     let once = object
@@ -135,7 +146,7 @@ fn study(root: &Node, sha256: String, faults: &mut Faults) -> Option<Study> {
         blocks: scope.blocks,
         figures,
         checks,
-        sha256,
+        sha256: sha256(text.as_bytes()),
     })
 }
 

@@ -1,15 +1,20 @@
 //! A study file, read: problem, blocks of axes, columns, figures and checks.
 //!
 //! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
-//! problem and of `kinds` and collects every fault -> [`Study`] -> `cases`, made one at a time.
+//! problem and of `kinds` and collects every fault -> [`Study`] -> `block` and `cases`, made one at a time.
 
+mod block;
 mod blocks;
 mod cases;
 mod checks;
 mod decode;
+mod derived;
+mod design;
 pub mod expression;
 mod figures;
+mod finish;
 mod fitness;
+mod interval;
 mod kinds;
 pub mod ledger;
 mod object;
@@ -26,8 +31,12 @@ mod taken;
 mod tests;
 mod tree;
 mod value;
+mod zip;
 
-pub use decode::{parse, read};
+pub use block::{Axis, Block, Group};
+pub use decode::{parse, read, read_up_to};
+pub use design::{Design, Sampling};
+pub use rules::MOST_CASES;
 pub use schema::schema;
 
 use crate::problem::Problem;
@@ -52,22 +61,6 @@ pub struct Study {
     pub checks: Vec<Check>,
     /// SHA-256 of the file's bytes, in hexadecimal digits.
     pub sha256: String,
-}
-
-/// A block: the product of its axes in file order, last axis fastest.
-#[derive(Debug, Clone)]
-pub struct Block {
-    /// Every parameter that the block gives, a single value being an axis of one.
-    pub axes: Vec<Axis>,
-}
-
-/// The values of one parameter.
-#[derive(Debug, Clone)]
-pub struct Axis {
-    /// Row of `problem.parameters()`.
-    pub parameter: usize,
-    /// At least one value.
-    pub values: Vec<Value>,
 }
 
 /// Which cases are meant: those that have all these values.

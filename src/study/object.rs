@@ -3,9 +3,6 @@
 use super::report::{Faults, join, quoted, unknown};
 use super::tree::{Member, Node, Tree};
 
-/// Keys of the study language that this version does not know yet.
-const RESERVED: [&str; 3] = ["zip", "when", "design"];
-
 /// The members of an object whose keys are allowed, in file order.
 pub(super) struct Object<'a> {
     at: usize,
@@ -29,7 +26,7 @@ impl<'a> Object<'a> {
         for member in all.iter().filter(|member| member.key != "//") {
             let path = join(path, &member.key);
             if !allowed.contains(&member.key.as_str()) {
-                faults.add(member.node.at, &path, refusal(&member.key, allowed));
+                faults.add(member.node.at, &path, unknown("key", &member.key, allowed));
             } else if members.iter().any(|first| first.key == member.key) {
                 let message = format!("key {} given twice in one object", quoted(&member.key));
                 faults.add(member.at, &path, message);
@@ -98,13 +95,4 @@ impl<'a> Object<'a> {
     pub fn path(&self, key: &str) -> String {
         join(&self.path, key)
     }
-}
-
-/// What is said of a key that is not among those allowed.
-fn refusal(key: &str, allowed: &[&str]) -> String {
-    if RESERVED.contains(&key) {
-        let allowed = allowed.join(", ");
-        return format!("\"{key}\" is not supported yet; allowed: {allowed}");
-    }
-    unknown("key", key, allowed)
 }

@@ -2,12 +2,12 @@
 
 use super::parameters::Draft;
 use super::report::Faults;
-use super::{Axis, Block};
+use super::{Axis, Block, Group};
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
 
-/// Most cases of one study.
-const MOST_CASES: u128 = 1_000_000_000;
+/// Most raw combinations of a study, where nobody says otherwise.
+pub const MOST_CASES: u64 = 1_000_000_000;
 
 /// Blocks up to this size are checked case by case, larger ones at the ends of their axes.
 const MOST_CHECKED: u64 = 1_000_000;
@@ -15,10 +15,25 @@ const MOST_CHECKED: u64 = 1_000_000;
 /// Enough of one rule's faults: a long axis would repeat them a million times.
 const MOST_TOLD: usize = 100;
 
-/// Refuses more cases than can be run, without making any; false if there are too many.
-pub(super) fn count(drafts: &[Draft], at: usize, path: &str, faults: &mut Faults) -> bool {
+/// Refuses more combinations than `limit`, without making any; false if there are too many.
+pub(super) fn count(
+    drafts: &[Draft],
+    limit: u64,
+    at: usize,
+    path: &str,
+    faults: &mut Faults,
+) -> bool {
+    let group = |draft: &Draft, members: &[usize]| {
+        let given = members.first().map(|i| &draft.given[*i]);
+        match (given, &draft.design) {
+            (Some(given), Some(design)) if given.interval.is_some() => u128::from(design.points()),
+            (Some(given), _) => given.values.len() as u128,
+            (None, _) => 1,
+        }
+    };
     let block = |draft: &Draft| {
-        let mut lens = draft.given.iter().map(|given| given.values.len() as u128);
+        let groups = draft.groups();
+        let mut lens = groups.iter().map(|members| group(draft, members));
         lens.try_fold(1u128, u128::checked_mul)
     };
     let total = drafts
@@ -26,28 +41,31 @@ pub(super) fn count(drafts: &[Draft], at: usize, path: &str, faults: &mut Faults
         .map(block)
         .try_fold(0u128, |sum, cases| sum.checked_add(cases?));
     let told = match total {
-        Some(total) if total <= MOST_CASES => return true,
+        Some(total) if total <= u128::from(limit) => return true,
         Some(total) => total.to_string(),
         None => "more than 10^38".into(),
     };
-    let message = format!("{told} cases; allowed: at most {MOST_CASES}");
+    let message = format!("{told} cases; allowed: at most {limit}, or as many as --limit says");
     faults.add(at, path, message);
     false
 }
 
 /// Reports every rule of the problem that a case of the block breaks, at the value it names.
-pub(super) fn check(problem: &dyn Problem, draft: &Draft, faults: &mut Faults) {
-    let block = draft.block();
-    let places = if block.len() <= MOST_CHECKED {
-        every(&block)
+pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults: &mut Faults) {
+    let places = if block.raw_len() <= MOST_CHECKED {
+        every(block)
     } else {
-        ends(&block)
+        ends(block)
     };
     let lens: Vec<u64> = places.iter().map(|kept| kept.len() as u64).collect();
-    let sieved = sieved(&block, &places);
+    let sieved = sieved(block, &places);
+    let groups = draft.groups();
     let mut told = std::collections::HashSet::new();
-    for index in 0..sieved.len().min(MOST_CHECKED) {
-        let mut case = sieved.case(problem, index);
+    for index in 0..sieved.raw_len().min(MOST_CHECKED) {
+        if !sieved.keeps(problem, index) {
+            continue;
+        }
+        let mut case = sieved.raw_case(problem, index);
         for row in &draft.faulty {
             case.values[*row] = None;
         }
@@ -62,19 +80,22 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, faults: &mut Faults) {
             if told_already || lacks {
                 continue;
             }
-            let axis = block.axes.iter().position(|a| Some(a.parameter) == row);
-            let (at, path) = match axis {
-                Some(axis) => {
-                    let stride: u64 = lens[axis + 1..].iter().product();
-                    let place = places[axis][(index / stride % lens[axis]) as usize];
-                    let given = &draft.given[axis];
+            let given = draft.given.iter().position(|g| Some(g.parameter) == row);
+            let group = groups
+                .iter()
+                .position(|members| members.iter().any(|m| Some(*m) == given));
+            let (at, path) = match (given.map(|given| &draft.given[given]), group) {
+                (Some(given), Some(group)) => {
+                    let stride: u64 = lens[group + 1..].iter().product();
+                    let place = places[group][(index / stride % lens[group]) as usize];
                     let path = match given.list {
                         true => format!("{}[{place}]", given.path),
                         false => given.path.clone(),
                     };
                     (given.values[place].1, path)
                 }
-                None => (draft.at, format!("{}.{}", draft.path, violation.parameter)),
+                (Some(given), None) => (given.at, given.path.clone()),
+                (None, _) => (draft.at, format!("{}.{}", draft.path, violation.parameter)),
             };
             if told.insert((at, violation.message.clone())) {
                 faults.add(at, &path, violation.message);
@@ -86,16 +107,16 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// All positions of every axis.
+/// All places of every group.
 fn every(block: &Block) -> Vec<Vec<usize>> {
-    let all = |axis: &Axis| (0..axis.values.len()).collect();
-    block.axes.iter().map(all).collect()
+    let all = |group: &Group| (0..group.len() as usize).collect();
+    block.groups.iter().map(all).collect()
 }
 
-/// The positions of the least and the greatest number of every axis, and all names: where a rule that compares
+/// The places of the least and the greatest number of every axis, and of all names: where a rule that compares
 /// parameters breaks anywhere, it breaks there.
 fn ends(block: &Block) -> Vec<Vec<usize>> {
-    let ends = |axis: &Axis| -> Vec<usize> {
+    let of_axis = |axis: &Axis| -> Vec<usize> {
         let numbers: Vec<f64> = axis.values.iter().filter_map(|v| v.as_f64()).collect();
         if numbers.len() < axis.values.len() {
             return first_of_each(&axis.values);
@@ -103,11 +124,15 @@ fn ends(block: &Block) -> Vec<Vec<usize>> {
         let by_size = |a: &usize, b: &usize| numbers[*a].total_cmp(&numbers[*b]);
         let least = (0..numbers.len()).min_by(by_size);
         let greatest = (0..numbers.len()).max_by(by_size);
-        let mut ends: Vec<usize> = least.into_iter().chain(greatest).collect();
-        ends.dedup();
-        ends
+        least.into_iter().chain(greatest).collect()
     };
-    block.axes.iter().map(ends).collect()
+    let of_group = |group: &Group| {
+        let mut places: Vec<usize> = group.axes.iter().flat_map(of_axis).collect();
+        places.sort_unstable();
+        places.dedup();
+        places
+    };
+    block.groups.iter().map(of_group).collect()
 }
 
 fn first_of_each(values: &[Value]) -> Vec<usize> {
@@ -116,12 +141,31 @@ fn first_of_each(values: &[Value]) -> Vec<usize> {
     positions.iter().filter_map(first).collect()
 }
 
-/// The block with only some positions of each axis.
+/// The block with only some places of each group; what follows from them is computed anew.
 fn sieved(block: &Block, places: &[Vec<usize>]) -> Block {
-    let axes = block.axes.iter().zip(places).map(|(axis, kept)| Axis {
+    let axis = |axis: &Axis, kept: &[usize]| Axis {
         parameter: axis.parameter,
         values: kept.iter().map(|place| axis.values[*place]).collect(),
+    };
+    let groups = block.groups.iter().zip(places).map(|(group, kept)| Group {
+        axes: group.axes.iter().map(|a| axis(a, kept)).collect(),
     });
-    let axes = axes.collect();
-    Block { axes }
+    let mut sieved = Block {
+        groups: groups.collect(),
+        derived: block.derived.clone(),
+        when: block.when.clone(),
+        ..Block::default()
+    };
+    let whole = block
+        .groups
+        .iter()
+        .zip(&sieved.groups)
+        .all(|(a, b)| a.len() == b.len());
+    if !whole {
+        let rules = sieved.derived.iter_mut().map(|d| &mut d.rule);
+        for rule in rules.chain(sieved.when.iter_mut().map(|w| &mut w.rule)) {
+            rule.table = None;
+        }
+    }
+    sieved
 }

@@ -4,21 +4,24 @@
 
 use serde_json::{Map, Value as Json, json};
 
+use super::blocks::BESIDE;
 use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
 use super::schema_values::{
-    EXPRESSION, RULE, expression, names, number, object, parameters, refer, rule, value,
+    EXPRESSION, INTERVAL, RULE, expression, interval, names, number, object, parameters, refer,
+    rule, value,
 };
 use super::taken::MARKS;
-use super::{checks, decode};
+use super::{checks, decode, design};
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{PROBLEMS, Problem};
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
     let mut properties = Map::new();
-    for (key, meaning) in decode::KEYS {
+    for (key, meaning) in decode::KEYS.into_iter().chain(BESIDE) {
         properties.insert(key.into(), json!({ "description": meaning }));
     }
+    properties.extend(beside());
     for (key, kind) in [
         ("$schema", "string"),
         ("title", "string"),
@@ -35,6 +38,7 @@ pub fn schema() -> String {
     let mut definitions = Map::new();
     definitions.insert(EXPRESSION.into(), expression());
     definitions.insert(RULE.into(), rule());
+    definitions.insert(INTERVAL.into(), interval());
     let rules = |problem: &&dyn Problem| of_problem(*problem, &mut definitions);
     let each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
     let mut schema = object(properties, &["problem"]);
@@ -44,6 +48,29 @@ pub fn schema() -> String {
     schema["allOf"] = each.into();
     schema["definitions"] = definitions.into();
     format!("{schema:#}\n")
+}
+
+/// The keys that stand beside `parameters`.
+fn beside() -> Map<String, Json> {
+    let described = |key: &str, mut schema: Json, table: &[(&str, &str)]| {
+        let meaning = table.iter().find(|row| row.0 == key).map(|row| row.1);
+        schema["description"] = meaning.unwrap_or_default().into();
+        (key.to_owned(), schema)
+    };
+    let group = json!({ "type": "array", "minItems": 2, "items": { "type": "string" } });
+    let kind = names(design::KINDS.into_iter());
+    let keys = [
+        described("kind", kind, &design::KEYS),
+        described("n", number(Range::Positive), &design::KEYS),
+        described("seed", number(Range::NotNegative), &design::KEYS),
+    ];
+    let design = object(keys.into_iter().collect(), &["kind", "n"]);
+    let keys = [
+        described("zip", json!({ "type": "array", "items": group }), &BESIDE),
+        described("when", json!({ "type": "string" }), &BESIDE),
+        described("design", design, &BESIDE),
+    ];
+    keys.into_iter().collect()
 }
 
 /// What holds for studies of one problem; what it says several times goes into the definitions.
@@ -56,7 +83,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     let metric = names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
     let metric = define("metric", metric);
     define("where", filter(problem));
-    let mut block = Map::new();
+    let mut block = beside();
     block.insert("parameters".into(), parameters.clone());
     let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
     let figure = json!({

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
+use super::interval::INTERVALS;
 use super::spread::RULES;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 
@@ -77,6 +78,7 @@ fn axis(parameter: &Parameter) -> Json {
     let mut forms = vec![one.clone(), list];
     if !matches!(parameter.kind, Kind::Choice(_)) {
         forms.push(refer(RULE));
+        forms.push(refer(INTERVAL));
     }
     let unit = match parameter.unit {
         "1" => String::new(),
@@ -148,20 +150,30 @@ pub(super) const RULE: &str = "rule";
 
 /// An axis by rule.
 pub(super) fn rule() -> Json {
-    let three =
-        json!({ "type": "array", "minItems": 3, "maxItems": 3, "items": number(Range::Any) });
-    let properties = RULES.iter().map(|(name, meaning)| {
-        let mut schema = three.clone();
+    let meaning = "an axis by rule; a whole-number parameter takes the nearest whole numbers";
+    one_of(&RULES, 3, meaning)
+}
+
+/// Name of the definition of intervals.
+pub(super) const INTERVAL: &str = "interval";
+
+/// What a design samples.
+pub(super) fn interval() -> Json {
+    one_of(&INTERVALS, 2, "where a design's points lie")
+}
+
+/// An object with exactly one of several keys, each a list of so many numbers.
+fn one_of(keys: &[(&str, &str)], count: usize, meaning: &str) -> Json {
+    let list = json!({ "type": "array", "minItems": count, "maxItems": count, "items": number(Range::Any) });
+    let properties = keys.iter().map(|(name, meaning)| {
+        let mut schema = list.clone();
         schema["description"] = (*meaning).into();
         ((*name).to_owned(), schema)
     });
     let mut schema = object(properties.collect(), &[]);
-    schema["description"] =
-        "an axis by rule; a whole-number parameter takes the nearest whole numbers".into();
-    schema["oneOf"] = RULES
-        .map(|(name, _)| json!({ "required": [name] }))
-        .to_vec()
-        .into();
+    schema["description"] = meaning.into();
+    let one = |(name, _): &(&str, &str)| json!({ "required": [name] });
+    schema["oneOf"] = keys.iter().map(one).collect();
     schema
 }
 
@@ -169,8 +181,8 @@ pub(super) fn rule() -> Json {
 pub(super) fn expression() -> Json {
     json!({
         "type": "string",
-        "pattern": "[0-9pe]",
-        "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions",
+        "pattern": "[0-9A-Za-z]",
+        "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions; as the value of a parameter also names of other parameters",
     })
 }
 

@@ -3,7 +3,7 @@
 use super::cases::select;
 use super::parameters::{Draft, parameters};
 use super::report::Faults;
-use super::{Axis, Block, Filter, rules, tree};
+use super::{Axis, Block, Filter, Group, rules, tree};
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
 
@@ -125,8 +125,10 @@ fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
     let mut faults = Faults::default();
     let node = tree::parse(text).unwrap_or_else(|e| panic!("{e:?}"));
     let draft = parameters(&node, "parameters", &TABLE, &mut faults);
-    if let Some(draft) = &draft {
-        rules::check(&Bars, draft, &mut faults);
+    if let Some(draft) = &draft
+        && let Some(block) = draft.block(&Bars, &mut faults)
+    {
+        rules::check(&Bars, draft, &block, &mut faults);
     }
     let told = faults.in_file_order("s", text);
     (draft, told.iter().map(ToString::to_string).collect())
@@ -136,7 +138,7 @@ fn block(text: &str) -> Block {
     let (draft, faults) = draft(text);
     assert!(faults.is_empty(), "{faults:?}");
     draft
-        .map(|draft| draft.block())
+        .and_then(|draft| draft.block(&Bars, &mut Faults::default()))
         .unwrap_or_else(|| panic!("{text}"))
 }
 
@@ -202,7 +204,10 @@ fn whole_numbers() {
         );
     }
     let block = block("{\"n\": [10.0, \"2*5\", 1e6], \"dt\": 1}");
-    assert_eq!(block.axes[0].values, [10, 10, 1_000_000].map(Value::Whole));
+    assert_eq!(
+        block.groups[0].axes[0].values,
+        [10, 10, 1_000_000].map(Value::Whole)
+    );
 }
 
 #[test]
@@ -240,8 +245,8 @@ fn rules_of_a_large_block_are_checked_at_the_ends_of_its_axes() {
 #[test]
 fn the_last_axis_is_the_fastest_in_file_order() {
     let block = block("{\"right\": [\"bar\", \"wall\"], \"dt\": [2, 1, 0.5], \"n\": 7}");
-    let cases: Vec<String> = (0..block.len())
-        .map(|i| values(&block.case(&Bars, i)))
+    let cases: Vec<String> = (0..block.len(&Bars))
+        .map(|i| values(&block.raw_case(&Bars, i)))
         .collect();
     let expected = [
         "7,2,2,,bar,10",
@@ -273,7 +278,7 @@ fn a_filter_chooses_what_a_look_at_every_case_chooses() {
     ] {
         let filter = Filter(terms);
         let chosen: Vec<u64> = select(&Bars, &blocks, &filter).collect();
-        let total: u64 = blocks.iter().map(Block::len).sum();
+        let total: u64 = blocks.iter().map(|b| b.len(&Bars)).sum();
         let looked: Vec<u64> = (0..total)
             .filter(|i| {
                 super::cases::case(&Bars, &blocks, *i).is_some_and(|case| filter.matches(&case))
@@ -285,21 +290,27 @@ fn a_filter_chooses_what_a_look_at_every_case_chooses() {
 
 #[test]
 fn a_thousand_million_cases_cost_no_memory() {
-    let axis = |parameter| Axis {
-        parameter,
-        values: (1..=1000).map(|n| Value::Number(f64::from(n))).collect(),
+    let group = |parameter| Group {
+        axes: vec![Axis {
+            parameter,
+            values: (1..=1000).map(|n| Value::Number(f64::from(n))).collect(),
+        }],
     };
     let block = Block {
-        axes: [1, 2, 3].map(axis).into(),
+        groups: [1, 2, 3].map(group).into(),
+        ..Block::default()
     };
-    assert_eq!(block.len(), 1_000_000_000);
+    assert_eq!(block.len(&Bars), 1_000_000_000);
     assert_eq!(
-        values(&block.case(&Bars, 123_456_789)),
+        values(&block.raw_case(&Bars, 123_456_789)),
         ",124,457,790,bar,10"
     );
     let filter = Filter(vec![(2, Value::Number(457.0)), (3, Value::Number(1000.0))]);
     let chosen = block.select(&Bars, &filter);
-    assert_eq!(chosen.skip(999).collect::<Vec<_>>(), [999_456_999]);
+    assert_eq!(
+        chosen.skip(999).map(|(raw, _)| raw).collect::<Vec<_>>(),
+        [999_456_999]
+    );
 }
 
 #[test]

@@ -1,0 +1,174 @@
+//! A block of cases, made one at a time from their numbers: 10^9 of them take no more memory than ten.
+
+use std::sync::OnceLock;
+
+use super::derived::{Condition, Derived};
+use super::design::Design;
+use crate::problem::parameter::{Default, Value};
+use crate::problem::{Case, Problem};
+
+/// A block: the product of its groups of axes in file order, the last one fastest; what follows from them; and which of
+/// these raw combinations are cases.
+#[derive(Debug, Clone, std::default::Default)]
+pub struct Block {
+    /// Every parameter that has values of its own, a single value being an axis of one.
+    pub groups: Vec<Group>,
+    /// Parameters given by expressions, each after those it names.
+    pub derived: Vec<Derived>,
+    /// What a combination must meet to be a case.
+    pub when: Option<Condition>,
+    /// Where the values of one group come from, if from a design.
+    pub design: Option<Design>,
+    /// Number of cases before every `STRIDE`-th combination, and at the end; counted when first asked for.
+    pub(super) kept: OnceLock<Vec<u64>>,
+}
+
+/// Axes that advance together.
+#[derive(Debug, Clone)]
+pub struct Group {
+    /// At least one, all of one length.
+    pub axes: Vec<Axis>,
+}
+
+/// The values of one parameter.
+#[derive(Debug, Clone)]
+pub struct Axis {
+    /// Row of `problem.parameters()`.
+    pub parameter: usize,
+    /// At least one value.
+    pub values: Vec<Value>,
+}
+
+/// Combinations between two counts of cases.
+const STRIDE: u64 = 4096;
+
+impl Group {
+    /// Number of values.
+    pub fn len(&self) -> u64 {
+        self.axes.first().map_or(0, |axis| axis.values.len() as u64)
+    }
+
+    /// Whether there are no values, which no study that was read allows.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Block {
+    /// All axes.
+    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
+        self.groups.iter().flat_map(|group| &group.axes)
+    }
+
+    /// Number of raw combinations.
+    pub fn raw_len(&self) -> u64 {
+        self.groups.iter().map(Group::len).product()
+    }
+
+    /// Place of each group in combination `raw`.
+    pub(super) fn digits(&self, raw: u64) -> Vec<u64> {
+        let mut digits = vec![0; self.groups.len()];
+        let mut rest = raw;
+        for (digit, group) in digits.iter_mut().zip(&self.groups).rev() {
+            *digit = rest % group.len();
+            rest /= group.len();
+        }
+        digits
+    }
+
+    /// Combination `raw` with what it leaves out at its default, but before `Problem::complete`.
+    pub(super) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
+        let digits = self.digits(raw);
+        let mut case = Case::new(problem.parameters());
+        self.fill(&mut case, &digits, self.derived.len());
+        case
+    }
+
+    /// Sets what stands at these places of the groups, defaults, and the first of the derived parameters.
+    pub(super) fn fill(&self, case: &mut Case, digits: &[u64], derived: usize) {
+        for (group, digit) in self.groups.iter().zip(digits) {
+            for axis in &group.axes {
+                case.values[axis.parameter] = Some(axis.values[*digit as usize]);
+            }
+        }
+        for (row, parameter) in case.table.iter().enumerate() {
+            if let (None, Default::Is(value)) = (case.values[row], parameter.default)
+                && self.derived.iter().all(|d| d.parameter != row)
+                && parameter
+                    .applies
+                    .is_none_or(|(governor, name)| case.choice(governor) == name)
+            {
+                case.values[row] = Some(value);
+            }
+        }
+        for derived in self.derived.iter().take(derived) {
+            case.values[derived.parameter] = derived.value(self, case, digits);
+        }
+    }
+
+    /// The same as `raw_case`, with the values that follow from others.
+    pub(super) fn completed(&self, problem: &dyn Problem, raw: u64) -> Case {
+        let mut case = self.raw_case(problem, raw);
+        // What it may violate was reported when the study was read.
+        let _ = problem.complete(&mut case);
+        case
+    }
+
+    /// Whether combination `raw` is a case.
+    pub(super) fn keeps(&self, problem: &dyn Problem, raw: u64) -> bool {
+        let Some(when) = &self.when else {
+            return true;
+        };
+        let digits = self.digits(raw);
+        when.tabled(self, &digits)
+            .unwrap_or_else(|| when.holds(self, &self.raw_case(problem, raw), &digits))
+    }
+
+    fn kept(&self, problem: &dyn Problem) -> &[u64] {
+        self.kept.get_or_init(|| {
+            let mut counts = vec![0];
+            let mut count = 0;
+            for raw in 0..self.raw_len() {
+                count += u64::from(self.keeps(problem, raw));
+                if (raw + 1) % STRIDE == 0 {
+                    counts.push(count);
+                }
+            }
+            counts.push(count);
+            counts
+        })
+    }
+
+    /// Number of cases.
+    pub(super) fn len(&self, problem: &dyn Problem) -> u64 {
+        match self.when {
+            Some(_) => self.kept(problem).last().copied().unwrap_or(0),
+            None => self.raw_len(),
+        }
+    }
+
+    /// Number of cases before combination `raw`.
+    pub(super) fn rank(&self, problem: &dyn Problem, raw: u64) -> u64 {
+        if self.when.is_none() {
+            return raw;
+        }
+        let start = raw / STRIDE;
+        let before = self.kept(problem)[start as usize];
+        let between = (start * STRIDE..raw).filter(|raw| self.keeps(problem, *raw));
+        before + between.count() as u64
+    }
+
+    /// The combination that is case `index` of the block.
+    pub(super) fn raw_of(&self, problem: &dyn Problem, index: u64) -> Option<u64> {
+        if self.when.is_none() {
+            return Some(index);
+        }
+        let kept = self.kept(problem);
+        let start = kept
+            .partition_point(|count| *count <= index)
+            .checked_sub(1)? as u64;
+        let skip = (index - kept[start as usize]) as usize;
+        let mut within = (start * STRIDE..self.raw_len()).filter(|raw| self.keeps(problem, *raw));
+        within.nth(skip)
+    }
+}

@@ -1,0 +1,149 @@
+//! Parameters given by expressions of others, and conditions: computed once for each distinct set of what they depend on.
+
+use super::block::Block;
+use super::expression::{ExpressionFault, Formula};
+use crate::problem::Case;
+use crate::problem::parameter::{Kind, Parameter, Value};
+
+/// Most values that are kept; beyond, an expression depends on so much that hardly any two cases share a value.
+const MOST_KEPT: u64 = 1 << 20;
+
+/// Nearer than this, relatively, to a whole number counts as that: 10/0.1 is 100.
+const WHOLE: f64 = 1e-9;
+
+/// A parameter that an expression gives.
+#[derive(Debug, Clone)]
+pub struct Derived {
+    /// Row of `problem.parameters()`.
+    pub parameter: usize,
+    pub(super) rule: Rule,
+}
+
+/// What combinations must meet.
+#[derive(Debug, Clone)]
+pub struct Condition {
+    pub(super) rule: Rule,
+}
+
+/// An expression with the groups that it depends on, and its values for all their combinations.
+#[derive(Debug, Clone)]
+pub(super) struct Rule {
+    pub formula: Formula,
+    /// Groups, rising.
+    pub on: Vec<usize>,
+    /// By the places of these groups, the last one fastest.
+    pub table: Option<Vec<f64>>,
+}
+
+impl Rule {
+    pub fn new(formula: Formula, block: &Block) -> Rule {
+        let mut on = Vec::new();
+        let mut rows = formula.uses().to_vec();
+        while let Some(row) = rows.pop() {
+            let holds = |axes: &[super::Axis]| axes.iter().any(|axis| axis.parameter == row);
+            if let Some(group) = block.groups.iter().position(|g| holds(&g.axes)) {
+                on.push(group);
+            }
+            if let Some(derived) = block.derived.iter().find(|d| d.parameter == row) {
+                on.extend(&derived.rule.on);
+            }
+        }
+        on.sort_unstable();
+        on.dedup();
+        Rule {
+            formula,
+            on,
+            table: None,
+        }
+    }
+
+    /// Number of different sets of what it depends on.
+    pub fn sets(&self, block: &Block) -> u64 {
+        let lens = self.on.iter().map(|group| block.groups[*group].len());
+        lens.fold(1, u64::saturating_mul)
+    }
+
+    /// Computes the table, if it is not too large.
+    ///
+    /// # Errors
+    /// A case of the first set that has no value, and why.
+    pub fn tabulate(
+        &mut self,
+        block: &Block,
+        table: &'static [Parameter],
+    ) -> Result<(), (Case, ExpressionFault)> {
+        if self.sets(block) > MOST_KEPT {
+            return Ok(());
+        }
+        let mut values = Vec::new();
+        for set in 0..self.sets(block) {
+            let case = self.case(block, set, table);
+            match self.formula.value(&|row| case.values[row]) {
+                Ok(value) => values.push(value),
+                Err(fault) => return Err((case, fault)),
+            }
+        }
+        self.table = Some(values);
+        Ok(())
+    }
+
+    /// A case with what the formula depends on, in its set of that number.
+    pub fn case(&self, block: &Block, set: u64, table: &'static [Parameter]) -> Case {
+        let mut digits = vec![0; block.groups.len()];
+        let mut rest = set;
+        for &group in self.on.iter().rev() {
+            digits[group] = rest % block.groups[group].len();
+            rest /= block.groups[group].len();
+        }
+        let mut case = Case::new(table);
+        block.fill(&mut case, &digits, block.derived.len());
+        case
+    }
+
+    fn kept(&self, block: &Block, digits: &[u64]) -> Option<f64> {
+        let place = |place: u64, group: &usize| place * block.groups[*group].len() + digits[*group];
+        let set = self.on.iter().fold(0, place);
+        self.table.as_ref()?.get(set as usize).copied()
+    }
+
+    fn value(&self, block: &Block, case: &Case, digits: &[u64]) -> Option<f64> {
+        self.kept(block, digits)
+            .or_else(|| self.formula.value(&|row| case.values[row]).ok())
+    }
+}
+
+impl Derived {
+    /// The value for a case that has all it depends on.
+    pub(super) fn value(&self, block: &Block, case: &Case, digits: &[u64]) -> Option<Value> {
+        let x = self.rule.value(block, case, digits)?;
+        fitted(x, &case.table[self.parameter]).ok()
+    }
+}
+
+impl Condition {
+    /// Whether it is met, if that is known without a case.
+    pub(super) fn tabled(&self, block: &Block, digits: &[u64]) -> Option<bool> {
+        self.rule.kept(block, digits).map(|x| x != 0.0)
+    }
+
+    pub(super) fn holds(&self, block: &Block, case: &Case, digits: &[u64]) -> bool {
+        self.rule.value(block, case, digits) == Some(1.0)
+    }
+}
+
+/// A number as a value of a parameter, or what it must be.
+pub(super) fn fitted(x: f64, parameter: &Parameter) -> Result<Value, String> {
+    match parameter.kind {
+        Kind::Number(range) if range.contains(x) => Ok(Value::Number(x)),
+        Kind::Number(range) => Err(range.to_string()),
+        Kind::Whole { min, max } => {
+            let whole = x.round();
+            let near = (x - whole).abs() <= WHOLE * whole.abs();
+            if near && whole >= min as f64 && whole <= max as f64 {
+                return Ok(Value::Whole(whole as u64));
+            }
+            Err(format!("a whole number from {min} to {max}"))
+        }
+        Kind::Choice(_) => Err("a name".into()),
+    }
+}

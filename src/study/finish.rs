@@ -1,0 +1,251 @@
+//! From the draft of a block to the block: its design's points, and parameters in the order in which they follow from others.
+
+use super::Block;
+use super::derived::{Condition, Derived, Rule, fitted};
+use super::design::{self, Sampling};
+use super::expression::Formula;
+use super::object::Object;
+use super::parameters::{Draft, Given};
+use super::report::{Faults, quoted};
+use crate::problem::parameter::{Default, Parameter, Value, shortest};
+use crate::problem::{Case, Problem};
+
+impl Draft {
+    /// Decodes the design beside the parameters, and what it samples.
+    pub fn design(&mut self, object: &Object, faults: &mut Faults) {
+        let sampled = |given: &&Given| given.interval.is_some();
+        let rows = self
+            .given
+            .iter()
+            .filter(sampled)
+            .map(|given| given.parameter);
+        let rows: Vec<usize> = rows.collect();
+        let path = object.path("design");
+        let Some(node) = object.get("design") else {
+            for given in self.given.iter().filter(sampled) {
+                let message =
+                    "needs a \"design\" beside the parameters, which says where the points lie";
+                faults.add(given.at, &given.path, message);
+            }
+            // Without points of theirs, nothing further can be said.
+            self.faulty.extend(&rows);
+            self.given.retain(|given| given.interval.is_none());
+            return;
+        };
+        let design = design::design(node, &path, faults);
+        if rows.is_empty() && self.faulty.is_empty() {
+            let message = "samples nothing: give parameters as {\"uniform\": [a, b]} or {\"loguniform\": [a, b]}";
+            faults.add(node.at, &path, message);
+        }
+        let others = self.given.iter().any(|given| given.values.len() > 1);
+        let saltelli = |d: &design::Design| d.sampling == Sampling::Saltelli;
+        if design.as_ref().is_some_and(saltelli) && (others || self.when.is_some()) {
+            let message =
+                "a saltelli design stands alone: no other axis and no \"when\" in its block";
+            faults.add(node.at, &path, message);
+        }
+        match design {
+            Some(mut design) if !rows.is_empty() => {
+                design.parameters = rows;
+                self.design = Some(design);
+            }
+            _ => {
+                self.faulty.extend(&rows);
+                self.given.retain(|given| given.interval.is_none());
+            }
+        }
+    }
+
+    /// Gives what the design samples its values.
+    pub fn sample(&mut self, table: &'static [Parameter]) {
+        let Some(design) = &self.design else {
+            return;
+        };
+        for given in &mut self.given {
+            let place = design
+                .parameters
+                .iter()
+                .position(|row| *row == given.parameter);
+            if let (Some(place), Some(interval)) = (place, given.interval) {
+                let parameter = &table[given.parameter];
+                let points = design.coordinates(place).into_iter();
+                given.values = points
+                    .map(|u| (interval.at(u, parameter), given.at))
+                    .collect();
+            }
+        }
+    }
+
+    /// The block; `None` where an expression names what is faulty itself, or has a fault.
+    pub fn block(&self, problem: &dyn Problem, faults: &mut Faults) -> Option<Block> {
+        let table = problem.parameters();
+        let mut block = Block {
+            groups: self.axes(),
+            design: self.design.clone(),
+            ..Block::default()
+        };
+        let derived = self.given.iter().filter(|given| given.formula.is_some());
+        let mut waiting: Vec<&Given> = derived.collect();
+        let before = faults.count();
+        let mut dropped = false;
+        for given in &waiting {
+            dropped |= !self.known(given, table, faults);
+        }
+        if dropped || faults.count() > before {
+            return None;
+        }
+        // Each after those that it names.
+        while !waiting.is_empty() {
+            let is_ready = |given: &&Given| {
+                let uses = given.formula.iter().flat_map(|(formula, _)| formula.uses());
+                let mut unready = uses.filter(|row| waiting.iter().any(|w| w.parameter == **row));
+                unready.next().is_none()
+            };
+            let Some(place) = waiting.iter().position(is_ready) else {
+                self.circle(&waiting, table, faults);
+                return None;
+            };
+            let given = waiting.remove(place);
+            if let Some((formula, text)) = &given.formula {
+                derive(&mut block, given, formula, text, table, faults);
+            }
+        }
+        if let Some((formula, at, text)) = &self.when {
+            let path = match self.path.strip_suffix("parameters") {
+                Some(path) => format!("{path}when"),
+                None => "when".into(),
+            };
+            if !self.all_known(formula, text, *at, &path, table, faults) {
+                return None;
+            }
+            let mut rule = Rule::new(formula.clone(), &block);
+            if let Err((case, fault)) = rule.tabulate(&block, table) {
+                let with = with(formula, &case);
+                faults.add(
+                    *at,
+                    &path,
+                    format!("{}{with}: {}", quoted(text), fault.message),
+                );
+            }
+            block.when = Some(Condition { rule });
+            if faults.count() == before && block.len(problem) == 0 {
+                faults.add(
+                    *at,
+                    &path,
+                    format!("{}: no combination meets it", quoted(text)),
+                );
+            }
+        }
+        (faults.count() == before).then_some(block)
+    }
+
+    /// Whether a derived parameter names only what has values; says so where that is a fault.
+    fn known(&self, given: &Given, table: &'static [Parameter], faults: &mut Faults) -> bool {
+        let Some((formula, text)) = &given.formula else {
+            return true;
+        };
+        self.all_known(formula, text, given.at, &given.path, table, faults)
+    }
+
+    fn all_known(
+        &self,
+        formula: &Formula,
+        text: &str,
+        at: usize,
+        path: &str,
+        table: &'static [Parameter],
+        faults: &mut Faults,
+    ) -> bool {
+        let mut known = true;
+        for &row in formula.uses() {
+            let given = self.given.iter().any(|given| given.parameter == row);
+            if given || matches!(table[row].default, Default::Is(_)) {
+                continue;
+            }
+            known = false;
+            if !self.faulty.contains(&row) {
+                let name = table[row].name;
+                let message = format!("{}: {name} is not given in this block", quoted(text));
+                faults.add(at, path, message);
+            }
+        }
+        known
+    }
+
+    /// Says which parameters name each other in a circle.
+    fn circle(&self, waiting: &[&Given], table: &'static [Parameter], faults: &mut Faults) {
+        let next = |row: usize| {
+            let given = waiting.iter().find(|given| given.parameter == row)?;
+            let (formula, _) = given.formula.as_ref()?;
+            let mut uses = formula.uses().iter().copied();
+            uses.find(|row| waiting.iter().any(|w| w.parameter == *row))
+        };
+        // Every one of them leads into a circle; the first met twice is on it.
+        let mut way = vec![waiting[0].parameter];
+        while let Some(row) = way.last().and_then(|row| next(*row)) {
+            if let Some(start) = way.iter().position(|earlier| *earlier == row) {
+                way.drain(..start);
+                way.push(row);
+                break;
+            }
+            way.push(row);
+        }
+        let names: Vec<&str> = way.iter().map(|row| table[*row].name).collect();
+        let first = self
+            .given
+            .iter()
+            .find(|given| Some(&given.parameter) == way.first());
+        if let Some(given) = first {
+            let message = format!("goes round in a circle: {}", names.join(" -> "));
+            faults.add(given.at, &given.path, message);
+        }
+    }
+}
+
+/// Adds a parameter that follows from others; its first bad value is a fault.
+fn derive(
+    block: &mut Block,
+    given: &Given,
+    formula: &Formula,
+    text: &str,
+    table: &'static [Parameter],
+    faults: &mut Faults,
+) {
+    let mut rule = Rule::new(formula.clone(), block);
+    let parameter = &table[given.parameter];
+    let mut fault = |message: String| faults.add(given.at, &given.path, message);
+    if let Err((case, bad)) = rule.tabulate(block, table) {
+        fault(format!(
+            "{}{}: {}",
+            quoted(text),
+            with(formula, &case),
+            bad.message
+        ));
+    }
+    let values = rule.table.iter().flatten();
+    if let Some((set, x, allowed)) = values
+        .enumerate()
+        .find_map(|(set, x)| Some((set, *x, fitted(*x, parameter).err()?)))
+    {
+        let case = rule.case(block, set as u64, table);
+        let with = with(formula, &case);
+        let x = shortest(x);
+        fault(format!(
+            "must be {allowed}, got {} = {x}{with}",
+            quoted(text)
+        ));
+    }
+    block.derived.push(Derived {
+        parameter: given.parameter,
+        rule,
+    });
+}
+
+/// The values that a formula worked with, as ` with n = 3, L = 10`.
+fn with(formula: &Formula, case: &Case) -> String {
+    let told = formula.uses().iter().filter_map(|row| {
+        let value: Value = case.values[*row]?;
+        Some(format!("{} = {value}", case.table[*row].name))
+    });
+    format!(" with {}", told.collect::<Vec<_>>().join(", "))
+}

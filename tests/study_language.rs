@@ -1,0 +1,176 @@
+//! What a study's axes, groups, expressions, conditions and designs stand for: against lists written out.
+
+use slipgap::problem::Case;
+use slipgap::problem::parameter::Value;
+use slipgap::study::{Filter, Study, parse};
+
+/// A study of bars with these parameters, and what stands beside them.
+fn study(parameters: &str, beside: &str) -> Study {
+    let text = format!(
+        r#"{{"problem": "bar-impact", "parameters": {{"duration": 1.5, {parameters}}}{beside}}}"#
+    );
+    parse("s.json", &text).unwrap_or_else(|e| panic!("{text}\n{e}"))
+}
+
+fn numbers(study: &Study, names: &[&str]) -> Vec<Vec<f64>> {
+    let of = |case: Case| {
+        names
+            .iter()
+            .map(|name| case.number(name).unwrap())
+            .collect()
+    };
+    study.cases().map(of).collect()
+}
+
+#[test]
+fn expressions_follow_the_parameters_they_name() {
+    // In any order, through each other, through defaults (E A/L = 10), and as whole numbers: 100 * 0.07 is not 7.
+    let study = study(
+        r#""dt": "0.5/n", "k_I": "g2 * n * E * A / L", "n": "100*x + 1", "gap": [0.07, 0.02]"#
+            .replace("g2", "(2 + gap)")
+            .replace("100*x", "100*gap")
+            .as_str(),
+        "",
+    );
+    let expected = [0.07, 0.02].map(|gap: f64| {
+        let n = (100.0 * gap).round() + 1.0;
+        vec![gap, n, 0.5 / n, (2.0 + gap) * n * 100.0 / 10.0]
+    });
+    let found = numbers(&study, &["gap", "n", "dt", "k_I"]);
+    for (found, expected) in found.iter().zip(&expected) {
+        for (a, b) in found.iter().zip(expected) {
+            assert!((a - b).abs() < 1e-14 * b, "{found:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn a_group_advances_together_where_its_first_member_stands() {
+    let axes = r#""gamma": [1, 2], "n": [2, 4, 8], "gap": [0, 1], "dt": [0.1, 0.2, 0.3]"#;
+    let study = study(axes, r#", "zip": [["dt", "n"]]"#);
+    let mut expected = Vec::new();
+    for gamma in [1.0, 2.0] {
+        for (n, dt) in [(2.0, 0.1), (4.0, 0.2), (8.0, 0.3)] {
+            for gap in [0.0, 1.0] {
+                expected.push(vec![gamma, n, dt, gap]);
+            }
+        }
+    }
+    assert_eq!(numbers(&study, &["gamma", "n", "dt", "gap"]), expected);
+    assert_eq!((study.len(), study.raw_len()), (12, 12));
+}
+
+#[test]
+fn a_condition_drops_combinations_and_numbers_those_left() {
+    let axes = r#""gamma": [1, 2, 3], "n": {"range": [1, 60, 1]}, "dt": {"linspace": [0.001, 0.1, 50]}, "mass": ["lumped", "consistent"]"#;
+    let condition = "dt <= 0.5/n and (gamma != 2 or mass == 'lumped') or n == 60";
+    let study = study(axes, &format!(r#", "when": "{condition}""#));
+    let met = |case: &Case| {
+        let [gamma, n, dt] = ["gamma", "n", "dt"].map(|name| case.number(name).unwrap());
+        dt <= 0.5 / n && (gamma != 2.0 || case.choice("mass") == "lumped") || n == 60.0
+    };
+    let all: Vec<Case> = self::study(axes, "").cases().collect();
+    let told = |case: &Case| format!("{:?}", case.values);
+    let expected: Vec<String> = all.iter().filter(|case| met(case)).map(told).collect();
+    assert!(expected.len() > 4096 && expected.len() < all.len());
+    assert_eq!(study.len(), expected.len() as u64);
+    assert_eq!(study.raw_len(), all.len() as u64);
+    let found: Vec<String> = study.cases().map(|case| told(&case)).collect();
+    assert_eq!(found, expected);
+    for index in [0, 1, 4000, 4097, expected.len() - 1] {
+        let case = study.case(index as u64).unwrap();
+        assert_eq!(told(&case), expected[index], "{index}");
+    }
+    assert!(study.case(study.len()).is_none());
+    // Ranges of raw combinations have the cases among them, with their numbers.
+    let mut pieces = Vec::new();
+    for start in (0..study.raw_len()).step_by(777) {
+        pieces.extend(
+            study
+                .range(start, start + 777)
+                .map(|(n, case)| (n, told(&case))),
+        );
+    }
+    let numbered: Vec<(u64, String)> = (0..).zip(expected.clone()).collect();
+    assert_eq!(pieces, numbered);
+    // A filter chooses by the numbers of the cases that are left.
+    let gamma = study
+        .problem
+        .parameters()
+        .iter()
+        .position(|p| p.name == "gamma")
+        .unwrap();
+    let filter = Filter(vec![(gamma, Value::Number(2.0))]);
+    let chosen: Vec<u64> = study.select(&filter).collect();
+    let looked: Vec<u64> = (0..study.len())
+        .filter(|i| filter.matches(&study.case(*i).unwrap()))
+        .collect();
+    assert_eq!(chosen, looked);
+}
+
+#[test]
+fn blocks_with_conditions_follow_one_another() {
+    let text = r#"{"problem": "bar-impact", "blocks": [
+        {"parameters": {"gamma": [1, 2, 3], "n": 2, "dt": 0.1, "duration": 1}, "when": "gamma != 2"},
+        {"parameters": {"gamma": [4, 5, 6], "n": 2, "dt": [0.1, 0.2, 0.3], "duration": 1},
+         "zip": [["gamma", "dt"]], "when": "gamma > 4"}]}"#;
+    let study = parse("s.json", text).unwrap();
+    let found = numbers(&study, &["gamma", "dt"]);
+    assert_eq!(found, [[1.0, 0.1], [3.0, 0.1], [5.0, 0.2], [6.0, 0.3]]);
+    let range: Vec<u64> = study.range(2, 5).map(|(number, _)| number).collect();
+    assert_eq!(range, [1, 2]);
+    assert_eq!(study.case(3).unwrap().number("gamma"), Some(6.0));
+}
+
+#[test]
+fn designs_fill_their_ranges_beside_a_grid() {
+    let parameters = r#""gamma": {"loguniform": [0.01, 100]}, "mass": ["lumped", "consistent"], "n": {"uniform": [3, 6]}, "dt": "0.1/n""#;
+    for kind in ["latin-hypercube", "sobol"] {
+        let design = |seed: u32| {
+            let beside = format!(r#", "design": {{"kind": "{kind}", "n": 400, "seed": {seed}}}"#);
+            study(parameters, &beside)
+        };
+        let study = design(1);
+        assert_eq!(study.len(), 800);
+        let rows = numbers(&study, &["gamma", "n", "dt"]);
+        // The point is the slower axis: each with both mass matrices.
+        assert!(rows.chunks(2).all(|pair| pair[0] == pair[1]));
+        // Evenly in the logarithm: a quarter in each two decades, to the Latin hypercube's and the net's precision.
+        for quarter in 0..4 {
+            let within = |x: &f64| {
+                let place = (x.log10() + 2.0) / 4.0;
+                (place * 4.0).floor() as i32 == quarter
+            };
+            let count = rows.iter().filter(|row| within(&row[0])).count();
+            assert!((count as i32 - 200).abs() <= 4, "{kind} {quarter}: {count}");
+        }
+        for n in [3.0, 4.0, 5.0, 6.0] {
+            let count = rows.iter().filter(|row| row[1] == n).count() as i32;
+            assert!((count - 200).abs() <= 4, "{kind} n = {n}: {count}");
+        }
+        assert!(rows.iter().all(|row| row[2] == 0.1 / row[1]));
+        assert_eq!(rows, numbers(&design(1), &["gamma", "n", "dt"]));
+        assert_ne!(rows, numbers(&design(2), &["gamma", "n", "dt"]));
+    }
+}
+
+#[test]
+fn a_saltelli_design_has_n_times_k_plus_2_cases() {
+    let parameters = r#""gamma": {"uniform": [1, 2]}, "n": 4, "gap": {"uniform": [0, 1]}, "dt": {"uniform": [0.01, 0.02]}"#;
+    let study = study(parameters, r#", "design": {"kind": "saltelli", "n": 8}"#);
+    assert_eq!(study.len(), 8 * 5);
+}
+
+#[test]
+fn a_million_cases_are_made_one_at_a_time() {
+    // Every case by its number, none of them kept.
+    let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
+        "beta": {"geomspace": [0.001, 10, 1000]}, "dT": {"geomspace": [0.001, 1, 1000]}, "duration": "100*dT", "x0": 12}}"#;
+    let study = parse("s.json", text).unwrap();
+    assert_eq!(study.len(), 1_000_000);
+    let last = study.case(999_999).unwrap();
+    assert_eq!(
+        ["beta", "dT", "duration"].map(|n| last.number(n).unwrap()),
+        [10.0, 1.0, 100.0]
+    );
+}
