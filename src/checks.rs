@@ -27,21 +27,18 @@ impl Verdict {
     }
 }
 
-/// Every check of the study on every case it names, in the order of the file.
-pub fn judge(study: &Study, outcomes: &[Outcome]) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    for check in &study.checks {
-        for (case, outcome) in (0..).zip(outcomes) {
-            if check.filter.matches(&outcome.case) {
-                verdicts.push(Verdict {
-                    case,
-                    metric: study.problem.metrics()[check.metric].name,
-                    value: outcome.metrics[check.metric].filter(|x| !x.is_nan()),
-                    min: check.min,
-                    max: check.max,
-                });
-            }
+/// Holds every check of the study that names a case against it, each with its place in the file.
+pub fn judge(study: &Study, number: u64, outcome: &Outcome, verdicts: &mut Vec<(usize, Verdict)>) {
+    for (i, check) in study.checks.iter().enumerate() {
+        if check.filter.matches(&outcome.case) {
+            let verdict = Verdict {
+                case: number,
+                metric: study.problem.metrics()[check.metric].name,
+                value: outcome.metrics[check.metric].filter(|x| !x.is_nan()),
+                min: check.min,
+                max: check.max,
+            };
+            verdicts.push((i, verdict));
         }
     }
-    verdicts
 }

@@ -46,16 +46,21 @@ pub enum Error {
         /// What the operating system said.
         source: std::io::Error,
     },
+    /// A case that could not be solved, where the run was to end at the first.
+    Unsolved(String),
+    /// A folder of results that another run writes to.
+    Busy(PathBuf),
     /// A fault of this program, not of its user.
     Internal(String),
 }
 
 impl Error {
-    /// The process exit code: 2 for usage and studies, 1 for the rest.
+    /// The process exit code: 2 for usage and studies, 3 for a case without a solution, 1 for the rest.
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::Faults(_) | Error::Usage(_) => 2,
-            Error::Io { .. } | Error::Internal(_) => 1,
+            Error::Unsolved(_) => 3,
+            Error::Io { .. } | Error::Busy(_) | Error::Internal(_) => 1,
         }
     }
 
@@ -85,7 +90,14 @@ impl fmt::Display for Error {
                 }
                 Ok(())
             }
-            Error::Usage(message) | Error::Internal(message) => f.write_str(message),
+            Error::Usage(message) | Error::Unsolved(message) | Error::Internal(message) => {
+                f.write_str(message)
+            }
+            Error::Busy(path) => write!(
+                f,
+                "{} is in use by another run; wait for it, or give another folder with --out",
+                path.display()
+            ),
             Error::Io {
                 doing,
                 path,

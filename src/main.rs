@@ -4,6 +4,8 @@ mod commands;
 
 use clap::{Args, Parser, Subcommand};
 use commands::asked::Jobs;
+use commands::run::{Format, Manner};
+use commands::sources::Source;
 use slipgap::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -41,6 +43,15 @@ struct Studies {
     /// Study files, or folders that are read with their sub-folders
     #[arg(value_name = "STUDY|FOLDER", default_value = "studies")]
     studies: Vec<PathBuf>,
+    /// Most raw combinations of a study
+    #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES)]
+    limit: u64,
+}
+
+impl Studies {
+    fn read(&self) -> Result<Vec<Source>, Error> {
+        commands::sources::read(&self.studies, self.limit)
+    }
 }
 
 #[derive(Args)]
@@ -50,9 +61,15 @@ struct Run {
     /// Folder for the results; one folder for each study is made in it
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
-    /// Write the history of every case too, as histories/CASE.csv
+    /// Write the history of every case too, as histories/CASE.csv; every case is computed anew
     #[arg(long)]
     histories: bool,
+    /// End at the first case that cannot be solved
+    #[arg(long)]
+    fail_fast: bool,
+    /// What to write; by default results.csv for up to 10^5 cases, and always the store
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     #[command(flatten)]
     jobs: Jobs,
 }
@@ -97,15 +114,20 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
     commands::end_on_interrupt()?;
     match cli.verb {
         Verb::Run(run) => {
-            let studies = commands::sources::read(&run.studies.studies)?;
+            let studies = run.studies.read()?;
+            let manner = Manner {
+                histories: run.histories,
+                fail_fast: run.fail_fast,
+                format: run.format,
+            };
             commands::pool(run.jobs.jobs)?
-                .install(|| commands::run::run(&studies, &run.out, run.histories))
+                .install(|| commands::run::run(&studies, &run.out, &manner))
         }
         Verb::Check(check) => {
-            let studies = commands::sources::read(&check.studies.studies)?;
+            let studies = check.studies.read()?;
             commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
         }
-        Verb::List(list) => commands::list::list(&commands::sources::read(&list.studies)?),
+        Verb::List(list) => commands::list::list(&list.read()?),
         Verb::Claims(claims) => commands::pool(claims.jobs.jobs)?
             .install(|| commands::claims::claims(&claims.ledgers, &claims.out)),
         Verb::Recommend(asked) => {

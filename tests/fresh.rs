@@ -80,7 +80,7 @@ fn results(folder: &Path) -> BTreeSet<PathBuf> {
         .into_iter()
         .filter_entry(|entry| {
             let name = entry.file_name().to_string_lossy();
-            name != "histories" && !name.starts_with("recommend-")
+            name != "histories" && name != "store" && !name.starts_with("recommend-")
         })
         .map(|entry| entry.unwrap())
         .filter(|entry| entry.file_type().is_file() && entry.file_name() != "manifest.json")

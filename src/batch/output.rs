@@ -1,5 +1,6 @@
 //! The folder of one study's results: whole files only, and nothing left over from a former run.
 
+use super::chunk::SOLVER_VERSION;
 use crate::error::Error;
 use crate::study::Study;
 use serde_json::{Value, json};
@@ -9,9 +10,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{PoisonError, RwLock, RwLockWriteGuard};
 
-/// Version of everything that decides a number; it changes when any result may change.
-pub const SOLVER_VERSION: u32 = 1;
-
 /// Name of the table of results.
 pub const RESULTS: &str = "results.csv";
 
@@ -19,7 +17,10 @@ const MANIFEST: &str = "manifest.json";
 
 /// Whether a file is the manifest of a folder of results, and so no study.
 pub fn is_manifest(file: &Path) -> bool {
-    file.file_name().is_some_and(|name| name == MANIFEST) && file.with_file_name(RESULTS).is_file()
+    let results = || {
+        file.with_file_name(RESULTS).is_file() || file.with_file_name(super::store::STORE).is_dir()
+    };
+    file.file_name().is_some_and(|name| name == MANIFEST) && results()
 }
 
 /// A folder that results go to, and what this run has put there.
@@ -59,6 +60,14 @@ impl Folder {
             fs::create_dir_all(parent).map_err(Error::io("cannot make folder", parent))?;
         }
         whole(&path, write)?;
+        Ok(path)
+    }
+
+    /// Takes a file written elsewhere on the same disk as `name`, and gives its path.
+    pub fn take(&mut self, from: &Path, name: &str) -> Result<PathBuf, Error> {
+        let path = self.path.join(name);
+        fs::rename(from, &path).map_err(Error::io("cannot write", &path))?;
+        self.written.push(name.to_owned());
         Ok(path)
     }
 
@@ -127,7 +136,7 @@ pub fn no_more_writing() -> RwLockWriteGuard<'static, ()> {
 }
 
 /// Writes a file under a temporary name and renames it: it is there whole or not at all.
-fn whole(
+pub(super) fn whole(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), Error> {

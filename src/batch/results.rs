@@ -2,32 +2,62 @@
 
 use super::Outcome;
 use crate::error::Error;
-use crate::problem::parameter::shortest;
+use crate::problem::parameter::{Value, shortest};
 use crate::problem::{Problem, Solution};
 use crate::study::Study;
 use std::io::{self, Write};
 
-/// results.csv: one row a case in case order; `case`, the parameters in the table's order, then the metrics.
-pub fn table(study: &Study, outcomes: &[Outcome]) -> Result<Vec<u8>, Error> {
-    let metrics = study.problem.metrics();
-    let parameters = study.problem.parameters();
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let header = ["case"]
-        .into_iter()
-        .chain(parameters.iter().map(|p| p.name))
-        .chain(study.metrics.iter().map(|&m| metrics[m].name));
-    writer.write_record(header).map_err(internal)?;
-    for (index, outcome) in outcomes.iter().enumerate() {
-        let row = [index.to_string()]
+/// results.csv, row by row: one a case in case order; `case`, the parameters in the table's order, then the metrics.
+pub struct Table<'a, W: Write> {
+    study: &'a Study,
+    writer: csv::Writer<W>,
+}
+
+impl<'a, W: Write> Table<'a, W> {
+    /// Writes the header.
+    pub fn new(study: &'a Study, out: W) -> io::Result<Table<'a, W>> {
+        let metrics = study.problem.metrics();
+        let parameters = study.problem.parameters();
+        let mut writer = csv::Writer::from_writer(out);
+        let header = ["case"]
             .into_iter()
-            .chain(outcome.case.values.iter().map(|value| match value {
-                Some(value) => value.to_string(),
-                None => String::new(),
-            }))
-            .chain(study.metrics.iter().map(|&m| cell(outcome.metrics[m])));
+            .chain(parameters.iter().map(|p| p.name))
+            .chain(study.metrics.iter().map(|&m| metrics[m].name));
+        writer.write_record(header)?;
+        Ok(Table { study, writer })
+    }
+
+    /// Writes one case.
+    pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
+        let metrics = self.study.metrics.iter().map(|&m| cell(outcome.metrics[m]));
+        let row = parameters(number, outcome).chain(metrics);
+        Ok(self.writer.write_record(row)?)
+    }
+
+    /// What it was written to, with all rows.
+    pub fn finish(self) -> io::Result<W> {
+        self.writer.into_inner().map_err(|e| e.into_error())
+    }
+}
+
+/// failures.csv: the cases that could not be solved, with their parameters and the reason.
+pub fn failures(study: &Study, failed: &[(u64, Outcome)]) -> Result<Vec<u8>, Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let names = study.problem.parameters().iter().map(|p| p.name);
+    let header = ["case"].into_iter().chain(names).chain(["reason"]);
+    writer.write_record(header).map_err(internal)?;
+    for (number, outcome) in failed {
+        let reason = outcome.failure.clone().into_iter();
+        let row = parameters(*number, outcome).chain(reason);
         writer.write_record(row).map_err(internal)?;
     }
     writer.into_inner().map_err(internal)
+}
+
+/// The number and parameters of a case, as cells.
+fn parameters(number: u64, outcome: &Outcome) -> impl Iterator<Item = String> {
+    let value = |value: &Option<Value>| value.map(|v| v.to_string()).unwrap_or_default();
+    std::iter::once(number.to_string()).chain(outcome.case.values.iter().map(value))
 }
 
 /// Writes a case's history: the problem's six columns, one row a step.

@@ -1,8 +1,8 @@
 //! `slipgap check`: every check of every study, with the value it judged.
 
 use super::sources::Source;
-use super::{NOT_MET, UNSOLVED, columns, finish, note, progress, run, say};
-use slipgap::batch;
+use super::{NOT_MET, UNSOLVED, columns, note, progress, run, say};
+use slipgap::batch::{self, Wishes};
 use slipgap::checks::{self, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
@@ -16,13 +16,26 @@ pub fn check(sources: &[Source]) -> Result<u8, Error> {
     ];
     let (mut code, mut count, mut failed) = (0, 0, 0);
     for source in sources {
-        let bar = progress(&source.name, source.study.len());
-        let outcomes = batch::run(&source.study, &bar, |_| false, |_, _| Ok(()))?;
-        finish(&bar, &source.name, source.study.len());
-        if run::unsolved(source, &outcomes) {
+        let bar = progress::bar(&source.name, source.study.len());
+        let (mut verdicts, mut unsolved) = (Vec::new(), Vec::new());
+        batch::run(&source.study, &bar, &Wishes::METRICS, |done| {
+            let outcomes = (done.first..).zip(done.outcomes);
+            for (number, outcome) in outcomes {
+                checks::judge(&source.study, number, &outcome, &mut verdicts);
+                if outcome.failure.is_some() {
+                    unsolved.push((number, outcome));
+                }
+            }
+            Ok(())
+        })?;
+        progress::finish(&bar, &source.name, &progress::run(source.study.len()));
+        if !unsolved.is_empty() {
+            run::name_unsolved(source, &unsolved);
             code = UNSOLVED;
         }
-        for verdict in checks::judge(&source.study, &outcomes) {
+        // By check, then by case.
+        verdicts.sort_by_key(|(check, verdict)| (*check, verdict.case));
+        for (_, verdict) in verdicts {
             count += 1;
             failed += usize::from(!verdict.holds());
             rows.push(row(&source.name, &verdict));

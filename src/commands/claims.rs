@@ -1,6 +1,6 @@
 //! `slipgap claims`: the papers' sentences with their verdicts, and the page about them.
 
-use super::{NOT_MET, columns, finish, note, progress, say};
+use super::{NOT_MET, columns, note, progress, say};
 use slipgap::batch::output::Folder;
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
@@ -18,9 +18,9 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
     let mut all = Vec::new();
     for ledger in ledgers {
         let cases = ledger.studies.iter().map(|s| s.study.len()).sum();
-        let bar = progress(&ledger.paper, cases);
+        let bar = progress::bar(&ledger.paper, cases);
         let findings = claims::compute(&ledger, &bar)?;
-        finish(&bar, &ledger.paper, cases);
+        progress::finish(&bar, &ledger.paper, &progress::run(cases));
         all.push(Judged { ledger, findings });
     }
     let path = folder.write(PAGE, claims::page(&all).as_bytes())?;

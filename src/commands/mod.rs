@@ -3,15 +3,16 @@
 pub mod asked;
 pub mod check;
 pub mod claims;
+pub mod drawn;
 pub mod list;
+pub mod progress;
 pub mod recommend;
 pub mod run;
 pub mod sources;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use slipgap::batch::output::no_more_writing;
 use slipgap::error::Error;
-use std::io::{ErrorKind, IsTerminal, Write, stderr, stdout};
+use std::io::{ErrorKind, Write, stderr, stdout};
 
 /// Exit code where a case could not be solved.
 pub const UNSOLVED: u8 = 3;
@@ -46,37 +47,10 @@ pub fn pool(jobs: Option<u16>) -> Result<rayon::ThreadPool, Error> {
 pub fn end_on_interrupt() -> Result<(), Error> {
     ctrlc::set_handler(|| {
         let _guard = no_more_writing();
-        note("slipgap: interrupted; files written so far are whole, run again for the rest");
+        note("slipgap: interrupted; every file written is whole and finished cases are kept, run the same again to go on");
         std::process::exit(INTERRUPTED);
     })
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))
-}
-
-/// A progress bar with rate and time left for a terminal, nothing otherwise.
-pub fn progress(name: &str, cases: u64) -> ProgressBar {
-    if !stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template(
-        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {per_sec}, {eta} left",
-    )
-    .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(cases)
-        .with_style(style)
-        .with_prefix(name.to_owned())
-}
-
-/// Takes the bar away; where there was none, one plain line says what is done.
-pub fn finish(bar: &ProgressBar, name: &str, cases: u64) {
-    let plain = bar.is_hidden();
-    bar.finish_and_clear();
-    if plain {
-        let cases = match cases {
-            1 => "1 case".into(),
-            _ => format!("{cases} cases"),
-        };
-        note(&format!("{name}: {cases} run"));
-    }
 }
 
 /// Rows of text in columns, the first row being the header; what would move a terminal's cursor becomes a space.

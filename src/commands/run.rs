@@ -1,110 +1,181 @@
 //! `slipgap run`: results, figures and, if asked for, histories of every study.
 
+use super::drawn;
+use super::progress::{self, Tally};
 use super::sources::Source;
-use super::{UNSOLVED, finish, note, progress, say};
+use super::{UNSOLVED, note, say};
+use clap::ValueEnum;
 use slipgap::batch::output::{Folder, RESULTS};
-use slipgap::batch::{self, Outcome, results};
+use slipgap::batch::results::{self, Table};
+use slipgap::batch::store::Store;
+use slipgap::batch::{self, Outcome, Wishes};
 use slipgap::error::Error;
-use slipgap::figures::{self, Shown};
-use slipgap::problem::{Case, Snapshot};
-use slipgap::study::{Figure, Study};
-use std::path::Path;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+/// Most cases of a results.csv that nobody asked for.
+const MOST_ROWS: u64 = 100_000;
+
+/// Table of the cases that could not be solved.
+const FAILURES: &str = "failures.csv";
+
+/// Most of them that are named on stderr.
+const MOST_NAMED: usize = 20;
+
+/// What a run writes beside figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// results.csv, however many cases there are, beside the store
+    Csv,
+    /// The store alone, a folder of Parquet files
+    Parquet,
+}
+
+/// How studies are run.
+pub struct Manner {
+    /// Whether the history of every case is written.
+    pub histories: bool,
+    /// Whether the first case without a solution ends the run.
+    pub fail_fast: bool,
+    /// What is written; by default results.csv for up to 10^5 cases.
+    pub format: Option<Format>,
+}
 
 /// Runs the studies into `out`; gives the exit code.
-pub fn run(sources: &[Source], out: &Path, histories: bool) -> Result<u8, Error> {
+pub fn run(sources: &[Source], out: &Path, manner: &Manner) -> Result<u8, Error> {
     // Folders first: what cannot be written is said before anything is computed.
-    let folders = sources
+    let places = sources
         .iter()
-        .map(|source| Folder::open(&out.join(&source.name)))
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|source| {
+            let path = out.join(&source.name);
+            Ok((Folder::open(&path)?, Store::open(&path)?))
+        })
+        .collect::<Result<Vec<_>, Error>>()?;
     let mut code = 0;
-    for (source, folder) in sources.iter().zip(folders) {
-        let outcomes = one(source, folder, histories)?;
-        if unsolved(source, &outcomes) {
+    for (source, (folder, store)) in sources.iter().zip(places) {
+        if !one(source, folder, store, manner)? {
             code = UNSOLVED;
         }
     }
     Ok(code)
 }
 
-fn one(source: &Source, mut folder: Folder, histories: bool) -> Result<Vec<Outcome>, Error> {
+/// Runs one study; whether every case was solved.
+fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Result<bool, Error> {
     let study = &source.study;
-    let file_name = |case: u64| format!("histories/{case}.csv");
-    let bar = progress(&source.name, study.len());
-    let outcomes = batch::run(
-        study,
-        &bar,
-        |case| needs_history(study, case),
-        |case, solution| {
-            if histories {
-                let name = file_name(case);
+    let history = |case: u64| format!("histories/{case}.csv");
+    let cases = study.len();
+    let bar = progress::bar(&source.name, cases);
+    let mut table = match manner.format {
+        Some(Format::Parquet) => None,
+        None if cases > MOST_ROWS => None,
+        _ => Some(Rows::begin(source, &store)?),
+    };
+    let mut tally = Tally::new(store.is_empty());
+    let (mut shown, mut failed) = (Vec::new(), Vec::new());
+    let wishes = Wishes {
+        store: Some(&store),
+        // Histories are not in the store.
+        anew: manner.histories,
+        keep: &|case| drawn::over_time(study, case),
+        visit: &|case, solution| {
+            if manner.histories {
+                let name = history(case);
                 folder.put(&name, |out| results::history(study.problem, solution, out))?;
             }
             Ok(())
         },
-    )?;
-    finish(&bar, &source.name, study.len());
-    if histories {
-        let solved = (0..).zip(&outcomes).filter(|(_, o)| o.failure.is_none());
-        folder.note(solved.map(|(case, _)| file_name(case)));
+    };
+    let mut solved = Vec::new();
+    batch::run(study, &bar, &wishes, |done| {
+        tally.add(&done);
+        for (number, outcome) in (done.first..).zip(done.outcomes) {
+            if let Some(table) = &mut table {
+                table.row(number, &outcome)?;
+            }
+            if manner.histories && outcome.failure.is_none() {
+                solved.push(history(number));
+            }
+            let fails = outcome.failure.is_some();
+            if fails && manner.fail_fast {
+                bar.finish_and_clear();
+                return Err(Error::Unsolved(unsolved(source, number, &outcome)));
+            }
+            if fails {
+                failed.push((number, outcome.clone()));
+            }
+            if drawn::anywhere(study, &outcome.case) {
+                shown.push(outcome);
+            }
+        }
+        Ok(())
+    })?;
+    progress::finish(&bar, &source.name, &tally.told(cases));
+    folder.note(solved.into_iter());
+    let mut lines = Vec::new();
+    match table {
+        Some(table) => lines.push(folder.take(&table.finish()?, RESULTS)?),
+        None => lines.push(store.folder().to_owned()),
     }
-    let mut lines = vec![folder.write(RESULTS, &results::table(study, &outcomes)?)?];
-    for figure in &study.figures {
-        let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
-        let chosen: Vec<&Outcome> = chosen.collect();
-        let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
-        let shown: Vec<Shown> = chosen
-            .iter()
-            .zip(&snapshots)
-            .map(|(outcome, snapshots)| Shown {
-                case: &outcome.case,
-                metrics: &outcome.metrics,
-                solution: outcome.solution.as_ref(),
-                snapshots,
-            })
-            .collect();
-        let sheet = figures::sheet(study, figure, &shown);
-        let name = &figure.name;
-        lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet)?)?);
-        lines.push(folder.write(&format!("{name}.svg"), figures::svg(&sheet)?.as_bytes())?);
+    if !failed.is_empty() {
+        name_unsolved(source, &failed);
+        lines.push(folder.write(FAILURES, &results::failures(study, &failed)?)?);
     }
+    drawn::figures(study, &mut shown, &mut folder, &mut lines)?;
+    store.close(study)?;
     folder.close(study, &source.file)?;
     let text: String = lines
         .iter()
         .map(|path| format!("{}\n", path.display()))
         .collect();
     say(&text)?;
-    Ok(outcomes)
+    Ok(failed.is_empty())
 }
 
-/// What a figure draws along the structure; nothing of a case that could not be solved.
-fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
-    let (problem, case) = (study.problem, &outcome.case);
-    let duration = case.number("duration").unwrap_or(0.0);
-    let times = figure.kind.snapshot_times(duration, problem.steps(case));
-    if times.is_empty() || outcome.failure.is_some() {
-        return Vec::new();
+/// results.csv as it grows, in the store until it is whole.
+struct Rows<'a> {
+    path: PathBuf,
+    table: Table<'a, BufWriter<File>>,
+}
+
+impl<'a> Rows<'a> {
+    fn begin(source: &'a Source, store: &Store) -> Result<Rows<'a>, Error> {
+        let path = store.folder().join(format!("{RESULTS}.partial"));
+        let table = File::create(&path)
+            .and_then(|file| Table::new(&source.study, BufWriter::new(file)))
+            .map_err(Error::io("cannot write", &path))?;
+        Ok(Rows { path, table })
     }
-    problem.snapshots(case, &times)
-}
 
-fn needs_history(study: &Study, case: &Case) -> bool {
-    let wanted = |figure: &Figure| figure.kind.draws_histories() && figure.filter.matches(case);
-    study.figures.iter().any(wanted)
-}
-
-/// Names the cases that could not be solved; whether there are any.
-pub fn unsolved(source: &Source, outcomes: &[Outcome]) -> bool {
-    let mut any = false;
-    for (case, outcome) in (0..).zip(outcomes) {
-        if let Some(why) = &outcome.failure {
-            any = true;
-            let case: u64 = case;
-            note(&format!(
-                "{}: case {case} could not be solved: {why}",
-                source.file.display()
-            ));
-        }
+    fn row(&mut self, number: u64, outcome: &Outcome) -> Result<(), Error> {
+        let failed = Error::io("cannot write", &self.path);
+        self.table.row(number, outcome).map_err(failed)
     }
-    any
+
+    fn finish(self) -> Result<PathBuf, Error> {
+        let failed = Error::io("cannot write", &self.path);
+        let file = self.table.finish().and_then(|out| Ok(out.into_inner()?));
+        file.map_err(failed)?;
+        Ok(self.path)
+    }
+}
+
+/// Names cases that could not be solved, the first of many.
+pub fn name_unsolved(source: &Source, failed: &[(u64, Outcome)]) {
+    for (number, outcome) in failed.iter().take(MOST_NAMED) {
+        note(&unsolved(source, *number, outcome));
+    }
+    if failed.len() > MOST_NAMED {
+        let more = failed.len() - MOST_NAMED;
+        note(&format!("{}: and {more} more", source.file.display()));
+    }
+}
+
+fn unsolved(source: &Source, number: u64, outcome: &Outcome) -> String {
+    let why = outcome.failure.as_deref().unwrap_or_default();
+    format!(
+        "{}: case {number} could not be solved: {why}",
+        source.file.display()
+    )
 }

@@ -17,15 +17,16 @@ pub struct Source {
     pub study: Study,
 }
 
-/// Reads every study of the files and folders named, in order; every fault of every file is reported.
-pub fn read(named: &[PathBuf]) -> Result<Vec<Source>, Error> {
+/// Reads every study of the files and folders named, in order, each of at most `limit` raw combinations; every fault of
+/// every file is reported.
+pub fn read(named: &[PathBuf], limit: u64) -> Result<Vec<Source>, Error> {
     let mut files = Vec::new();
     for path in named {
         files.extend(find(path)?);
     }
     let (mut sources, mut faults) = (Vec::new(), Vec::new());
     for (file, name) in distinct(files)? {
-        match study::read(&file) {
+        match study::read_up_to(&file, limit) {
             Ok(study) => sources.push(Source { file, name, study }),
             Err(Error::Faults(more)) => faults.extend(more),
             Err(other) => return Err(other),

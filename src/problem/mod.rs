@@ -191,6 +191,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
     /// Number of steps N of a completed case.
     fn steps(&self, case: &Case) -> u64;
+    /// What a completed case costs: steps times modes.
+    fn work(&self, case: &Case) -> u64 {
+        self.steps(case)
+    }
     /// Solves a completed case; an error says why it has no solution in double precision.
     ///
     /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.

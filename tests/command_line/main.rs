@@ -8,6 +8,7 @@ mod files;
 #[cfg(unix)]
 mod interrupted;
 mod same_bytes;
+mod store;
 mod verbs;
 
 use std::fs;
@@ -71,8 +72,15 @@ impl Bench {
         done
     }
 
-    /// Every file under `folder`, by its path from there, in order.
+    /// Every file under `folder` but those of stores, by its path from there, in order.
     pub(crate) fn tree(&self, folder: &str) -> Vec<String> {
+        let mut names = self.everything(folder);
+        names.retain(|name| !name.split('/').any(|part| part == "store"));
+        names
+    }
+
+    /// Every file under `folder`, by its path from there, in order.
+    pub(crate) fn everything(&self, folder: &str) -> Vec<String> {
         let root = self.path(folder);
         let entries = walkdir::WalkDir::new(&root).into_iter();
         let files = entries.map(Result::unwrap).filter(|e| e.path().is_file());

@@ -69,6 +69,12 @@ impl Problem for BarImpact {
         steps(number("duration"), number("dt"))
     }
 
+    fn work(&self, case: &Case) -> u64 {
+        let modes = |name| case.number(name).map_or(0, |n| n as u64 + 1);
+        let all = modes("n") + modes("right.n");
+        self.steps(case).saturating_mul(all)
+    }
+
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let number = |name: &str| {
             case.number(name)

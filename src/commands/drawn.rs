@@ -1,0 +1,75 @@
+//! The figures of a study from the cases that they show.
+
+use slipgap::batch::output::Folder;
+use slipgap::batch::{self, Outcome};
+use slipgap::error::Error;
+use slipgap::figures::sheet::Sheet;
+use slipgap::figures::{self, Shown};
+use slipgap::problem::{Case, Snapshot};
+use slipgap::study::{Figure, Study};
+use std::path::PathBuf;
+
+/// Whether a figure shows the case.
+pub fn anywhere(study: &Study, case: &Case) -> bool {
+    study
+        .figures
+        .iter()
+        .any(|figure| figure.filter.matches(case))
+}
+
+/// Whether a figure shows what the case does over time.
+pub fn over_time(study: &Study, case: &Case) -> bool {
+    let wanted = |figure: &Figure| figure.kind.draws_histories() && figure.filter.matches(case);
+    study.figures.iter().any(wanted)
+}
+
+/// Draws every figure of a study; cases from the store are solved again where their histories are drawn.
+pub fn figures(
+    study: &Study,
+    shown: &mut [Outcome],
+    folder: &mut Folder,
+    lines: &mut Vec<PathBuf>,
+) -> Result<(), Error> {
+    for outcome in shown.iter_mut() {
+        let again = outcome.solution.is_none() && outcome.failure.is_none();
+        if again && over_time(study, &outcome.case) {
+            outcome.solution = batch::solution(study, &outcome.case).ok();
+        }
+    }
+    for figure in &study.figures {
+        let sheet = sheet(study, figure, shown);
+        let name = &figure.name;
+        lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet)?)?);
+        lines.push(folder.write(&format!("{name}.svg"), figures::svg(&sheet)?.as_bytes())?);
+    }
+    Ok(())
+}
+
+/// One figure over those of the cases that it chooses.
+pub fn sheet(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> Sheet {
+    let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
+    let chosen: Vec<&Outcome> = chosen.collect();
+    let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
+    let shown: Vec<Shown> = chosen
+        .iter()
+        .zip(&snapshots)
+        .map(|(outcome, snapshots)| Shown {
+            case: &outcome.case,
+            metrics: &outcome.metrics,
+            solution: outcome.solution.as_ref(),
+            snapshots,
+        })
+        .collect();
+    figures::sheet(study, figure, &shown)
+}
+
+/// What a figure draws along the structure; nothing of a case that could not be solved.
+fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
+    let (problem, case) = (study.problem, &outcome.case);
+    let duration = case.number("duration").unwrap_or(0.0);
+    let times = figure.kind.snapshot_times(duration, problem.steps(case));
+    if times.is_empty() || outcome.failure.is_some() {
+        return Vec::new();
+    }
+    problem.snapshots(case, &times)
+}

@@ -1,0 +1,309 @@
+//! Results that last: what is kept, found again, extended, damaged, killed and locked.
+
+use crate::{Bench, bars, friction};
+use std::fs::{self, File};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+/// 40 000 cases in three chunks of 16 384, slowest by beta, and a map of some of them.
+fn sweep(betas: u32, last: &str) -> String {
+    let parameters = format!(
+        r#""law": "velocity-control", "beta": {{"range": [0.01, {}, 0.01]}}, "dT": "pi/8", "duration": "8*pi",
+        "x0": {{"linspace": [1, {last}, 400]}}"#,
+        f64::from(betas) / 100.0
+    );
+    let figures = r#", "figures": [{"name": "error", "kind": "metric", "x": "x0", "y": "rms_error", "where": {"beta": 0.5}}]"#;
+    friction(&parameters, figures)
+}
+
+/// What a run of `s.json` says on stderr.
+fn said(bench: &Bench) -> String {
+    bench.expect(0, &["run", "s.json"]).err
+}
+
+/// The bytes of everything but the manifest, which tells of the file's place.
+fn bytes(bench: &Bench, folder: &str) -> Vec<(String, Vec<u8>)> {
+    let names = bench.everything(folder).into_iter();
+    let names = names.filter(|name| !name.ends_with("manifest.json"));
+    names
+        .map(|name| {
+            (
+                name.clone(),
+                fs::read(bench.path(folder).join(name)).unwrap(),
+            )
+        })
+        .collect()
+}
+
+/// The results of a study in a folder that nothing was ever run in.
+fn undisturbed(study: &str) -> Vec<(String, Vec<u8>)> {
+    let bench = Bench::new();
+    bench.file("s.json", study);
+    said(&bench);
+    bytes(&bench, "figures/s")
+}
+
+fn parts(bench: &Bench) -> Vec<String> {
+    let names = bench.everything("figures/s/store").into_iter();
+    names.filter(|name| name.ends_with(".parquet")).collect()
+}
+
+#[test]
+fn a_rerun_and_an_extended_study_compute_what_is_missing() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(100, "20"));
+    assert_eq!(said(&bench), "s: 40000 cases run\n");
+    assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
+    // The last chunk, which was not full, and two new ones.
+    bench.file("s.json", sweep(200, "20"));
+    assert_eq!(
+        said(&bench),
+        "s: 32768 of 80000 cases from the store, 47232 cases run: other parameters, not in the store yet (2 chunks)\n"
+    );
+    assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(200, "20")));
+    // Shorter again: the chunks beyond go.
+    bench.file("s.json", sweep(100, "20"));
+    assert_eq!(
+        said(&bench),
+        "s: 32768 of 40000 cases from the store, 7232 cases run: other parameters\n"
+    );
+    assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(100, "20")));
+    // Another range of the fastest parameter changes every case but those of its first value.
+    bench.file("s.json", sweep(100, "21"));
+    assert_eq!(
+        said(&bench),
+        "s: 40000 cases run: other parameters (3 chunks)\n"
+    );
+    let columns = sweep(100, "21").replace(
+        ", \"figures\"",
+        ", \"metrics\": [\"step_error\"], \"figures\"",
+    );
+    bench.file("s.json", columns);
+    assert_eq!(
+        said(&bench),
+        "s: 40000 cases run: other columns (3 chunks)\n"
+    );
+}
+
+#[test]
+fn a_damaged_part_is_named_and_computed_anew() {
+    let bench = Bench::new();
+    let study = sweep(100, "20");
+    bench.file("s.json", &study);
+    said(&bench);
+    let whole = bytes(&bench, "figures/s");
+    let name = format!("figures/s/store/{}", parts(&bench)[1]);
+    let mut damaged = fs::read(bench.path(&name)).unwrap();
+    let middle = damaged.len() / 2;
+    damaged[middle] ^= 1;
+    let cut = damaged[..middle].to_vec();
+    for bytes_left in [damaged, cut, Vec::new()] {
+        fs::write(bench.path(&name), bytes_left).unwrap();
+        assert_eq!(
+            said(&bench),
+            format!("s: 23616 of 40000 cases from the store, 16384 cases run: {name} is damaged\n")
+        );
+        assert_eq!(bytes(&bench, "figures/s"), whole);
+    }
+    // Gone altogether.
+    fs::remove_file(bench.path(&name)).unwrap();
+    assert_eq!(
+        said(&bench),
+        "s: 23616 of 40000 cases from the store, 16384 cases run: not in the store yet\n"
+    );
+    assert_eq!(bytes(&bench, "figures/s"), whole);
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_bytes() {
+    // Three chunks of 16 384 cases of 640 steps, killed once two are there.
+    let parameters = r#""law": "velocity-control", "beta": {"geomspace": [0.01, 1, 400]}, "dT": "pi/80", "duration": "8*pi",
+        "x0": {"linspace": [1, 20, 120]}"#;
+    let study = friction(parameters, "");
+    let bench = Bench::new();
+    bench.file("s.json", &study);
+    let mut child = bench
+        .command()
+        .args(["run", "s.json", "--jobs", "1"])
+        .stderr(Stdio::null())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    while !bench.path("figures/s/store").exists() || parts(&bench).len() < 2 {
+        sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(!bench.path("figures/s/results.csv").exists());
+    let told = said(&bench);
+    // Whether all chunks were done before the signal came is a matter of the machine.
+    let kept: u64 = told.split_whitespace().nth(1).unwrap().parse().unwrap();
+    assert!(kept >= 2 * 16_384, "{told}");
+    assert_eq!(bytes(&bench, "figures/s"), undisturbed(&study));
+}
+
+#[test]
+fn a_second_run_on_one_store_is_refused() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(100, "20"));
+    said(&bench);
+    let lock = File::open(bench.path("figures/s/store/lock")).unwrap();
+    lock.lock().unwrap();
+    let done = bench.expect(1, &["run", "s.json"]);
+    assert_eq!(
+        done.err,
+        "slipgap: figures/s/store is in use by another run; wait for it, or give another folder with --out\n"
+    );
+    bench.expect(0, &["run", "s.json", "--out", "other"]);
+    lock.unlock().unwrap();
+    bench.expect(0, &["run", "s.json"]);
+}
+
+#[test]
+fn formats_by_number_of_cases_and_by_wish() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(100, "20"));
+    let done = bench.expect(0, &["run", "s.json", "--format", "parquet"]);
+    assert!(done.out.starts_with("figures/s/store\n"), "{}", done.out);
+    assert!(!bench.path("figures/s/results.csv").exists());
+    bench.expect(0, &["run", "s.json"]);
+    assert!(bench.path("figures/s/results.csv").exists());
+    // What is not written any more goes.
+    bench.expect(0, &["run", "s.json", "--format", "parquet"]);
+    assert!(!bench.path("figures/s/results.csv").exists());
+    bench.file("s.json", sweep(251, "20"));
+    bench.expect(0, &["run", "s.json"]);
+    assert!(!bench.path("figures/s/results.csv").exists());
+    bench.expect(0, &["run", "s.json", "--format", "csv"]);
+    assert_eq!(bench.text("figures/s/results.csv").lines().count(), 100_401);
+}
+
+#[test]
+fn the_first_case_without_a_solution_ends_a_run_that_is_to_fail_fast() {
+    let bench = Bench::new();
+    // A step of 10^300 takes the velocity beyond the largest double.
+    let block = |steps: &str| {
+        format!(
+            r#"{{"parameters": {{"law": "displacement-control", "alpha": 1, "dT": {steps}, "duration": "10*dT"}}}}"#
+        )
+    };
+    let study = |steps: &str| {
+        format!(
+            r#"{{"problem": "friction-oscillator", "blocks": [{}]}}"#,
+            block(steps)
+        )
+    };
+    bench.file("s.json", study("[0.1, 1e300, 2e300, 0.2]"));
+    let done = bench.expect(3, &["run", "s.json", "--fail-fast"]);
+    assert!(
+        done.err.contains("s.json: case 1 could not be solved: "),
+        "{}",
+        done.err
+    );
+    assert!(!bench.path("figures/s/results.csv").exists());
+    bench.expect(3, &["run", "s.json"]);
+    let failures = bench.text("figures/s/failures.csv");
+    let rows: Vec<&str> = failures.lines().collect();
+    assert_eq!(rows.len(), 3);
+    assert!(rows[0].starts_with("case,law,") && rows[0].ends_with(",reason"));
+    assert!(rows[1].starts_with("1,displacement-control,") && rows[2].starts_with("2,"));
+    // They are kept like others, and told again.
+    let done = bench.expect(3, &["run", "s.json"]);
+    assert!(
+        done.err.contains("4 of 4 cases from the store"),
+        "{}",
+        done.err
+    );
+    assert!(
+        done.err.contains("case 2 could not be solved: "),
+        "{}",
+        done.err
+    );
+    bench.file("s.json", study("[0.1, 0.2]"));
+    bench.expect(0, &["run", "s.json"]);
+    assert!(!bench.path("figures/s/failures.csv").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_and_what_is_there_stays() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(100, "20"));
+    said(&bench);
+    let whole = bytes(&bench, "figures/s");
+    bench.file("s.json", sweep(300, "20"));
+    // No file may grow beyond 64 KiB, which says what a full disk says at the same place.
+    let run = format!(
+        "trap '' XFSZ; ulimit -f 128; exec {} run s.json --format csv",
+        env!("CARGO_BIN_EXE_slipgap")
+    );
+    let shell = Command::new("bash")
+        .args(["-c", &run])
+        .current_dir(bench.path(""))
+        .output()
+        .unwrap();
+    assert_eq!(shell.status.code(), Some(1), "{shell:?}");
+    let err = String::from_utf8_lossy(&shell.stderr);
+    assert!(err.contains("slipgap: cannot write figures/s/"), "{err}");
+    let names: Vec<String> = whole.iter().map(|(name, _)| name.clone()).collect();
+    let left = bytes(&bench, "figures/s");
+    let results = |all: &[(String, Vec<u8>)]| all.iter().find(|(n, _)| n == "results.csv").cloned();
+    assert_eq!(results(&left), results(&whole));
+    assert!(
+        names
+            .iter()
+            .filter(|n| n.starts_with("store/part-"))
+            .count()
+            > 2
+    );
+    said(&bench);
+    assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(300, "20")));
+}
+
+/// Run where Python has DuckDB or polars; elsewhere it says that it did not look.
+#[test]
+fn other_tools_read_the_store() {
+    let bench = Bench::new();
+    let parameters =
+        r#""gamma": [0.5, 1], "n": [4, 8, 16], "dt": 0.01, "duration": 1.5, "right": "wall""#;
+    bench.file("s.json", bars(parameters, ""));
+    bench.expect(0, &["run", "s.json"]);
+    let csv = bench.text("figures/s/results.csv");
+    let place = csv
+        .lines()
+        .next()
+        .unwrap()
+        .split(',')
+        .position(|c| c == "rms_error_r")
+        .unwrap();
+    let column = csv
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').nth(place).unwrap().parse().unwrap());
+    let column: Vec<f64> = column.collect();
+    let duckdb = "import duckdb, json; q = duckdb.sql(\"select rms_error_r from 'figures/s/store/*.parquet' where mass = 'lumped' and \\\"right\\\" = 'wall' and \\\"right.L\\\" is null and n >= 4 order by \\\"case\\\"\").fetchall(); print(json.dumps([r[0] for r in q])); m = duckdb.sql(\"select decode(value) from parquet_kv_metadata('figures/s/store/*.parquet') where decode(key) = 'slipgap.description'\").fetchall()[0][0]; assert json.loads(m)['duration']['unit'] and json.loads(m)['gamma']['description'], m";
+    let polars = "import polars, json; t = polars.read_parquet('figures/s/store/*.parquet').sort('case'); print(json.dumps(t['rms_error_r'].to_list()))";
+    let python = std::env::var("SLIPGAP_PYTHON").unwrap_or("python3".into());
+    for (tool, program) in [("duckdb", duckdb), ("polars", polars)] {
+        let there = Command::new(&python)
+            .args(["-c", &format!("import {tool}")])
+            .output();
+        if !there.is_ok_and(|output| output.status.success()) {
+            eprintln!("{tool} is not installed for {python}: not looked at");
+            continue;
+        }
+        let output = Command::new(&python)
+            .args(["-c", program])
+            .current_dir(bench.path(""))
+            .output()
+            .unwrap();
+        assert!(
+            output.status.success(),
+            "{tool}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let read: Vec<f64> = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(read, column, "{tool}");
+    }
+}
