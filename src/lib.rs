@@ -60,6 +60,7 @@
 pub mod batch;
 pub mod checks;
 pub mod claims;
+pub mod compare;
 pub mod error;
 pub mod exact;
 pub mod figures;

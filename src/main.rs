@@ -19,7 +19,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 good; 1 internal or I/O; 2 usage or study; 3 a case could not be solved; \
-5 a check is not met, a verdict other than recorded or a target out of reach; 130 interrupted.";
+5 a check is not met, a verdict other than recorded, results that differ or a target out of reach; 130 interrupted.";
 
 #[derive(Subcommand)]
 enum Verb {
@@ -29,6 +29,8 @@ enum Verb {
     Check(Check),
     /// Show studies, their axes, cases and steps, without running them
     List(Studies),
+    /// Show what two folders of results differ in, metric by metric, the largest difference first
+    Compare(Compare),
     /// Judge the papers' sentences by their studies, print the ledger and write it as claims.md
     Claims(Claims),
     /// Find the cheapest parameters that reach a target, with the run that proves it and the alternatives
@@ -83,6 +85,25 @@ struct Check {
 }
 
 #[derive(Args)]
+struct Compare {
+    /// Results of a study, or a folder of several
+    first: PathBuf,
+    /// What they are compared with
+    second: PathBuf,
+    /// Largest difference that is none, relative to the larger of two values
+    #[arg(long, value_name = "RELATIVE", default_value_t = 0.0, value_parser = tolerance)]
+    tolerance: f64,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let number = text
+        .parse::<f64>()
+        .ok()
+        .filter(|x| *x >= 0.0 && x.is_finite());
+    number.ok_or_else(|| "must be a number >= 0".into())
+}
+
+#[derive(Args)]
 struct Claims {
     /// Ledgers of claims, or folders of them
     #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
@@ -128,6 +149,9 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
             commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
+        Verb::Compare(with) => {
+            commands::compare::compare(&with.first, &with.second, with.tolerance)
+        }
         Verb::Claims(claims) => commands::pool(claims.jobs.jobs)?
             .install(|| commands::claims::claims(&claims.ledgers, &claims.out)),
         Verb::Recommend(asked) => {

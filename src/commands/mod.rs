@@ -3,6 +3,7 @@
 pub mod asked;
 pub mod check;
 pub mod claims;
+pub mod compare;
 pub mod drawn;
 pub mod list;
 pub mod progress;

@@ -4,6 +4,7 @@ mod bad_files;
 mod bad_impact;
 mod checks;
 mod claims;
+mod compare;
 mod files;
 #[cfg(unix)]
 mod interrupted;

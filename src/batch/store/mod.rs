@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use super::chunk::{Cut, Done, Key, checksum};
 use super::output::whole;
 use crate::batch::Outcome;
+use crate::compare::Rows;
 use crate::error::Error;
 use crate::problem::Case;
 use crate::study::Study;
@@ -153,6 +154,32 @@ impl Store {
         }
         Ok(())
     }
+}
+
+/// The results in the store of a folder, as text.
+///
+/// # Errors
+/// A part that cannot be read, or is damaged.
+pub fn rows(results: &Path) -> Result<Rows, Error> {
+    let folder = results.join(STORE);
+    let entries = fs::read_dir(&folder).map_err(Error::io("cannot read", &folder))?;
+    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let mut parts: Vec<PathBuf> = paths.filter(|path| named(path).is_some()).collect();
+    parts.sort();
+    let mut rows = Rows::default();
+    for path in parts {
+        let bytes = fs::read(&path).map_err(Error::io("cannot read", &path))?;
+        let good = named(&path).is_some_and(|(_, sum)| checksum(&bytes) == sum);
+        let damaged = || {
+            let source = std::io::Error::other("damaged; run the study again");
+            Error::io("cannot read", &path)(source)
+        };
+        if !good {
+            return Err(damaged());
+        }
+        part::text(bytes, &mut rows).map_err(|_| damaged())?;
+    }
+    Ok(rows)
 }
 
 /// Number of the chunk and checksum in the name of a part.

@@ -16,7 +16,8 @@ use serde_json::json;
 
 use crate::batch::Outcome;
 use crate::batch::chunk::{Key, by_table};
-use crate::problem::parameter::{Kind, Value};
+use crate::compare::Rows;
+use crate::problem::parameter::{Kind, Value, shortest};
 use crate::study::Study;
 
 /// Column of the reason why a case could not be solved.
@@ -223,6 +224,49 @@ pub(super) fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Vec<Row>)> {
         (by_table(study.problem, &study.metrics, cells), failure)
     };
     Ok((key, failures.enumerate().map(row).collect()))
+}
+
+/// Adds the rows of a part as text, but for the column of failures.
+pub(super) fn text(bytes: Vec<u8>, rows: &mut Rows) -> Result<()> {
+    let file = SerializedFileReader::new(Bytes::from(bytes))?;
+    let count = usize::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
+    let schema = file.metadata().file_metadata().schema_descr();
+    let names = schema
+        .columns()
+        .iter()
+        .map(|column| column.name().to_owned());
+    rows.columns = names.filter(|name| name != FAILURE).collect();
+    let group = file.get_row_group(0)?;
+    let start = rows.rows.len();
+    rows.rows.resize(start + count, Vec::new());
+    for place in 0..rows.columns.len() {
+        let mut levels = Vec::new();
+        let cells: Vec<Option<String>> = match group.get_column_reader(place)? {
+            ColumnReader::DoubleColumnReader(mut reader) => {
+                let mut values = Vec::new();
+                reader.read_records(count, Some(&mut levels), None, &mut values)?;
+                spread(values, &levels).map(|x| x.map(shortest)).collect()
+            }
+            ColumnReader::Int64ColumnReader(mut reader) => {
+                let mut values = Vec::new();
+                reader.read_records(count, Some(&mut levels), None, &mut values)?;
+                spread(values, &levels)
+                    .map(|n| n.map(|n: i64| n.to_string()))
+                    .collect()
+            }
+            ColumnReader::ByteArrayColumnReader(mut reader) => {
+                let mut values = Vec::new();
+                reader.read_records(count, Some(&mut levels), None, &mut values)?;
+                let texts = spread(values, &levels);
+                texts.map(|t| Some(t?.as_utf8().ok()?.to_owned())).collect()
+            }
+            _ => return Err(general("a column of an unknown type")),
+        };
+        for (row, cell) in rows.rows[start..].iter_mut().zip(cells) {
+            row.push(cell.unwrap_or_default());
+        }
+    }
+    Ok(())
 }
 
 /// A value or none for each row.

@@ -1,0 +1,121 @@
+//! `slipgap compare`: what two folders of results differ in.
+
+use super::{NOT_MET, columns, note, say};
+use slipgap::batch::output::RESULTS;
+use slipgap::batch::store::{self, STORE};
+use slipgap::compare::{Rows, compare as held};
+use slipgap::error::Error;
+use slipgap::problem::parameter::shortest;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
+
+/// Compares the studies that `a` and `b` hold, or are; gives the exit code.
+pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
+    let (left, right) = (results(a)?, results(b)?);
+    let mut rows = vec![
+        [
+            "study", "metric", "cases", "largest", "at case", "first", "second",
+        ]
+        .map(String::from)
+        .to_vec(),
+    ];
+    let (mut same, mut differing) = (0, 0);
+    let apart = |name: &str, why: String| {
+        note(&format!("{}: {why}", shown(name)));
+        1
+    };
+    for name in right.keys().filter(|name| !left.contains_key(*name)) {
+        differing += apart(name, format!("only in {}", b.display()));
+    }
+    for (name, path) in &left {
+        let Some(other) = right.get(name) else {
+            differing += apart(name, format!("only in {}", a.display()));
+            continue;
+        };
+        let Some(found) = held(&read(path)?, &read(other)?, tolerance) else {
+            differing += apart(name, "not results of one problem".into());
+            continue;
+        };
+        if found.same() {
+            same += 1;
+            continue;
+        }
+        let sides = found.alone.iter().zip(&found.columns).zip([a, b]);
+        for ((cases, metrics), side) in sides {
+            let side = side.display();
+            if *cases > 0 {
+                note(&format!("{}: {cases} cases only in {side}", shown(name)));
+            }
+            if !metrics.is_empty() {
+                note(&format!(
+                    "{}: {} only in {side}",
+                    shown(name),
+                    metrics.join(", ")
+                ));
+            }
+        }
+        differing += 1;
+        for change in found.changes {
+            let [first, second] = change.cells;
+            rows.push(vec![
+                shown(name).to_owned(),
+                change.metric,
+                format!("{} of {}", change.cases, found.common),
+                shortest((change.largest * 1e6).round() / 1e6),
+                change.case,
+                first,
+                second,
+            ]);
+        }
+    }
+    if rows.len() > 1 {
+        say(&columns(&rows))?;
+    }
+    note(&format!("{same} studies the same, {differing} not"));
+    Ok(if differing > 0 { NOT_MET } else { 0 })
+}
+
+/// What a folder is called that is itself one study's.
+fn shown(name: &str) -> &str {
+    if name.is_empty() { "." } else { name }
+}
+
+/// The folders with results under `path`, by their way from it; its own is called nothing.
+fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
+    std::fs::metadata(path).map_err(Error::io("cannot read", path))?;
+    let mut found = BTreeMap::new();
+    for entry in WalkDir::new(path).sort_by_file_name() {
+        let entry = entry.map_err(|e| {
+            let at = e.path().unwrap_or(path).to_owned();
+            Error::io("cannot read", at)(e.into())
+        })?;
+        let folder = entry.path();
+        if folder.join(RESULTS).is_file() || folder.join(STORE).is_dir() {
+            let name = folder.strip_prefix(path).unwrap_or(folder);
+            found.insert(name.display().to_string(), folder.to_owned());
+        }
+    }
+    if found.is_empty() {
+        let what = format!("no results ({RESULTS} or {STORE}) in {}", path.display());
+        return Err(Error::Usage(what));
+    }
+    Ok(found)
+}
+
+/// The table of one folder.
+fn read(folder: &Path) -> Result<Rows, Error> {
+    let file = folder.join(RESULTS);
+    if !file.is_file() {
+        return store::rows(folder);
+    }
+    let unread = |error: csv::Error| Error::io("cannot read", &file)(error.into());
+    let mut reader = csv::Reader::from_path(&file).map_err(unread)?;
+    let cells = |record: &csv::StringRecord| record.iter().map(String::from).collect();
+    let columns = cells(reader.headers().map_err(unread)?);
+    let rows = reader
+        .records()
+        .map(|record| record.map(|r| cells(&r)).map_err(unread));
+    let rows = rows.collect::<Result<Vec<Vec<String>>, Error>>()?;
+    Ok(Rows { columns, rows })
+}

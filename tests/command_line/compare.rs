@@ -1,0 +1,61 @@
+//! Two folders of results held against each other.
+
+use crate::{Bench, TWO, friction};
+
+#[test]
+fn what_changed_comes_largest_first_and_ends_with_5() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(TWO, ""));
+    bench.file("deep/t.json", friction(TWO, ""));
+    bench.expect(0, &["run", "s.json", "--out", "a"]);
+    bench.expect(0, &["run", "deep/t.json", "--out", "a/deep"]);
+    // The cases the other way round are the same cases.
+    let turned = TWO.replace("[0.1, 1]", "[1, 0.1]");
+    bench.file("s.json", friction(&turned, ""));
+    bench.expect(0, &["run", "s.json", "--out", "b"]);
+    bench.expect(0, &["run", "deep/t.json", "--out", "b/deep"]);
+    assert_eq!(
+        bench.expect(0, &["compare", "a", "b"]).err,
+        "2 studies the same, 0 not\n"
+    );
+    // Of the store alone.
+    std::fs::remove_file(bench.path("b/s/results.csv")).unwrap();
+    bench.expect(0, &["compare", "a/s", "b/s"]);
+    // A finer step moves every metric; one of another case is left alone.
+    let finer = turned.replace("\"pi/10\"", "[\"pi/10\", \"pi/20\"]");
+    bench.file("s.json", friction(&finer, ""));
+    bench.expect(0, &["run", "s.json", "--out", "b"]);
+    let done = bench.expect(5, &["compare", "a", "b"]);
+    assert!(done.err.contains("s: 2 cases only in b"), "{}", done.err);
+    assert_eq!(done.out, "");
+    let text = bench.text("a/s/results.csv");
+    let (rms, max) = (cell(&text, 1, "rms_error"), cell(&text, 2, "max_error"));
+    let nearly = (max.parse::<f64>().unwrap() * (1.0 + 1e-10)).to_string();
+    let changed = text.replace(&rms, "0.5").replace(&max, &nearly);
+    bench.file("a/s/results.csv", changed);
+    let done = bench.expect(5, &["compare", "a/s", "b/s"]);
+    let rows: Vec<Vec<&str>> = done
+        .out
+        .lines()
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(rows[1][..2], [".", "rms_error"]);
+    assert_eq!(rows[1][rows[1].len() - 3..], ["0", "0.5", rms.as_str()]);
+    assert_eq!(rows[2][..2], [".", "max_error"]);
+    let done = bench.expect(5, &["compare", "a/s", "b/s", "--tolerance", "1e-9"]);
+    assert!(done.out.contains("rms_error") && !done.out.contains("max_error"));
+    bench.expect(2, &["compare", "a/s", "b/s", "--tolerance", "-1"]);
+    bench.expect(2, &["compare", "a", "deep"]);
+    bench.expect(1, &["compare", "a", "nothing"]);
+}
+
+/// A cell of results.csv.
+fn cell(text: &str, row: usize, column: &str) -> String {
+    let mut lines = text.lines().map(|line| line.split(','));
+    let place = lines
+        .next()
+        .unwrap()
+        .position(|name| name == column)
+        .unwrap();
+    lines.nth(row - 1).unwrap().nth(place).unwrap().to_owned()
+}
