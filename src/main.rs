@@ -7,6 +7,7 @@ use commands::asked::Jobs;
 use commands::run::{Format, Manner};
 use commands::sources::Source;
 use slipgap::error::Error;
+use slipgap::problem::Problem;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -23,12 +24,16 @@ const EXIT_CODES: &str = "Exit codes: 0 good; 1 internal or I/O; 2 usage or stud
 
 #[derive(Subcommand)]
 enum Verb {
+    /// Write a small commented study to studies/NAME.json, to begin with
+    Init(Init),
     /// Run studies: results.csv and figures into a folder for each
     Run(Run),
     /// Run studies and hold their checks against the results; writes nothing
     Check(Check),
     /// Show studies, their axes, cases and steps, without running them
     List(Studies),
+    /// Show a case of a study: its parameters, what it would compute and what that costs
+    Explain(Explain),
     /// Show what two folders of results differ in, metric by metric, the largest difference first
     Compare(Compare),
     /// Judge the papers' sentences by their studies, print the ledger and write it as claims.md
@@ -85,6 +90,25 @@ struct Check {
 }
 
 #[derive(Args)]
+struct Init {
+    /// Name of the study, without ending
+    #[arg(value_parser = commands::init::name)]
+    name: String,
+    /// Problem whose cases it runs
+    #[arg(long, value_parser = commands::init::problem)]
+    problem: &'static dyn Problem,
+}
+
+#[derive(Args)]
+struct Explain {
+    /// Study file
+    study: PathBuf,
+    /// Number of the case, from 0
+    #[arg(default_value_t = 0)]
+    case: u64,
+}
+
+#[derive(Args)]
 struct Compare {
     /// Results of a study, or a folder of several
     first: PathBuf,
@@ -118,7 +142,7 @@ struct Claims {
 fn main() -> ExitCode {
     let cli = Cli::parse();
     // A fault of this program ends like any other error: one message, exit code 1.
-    let done = std::panic::catch_unwind(|| carry_out(cli))
+    let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| carry_out(cli)))
         .unwrap_or_else(|_| Err(Error::Internal("this is a fault of slipgap itself".into())));
     ExitCode::from(done.unwrap_or_else(|error| {
         let prefix = if matches!(error, Error::Faults(_)) {
@@ -149,6 +173,12 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
             commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
+        Verb::Init(init) => commands::init::init(&init.name, init.problem),
+        Verb::Explain(of) => {
+            let sources = commands::sources::read(&[of.study], u64::MAX)?;
+            let source = sources.first();
+            source.map_or(Ok(0), |source| commands::explain::explain(source, of.case))
+        }
         Verb::Compare(with) => {
             commands::compare::compare(&with.first, &with.second, with.tolerance)
         }

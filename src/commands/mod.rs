@@ -5,6 +5,8 @@ pub mod check;
 pub mod claims;
 pub mod compare;
 pub mod drawn;
+pub mod explain;
+pub mod init;
 pub mod list;
 pub mod progress;
 pub mod recommend;

@@ -144,6 +144,15 @@ impl Study {
         case(self.problem, &self.blocks, index)
     }
 
+    /// The block that case `index` belongs to.
+    pub fn block_of(&self, index: u64) -> Option<&Block> {
+        let mut end = 0;
+        self.blocks.iter().find(|block| {
+            end += block.len(self.problem);
+            index < end
+        })
+    }
+
     /// All cases in order, made as they are asked for.
     pub fn cases(&self) -> impl Iterator<Item = Case> + '_ {
         self.range(0, self.raw_len()).map(|(_, case)| case)

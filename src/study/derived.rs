@@ -16,6 +16,8 @@ const WHOLE: f64 = 1e-9;
 pub struct Derived {
     /// Row of `problem.parameters()`.
     pub parameter: usize,
+    /// The expression as it was written.
+    pub text: String,
     pub(super) rule: Rule,
 }
 

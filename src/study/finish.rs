@@ -237,6 +237,7 @@ fn derive(
     }
     block.derived.push(Derived {
         parameter: given.parameter,
+        text: text.to_owned(),
         rule,
     });
 }

@@ -263,7 +263,8 @@ fn one_case_a_place(
 ) {
     let rows = 0..scope.problem.parameters().len();
     let varies = |row: &usize| scope.levels(&figure.filter, *row).len() > 1;
-    let others = rows.filter(|row| !axes.contains(row)).filter(varies);
+    let free = |row: &usize| !axes.contains(row) && !scope.follows(*row, axes);
+    let others = rows.filter(free).filter(varies);
     let names: Vec<&str> = others
         .map(|row| scope.problem.parameters()[row].name)
         .collect();

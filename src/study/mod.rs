@@ -26,6 +26,7 @@ mod schema;
 mod schema_values;
 mod scope;
 mod spread;
+mod start;
 mod taken;
 #[cfg(test)]
 mod tests;
@@ -38,6 +39,7 @@ pub use decode::{parse, read, read_up_to};
 pub use design::{Design, Sampling};
 pub use rules::MOST_CASES;
 pub use schema::schema;
+pub use start::start;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;

@@ -87,6 +87,24 @@ impl Scope {
         super::cases::select(self.problem, &self.blocks, filter)
     }
 
+    /// Whether a parameter follows from others in every block: by advancing together with one of them, or by an expression.
+    pub fn follows(&self, parameter: usize, from: &[usize]) -> bool {
+        self.blocks.iter().all(|block| {
+            let has = |group: usize, row: usize| {
+                let axes = &block.groups[group].axes;
+                axes.iter().any(|axis| axis.parameter == row)
+            };
+            let settled = |group: usize| {
+                block.groups[group].len() == 1 || from.iter().any(|row| has(group, *row))
+            };
+            let mut groups = 0..block.groups.len();
+            match block.derived.iter().find(|d| d.parameter == parameter) {
+                Some(derived) => derived.rule.on.iter().all(|group| settled(*group)),
+                None => groups.any(|group| has(group, parameter) && settled(group)),
+            }
+        })
+    }
+
     /// The different values of a parameter among the cases a filter chooses.
     pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
         let blocks = self.blocks.iter();

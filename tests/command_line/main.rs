@@ -2,6 +2,7 @@
 
 mod bad_files;
 mod bad_impact;
+mod begin;
 mod checks;
 mod claims;
 mod compare;

@@ -1,0 +1,122 @@
+//! `slipgap explain`: one case of a study, what it would compute and what that costs.
+
+use super::sources::Source;
+use super::{columns, say};
+use slipgap::batch::chunk::Cut;
+use slipgap::error::Error;
+use slipgap::problem::Case;
+use slipgap::problem::parameter::{Default, Parameter};
+use slipgap::study::Study;
+
+/// Steps times modes that a core does in a second, in round numbers.
+const RATE: f64 = 1e8;
+
+/// Prints case `number` of a study; gives the exit code.
+pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
+    let study = &source.study;
+    let Some(case) = study.case(number) else {
+        let what = format!(
+            "case {number}: {} has cases 0 to {}",
+            source.name,
+            study.len() - 1
+        );
+        return Err(Error::Usage(what));
+    };
+    let mut text = format!(
+        "{}: case {number} of {} ({})\n\n",
+        source.name,
+        study.len(),
+        study.problem.meaning()
+    );
+    let mut rows = vec![
+        ["parameter", "value", "unit", "from", "meaning"]
+            .map(String::from)
+            .to_vec(),
+    ];
+    for (row, parameter) in case.table.iter().enumerate() {
+        let Some(value) = case.values[row] else {
+            continue;
+        };
+        rows.push(vec![
+            parameter.name.to_owned(),
+            value.to_string(),
+            parameter.unit.to_owned(),
+            origin(study, number, row, parameter),
+            parameter.meaning.to_owned(),
+        ]);
+    }
+    text += &columns(&rows);
+    text += &format!("\n{}", cost(study, &case));
+    let metrics: Vec<&str> = study
+        .metrics
+        .iter()
+        .map(|m| study.problem.metrics()[*m].name)
+        .collect();
+    text += &format!("metrics: {}\n", metrics.join(", "));
+    let figures = study
+        .figures
+        .iter()
+        .filter(|figure| figure.filter.matches(&case));
+    text += &list("figures", figures.map(|figure| figure.name.as_str()));
+    let checks = study
+        .checks
+        .iter()
+        .filter(|check| check.filter.matches(&case));
+    text += &list(
+        "checks",
+        checks.map(|check| study.problem.metrics()[check.metric].name),
+    );
+    say(&text)
+}
+
+/// Where a parameter's value comes from.
+fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> String {
+    let Some(block) = study.block_of(number) else {
+        return String::new();
+    };
+    if let Some(derived) = block.derived.iter().find(|d| d.parameter == row) {
+        return format!("\"{}\"", derived.text);
+    }
+    let group = block
+        .groups
+        .iter()
+        .find(|group| group.axes.iter().any(|axis| axis.parameter == row));
+    let design = |row: &usize| {
+        block
+            .design
+            .as_ref()
+            .is_some_and(|d| d.parameters.contains(row))
+    };
+    match (group, parameter.default) {
+        (Some(_), _) if design(&row) => "design".into(),
+        (Some(group), _) if group.len() > 1 => format!("axis of {}", group.len()),
+        (Some(_), _) => "study".into(),
+        (None, Default::Is(_)) => "default".into(),
+        (None, _) => "follows".into(),
+    }
+}
+
+/// Steps, work and memory of the case, and of the whole study.
+fn cost(study: &Study, case: &Case) -> String {
+    let (steps, work) = (study.problem.steps(case), study.problem.work(case));
+    let all: f64 = study
+        .cases()
+        .map(|case| study.problem.work(&case) as f64)
+        .sum();
+    let chunks = Cut::new(study).count();
+    format!(
+        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases, some {:.1e} s on one core, kept in {chunks} \
+         part{}\n",
+        all / RATE,
+        if chunks == 1 { "" } else { "s" },
+    )
+}
+
+/// Names after a word, if there are any.
+fn list<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<&str> = names.collect();
+    match names.is_empty() {
+        true => String::new(),
+        false => format!("{what}: {}\n", names.join(", ")),
+    }
+}

@@ -1,0 +1,66 @@
+//! `slipgap init`: a small study to begin with.
+
+use super::say;
+use slipgap::error::Error;
+use slipgap::problem::{PROBLEMS, Problem};
+use slipgap::study;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Folder of studies, and of the schema beside it.
+const STUDIES: &str = "studies";
+const SCHEMA: &str = "schema/study.json";
+
+/// A problem by its name, for the command line.
+pub fn problem(name: &str) -> Result<&'static dyn Problem, String> {
+    let known = PROBLEMS
+        .iter()
+        .copied()
+        .find(|problem| problem.name() == name);
+    known.ok_or_else(|| {
+        let names: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+        format!("must be one of {}", names.join(", "))
+    })
+}
+
+/// A name for a study, without ending: a file name, perhaps in sub-folders.
+pub fn name(text: &str) -> Result<String, String> {
+    let text = text.strip_suffix(".json").unwrap_or(text);
+    let text = text.strip_prefix("studies/").unwrap_or(text);
+    let good = |part: &str| {
+        let plain = |c: char| c.is_ascii_alphanumeric() || "_-.".contains(c);
+        !part.is_empty() && part.chars().all(plain) && !part.starts_with(['.', '-'])
+    };
+    if text.split('/').all(good) {
+        return Ok(text.to_owned());
+    }
+    Err("must be letters, digits, _, - and . that do not begin with . or -".into())
+}
+
+/// Writes the study and, where there is none, the schema for editors.
+pub fn init(name: &str, problem: &dyn Problem) -> Result<u8, Error> {
+    let path = Path::new(STUDIES).join(format!("{name}.json"));
+    if path.exists() {
+        let what = format!("{} is there already; choose another name", path.display());
+        return Err(Error::Usage(what));
+    }
+    let up = "../".repeat(name.split('/').count());
+    let text = study::start(problem)
+        .replace("SCHEMA", &format!("{up}{SCHEMA}"))
+        .replace("NAME", name);
+    write(&path, &text)?;
+    let mut lines = format!("{}\n", path.display());
+    let schema = PathBuf::from(SCHEMA);
+    if !schema.exists() {
+        write(&schema, &study::schema())?;
+        lines += &format!("{SCHEMA}\n");
+    }
+    say(&lines)
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    if let Some(parent) = path.parent() {
+        fs::create_dir_all(parent).map_err(Error::io("cannot make folder", parent))?;
+    }
+    fs::write(path, text).map_err(Error::io("cannot write", path))
+}

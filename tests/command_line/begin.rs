@@ -1,0 +1,72 @@
+//! `init` and `explain`: the first ten minutes.
+
+use crate::Bench;
+
+#[test]
+fn a_study_to_begin_with_runs_as_it_stands_and_meets_its_checks() {
+    let bench = Bench::new();
+    for problem in ["friction-oscillator", "bar-impact"] {
+        let name = format!("mine/{problem}");
+        let done = bench.expect(0, &["init", &name, "--problem", problem]);
+        assert!(
+            done.out.starts_with(&format!("studies/{name}.json\n")),
+            "{}",
+            done.out
+        );
+        let file = format!("studies/{name}.json");
+        let text = bench.text(&file);
+        assert!(text.contains("\"//\"") && text.contains("\"../../schema/study.json\""));
+        bench.expect(0, &["check", &file]);
+        bench.expect(0, &["run", &file]);
+        assert!(bench.path("schema/study.json").is_file());
+        // What is there is not written over.
+        let done = bench.expect(2, &["init", &name, "--problem", problem]);
+        assert!(done.err.contains("is there already"), "{}", done.err);
+        assert_eq!(bench.text(&file), text);
+    }
+    assert!(
+        bench
+            .expect(2, &["init", "x", "--problem", "bars"])
+            .err
+            .contains("bar-impact")
+    );
+    for name in ["../x", "/x", "", "a//b", ".x", "-x", "a b"] {
+        let done = bench.expect(2, &["init", "--problem", "bar-impact", "--", name]);
+        assert!(done.err.contains("must be letters"), "{name}: {}", done.err);
+    }
+}
+
+#[test]
+fn a_case_is_explained_with_where_each_value_comes_from() {
+    let bench = Bench::new();
+    let study = r#"{"problem": "bar-impact", "parameters": {"gamma": [0.5, 1], "n": {"uniform": [2, 9]}, "dt": "0.1/n",
+        "duration": 1.5, "gap": 0.2}, "design": {"kind": "sobol", "n": 4},
+        "figures": [{"name": "one", "kind": "history", "where": {"gamma": 1}, "by": "n"}]}"#;
+    bench.file("s.json", study);
+    let told = bench.expect(0, &["explain", "s.json", "5"]).out;
+    let row = |name: &str| -> Vec<&str> {
+        let mut lines = told
+            .lines()
+            .map(|line| line.split_whitespace().collect::<Vec<_>>());
+        lines.find(|words| words.first() == Some(&name)).unwrap()
+    };
+    assert_eq!(row("gamma")[..6], ["gamma", "1", "1", "axis", "of", "2"]);
+    assert_eq!(row("n")[3], "design");
+    assert_eq!(row("dt")[3], "\"0.1/n\"");
+    assert_eq!(row("gap")[1..6], ["0.2", "c", "T_I/2", "study", "distance"]);
+    assert_eq!(row("E")[3], "default");
+    assert_eq!(row("k_I")[3], "follows");
+    let n: f64 = row("n")[1].parse().unwrap();
+    let steps = (1.5 / (0.1 / n) * (1.0 + 1e-12)).floor();
+    assert!(told.contains(&format!(
+        "steps: {steps}; steps x modes: {} of",
+        steps * 2.0 * (n + 1.0)
+    )));
+    assert!(told.contains("figures: one\n"), "{told}");
+    let done = bench.expect(2, &["explain", "s.json", "8"]);
+    assert!(
+        done.err.contains("case 8: s has cases 0 to 7"),
+        "{}",
+        done.err
+    );
+}
