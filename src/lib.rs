@@ -65,6 +65,7 @@ pub mod error;
 pub mod exact;
 pub mod figures;
 pub mod history;
+pub mod indices;
 pub mod lane;
 pub mod law;
 pub mod metrics;

@@ -3,6 +3,7 @@
 pub mod chunk;
 pub mod output;
 pub mod results;
+pub mod sobol;
 pub mod store;
 
 use crate::error::Error;

@@ -7,6 +7,7 @@ use super::{UNSOLVED, note, say};
 use clap::ValueEnum;
 use slipgap::batch::output::{Folder, RESULTS};
 use slipgap::batch::results::{self, Table};
+use slipgap::batch::sobol::Gathered;
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, Outcome, Wishes};
 use slipgap::error::Error;
@@ -19,6 +20,9 @@ const MOST_ROWS: u64 = 100_000;
 
 /// Table of the cases that could not be solved.
 const FAILURES: &str = "failures.csv";
+
+/// Table of the indices of saltelli designs.
+const INDICES: &str = "sobol.csv";
 
 /// Most of them that are named on stderr.
 const MOST_NAMED: usize = 20;
@@ -88,9 +92,11 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
         },
     };
     let mut solved = Vec::new();
+    let mut designs = Gathered::new(study);
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
         for (number, outcome) in (done.first..).zip(done.outcomes) {
+            designs.add(number, &outcome);
             if let Some(table) = &mut table {
                 table.row(number, &outcome)?;
             }
@@ -121,6 +127,9 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
     if !failed.is_empty() {
         name_unsolved(source, &failed);
         lines.push(folder.write(FAILURES, &results::failures(study, &failed)?)?);
+    }
+    if let Some(indices) = designs.table()? {
+        lines.push(folder.write(INDICES, &indices)?);
     }
     drawn::figures(study, &mut shown, &mut folder, &mut lines)?;
     store.close(study)?;

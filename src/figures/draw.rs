@@ -34,6 +34,11 @@ impl<B: DrawingBackend> Pen<B> {
         if let Some(map) = &panel.map {
             self.map(panel, map)?;
         }
+        for bar in &panel.bars {
+            let [[left, bottom], [right, top]] =
+                [[bar.x[0], bar.y[0]], [bar.x[1], bar.y[1]]].map(|p| panel.place(p));
+            self.bar_of(left, top, right - left, bottom - top, bar.shade)?;
+        }
         if panel.zero {
             let [a, b] = panel.x.range.map(|x| panel.place([x, 0.0]));
             if let Some(visible) = clip::segment(a, b, &panel.frame) {

@@ -25,6 +25,7 @@ mod profile;
 mod raster;
 pub mod sheet;
 mod slope;
+mod sobol;
 pub mod style;
 mod tags;
 #[cfg(test)]
@@ -67,6 +68,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
         FigureKind::Budget { .. } => budget::sheet(study, figure, cases),
         FigureKind::Map { .. } => map::sheet(study, figure, cases),
+        FigureKind::Sobol { .. } => sobol::sheet(study, figure, cases),
         FigureKind::Law => law::sheet(study, figure, cases),
         FigureKind::Profile { .. } => profile::sheet(study, figure, cases),
         FigureKind::Wave { .. } => wave::sheet(study, figure, cases),

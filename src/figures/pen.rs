@@ -70,6 +70,18 @@ impl<B: DrawingBackend> Pen<B> {
             .draw(&Polygon::new(corners, RGBColor(r, g, b).filled()))
     }
 
+    /// A filled rectangle with an outline.
+    pub fn bar_of(&mut self, left: f64, top: f64, width: f64, height: f64, shade: f64) -> Drawn<B> {
+        let rect = Rect {
+            left,
+            top,
+            width,
+            height,
+        };
+        self.cell(at([left, top]), at([rect.right(), rect.bottom()]), shade)?;
+        self.frame(&rect)
+    }
+
     /// A white rectangle.
     pub fn blank(&mut self, area: &Rect) -> Drawn<B> {
         let corners = [at([area.left, area.top]), at([area.right(), area.bottom()])];
@@ -91,6 +103,10 @@ impl<B: DrawingBackend> Pen<B> {
                 self.area
                     .draw(&Circle::new(at([x, y]), radius, WHITE.filled()))?;
                 self.area.draw(&Circle::new(at([x, y]), radius, outline))
+            }
+            Marker::Dark | Marker::Light => {
+                let half = style::MARKER * 1.1;
+                self.bar_of(x - half, y - half, 2.0 * half, 2.0 * half, marker.shade())
             }
             Marker::Cross => {
                 let d = style::MARKER * 0.9;

@@ -77,6 +77,8 @@ pub struct Panel {
     pub y: Axis,
     /// Curves, drawn in this order.
     pub series: Vec<Series>,
+    /// Bars below the curves.
+    pub bars: Vec<Bar>,
     /// A filled map below the curves.
     pub map: Option<FilledMap>,
     /// Whether the line y = 0 is drawn.
@@ -134,6 +136,7 @@ impl Panel {
             x,
             y,
             series: Vec::new(),
+            bars: Vec::new(),
             map: None,
             zero: false,
             letter: String::new(),
@@ -180,6 +183,17 @@ impl Series {
             marked: Vec::new(),
         }
     }
+}
+
+/// A bar between two corners in the axes' units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bar {
+    /// Its sides, rising.
+    pub x: [f64; 2],
+    /// Its lower and upper end.
+    pub y: [f64; 2],
+    /// Its place on the scale of colours.
+    pub shade: f64,
 }
 
 /// A line of the legend.

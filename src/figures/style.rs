@@ -123,6 +123,10 @@ pub enum Marker {
     InvertedTriangle,
     /// Two strokes crossing.
     Cross,
+    /// A dark bar.
+    Dark,
+    /// A light bar.
+    Light,
 }
 
 impl Marker {
@@ -139,11 +143,16 @@ impl Marker {
         TURN[i % TURN.len()]
     }
 
+    /// The place of a bar on the scale of colours, told apart in grey.
+    pub fn shade(self) -> f64 {
+        if self == Marker::Dark { 0.25 } else { 0.85 }
+    }
+
     /// The corners about the origin, y downwards, of equal visual weight; none for circle and cross.
     pub fn corners(self) -> &'static [[f64; 2]] {
         const M: f64 = MARKER;
         match self {
-            Marker::Circle | Marker::Cross => &[],
+            Marker::Circle | Marker::Cross | Marker::Dark | Marker::Light => &[],
             Marker::Triangle => &[[0.0, -1.25 * M], [1.15 * M, 0.8 * M], [-1.15 * M, 0.8 * M]],
             Marker::InvertedTriangle => {
                 &[[0.0, 1.25 * M], [-1.15 * M, -0.8 * M], [1.15 * M, -0.8 * M]]

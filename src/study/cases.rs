@@ -144,6 +144,12 @@ impl Study {
         case(self.problem, &self.blocks, index)
     }
 
+    /// Number of the first case of a block.
+    pub fn first_of(&self, block: usize) -> u64 {
+        let before = self.blocks.iter().take(block);
+        before.map(|block| block.len(self.problem)).sum()
+    }
+
     /// The block that case `index` belongs to.
     pub fn block_of(&self, index: u64) -> Option<&Block> {
         let mut end = 0;

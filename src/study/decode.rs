@@ -169,7 +169,9 @@ fn columns(
     checks: &[Check],
 ) -> Vec<usize> {
     let drawn = figures.iter().flat_map(|figure| match &figure.kind {
-        FigureKind::Metric { y, .. } | FigureKind::Convergence { y, .. } => y.clone(),
+        FigureKind::Metric { y, .. }
+        | FigureKind::Convergence { y, .. }
+        | FigureKind::Sobol { y } => y.clone(),
         FigureKind::Map { z, .. } => vec![*z],
         FigureKind::Budget { y, .. } => {
             let budgets = y.iter().map(|row| &problem.budgets()[*row]);

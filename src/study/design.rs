@@ -119,7 +119,7 @@ impl Design {
     }
 
     /// The points of the parameter at `place` among those sampled, each in 0 < u < 1.
-    pub(super) fn coordinates(&self, place: usize) -> Vec<f64> {
+    pub fn coordinates(&self, place: usize) -> Vec<f64> {
         match self.sampling {
             Sampling::LatinHypercube => latin(self.n, self.random(place)),
             Sampling::Sobol => self.sobol(place),

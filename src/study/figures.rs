@@ -152,6 +152,9 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
             scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
             marks: values.marks("marks"),
         },
+        "sobol" => FigureKind::Sobol {
+            y: values.rows("y")?,
+        },
         _ => FigureKind::Law,
     })
 }

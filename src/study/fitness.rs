@@ -6,7 +6,7 @@ use super::cases::identity;
 use super::report::{Faults, join};
 use super::scope::Scope;
 use super::taken::Values;
-use super::{Figure, FigureKind, Scale};
+use super::{Figure, FigureKind, Sampling, Scale};
 use crate::problem::parameter::{Default, Value, shortest};
 
 /// Most curves that line styles can tell apart in one panel.
@@ -92,6 +92,7 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             within(figure, times, values, scope, faults);
         }
         FigureKind::Wave { .. } => one_case(figure, values, scope, faults),
+        FigureKind::Sobol { .. } => saltelli(figure, values, scope, faults),
         FigureKind::Law => {}
     }
 }
@@ -242,6 +243,22 @@ fn within(figure: &Figure, times: &[f64], values: &Values, scope: &Scope, faults
         let (at, path) = values.item("times", i);
         let message = format!("must be at most duration = {end}, got {time}");
         faults.add(at, &path, message);
+    }
+}
+
+/// Reports cases that are not just those of one saltelli design.
+fn saltelli(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
+    let chosen = scope.select(&figure.filter).count() as u64;
+    let whole = |block: &&super::Block| {
+        let design = block.design.as_ref();
+        let fits = |d: &super::Design| d.sampling == Sampling::Saltelli && d.points() == chosen;
+        design.is_some_and(fits)
+            && block.select(scope.problem, &figure.filter).count() as u64 == chosen
+    };
+    if !scope.blocks.iter().any(|block| whole(&block)) {
+        let message =
+            "a sobol figure shows all cases of one block with a saltelli design, and no others";
+        faults.add(values.at("where"), &join(values.path, "where"), message);
     }
 }
 

@@ -88,7 +88,7 @@ pub(super) static COMMON: [Key; 5] = [
 ];
 
 /// Every kind of figure.
-pub(super) static KINDS: [Kind; 8] = [
+pub(super) static KINDS: [Kind; 9] = [
     Kind {
         name: "history",
         meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
@@ -257,6 +257,11 @@ pub(super) static KINDS: [Kind; 8] = [
                 "places to mark: { \"label\": words, \"at\": [[x, y], ...] }",
             ),
         ],
+    },
+    Kind {
+        name: "sobol",
+        meaning: "Sobol' indices from a saltelli design, as bars with their 95 % intervals",
+        keys: &[key("y", Takes::Metrics, true, "metrics, one panel each")],
     },
     Kind {
         name: "law",

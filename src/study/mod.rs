@@ -168,6 +168,11 @@ pub enum FigureKind {
         /// Places to mark, if any.
         marks: Option<Marks>,
     },
+    /// Sobol' indices of metrics, from a saltelli design.
+    Sobol {
+        /// Rows of `problem.metrics()`, one panel each.
+        y: Vec<usize>,
+    },
     /// The laws of the problem's cases: force over displacement or velocity.
     Law,
 }

@@ -6,6 +6,7 @@ mod begin;
 mod checks;
 mod claims;
 mod compare;
+mod designs;
 mod files;
 #[cfg(unix)]
 mod interrupted;

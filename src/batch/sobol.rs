@@ -1,0 +1,97 @@
+//! sobol.csv: the indices of every metric of every saltelli design.
+
+use super::Outcome;
+use crate::error::Error;
+use crate::indices::{Index, indices};
+use crate::problem::parameter::shortest;
+use crate::study::{Block, Sampling, Study};
+
+/// The table's columns.
+const COLUMNS: [&str; 9] = [
+    "block",
+    "metric",
+    "parameter",
+    "first_order",
+    "first_order_low",
+    "first_order_high",
+    "total",
+    "total_low",
+    "total_high",
+];
+
+/// Gathers the metrics of saltelli designs, case by case.
+#[derive(Debug)]
+pub struct Gathered<'a> {
+    study: &'a Study,
+    /// First case, block, and the values of each of the study's metrics.
+    designs: Vec<(u64, usize, Vec<Vec<Option<f64>>>)>,
+}
+
+impl<'a> Gathered<'a> {
+    /// Nothing yet.
+    pub fn new(study: &'a Study) -> Gathered<'a> {
+        let saltelli = |block: &Block| {
+            let design = block.design.as_ref();
+            design.is_some_and(|d| d.sampling == Sampling::Saltelli)
+        };
+        let blocks = study.blocks.iter().enumerate();
+        let chosen = blocks.filter(|(_, block)| saltelli(block));
+        let columns = vec![Vec::new(); study.metrics.len()];
+        let begun = |(i, _): (usize, &Block)| (study.first_of(i), i, columns.clone());
+        Gathered {
+            study,
+            designs: chosen.map(begun).collect(),
+        }
+    }
+
+    /// Takes note of a case.
+    pub fn add(&mut self, number: u64, outcome: &Outcome) {
+        for (first, block, columns) in &mut self.designs {
+            let end = *first + self.study.blocks[*block].raw_len();
+            if (*first..end).contains(&number) {
+                for (column, metric) in columns.iter_mut().zip(&self.study.metrics) {
+                    column.push(outcome.metrics[*metric]);
+                }
+            }
+        }
+    }
+
+    /// The table, if there is any saltelli design. Where a metric is undefined in a case, its cells are empty.
+    pub fn table(&self) -> Result<Option<Vec<u8>>, Error> {
+        if self.designs.is_empty() {
+            return Ok(None);
+        }
+        let failed = |e: csv::Error| Error::Internal(e.to_string());
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(COLUMNS).map_err(failed)?;
+        let problem = self.study.problem;
+        for (_, block, columns) in &self.designs {
+            let Some(design) = &self.study.blocks[*block].design else {
+                continue;
+            };
+            for (values, metric) in columns.iter().zip(&self.study.metrics) {
+                let found = indices(values, design.parameters.len(), design.seed);
+                for (place, parameter) in design.parameters.iter().enumerate() {
+                    let row = [
+                        block.to_string(),
+                        problem.metrics()[*metric].name.to_owned(),
+                        problem.parameters()[*parameter].name.to_owned(),
+                    ];
+                    let of = found.as_ref().map(|found| found[place]);
+                    let cells = |index: Option<Index>| match index {
+                        Some(Index { value, interval }) => {
+                            [value, interval[0], interval[1]].map(shortest)
+                        }
+                        None => Default::default(),
+                    };
+                    let first = cells(of.map(|of| of.first));
+                    let total = cells(of.map(|of| of.total));
+                    let row = row.into_iter().chain(first).chain(total);
+                    writer.write_record(row).map_err(failed)?;
+                }
+            }
+        }
+        let bytes = writer.into_inner();
+        bytes.map(Some).map_err(|e| Error::Internal(e.to_string()))
+    }
+}
