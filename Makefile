@@ -3,7 +3,7 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures test lint fresh licences schema mutants
+.PHONY: help figures report test lint fresh licences schema mutants
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
@@ -11,6 +11,9 @@ help: ## this list
 figures: ## run every study in studies/, judge the claims, write tables, pictures and claims.md to figures/
 	cargo run --release --locked -- run
 	cargo run --release --locked -- claims
+
+report: ## one page about all studies, figures/report.html: tables to sort and filter, figures to point at
+	cargo run --release --locked -- report
 
 # The tests come last, so that their summary ends the output.
 test: ## hold the studies to their checks and the claims to their verdicts, run all tests

@@ -1,6 +1,7 @@
 //! Tolerances: each check of a study held against every case it names.
 
 use crate::batch::Outcome;
+use crate::problem::parameter::shortest;
 use crate::study::Study;
 
 /// One check on one case.
@@ -24,6 +25,18 @@ impl Verdict {
         self.value.is_some_and(|x| {
             self.min.is_none_or(|min| x >= min) && self.max.is_none_or(|max| x <= max)
         })
+    }
+}
+
+impl Verdict {
+    /// The limits in words.
+    pub fn limits(&self) -> String {
+        match (self.min, self.max) {
+            (Some(min), Some(max)) => format!("{} .. {}", shortest(min), shortest(max)),
+            (Some(min), None) => format!(">= {}", shortest(min)),
+            (None, Some(max)) => format!("<= {}", shortest(max)),
+            (None, None) => String::new(),
+        }
     }
 }
 

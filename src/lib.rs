@@ -71,6 +71,7 @@ pub mod law;
 pub mod metrics;
 pub mod problem;
 pub mod recommend;
+pub mod report;
 pub mod stepper;
 pub mod structure;
 pub mod study;

@@ -36,6 +36,8 @@ enum Verb {
     Explain(Explain),
     /// Show what two folders of results differ in, metric by metric, the largest difference first
     Compare(Compare),
+    /// Write one page about studies: figures, tables to sort and filter, checks, claims; it needs nothing beside it
+    Report(Report),
     /// Judge the papers' sentences by their studies, print the ledger and write it as claims.md
     Claims(Claims),
     /// Find the cheapest parameters that reach a target, with the run that proves it and the alternatives
@@ -77,6 +79,17 @@ struct Run {
     /// What to write; by default results.csv for up to 10^5 cases, and always the store
     #[arg(long, value_enum)]
     format: Option<Format>,
+    #[command(flatten)]
+    jobs: Jobs,
+}
+
+#[derive(Args)]
+struct Report {
+    #[command(flatten)]
+    studies: Studies,
+    /// Folder for report.html, with the stores of the studies
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
     #[command(flatten)]
     jobs: Jobs,
 }
@@ -171,6 +184,11 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
         Verb::Check(check) => {
             let studies = check.studies.read()?;
             commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
+        }
+        Verb::Report(report) => {
+            let studies = report.studies.read()?;
+            commands::pool(report.jobs.jobs)?
+                .install(|| commands::report::report(&studies, &report.out))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
         Verb::Init(init) => commands::init::init(&init.name, init.problem),

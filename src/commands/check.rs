@@ -52,18 +52,12 @@ pub fn check(sources: &[Source]) -> Result<u8, Error> {
 }
 
 fn row(name: &str, verdict: &Verdict) -> Vec<String> {
-    let limits = match (verdict.min, verdict.max) {
-        (Some(min), Some(max)) => format!("{} .. {}", shortest(min), shortest(max)),
-        (Some(min), None) => format!(">= {}", shortest(min)),
-        (None, Some(max)) => format!("<= {}", shortest(max)),
-        (None, None) => String::new(),
-    };
     vec![
         name.to_owned(),
         verdict.case.to_string(),
         verdict.metric.to_owned(),
         verdict.value.map_or("undefined".into(), shortest),
-        limits,
+        verdict.limits(),
         if verdict.holds() { "ok" } else { "NOT MET" }.to_owned(),
     ]
 }

@@ -65,7 +65,7 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
 }
 
 /// Reads the ledgers of the files and folders named, in order; every fault of every ledger is reported.
-fn read(named: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
+pub fn read(named: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
     let mut files = Vec::new();
     for path in named {
         if !path.is_dir() {

@@ -3,7 +3,6 @@
 use slipgap::batch::output::Folder;
 use slipgap::batch::{self, Outcome};
 use slipgap::error::Error;
-use slipgap::figures::sheet::Sheet;
 use slipgap::figures::{self, Shown};
 use slipgap::problem::{Case, Snapshot};
 use slipgap::study::{Figure, Study};
@@ -23,21 +22,28 @@ pub fn over_time(study: &Study, case: &Case) -> bool {
     study.figures.iter().any(wanted)
 }
 
-/// Draws every figure of a study; cases from the store are solved again where their histories are drawn.
-pub fn figures(
-    study: &Study,
-    shown: &mut [Outcome],
-    folder: &mut Folder,
-    lines: &mut Vec<PathBuf>,
-) -> Result<(), Error> {
+/// Solves cases from the store again where their histories are drawn.
+pub fn solve(study: &Study, shown: &mut [Outcome]) {
     for outcome in shown.iter_mut() {
         let again = outcome.solution.is_none() && outcome.failure.is_none();
         if again && over_time(study, &outcome.case) {
             outcome.solution = batch::solution(study, &outcome.case).ok();
         }
     }
+}
+
+/// Draws every figure of a study.
+pub fn figures(
+    study: &Study,
+    shown: &mut [Outcome],
+    folder: &mut Folder,
+    lines: &mut Vec<PathBuf>,
+) -> Result<(), Error> {
+    solve(study, shown);
     for figure in &study.figures {
-        let sheet = sheet(study, figure, shown);
+        let sheet = with_shown(study, figure, shown, |cases| {
+            Ok(figures::sheet(study, figure, cases))
+        })?;
         let name = &figure.name;
         lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet)?)?);
         lines.push(folder.write(&format!("{name}.svg"), figures::svg(&sheet)?.as_bytes())?);
@@ -45,8 +51,13 @@ pub fn figures(
     Ok(())
 }
 
-/// One figure over those of the cases that it chooses.
-pub fn sheet(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> Sheet {
+/// Hands those of the cases that a figure chooses to `draw`, with what it shows of them.
+pub fn with_shown<T>(
+    study: &Study,
+    figure: &Figure,
+    outcomes: &[Outcome],
+    draw: impl FnOnce(&[Shown]) -> Result<T, Error>,
+) -> Result<T, Error> {
     let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
     let chosen: Vec<&Outcome> = chosen.collect();
     let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
@@ -60,7 +71,7 @@ pub fn sheet(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> Sheet {
             snapshots,
         })
         .collect();
-    figures::sheet(study, figure, &shown)
+    draw(&shown)
 }
 
 /// What a figure draws along the structure; nothing of a case that could not be solved.

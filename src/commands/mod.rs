@@ -10,6 +10,7 @@ pub mod init;
 pub mod list;
 pub mod progress;
 pub mod recommend;
+pub mod report;
 pub mod run;
 pub mod sources;
 

@@ -12,6 +12,7 @@ mod draw;
 mod font;
 mod front;
 mod history;
+mod hover;
 mod label;
 mod law;
 mod layout;
@@ -38,6 +39,7 @@ mod vector;
 mod wave;
 
 pub use front::Front;
+pub use hover::with_hover;
 
 use crate::error::Error;
 use crate::problem::{Case, Snapshot, Solution};

@@ -69,6 +69,12 @@ pub fn short(x: f64) -> String {
     }
 }
 
+/// A number in plain words, as a reader is told it: six digits, multiples of pi as such.
+pub fn told(x: f64) -> String {
+    let short = |x: f64| shortest(format!("{x:.5e}").parse().unwrap_or(x));
+    of_pi(x).unwrap_or_else(|| short(x))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
