@@ -38,7 +38,8 @@ mutants: ## change law, stepper, exact and metrics in every small way, and see t
 	cargo mutants
 
 # Built first: a build that fails must not leave an empty schema behind.
-schema: ## write schema/study.json, which editors read
+schema: ## write schema/study.json, which editors read, and docs/study-files.md
 	cargo build --release --locked
 	mkdir -p schema
 	cargo run --release --locked --quiet -- schema > schema/study.json
+	cargo run --release --locked --quiet -- schema --markdown > docs/study-files.md

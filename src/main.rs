@@ -44,7 +44,7 @@ enum Verb {
     #[command(subcommand)]
     Recommend(commands::asked::Asked),
     /// Print the JSON schema of study files
-    Schema,
+    Schema(Schema),
 }
 
 #[derive(Args)]
@@ -141,6 +141,13 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 #[derive(Args)]
+struct Schema {
+    /// The page about study files in its place, docs/study-files.md
+    #[arg(long)]
+    markdown: bool,
+}
+
+#[derive(Args)]
 struct Claims {
     /// Ledgers of claims, or folders of them
     #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
@@ -207,6 +214,9 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
             commands::pool(common.jobs.jobs)?
                 .install(|| commands::recommend::recommend(&*space, &targets, &common.out))
         }
-        Verb::Schema => commands::say(&slipgap::study::schema()),
+        Verb::Schema(schema) => commands::say(&match schema.markdown {
+            true => slipgap::study::reference(),
+            false => slipgap::study::schema(),
+        }),
     }
 }

@@ -53,13 +53,19 @@ fn committed_results_are_what_a_run_writes_now() {
 
 #[test]
 #[ignore = "run by `make fresh`, beside the other committed output"]
-fn committed_schema_is_what_the_program_prints_now() {
-    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("schema/study.json");
-    let now = slipgap(&["schema"]);
-    assert!(
-        fs::read(&committed).unwrap() == now,
-        "schema/study.json is not what `make schema` writes now"
-    );
+fn committed_schema_and_its_page_are_what_the_program_prints_now() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (file, words) in [
+        ("schema/study.json", &["schema"][..]),
+        ("docs/study-files.md", &["schema", "--markdown"]),
+    ] {
+        let now = slipgap(words);
+        let committed = fs::read(root.join(file)).unwrap();
+        assert!(
+            committed == now,
+            "{file} is not what `make schema` writes now"
+        );
+    }
 }
 
 /// Runs the program in the project's folder and gives its stdout.

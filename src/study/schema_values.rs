@@ -106,7 +106,7 @@ fn axis(parameter: &Parameter) -> Json {
 }
 
 /// The range in words, or the names with their meaning.
-fn allowed(parameter: &Parameter) -> String {
+pub(super) fn allowed(parameter: &Parameter) -> String {
     match parameter.kind {
         Kind::Number(range) => range.to_string(),
         Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),

@@ -6,7 +6,7 @@
 mod parser;
 #[cfg(test)]
 mod tests;
-mod words;
+pub(super) mod words;
 
 use crate::problem::parameter::{Parameter, Value};
 

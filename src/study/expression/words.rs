@@ -4,7 +4,7 @@ use crate::problem::parameter::Value;
 
 /// A function by its number of arguments.
 #[derive(Clone, Copy)]
-pub(super) enum Function {
+pub(in crate::study) enum Function {
     One(fn(f64) -> f64),
     Two(fn(f64, f64) -> f64),
 }

@@ -1,0 +1,155 @@
+//! The page about study files: prose with lists from the tables that decode them.
+
+use std::fmt::Write;
+
+use super::blocks::BESIDE;
+use super::expression::words::{CONSTANTS, FUNCTIONS};
+use super::interval::INTERVALS;
+use super::kinds::{COMMON, KINDS, Key};
+use super::schema_values::allowed;
+use super::spread::RULES;
+use super::{checks, decode, design};
+use crate::problem::parameter::{Default, Parameter};
+use crate::problem::{PROBLEMS, Problem};
+
+/// docs/study-files.md.
+pub fn reference() -> String {
+    let kinds: Vec<String> = KINDS.iter().map(kind).collect();
+    let problems: Vec<String> = PROBLEMS.iter().map(|p| problem(*p)).collect();
+    let code = |names: &[&str]| -> String {
+        let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        quoted.join(", ")
+    };
+    let functions = FUNCTIONS.map(|function| function.0);
+    include_str!("reference.md")
+        .replace("{{study}}", &pairs(&decode::KEYS))
+        .replace("{{rules}}", &pairs(&RULES))
+        .replace("{{constants}}", &code(&CONSTANTS))
+        .replace("{{functions}}", &code(&functions))
+        .replace("{{beside}}", &pairs(&BESIDE))
+        .replace("{{intervals}}", &pairs(&INTERVALS))
+        .replace("{{designs}}", &pairs(&design::KINDS))
+        .replace("{{design}}", &pairs(&design::KEYS))
+        .replace("{{common}}", &keys(&COMMON))
+        .replace("{{kinds}}", &kinds.join("\n"))
+        .replace("{{checks}}", &pairs(&checks::KEYS))
+        .replace("{{problems}}\n", &problems.join("\n"))
+}
+
+fn pairs(table: &[(&str, &str)]) -> String {
+    let mut text = String::from("| key | what it holds |\n| --- | --- |\n");
+    for (key, meaning) in table {
+        let _ = writeln!(text, "| `{key}` | {} |", cell(meaning));
+    }
+    text.trim_end().to_owned()
+}
+
+fn keys(table: &[Key]) -> String {
+    let mut text = String::from("| key | | what it holds |\n| --- | --- | --- |\n");
+    for key in table {
+        let needed = if key.required { "needed" } else { "" };
+        let _ = writeln!(
+            text,
+            "| `{}` | {needed} | {} |",
+            key.name,
+            cell(key.meaning)
+        );
+    }
+    text.trim_end().to_owned()
+}
+
+fn kind(kind: &super::kinds::Kind) -> String {
+    let own = match kind.keys {
+        [] => String::new(),
+        some => format!("\n{}\n", keys(some)),
+    };
+    format!("### {}\n\n{}.\n{own}", kind.name, capital(kind.meaning))
+}
+
+fn problem(problem: &dyn Problem) -> String {
+    let mut text = format!(
+        "## {}\n\n{}.\n\n| parameter | unit | allowed | if left out | meaning |\n| --- | --- | --- | --- | --- |\n",
+        problem.name(),
+        capital(problem.meaning())
+    );
+    for parameter in problem.parameters() {
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {} | {} | {} |",
+            parameter.name,
+            unit(parameter.unit),
+            cell(&allowed(parameter)),
+            cell(&left_out(parameter)),
+            cell(parameter.meaning)
+        );
+    }
+    text += "\n| metric | unit | | formula (c computed, e exact) |\n| --- | --- | --- | --- |\n";
+    for metric in problem.metrics() {
+        let listed = if metric.default { "" } else { "if listed" };
+        let (unit, meaning) = (unit(metric.unit), cell(metric.meaning));
+        let _ = writeln!(
+            text,
+            "| `{}` | {unit} | {listed} | {meaning} |",
+            metric.name
+        );
+    }
+    let named = |names: Vec<(&str, &str)>| {
+        let told = names
+            .iter()
+            .map(|(name, title)| format!("`{name}` ({})", plain(title)));
+        told.collect::<Vec<_>>().join(", ")
+    };
+    let quantities = problem
+        .quantities()
+        .iter()
+        .map(|q| (q.name, q.title))
+        .collect();
+    let _ = write!(text, "\nOver time: {}.\n", named(quantities));
+    let profiles: Vec<(&str, &str)> = problem
+        .profiles()
+        .iter()
+        .map(|p| (p.name, p.title))
+        .collect();
+    if !profiles.is_empty() {
+        let _ = write!(text, "\nAlong the structure: {}.\n", named(profiles));
+    }
+    let budgets = problem
+        .budgets()
+        .iter()
+        .map(|b| (b.name, b.title))
+        .collect();
+    let _ = write!(text, "\nBudgets: {}.\n", named(budgets));
+    text
+}
+
+fn left_out(parameter: &Parameter) -> String {
+    let told = match parameter.default {
+        Default::Required => "needed".into(),
+        Default::Is(value) => value.to_string(),
+        Default::Follows(from) => from.to_owned(),
+    };
+    match parameter.applies {
+        Some((governor, name)) => format!("{told}; only for {governor} {name}"),
+        None => told,
+    }
+}
+
+fn unit(unit: &str) -> &str {
+    if unit == "1" { "" } else { unit }
+}
+
+/// An axis title without its markup.
+fn plain(title: &str) -> String {
+    title.replace(['*', '_', '^'], "")
+}
+
+/// Words in a cell of a table.
+fn cell(words: &str) -> String {
+    words.replace('|', "\\|")
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
