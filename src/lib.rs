@@ -21,10 +21,10 @@
 //! studies/*.json -> study -> cases -> [ solve -> history -> metrics, beside exact -> history ] -> results -> figures, checks
 //! ```
 //!
-//! From the top down, each room using only those below it: [`claims`] and [`checks`], [`figures`], [`batch`], [`study`],
-//! [`recommend`], [`problem`],
-//! [`metrics`], [`exact`], [`stepper`], [`law`], [`structure`], [`lane`], [`history`], [`error`]. Beside them stands
-//! [`textbook`]: the papers' matrices and iteration, which the fast form is tested against.
+//! From the top down, each room using only those below it: [`report`], [`claims`] and [`checks`], [`figures`], [`batch`] with
+//! the store, [`compare`], [`indices`], [`study`], [`recommend`], [`problem`], [`metrics`], [`exact`], [`stepper`], [`law`],
+//! [`structure`], [`lane`], [`history`], [`error`]. Beside them stands [`textbook`]: the papers' matrices and iteration,
+//! which the fast form is tested against.
 //!
 //! # Principal types
 //!

@@ -22,8 +22,7 @@ fn every_command_of_the_guide_works_in_its_order() {
             // The file is the last that the words before name.
             let name = before
                 .split('`')
-                .filter(|word| word.ends_with(".json"))
-                .next_back()
+                .rfind(|word| word.ends_with(".json"))
                 .unwrap();
             fs::write(folder.path().join(name), text).unwrap();
             studies += 1;

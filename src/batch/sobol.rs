@@ -23,9 +23,11 @@ const COLUMNS: [&str; 9] = [
 #[derive(Debug)]
 pub struct Gathered<'a> {
     study: &'a Study,
-    /// First case, block, and the values of each of the study's metrics.
-    designs: Vec<(u64, usize, Vec<Vec<Option<f64>>>)>,
+    designs: Vec<Columns>,
 }
+
+/// First case of a design, its block, and the values of each of the study's metrics.
+type Columns = (u64, usize, Vec<Vec<Option<f64>>>);
 
 impl<'a> Gathered<'a> {
     /// Nothing yet.

@@ -307,3 +307,40 @@ fn other_tools_read_the_store() {
         assert_eq!(read, column, "{tool}");
     }
 }
+
+#[test]
+fn a_folder_that_cannot_be_written_is_told_before_anything_is_computed() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(100, "20"));
+    // A file stands where a folder must be.
+    let done = bench.expect(1, &["run", "s.json", "--out", "s.json/out"]);
+    assert!(
+        done.err
+            .contains("slipgap: cannot make folder s.json/out/s: "),
+        "{}",
+        done.err
+    );
+    bench.file("out/s/store", "");
+    let done = bench.expect(1, &["run", "s.json", "--out", "out"]);
+    assert!(
+        done.err
+            .contains("slipgap: cannot make folder out/s/store: "),
+        "{}",
+        done.err
+    );
+    let locked = bench.path("locked");
+    fs::create_dir(&locked).unwrap();
+    let mut rights = fs::metadata(&locked).unwrap().permissions();
+    rights.set_readonly(true);
+    fs::set_permissions(&locked, rights).unwrap();
+    if fs::write(locked.join("probe"), "").is_ok() {
+        eprintln!("this user may write in read-only folders: not looked at");
+        return;
+    }
+    let done = bench.expect(1, &["run", "s.json", "--out", "locked"]);
+    assert!(
+        done.err.contains("slipgap: cannot make folder locked/s: "),
+        "{}",
+        done.err
+    );
+}
