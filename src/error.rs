@@ -18,6 +18,8 @@ pub struct Fault {
     pub path: String,
     /// What is wrong and what is allowed.
     pub message: String,
+    /// The line, or the part of it round the place, and below it a caret; empty after many faults.
+    pub shown: String,
 }
 
 impl fmt::Display for Fault {

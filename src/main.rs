@@ -165,12 +165,7 @@ fn main() -> ExitCode {
     let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| carry_out(cli)))
         .unwrap_or_else(|_| Err(Error::Internal("this is a fault of slipgap itself".into())));
     ExitCode::from(done.unwrap_or_else(|error| {
-        let prefix = if matches!(error, Error::Faults(_)) {
-            ""
-        } else {
-            "slipgap: "
-        };
-        commands::note(&format!("{prefix}{error}"));
+        commands::tell(&error);
         error.exit_code()
     }))
 }

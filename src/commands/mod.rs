@@ -39,6 +39,19 @@ pub fn note(line: &str) {
     let _ = writeln!(stderr(), "{line}");
 }
 
+/// Says on stderr what went wrong; each fault of a study with its line and a caret.
+pub fn tell(error: &Error) {
+    let Error::Faults(faults) = error else {
+        return note(&format!("slipgap: {error}"));
+    };
+    for fault in faults {
+        note(&fault.to_string());
+        if !fault.shown.is_empty() {
+            note(&fault.shown);
+        }
+    }
+}
+
 /// The threads to compute with: `jobs`, or one for each core.
 pub fn pool(jobs: Option<u16>) -> Result<rayon::ThreadPool, Error> {
     rayon::ThreadPoolBuilder::new()

@@ -8,7 +8,7 @@ use super::blocks::{BESIDE, blocks};
 use super::checks::check;
 use super::figures::figures;
 use super::object::Object;
-use super::place::Place;
+use super::place::{self, Place};
 use super::report::{Faults, nearest};
 use super::rules::MOST_CASES;
 use super::scope::Scope;
@@ -94,12 +94,14 @@ fn parse_up_to(file: &str, text: &str, limit: u64) -> Result<Study, Error> {
 /// The one fault of a file that is no JSON.
 fn refused(file: &str, text: &str, at: usize, message: String) -> Error {
     let (line, column) = Place::start(text).at(at);
+    let shown = place::shown(text, line, column);
     Error::Faults(vec![Fault {
         file: file.to_owned(),
         line,
         column,
         path: String::new(),
         message,
+        shown,
     }])
 }
 

@@ -40,6 +40,29 @@ impl<'a> Place<'a> {
     }
 }
 
+/// Most characters of a line that are shown, and how many of them before the place.
+const WIDEST: usize = 100;
+const BEFORE: usize = 60;
+
+/// Line `line` of a text, or the part round character `column` of a long one, and below it a caret.
+pub(super) fn shown(text: &str, line: usize, column: usize) -> String {
+    let full = text.lines().nth(line - 1).unwrap_or_default();
+    let count = full.chars().count();
+    let start = match count > WIDEST {
+        true => (column - 1).saturating_sub(BEFORE),
+        false => 0,
+    };
+    // What would move the cursor becomes a space.
+    let plain = |c: char| if c.is_control() { ' ' } else { c };
+    let part: String = full.chars().skip(start).take(WIDEST).map(plain).collect();
+    let (before, after) = (
+        if start > 0 { "…" } else { "" },
+        if start + WIDEST < count { "…" } else { "" },
+    );
+    let blank = " ".repeat(column - 1 - start + before.chars().count());
+    format!("  | {before}{}{after}\n  | {blank}^", part.trim_end())
+}
+
 /// Byte offset of the byte that is number `column` (from 1) of line `line` (from 1).
 pub(super) fn offset_of(text: &str, line: usize, column: usize) -> usize {
     let before: usize = text
@@ -64,6 +87,20 @@ mod tests {
         assert_eq!(place.at(9), (2, 3));
         assert_eq!(place.at(999), (3, 1));
         assert_eq!(place.at(2), (1, 2));
+    }
+
+    #[test]
+    fn the_place_is_shown_under_its_line() {
+        assert_eq!(shown("ab\n\tcd = 1\n", 2, 4), "  |  cd = 1\n  |    ^");
+        assert_eq!(shown("", 1, 1), "  | \n  | ^");
+        // Beyond the end, as for a file that is cut off.
+        assert_eq!(shown("{", 1, 2), "  | {\n  |  ^");
+        let long = format!("{}x{}", "α".repeat(200), "β".repeat(300));
+        let told = shown(&long, 1, 201);
+        let lines: Vec<&str> = told.lines().collect();
+        assert_eq!(lines[0].chars().count(), 4 + WIDEST + 2);
+        let caret = lines[1].chars().position(|c| c == '^').unwrap();
+        assert_eq!(lines[0].chars().nth(caret), Some('x'));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::place::Place;
+use super::place::{self, Place};
 use super::tree::{Node, Tree};
 use crate::error::Fault;
 
@@ -38,20 +38,32 @@ impl Faults {
         self.0.sort_by_key(|(at, ..)| *at);
         self.0.dedup();
         let mut place = Place::start(text);
-        let told = self.0.into_iter().map(|(at, path, message)| {
-            let (line, column) = place.at(at);
-            let file = file.to_owned();
-            Fault {
-                file,
-                line,
-                column,
-                path,
-                message,
-            }
-        });
+        let told = self
+            .0
+            .into_iter()
+            .enumerate()
+            .map(|(i, (at, path, message))| {
+                let (line, column) = place.at(at);
+                let file = file.to_owned();
+                let shown = match i < MOST_SHOWN {
+                    true => place::shown(text, line, column),
+                    false => String::new(),
+                };
+                Fault {
+                    file,
+                    line,
+                    column,
+                    path,
+                    message,
+                    shown,
+                }
+            });
         told.collect()
     }
 }
+
+/// Faults whose lines are shown: a reader mends the first, and finding thousands of lines takes time.
+const MOST_SHOWN: usize = 20;
 
 /// The path of `key` within `path`.
 pub(super) fn join(path: &str, key: &str) -> String {

@@ -30,7 +30,9 @@ fn refused_bytes(text: &[u8], expected: &[String]) {
     bench.file("studies/s.json", text);
     for verb in ["run", "check", "list"] {
         let done = bench.expect(2, &[verb]);
-        let lines: Vec<&str> = done.err.lines().collect();
+        let shown = |line: &&str| line.starts_with("  | ");
+        let lines: Vec<&str> = done.err.lines().filter(|line| !shown(line)).collect();
+        assert_eq!(done.err.lines().filter(shown).count(), 2 * lines.len());
         let begins = |(line, start): (&&str, &String)| {
             line.strip_prefix("studies/s.json:")
                 .is_some_and(|rest| rest.starts_with(start))
@@ -122,9 +124,12 @@ fn all_faults_of_all_files_at_once() {
         ),
     );
     let done = bench.expect(2, &["run"]);
+    let caret = "  |   \"problem\": 7 }\n  |              ^\n";
+    assert!(done.err.contains(caret), "{}", done.err);
     let places: Vec<String> = done
         .err
         .lines()
+        .filter(|line| !line.starts_with("  | "))
         .map(|line| line.splitn(5, ':').take(4).collect::<Vec<_>>().join(":"))
         .collect();
     assert_eq!(
