@@ -77,9 +77,6 @@ pub fn work(c: &History, scale: f64) -> f64 {
 /// Undefined where there is no peak, or where a peak's window holds no step.
 fn peak_error(exact: &Coulomb, c: &History) -> Option<f64> {
     let m = exact.half_cycles();
-    if !reached(*c.time.last()?, (m - 0.5) * PI) {
-        return None;
-    }
     let (mut largest, mut k, mut first) = (None, 1.0, 0);
     while k <= m {
         let (from, to) = ((k - 0.5) * PI, (k + 0.5) * PI);

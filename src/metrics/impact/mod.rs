@@ -201,6 +201,12 @@ mod tests {
     }
 
     #[test]
+    fn contact_ends_at_the_first_step_that_touches_without_overlap() {
+        let rows = [0.0, -0.1, 0.0, 0.0, 0.3].map(|r| (r, 0.0, 0.0));
+        assert_eq!(contact_duration(&history(&rows)), Some(0.5));
+    }
+
+    #[test]
     fn separations_must_close_again_in_time() {
         let count = |touch: f64, r: &[f64]| {
             let rows: Vec<_> = r.iter().map(|&r| (r, 0.0, 0.0)).collect();
