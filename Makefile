@@ -3,7 +3,7 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures report test lint fresh licences schema mutants
+.PHONY: help figures report test lint fresh licences schema bench mutants
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
@@ -31,6 +31,9 @@ fresh: ## compare committed tables, pictures and schema with what is written now
 
 licences: ## hold the licences of all dependencies to the list allowed
 	cargo test --locked --test licences -- --ignored
+
+bench: ## measure how fast studies expand; not part of CI, since no wall clock is a test
+	cargo bench --locked
 
 # Hours on two cores, and not part of CI. What survives is explained in tests/mutants.md.
 mutants: ## change law, stepper, exact and metrics in every small way, and see that a test notices

@@ -3,14 +3,17 @@
 use super::parameters::Draft;
 use super::report::Faults;
 use super::{Axis, Block, Group};
-use crate::problem::Problem;
 use crate::problem::parameter::Value;
+use crate::problem::{Case, Problem};
 
 /// Most raw combinations of a study, where nobody says otherwise.
 pub const MOST_CASES: u64 = 1_000_000_000;
 
 /// Blocks up to this size are checked case by case, larger ones at the ends of their axes.
 const MOST_CHECKED: u64 = 1_000_000;
+
+/// Blocks up to this size are looked at case by case where only the range of something is asked for.
+const MOST_LISTED: u64 = 10_000;
 
 /// Enough of one rule's faults: a long axis would repeat them a million times.
 const MOST_TOLD: usize = 100;
@@ -105,6 +108,17 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults:
             return;
         }
     }
+}
+
+/// Cases that stand for all: every case of a small block, those at the ends of the axes of a large one.
+pub(super) fn standing_for(problem: &dyn Problem, block: &Block) -> Vec<Case> {
+    let places = match block.raw_len() <= MOST_LISTED {
+        true => every(block),
+        false => ends(block),
+    };
+    let sieved = sieved(block, &places);
+    let raws = (0..sieved.raw_len().min(MOST_CHECKED)).filter(|raw| sieved.keeps(problem, *raw));
+    raws.map(|raw| sieved.completed(problem, raw)).collect()
 }
 
 /// All places of every group.

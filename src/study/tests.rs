@@ -344,3 +344,25 @@ fn a_whole_parameter_takes_each_nearest_whole_number_once() {
     // 10^(i/8) = 1, 1.33, 1.78, 2.37, 3.16, 4.22, 5.62, 7.499, 10
     assert_eq!(n, [1.0, 2.0, 3.0, 4.0, 6.0, 7.0, 10.0]);
 }
+
+#[test]
+fn an_expression_is_computed_once_for_each_set_of_what_it_names() {
+    // gap goes by dt, which goes by n: three values of each for 3 x 200 combinations; of a constant, one.
+    let long: Vec<String> = (1..=200).map(|n| n.to_string()).collect();
+    let text = format!(
+        r#"{{"problem": "bar-impact", "parameters": {{"gamma": [{}], "n": [2, 4, 8], "gap": "2*dt", "dt": "0.1/n",
+        "L": "E/10", "duration": 1.5}}, "when": "gap < 1"}}"#,
+        long.join(", ")
+    );
+    let study = super::parse("x.json", &text).unwrap();
+    let block = &study.blocks[0];
+    let name = |row: usize| study.problem.parameters()[row].name;
+    let kept = |rule: &super::derived::Rule| rule.table.as_ref().map_or(0, Vec::len);
+    let tables: Vec<(&str, usize)> = block
+        .derived
+        .iter()
+        .map(|d| (name(d.parameter), kept(&d.rule)))
+        .collect();
+    assert_eq!(tables, [("dt", 3), ("gap", 3), ("L", 1)]);
+    assert_eq!(block.when.as_ref().map(|when| kept(&when.rule)), Some(3));
+}

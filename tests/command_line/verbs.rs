@@ -128,3 +128,37 @@ fn a_reader_that_has_gone_away_is_no_failure() {
     let written = ["history.png", "history.svg", "manifest.json", "results.csv"];
     assert_eq!(bench.tree("figures/a"), written);
 }
+
+#[test]
+fn another_limit_to_the_number_of_cases() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(TWO, ""));
+    let done = bench.expect(2, &["list", "s.json", "--limit", "1"]);
+    assert!(
+        done.err.contains("2 cases; allowed: at most 1"),
+        "{}",
+        done.err
+    );
+    bench.expect(0, &["list", "s.json", "--limit", "2"]);
+    // More than 10^9 only where it is asked for; they are not made to be counted.
+    let axis = |name: &str| format!(r#""{name}": {{"linspace": [1, 2, 40000]}}"#);
+    let many = format!(
+        r#""law": "velocity-control", {}, {}, "dT": 0.1, "duration": 9"#,
+        axis("beta"),
+        axis("x0")
+    );
+    bench.file("s.json", friction(&many, ""));
+    let done = bench.expect(2, &["list", "s.json"]);
+    assert!(
+        done.err
+            .contains("1600000000 cases; allowed: at most 1000000000"),
+        "{}",
+        done.err
+    );
+    let done = bench.expect(0, &["explain", "s.json", "1599999999"]);
+    assert!(
+        done.out.contains("case 1599999999 of 1600000000"),
+        "{}",
+        done.out
+    );
+}
