@@ -5,6 +5,7 @@ pub mod output;
 pub mod results;
 pub mod sobol;
 pub mod store;
+pub mod whole;
 
 use crate::error::Error;
 use crate::problem::{Case, Solution};

@@ -14,7 +14,7 @@ pub mod report;
 pub mod run;
 pub mod sources;
 
-use slipgap::batch::output::no_more_writing;
+use slipgap::batch::whole::no_more_writing;
 use slipgap::error::Error;
 use std::io::{ErrorKind, Write, stderr, stdout};
 

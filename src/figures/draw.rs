@@ -1,6 +1,7 @@
 //! Draws a sheet over plotters, the same way for every backend.
 
 use super::clip;
+use super::layout::below;
 use super::pen::{Drawn, Pen, at, unit};
 use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Rect, Sheet, Words};
 use super::style;
@@ -284,19 +285,4 @@ fn tick_length(label: &str) -> f64 {
     } else {
         style::MAJOR_TICK
     }
-}
-
-/// Room that the numbers and title of a horizontal axis take below its frame.
-pub fn below(axis: &Axis) -> f64 {
-    let numbers = if axis.numbered {
-        style::LABEL_GAP + style::LABEL
-    } else {
-        0.0
-    };
-    let title = if axis.title.is_empty() {
-        0.0
-    } else {
-        style::TITLE_GAP + style::TITLE
-    };
-    numbers + title
 }

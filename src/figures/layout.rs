@@ -1,7 +1,6 @@
 //! Where frames, legend and heading stand on a sheet.
 
 use super::clip;
-use super::draw::below;
 use super::sheet::{Anchor, Axis, Entry, Panel, Rect, Series, Sheet, Words};
 use super::style::{self, Marker, Stroke};
 use super::text;
@@ -146,6 +145,21 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     }
     let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+}
+
+/// Room that the numbers and title of a horizontal axis take below its frame.
+pub fn below(axis: &Axis) -> f64 {
+    let numbers = if axis.numbered {
+        style::LABEL_GAP + style::LABEL
+    } else {
+        0.0
+    };
+    let title = if axis.title.is_empty() {
+        0.0
+    } else {
+        style::TITLE_GAP + style::TITLE
+    };
+    numbers + title
 }
 
 /// Sets words small under a finished sheet, in as many lines as they need.

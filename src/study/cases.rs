@@ -164,13 +164,6 @@ impl Study {
         self.range(0, self.raw_len()).map(|(_, case)| case)
     }
 
-    /// Cases that stand for all where only the range of something is asked for: every case of a small block, those at the
-    /// ends of the axes of a large one.
-    pub fn standing_for(&self) -> impl Iterator<Item = Case> + '_ {
-        let blocks = self.blocks.iter();
-        blocks.flat_map(|block| super::rules::standing_for(self.problem, block))
-    }
-
     /// The cases among raw combinations `from..to`, with their numbers, made as they are asked for.
     pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
         let (mut start, mut cases) = (0, 0);

@@ -2,7 +2,7 @@
 
 use super::parameters::Draft;
 use super::report::Faults;
-use super::{Axis, Block, Group};
+use super::{Axis, Block, Group, Study};
 use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
 
@@ -110,15 +110,22 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults:
     }
 }
 
-/// Cases that stand for all: every case of a small block, those at the ends of the axes of a large one.
-pub(super) fn standing_for(problem: &dyn Problem, block: &Block) -> Vec<Case> {
-    let places = match block.raw_len() <= MOST_LISTED {
-        true => every(block),
-        false => ends(block),
-    };
-    let sieved = sieved(block, &places);
-    let raws = (0..sieved.raw_len().min(MOST_CHECKED)).filter(|raw| sieved.keeps(problem, *raw));
-    raws.map(|raw| sieved.completed(problem, raw)).collect()
+impl Study {
+    /// Cases that stand for all where only the range of something is asked for: every case of a small block, those at the
+    /// ends of the axes of a large one.
+    pub fn standing_for(&self) -> impl Iterator<Item = Case> + '_ {
+        self.blocks.iter().flat_map(|block| {
+            let places = match block.raw_len() <= MOST_LISTED {
+                true => every(block),
+                false => ends(block),
+            };
+            let sieved = sieved(block, &places);
+            let raws = 0..sieved.raw_len().min(MOST_CHECKED);
+            let kept = raws.filter(|raw| sieved.keeps(self.problem, *raw));
+            let cases = kept.map(|raw| sieved.completed(self.problem, raw));
+            cases.collect::<Vec<_>>()
+        })
+    }
 }
 
 /// All places of every group.

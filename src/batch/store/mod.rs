@@ -10,7 +10,7 @@ use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
 
 use super::chunk::{Cut, Done, Key, checksum};
-use super::output::whole;
+use super::whole::whole;
 use crate::batch::Outcome;
 use crate::compare::Rows;
 use crate::error::Error;
