@@ -3,7 +3,7 @@
 use super::clip;
 use super::layout::below;
 use super::pen::{Drawn, Pen, at, unit};
-use super::sheet::{Anchor, Axis, Entry, FilledMap, Panel, Rect, Sheet, Words};
+use super::sheet::{Anchor, Entry, FilledMap, Panel, Rect, Sheet, Words};
 use super::style;
 use super::tags;
 use super::text;
