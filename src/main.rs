@@ -195,6 +195,10 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
         Verb::List(list) => commands::list::list(&list.read()?),
         Verb::Init(init) => commands::init::init(&init.name, init.problem),
         Verb::Explain(of) => {
+            if of.study.is_dir() {
+                let what = format!("{} is a folder; name one study", of.study.display());
+                return Err(Error::Usage(what));
+            }
             let sources = commands::sources::read(&[of.study], u64::MAX)?;
             let source = sources.first();
             source.map_or(Ok(0), |source| commands::explain::explain(source, of.case))

@@ -702,9 +702,22 @@ fn whole_study() -> String {
     )
 }
 
+/// A study with everything that stands beside parameters, for mutations as well.
+const LANGUAGE: &str = r#"{ "problem": "bar-impact", "blocks": [
+  { "parameters": { "gamma": [0.5, 1, 2], "n": [2, 4, 8], "dt": "0.1/max(n, 2)", "gap": {"range": [0, 1, 0.5]}, "duration": "1 + dt",
+    "mass": ["lumped", "consistent"] }, "zip": [["gamma", "n"]], "when": "gap < 0.75 and (n != 4 or mass == 'lumped')" },
+  { "parameters": { "k_I": {"loguniform": [10, "10^3"]}, "n": {"uniform": [2, 9]}, "dt": 0.01, "duration": 1,
+    "right": {"L": "2*L"} }, "design": {"kind": "saltelli", "n": 4, "seed": 7} },
+  { "parameters": { "gamma": {"uniform": [1, 2]}, "n": 2, "dt": 0.1, "duration": 1, "V0": [0.1, 0.2] },
+    "design": {"kind": "latin-hypercube", "n": 3} } ],
+  "figures": [ { "name": "a", "kind": "sobol", "y": "peak_force", "where": {"right.L": 20} },
+    { "name": "b", "kind": "metric", "x": "n", "y": "max_overlap", "by": "mass", "where": {"gap": 0} } ] }
+"#;
+
 #[test]
-fn the_study_that_the_mutations_start_from_is_good() {
+fn the_studies_that_the_mutations_start_from_are_good() {
     assert_faults(&whole_study(), &[]);
+    assert_faults(LANGUAGE, &[]);
 }
 
 proptest! {
@@ -717,26 +730,30 @@ proptest! {
     fn no_mutation_makes_it_panic(
         edits in prop::collection::vec((0usize..2000, 0usize..40, "[\\[\\]{}\",:0-9a-zα.*/^()\\\\ \n-]{0,6}"), 1..4)
     ) {
-        let mut text: Vec<char> = whole_study().chars().collect();
-        for (at, cut, put) in edits {
+        for study in [whole_study(), LANGUAGE.to_owned()] {
+        let mut text: Vec<char> = study.chars().collect();
+        for (at, cut, put) in edits.clone() {
             let at = at % (text.len() + 1);
             let end = (at + cut % 12).min(text.len());
             text.splice(at..end, put.chars());
         }
         let text: String = text.into_iter().collect();
         every_fault_has_a_place(&text)?;
+        }
     }
 
     #[test]
     fn no_exchange_of_words_makes_it_panic(
         edits in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(WORDS)), 1..5)
     ) {
-        let mut words = words(&whole_study());
-        for (at, word) in edits {
-            let at = at.index(words.len());
-            words[at] = word.to_owned();
+        for study in [whole_study(), LANGUAGE.to_owned()] {
+            let mut words = words(&study);
+            for (at, word) in &edits {
+                let at = at.index(words.len());
+                words[at] = (*word).to_owned();
+            }
+            every_fault_has_a_place(&words.concat())?;
         }
-        every_fault_has_a_place(&words.concat())?;
     }
 }
 
@@ -777,6 +794,17 @@ const WORDS: &[&str] = &[
     "\"log\"",
     "\"blocks\"",
     "\"zip\"",
+    "\"when\"",
+    "\"design\"",
+    "\"n\"",
+    "\"gap\"",
+    "\"n + gap\"",
+    "\"n > 2\"",
+    "\"1/gap\"",
+    "\"gamma*dt\"",
+    "{\"uniform\": [1, 2]}",
+    "[[\"n\", \"gap\"]]",
+    "\"sobol\"",
     "\"//\"",
     "\"x0\"",
     "\"rms_error\"",

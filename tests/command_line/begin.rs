@@ -63,6 +63,12 @@ fn a_case_is_explained_with_where_each_value_comes_from() {
         steps * 2.0 * (n + 1.0)
     )));
     assert!(told.contains("figures: one\n"), "{told}");
+    assert!(
+        bench
+            .expect(2, &["explain", "."])
+            .err
+            .contains(". is a folder; name one study")
+    );
     let done = bench.expect(2, &["explain", "s.json", "8"]);
     assert!(
         done.err.contains("case 8: s has cases 0 to 7"),
