@@ -313,6 +313,14 @@ fn expressions_of_parameters() {
             r#"parameters.n[1]: "2*gamma": unknown name "gamma""#,
         ),
         (
+            r#""n": 10, "dt": 0.1, "k_I": §"50 * gamma""#,
+            r#"parameters.k_I: gives 50, but 100 follows from what it names"#,
+        ),
+        (
+            r#""n": 10, "dt": 0.1, "k_I": §"10 * n""#,
+            r#"parameters.k_I: cannot be given beside gamma"#,
+        ),
+        (
             r#""n": [2, 4], "dt": §"0.4*n""#,
             r#"parameters.dt: must be at most duration = 1.5, got 1.6"#,
         ),

@@ -174,3 +174,18 @@ fn a_million_cases_are_made_one_at_a_time() {
         [10.0, 1.0, 100.0]
     );
 }
+
+#[test]
+fn a_stiffness_may_be_said_beside_the_one_it_follows_from() {
+    let axes = r#""gamma": [0.3, 1, 7], "n": [2, 10], "dt": "0.5 / n""#;
+    let said = study(&format!(r#"{axes}, "k_I": "gamma * n * E * A / L""#), "");
+    let left = study(axes, "");
+    let columns = ["gamma", "k_I", "n", "dt"];
+    assert_eq!(numbers(&said, &columns), numbers(&left, &columns));
+    // The other way round, and by another that it names.
+    let turned = study(
+        r#""k_I": [30, 100], "n": 10, "dt": 0.1, "gamma": "gap * L / (n*E*A)", "gap": "k_I""#,
+        "",
+    );
+    assert_eq!(numbers(&turned, &["gamma"]), [[0.3], [1.0]]);
+}

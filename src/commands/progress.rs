@@ -22,13 +22,10 @@ pub fn bar(name: &str, cases: u64) -> ProgressBar {
         .with_prefix(name.to_owned())
 }
 
-/// Takes the bar away; where there was none, one plain line says what is done.
+/// Takes the bar away and says in one plain line what is done.
 pub fn finish(bar: &ProgressBar, name: &str, told: &str) {
-    let plain = bar.is_hidden();
     bar.finish_and_clear();
-    if plain {
-        note(&format!("{name}: {told}"));
-    }
+    note(&format!("{name}: {told}"));
 }
 
 /// So many cases were run.

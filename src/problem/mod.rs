@@ -187,6 +187,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn time_in_pi(&self) -> bool;
     /// Names of the six history columns: time, displacement, velocity, force, exact displacement, exact velocity.
     fn history_columns(&self) -> [&'static str; 6];
+    /// Pairs of parameters of which one is given and the other follows.
+    fn alternatives(&self) -> &'static [[&'static str; 2]] {
+        &[]
+    }
     /// Fills in the values that follow from others, and names every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
     /// Number of steps N of a completed case.

@@ -110,7 +110,7 @@ impl Block {
     pub(super) fn completed(&self, problem: &dyn Problem, raw: u64) -> Case {
         let mut case = self.raw_case(problem, raw);
         // What it may violate was reported when the study was read.
-        let _ = problem.complete(&mut case);
+        let _ = self.complete(problem, &mut case);
         case
     }
 

@@ -2,11 +2,14 @@
 
 use super::block::Block;
 use super::expression::{ExpressionFault, Formula};
-use crate::problem::Case;
 use crate::problem::parameter::{Kind, Parameter, Value};
+use crate::problem::{Case, Problem, Violation};
 
 /// Most values that are kept; beyond, an expression depends on so much that hardly any two cases share a value.
 const MOST_KEPT: u64 = 1 << 20;
+
+/// Round-off of a few operations, with room.
+const AGREES: f64 = 1e-9;
 
 /// Nearer than this, relatively, to a whole number counts as that: 10/0.1 is 100.
 const WHOLE: f64 = 1e-9;
@@ -18,6 +21,9 @@ pub struct Derived {
     pub parameter: usize,
     /// The expression as it was written.
     pub text: String,
+    /// Whether it names the parameter that it would follow from by itself, as in `"k_I": "gamma * n * E * A / L"`: then it
+    /// says what the problem knows, and must agree.
+    pub restates: bool,
     pub(super) rule: Rule,
 }
 
@@ -130,6 +136,30 @@ impl Condition {
 
     pub(super) fn holds(&self, block: &Block, case: &Case, digits: &[u64]) -> bool {
         self.rule.value(block, case, digits) == Some(1.0)
+    }
+}
+
+impl Block {
+    /// Fills in what follows from a case's parameters, and names every rule that it breaks.
+    pub(super) fn complete(&self, problem: &dyn Problem, case: &mut Case) -> Vec<Violation> {
+        let restated = self.derived.iter().filter(|derived| derived.restates);
+        let aside = restated.map(|derived| (derived, case.values[derived.parameter].take()));
+        let aside: Vec<(&Derived, Option<Value>)> = aside.collect();
+        let mut violations = problem.complete(case);
+        for (derived, said) in aside {
+            let name = case.table[derived.parameter].name;
+            let both = (said.and_then(Value::as_f64), case.number(name));
+            if let (Some(said), Some(follows)) = both
+                && (said - follows).abs() > AGREES * follows.abs()
+            {
+                let message = format!("gives {said}, but {follows} follows from what it names");
+                violations.push(Violation {
+                    parameter: name,
+                    message,
+                });
+            }
+        }
+        violations
     }
 }
 

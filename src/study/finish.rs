@@ -107,7 +107,8 @@ impl Draft {
             };
             let given = waiting.remove(place);
             if let Some((formula, text)) = &given.formula {
-                derive(&mut block, given, formula, text, table, faults);
+                let restates = self.restates(given, problem);
+                derive(&mut block, given, (formula, text), restates, table, faults);
             }
         }
         if let Some((formula, at, text)) = &self.when {
@@ -172,6 +173,31 @@ impl Draft {
         known
     }
 
+    /// Whether an expression names, by others or itself, what its parameter would follow from.
+    fn restates(&self, given: &Given, problem: &dyn Problem) -> bool {
+        let table = problem.parameters();
+        let name = table[given.parameter].name;
+        let other = |pair: &&[&'static str; 2]| pair.contains(&name);
+        let Some(pair) = problem.alternatives().iter().find(other) else {
+            return false;
+        };
+        let (mut seen, mut next) = (Vec::new(), vec![given.parameter]);
+        while let Some(row) = next.pop() {
+            let given = self.given.iter().find(|given| given.parameter == row);
+            let formula = given.and_then(|given| given.formula.as_ref());
+            for row in formula.iter().flat_map(|(formula, _)| formula.uses()) {
+                if table[*row].name != name && pair.contains(&table[*row].name) {
+                    return true;
+                }
+                if !seen.contains(row) {
+                    seen.push(*row);
+                    next.push(*row);
+                }
+            }
+        }
+        false
+    }
+
     /// Says which parameters name each other in a circle.
     fn circle(&self, waiting: &[&Given], table: &'static [Parameter], faults: &mut Faults) {
         let next = |row: usize| {
@@ -206,8 +232,8 @@ impl Draft {
 fn derive(
     block: &mut Block,
     given: &Given,
-    formula: &Formula,
-    text: &str,
+    (formula, text): (&Formula, &str),
+    restates: bool,
     table: &'static [Parameter],
     faults: &mut Faults,
 ) {
@@ -238,6 +264,7 @@ fn derive(
     block.derived.push(Derived {
         parameter: given.parameter,
         text: text.to_owned(),
+        restates,
         rule,
     });
 }

@@ -72,7 +72,7 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults:
         for row in &draft.faulty {
             case.values[*row] = None;
         }
-        for violation in problem.complete(&mut case) {
+        for violation in sieved.complete(problem, &mut case) {
             let row = problem
                 .parameters()
                 .iter()

@@ -60,6 +60,10 @@ impl Problem for BarImpact {
         ["t", "r", "rdot", "force", "r_exact", "rdot_exact"]
     }
 
+    fn alternatives(&self) -> &'static [[&'static str; 2]] {
+        &[["gamma", "k_I"]]
+    }
+
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         rules::complete(case)
     }
