@@ -11,6 +11,9 @@ const CHANNEL: u8 = 2;
 /// Pixels that may differ by more, where such a sum tips an edge over: fewer than a full stop covers.
 const PIXELS: usize = 8;
 
+/// Files that are made on demand and not committed.
+const BESIDE: [&str; 2] = ["manifest.json", "report.html"];
+
 #[test]
 #[ignore = "runs every study; run by `make fresh`"]
 fn committed_results_are_what_a_run_writes_now() {
@@ -89,7 +92,9 @@ fn results(folder: &Path) -> BTreeSet<PathBuf> {
             name != "histories" && name != "store" && !name.starts_with("recommend-")
         })
         .map(|entry| entry.unwrap())
-        .filter(|entry| entry.file_type().is_file() && entry.file_name() != "manifest.json")
+        .filter(|entry| {
+            entry.file_type().is_file() && !BESIDE.iter().any(|name| entry.file_name() == *name)
+        })
         .map(|entry| entry.path().strip_prefix(folder).unwrap().to_owned())
         .filter(|name| name.extension().is_none_or(|e| e != "svg"))
         .collect()
