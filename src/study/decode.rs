@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 
 use super::blocks::{BESIDE, blocks};
 use super::checks::check;
-use super::figures::figures;
+use super::figure::figures;
 use super::object::Object;
 use super::place::{self, Place};
 use super::report::{Faults, nearest};

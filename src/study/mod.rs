@@ -1,7 +1,7 @@
 //! A study file, read: problem, blocks of axes, columns, figures and checks.
 //!
 //! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
-//! problem and of `kinds` and collects every fault -> [`Study`] -> `block` and `cases`, made one at a time.
+//! problem and of `figure::kinds` and collects every fault -> [`Study`] -> `block` and `cases`, made one at a time.
 
 mod block;
 mod blocks;
@@ -9,26 +9,20 @@ mod cases;
 mod checks;
 mod decode;
 mod derived;
+mod describe;
 mod design;
 pub mod expression;
-mod figures;
+mod figure;
 mod finish;
-mod fitness;
 mod interval;
-mod kinds;
 pub mod ledger;
 mod object;
 mod parameters;
 mod place;
-mod reference;
 mod report;
 mod rules;
-mod schema;
-mod schema_values;
 mod scope;
 mod spread;
-mod start;
-mod taken;
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -37,11 +31,9 @@ mod zip;
 
 pub use block::{Axis, Block, Group};
 pub use decode::{parse, read, read_up_to};
+pub use describe::{reference, schema, start};
 pub use design::{Design, Sampling};
-pub use reference::reference;
 pub use rules::MOST_CASES;
-pub use schema::schema;
-pub use start::start;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;

@@ -1,19 +1,19 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
 use super::kinds::{Key, SCALES, Takes};
-use super::object::Object;
-use super::report::{Faults, join};
-use super::scope::{Scope, names};
-use super::tree::{Node, Tree};
-use super::value::{name, number, text};
-use super::{Filter, Marks, Scale};
 use crate::problem::parameter::{self, Range};
+use crate::study::object::Object;
+use crate::study::report::{Faults, join};
+use crate::study::scope::{Scope, names};
+use crate::study::tree::{Node, Tree};
+use crate::study::value::{name, number, text};
+use crate::study::{Filter, Marks, Scale};
 
 /// Longest file name of a figure, well within what file systems take with an ending.
 const LONGEST_NAME: usize = 100;
 
 /// What was found under one key.
-pub(super) enum Taken {
+pub(in crate::study) enum Taken {
     Text(String),
     Filter(Filter),
     Rows(Vec<usize>),
@@ -23,7 +23,7 @@ pub(super) enum Taken {
 }
 
 /// The decoded values of one figure, by key.
-pub(super) struct Values<'a> {
+pub(in crate::study) struct Values<'a> {
     pub node: &'a Node,
     pub path: &'a str,
     pub taken: Vec<(&'static str, &'a Node, Taken)>,
@@ -99,7 +99,7 @@ impl Values<'_> {
 }
 
 /// Decodes the value of one key by what the table says it takes.
-pub(super) fn take(
+pub(in crate::study) fn take(
     key: &Key,
     node: &Node,
     path: &str,
@@ -177,7 +177,7 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
 }
 
 /// The keys of `marks`.
-pub(super) const MARKS: [(&str, &str); 2] = [
+pub(in crate::study) const MARKS: [(&str, &str); 2] = [
     ("label", "what the legend calls them"),
     ("at", "places, each [x, y]; expressions allowed"),
 ];

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use super::cases::identity;
-use super::report::{Faults, join};
-use super::scope::Scope;
 use super::taken::Values;
-use super::{Figure, FigureKind, Sampling, Scale};
 use crate::problem::parameter::{Default, Value, shortest};
+use crate::study::cases::identity;
+use crate::study::report::{Faults, join};
+use crate::study::scope::Scope;
+use crate::study::{Figure, FigureKind, Sampling, Scale};
 
 /// Most curves that line styles can tell apart in one panel.
 const MOST_CURVES: usize = 8;
@@ -199,7 +199,7 @@ fn curves(
     }
     let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
     let mut steps = 0u64;
-    let case = |index| super::cases::case(scope.problem, &scope.blocks, index);
+    let case = |index| crate::study::cases::case(scope.problem, &scope.blocks, index);
     for case in scope.select(&figure.filter).filter_map(case) {
         let panel = panels.and_then(|row| case.values[row]).map(identity);
         let count = counts.entry(panel).or_default();
@@ -249,9 +249,10 @@ fn within(figure: &Figure, times: &[f64], values: &Values, scope: &Scope, faults
 /// Reports cases that are not just those of one saltelli design.
 fn saltelli(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
     let chosen = scope.select(&figure.filter).count() as u64;
-    let whole = |block: &&super::Block| {
+    let whole = |block: &&crate::study::Block| {
         let design = block.design.as_ref();
-        let fits = |d: &super::Design| d.sampling == Sampling::Saltelli && d.points() == chosen;
+        let fits =
+            |d: &crate::study::Design| d.sampling == Sampling::Saltelli && d.points() == chosen;
         design.is_some_and(fits)
             && block.select(scope.problem, &figure.filter).count() as u64 == chosen
     };

@@ -2,9 +2,9 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::interval::INTERVALS;
-use super::spread::RULES;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::study::interval::INTERVALS;
+use crate::study::spread::RULES;
 
 /// The `parameters` object, or the object that one of its keys holds.
 pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {

@@ -1,7 +1,7 @@
 //! The kinds of figure and the keys that each takes: the one table that decoding, schema and documentation read.
 
 /// One kind of figure.
-pub(super) struct Kind {
+pub(in crate::study) struct Kind {
     pub name: &'static str,
     pub meaning: &'static str,
     /// Keys beyond those that every figure takes.
@@ -9,7 +9,7 @@ pub(super) struct Kind {
 }
 
 /// One key of a figure.
-pub(super) struct Key {
+pub(in crate::study) struct Key {
     pub name: &'static str,
     pub takes: Takes,
     pub required: bool,
@@ -18,7 +18,7 @@ pub(super) struct Key {
 
 /// What stands under a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Takes {
+pub(in crate::study) enum Takes {
     /// A name that becomes a file name.
     FileName,
     /// The name of a kind.
@@ -52,7 +52,7 @@ pub(super) enum Takes {
 }
 
 /// Names of the scales, as `Scale` has them.
-pub(super) const SCALES: [&str; 2] = ["linear", "log"];
+pub(in crate::study) const SCALES: [&str; 2] = ["linear", "log"];
 
 const fn key(name: &'static str, takes: Takes, required: bool, meaning: &'static str) -> Key {
     Key {
@@ -64,7 +64,7 @@ const fn key(name: &'static str, takes: Takes, required: bool, meaning: &'static
 }
 
 /// The keys of every figure.
-pub(super) static COMMON: [Key; 5] = [
+pub(in crate::study) static COMMON: [Key; 5] = [
     key(
         "name",
         Takes::FileName,
@@ -88,7 +88,7 @@ pub(super) static COMMON: [Key; 5] = [
 ];
 
 /// Every kind of figure.
-pub(super) static KINDS: [Kind; 9] = [
+pub(in crate::study) static KINDS: [Kind; 9] = [
     Kind {
         name: "history",
         meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
@@ -279,12 +279,12 @@ impl Kind {
 }
 
 /// Names of all kinds.
-pub(super) fn names() -> Vec<&'static str> {
+pub(in crate::study) fn names() -> Vec<&'static str> {
     KINDS.iter().map(|kind| kind.name).collect()
 }
 
 /// Names of all keys of figures, each once.
-pub(super) fn all_keys() -> Vec<&'static str> {
+pub(in crate::study) fn all_keys() -> Vec<&'static str> {
     let mut names: Vec<&str> = COMMON.iter().map(|key| key.name).collect();
     for key in KINDS.iter().flat_map(|kind| kind.keys) {
         if !names.contains(&key.name) {
@@ -295,7 +295,7 @@ pub(super) fn all_keys() -> Vec<&'static str> {
 }
 
 /// Names of the kinds that take `key`.
-pub(super) fn takers(key: &str) -> Vec<&'static str> {
+pub(in crate::study) fn takers(key: &str) -> Vec<&'static str> {
     KINDS
         .iter()
         .filter(|kind| kind.keys.iter().any(|k| k.name == key))

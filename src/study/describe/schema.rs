@@ -4,16 +4,16 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::blocks::BESIDE;
-use super::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
-use super::schema_values::{
+use super::values::{
     EXPRESSION, INTERVAL, RULE, expression, interval, names, number, object, parameters, refer,
     rule, value,
 };
-use super::taken::MARKS;
-use super::{checks, decode, design};
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{PROBLEMS, Problem};
+use crate::study::blocks::BESIDE;
+use crate::study::figure::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
+use crate::study::figure::taken::MARKS;
+use crate::study::{checks, decode, design};
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {

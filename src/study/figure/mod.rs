@@ -1,20 +1,28 @@
 //! The `figures` of a study.
 
+mod fitness;
+pub(super) mod kinds;
+pub(super) mod taken;
+
 use std::collections::HashSet;
 
-use super::kinds::{self, COMMON, KINDS, Key, Kind, Takes};
-use super::object::Object;
-use super::report::{Faults, join, quoted};
-use super::scope::Scope;
-use super::taken::{Values, take};
-use super::tree::Node;
-use super::value::name;
-use super::{Figure, FigureKind};
 use crate::problem::Source;
+use crate::study::object::Object;
+use crate::study::report::{Faults, join, quoted};
+use crate::study::scope::Scope;
+use crate::study::tree::Node;
+use crate::study::value::name;
+use crate::study::{Figure, FigureKind};
+use kinds::{COMMON, KINDS, Key, Kind, Takes};
+use taken::{Values, take};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
 /// ignore.
-pub(super) fn figures(object: &Object, scope: &Scope, faults: &mut Faults) -> Vec<Figure> {
+pub(in crate::study) fn figures(
+    object: &Object,
+    scope: &Scope,
+    faults: &mut Faults,
+) -> Vec<Figure> {
     let named = object.items("figures", faults, |node, path, faults| {
         let (figure, at) = figure(node, path, scope, faults)?;
         Some((figure, at, join(path, "name")))
@@ -66,7 +74,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         kind: assembled(kind?.name, &values, scope)?,
     };
     if !scope.blocks.is_empty() {
-        super::fitness::check(&figure, &values, scope, faults);
+        fitness::check(&figure, &values, scope, faults);
     }
     (faults.count() == before).then(|| (figure, values.at("name")))
 }

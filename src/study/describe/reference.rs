@@ -2,15 +2,15 @@
 
 use std::fmt::Write;
 
-use super::blocks::BESIDE;
-use super::expression::words::{CONSTANTS, FUNCTIONS};
-use super::interval::INTERVALS;
-use super::kinds::{COMMON, KINDS, Key};
-use super::schema_values::allowed;
-use super::spread::RULES;
-use super::{checks, decode, design};
+use super::values::allowed;
 use crate::problem::parameter::{Default, Parameter};
 use crate::problem::{PROBLEMS, Problem};
+use crate::study::blocks::BESIDE;
+use crate::study::expression::words::{CONSTANTS, FUNCTIONS};
+use crate::study::figure::kinds::{COMMON, KINDS, Key};
+use crate::study::interval::INTERVALS;
+use crate::study::spread::RULES;
+use crate::study::{checks, decode, design};
 
 /// docs/study-files.md.
 pub fn reference() -> String {
@@ -58,7 +58,7 @@ fn keys(table: &[Key]) -> String {
     text.trim_end().to_owned()
 }
 
-fn kind(kind: &super::kinds::Kind) -> String {
+fn kind(kind: &crate::study::figure::kinds::Kind) -> String {
     let own = match kind.keys {
         [] => String::new(),
         some => format!("\n{}\n", keys(some)),
