@@ -1,6 +1,5 @@
 //! Several cases side by side: L numbers that go through the same operations, with the same bits for every L.
 
-use std::array;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// One number for each of L cases.
@@ -14,34 +13,40 @@ impl<const L: usize> Lane<L> {
     }
 
     /// `f` of every lane.
+    // Loops, not array::from_fn: past 16 lanes that stays a call for each lane.
     #[inline(always)]
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        Lane(array::from_fn(|l| f(self.0[l])))
+    pub fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for x in &mut self.0 {
+            *x = f(*x);
+        }
+        self
     }
 
     /// `f` of every pair of lanes.
     #[inline(always)]
-    pub fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Lane(array::from_fn(|l| f(self.0[l], other.0[l])))
+    pub fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        for (x, y) in self.0.iter_mut().zip(other.0) {
+            *x = f(*x, y);
+        }
+        self
     }
 
-    /// Cut to -limit..=limit, by comparisons alone (they compile to one instruction each; f64::min does not).
+    /// The larger of two, by a comparison (it compiles to one instruction; f64::max does not).
+    #[inline(always)]
+    pub fn larger(self, other: Self) -> Self {
+        self.zip(other, |x, y| if y > x { y } else { x })
+    }
+
+    /// The smaller of two.
+    #[inline(always)]
+    pub fn smaller(self, other: Self) -> Self {
+        self.zip(other, |x, y| if y < x { y } else { x })
+    }
+
+    /// Cut to -limit..=limit.
     #[inline(always)]
     pub fn cut(self, limit: Self) -> Self {
-        self.zip(limit, |x, m| if x > m { m } else { x })
-            .zip(limit, |x, m| if x < -m { -m } else { x })
-    }
-
-    /// In each lane `yes` where `self` was cut by `limit`, else `no`.
-    #[inline(always)]
-    pub fn where_beyond(self, limit: Self, yes: Self, no: Self) -> Self {
-        Lane(array::from_fn(|l| {
-            if self.0[l] > limit.0[l] || self.0[l] < -limit.0[l] {
-                yes.0[l]
-            } else {
-                no.0[l]
-            }
-        }))
+        self.smaller(limit).larger(-limit)
     }
 }
 

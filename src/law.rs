@@ -1,29 +1,43 @@
 //! Contact laws: the force S of an element from its relative displacement r and velocity rdot.
 //!
 //! S *resists*: it has the sign of the motion it opposes ([F (1)] and [F (6)] disagree on it; this sign
-//! agrees with [F (9), (16), (19)]). A step of the method leaves r = r* - h S and rdot = rdot* - h_rate S, with
-//! r*, rdot* the response without this step's force. Each law here gives the one root of that pair in closed form:
-//! what the papers' iteration converges to where it converges. Newton's iteration on these clipped laws can cycle.
+//! agrees with [F (9), (16), (19)]). From S(i) to S(i+1) a step of the method leaves
+//!
+//! ```text
+//! r(i+1) = r(i) + change - h (S(i) + S(i+1)),   rdot(i+1) = free rate - h_rate (S(i) + S(i+1))
+//! ```
+//!
+//! with what the structure would do free of the contact. Each law here gives the one root of that in closed form: what
+//! the papers' iteration converges to where it converges. Newton's iteration on these clipped laws can cycle.
 
 use crate::lane::Lane;
 
-/// What a step leaves open: the response without the element's force, and what a unit of force takes from it.
+/// What a step leaves open: the contact at its start, and the motion that the structure would make free of it.
 #[derive(Debug, Clone, Copy)]
 pub struct Trial<const L: usize> {
-    /// r*, relative displacement without the force of this step.
+    /// r at the start of the step.
     pub displacement: Lane<L>,
-    /// rdot*, relative velocity without the force of this step.
-    pub velocity: Lane<L>,
-    /// h = b^T Khat^-1 b, displacement taken by a unit force; > 0.
+    /// S at the start of the step.
+    pub force: Lane<L>,
+    /// By how much r would change with neither S(i) nor S(i+1).
+    pub change: Lane<L>,
+    /// rdot at the end with neither.
+    pub rate: Lane<L>,
+}
+
+/// What a unit of force at one end of a step takes from the contact's motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Flexibility<const L: usize> {
+    /// h = b^T Khat^-1 b, taken from the displacement; > 0.
     pub h: Lane<L>,
-    /// 2 h/dt, velocity taken by a unit force.
+    /// 2 h/dt, taken from the velocity.
     pub h_rate: Lane<L>,
 }
 
-/// A law for one contact.
+/// A law for one contact. What it remembers is in S: a slip is r - S/k^C.
 pub trait Law<const L: usize> {
-    /// The force S at the end of the step; the law's own state moves on.
-    fn respond(&mut self, trial: &Trial<L>) -> Lane<L>;
+    /// The force S at the end of the step.
+    fn respond(&self, trial: &Trial<L>) -> Lane<L>;
 }
 
 /// Friction limit `nu |N| <N>`: zero where the contact is open, N >= 0 [F (1), (3)].
@@ -38,59 +52,89 @@ pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
 /// Displacement-control model [F (9)]: elastic up to r^E = nu |N|/k^C about the slip, then sliding.
 #[derive(Debug, Clone, Copy)]
 pub struct DisplacementControl<const L: usize> {
-    /// 1/k^C; alpha in dimensionless units.
-    pub compliance: Lane<L>,
     /// `nu |N| <N>`, >= 0; may change from step to step.
     pub limit: Lane<L>,
-    /// Slip r^S.
-    pub slip: Lane<L>,
+    /// S(i+1) of the elastic element for a unit of change, and for a unit of S(i).
+    by_change: Lane<L>,
+    by_force: Lane<L>,
+}
+
+impl<const L: usize> DisplacementControl<L> {
+    /// With 1/k^C (alpha in dimensionless units) on a structure of this flexibility.
+    #[inline(always)]
+    pub fn new(compliance: Lane<L>, limit: Lane<L>, on: Flexibility<L>) -> Self {
+        let by_change = (compliance + on.h).map(|c| 1.0 / c);
+        DisplacementControl {
+            limit,
+            by_change,
+            by_force: (compliance - on.h) * by_change,
+        }
+    }
 }
 
 impl<const L: usize> Law<L> for DisplacementControl<L> {
     #[inline(always)]
-    fn respond(&mut self, trial: &Trial<L>) -> Lane<L> {
-        // Stick: S = k^C (r - r^S) [F (9)] with r = r* - h S.
-        let stiffness = (self.compliance + trial.h).map(|c| 1.0 / c);
-        let stick = (trial.displacement - self.slip) * stiffness;
-        let force = stick.cut(self.limit);
-        // Return mapping, which [F] does not print: past the limit the slip follows, r^S = r -+ r^E. At N >= 0 the
-        // limit is zero, so S = 0 and r^S = r: a contact that opens forgets where it slid.
-        let slid = trial.displacement - trial.h * force - self.compliance * force;
-        self.slip = stick.where_beyond(self.limit, slid, self.slip);
-        force
+    fn respond(&self, trial: &Trial<L>) -> Lane<L> {
+        // Stick: S = k^C (r - r^S) [F (9)] at both ends of the step, so S(i+1) = S(i) + k^C (r(i+1) - r(i)). The cut is
+        // the return mapping that [F] does not print: past the limit the slip follows, r^S = r -+ r^E, since it is
+        // r - S/k^C whatever S is. At N >= 0 the limit is zero: a contact that opens forgets where it slid.
+        (trial.change * self.by_change + trial.force * self.by_force).cut(self.limit)
     }
 }
 
 /// Velocity-control model [F (16)]: viscous up to rdot^E = nu |N|/c^C, then at the friction limit.
 #[derive(Debug, Clone, Copy)]
 pub struct VelocityControl<const L: usize> {
-    /// 1/c^C; beta in dimensionless units.
-    pub compliance: Lane<L>,
     /// `nu |N| <N>`, >= 0; may change from step to step.
     pub limit: Lane<L>,
+    by_rate: Lane<L>,
+    by_force: Lane<L>,
+}
+
+impl<const L: usize> VelocityControl<L> {
+    /// With 1/c^C (beta in dimensionless units) on a structure of this flexibility.
+    #[inline(always)]
+    pub fn new(compliance: Lane<L>, limit: Lane<L>, on: Flexibility<L>) -> Self {
+        let by_rate = (compliance + on.h_rate).map(|c| 1.0 / c);
+        VelocityControl {
+            limit,
+            by_rate,
+            by_force: on.h_rate * by_rate,
+        }
+    }
 }
 
 impl<const L: usize> Law<L> for VelocityControl<L> {
     #[inline(always)]
-    fn respond(&mut self, trial: &Trial<L>) -> Lane<L> {
-        let damping = (self.compliance + trial.h_rate).map(|c| 1.0 / c);
-        (trial.velocity * damping).cut(self.limit)
+    fn respond(&self, trial: &Trial<L>) -> Lane<L> {
+        (trial.rate * self.by_rate - trial.force * self.by_force).cut(self.limit)
     }
 }
 
 /// Impact spring `[I (7), (8)]`, `S = k_I <r> r`, which pushes while r < 0 and never pulls (the print lacks the last r).
 #[derive(Debug, Clone, Copy)]
 pub struct ImpactSpring<const L: usize> {
-    /// 1/k_I.
-    pub compliance: Lane<L>,
+    h: Lane<L>,
+    stiffness: Lane<L>,
+}
+
+impl<const L: usize> ImpactSpring<L> {
+    /// With 1/k_I on a structure of this flexibility.
+    #[inline(always)]
+    pub fn new(compliance: Lane<L>, on: Flexibility<L>) -> Self {
+        ImpactSpring {
+            h: on.h,
+            stiffness: (compliance + on.h).map(|c| 1.0 / c),
+        }
+    }
 }
 
 impl<const L: usize> Law<L> for ImpactSpring<L> {
     #[inline(always)]
-    fn respond(&mut self, trial: &Trial<L>) -> Lane<L> {
-        let stiffness = (self.compliance + trial.h).map(|c| 1.0 / c);
-        // r has the sign of r*, since h > 0.
-        (trial.displacement * stiffness).map(|s| if s < 0.0 { s } else { 0.0 })
+    fn respond(&self, trial: &Trial<L>) -> Lane<L> {
+        // r has the sign of what it would be without S(i+1), since h > 0.
+        let alone = trial.displacement + (trial.change - trial.force * self.h);
+        (alone * self.stiffness).smaller(Lane::splat(0.0))
     }
 }
 
@@ -113,37 +157,23 @@ mod tests {
         0.5 * (low + high)
     }
 
-    fn trial(displacement: f64, velocity: f64, h: f64, dt: f64) -> Trial<1> {
-        Trial {
-            displacement: Lane([displacement]),
-            velocity: Lane([velocity]),
+    fn on(h: f64, dt: f64) -> Flexibility<1> {
+        Flexibility {
             h: Lane([h]),
             h_rate: Lane([2.0 * h / dt]),
         }
     }
 
-    fn displacement(compliance: f64, limit: f64, slip: f64, trial: &Trial<1>) -> (f64, f64) {
-        let mut law = DisplacementControl {
-            compliance: Lane([compliance]),
-            limit: Lane([limit]),
-            slip: Lane([slip]),
-        };
-        let Lane([force]) = law.respond(trial);
-        (force, law.slip.0[0])
+    fn trial(displacement: f64, force: f64, change: f64, rate: f64) -> Trial<1> {
+        Trial {
+            displacement: Lane([displacement]),
+            force: Lane([force]),
+            change: Lane([change]),
+            rate: Lane([rate]),
+        }
     }
 
-    fn velocity(compliance: f64, limit: f64, trial: &Trial<1>) -> f64 {
-        let mut law = VelocityControl {
-            compliance: Lane([compliance]),
-            limit: Lane([limit]),
-        };
-        law.respond(trial).0[0]
-    }
-
-    fn impact(compliance: f64, trial: &Trial<1>) -> f64 {
-        let mut law = ImpactSpring {
-            compliance: Lane([compliance]),
-        };
+    fn answer(law: impl Law<1>, trial: &Trial<1>) -> f64 {
         law.respond(trial).0[0]
     }
 
@@ -153,39 +183,44 @@ mod tests {
         #[test]
         fn every_law_gives_the_one_root_and_rises(
             r in -3.0..3.0_f64,
-            v in -3.0..3.0_f64,
-            slip in -1.0..1.0_f64,
+            before in -2.0..2.0_f64,
+            change in -3.0..3.0_f64,
+            rate in -3.0..3.0_f64,
             compliance in 1e-3..5.0_f64,
             h in 1e-3..5.0_f64,
             dt in 0.1..2.0_f64,
             limit in 0.0..2.0_f64,
             more in 0.0..1.0_f64,
         ) {
-            let now = trial(r, v, h, dt);
-            let further = trial(r + more, v + more, h, dt);
-            // The inputs are rounded to eps of some 4, which the steepest law, 1/(compliance + h), turns into this much.
-            let near = |a: f64, b: f64| (a - b).abs() < 32.0 * f64::EPSILON * (1.0 + 1.0 / (compliance + h));
+            let now = trial(r, before, change, rate);
+            let further = trial(r, before, change + more, rate + more);
+            let on = on(h, dt);
+            let (soft, bound) = (Lane([compliance]), Lane([limit]));
+            // The inputs are rounded to eps of some 8, which the steepest law, 1/(compliance + h), turns into this much.
+            let near = |a: f64, b: f64| (a - b).abs() < 64.0 * f64::EPSILON * (1.0 + 1.0 / (compliance + h));
+            // What this step's force leaves of the motion.
+            let displacement = |s: f64| r + change - h * (before + s);
+            let velocity = |s: f64| rate - 2.0 * h / dt * (before + s);
 
-            let (force, moved) = displacement(compliance, limit, slip, &now);
-            let by_law = |s: f64| s - ((r - h * s - slip) / compliance).clamp(-limit, limit);
-            let root = bisection(by_law, limit);
+            let law = DisplacementControl::new(soft, bound, on);
+            let force = answer(law, &now);
+            let slip = r - compliance * before;
+            let root = bisection(|s| s - ((displacement(s) - slip) / compliance).clamp(-limit, limit), limit);
             prop_assert!(near(force, root), "displacement-control {force} {root}");
-            let elastic = if force.abs() < limit { slip } else { r - h * force - compliance * force };
-            prop_assert!((moved - elastic).abs() < 1e-14, "slip {moved} {elastic}");
-            prop_assert!(displacement(compliance, limit, slip, &further).0 >= force);
+            prop_assert!(answer(law, &further) >= force);
 
-            let force = velocity(compliance, limit, &now);
-            let by_law = |s: f64| s - ((v - 2.0 * h / dt * s) / compliance).clamp(-limit, limit);
-            let root = bisection(by_law, limit);
+            let law = VelocityControl::new(soft, bound, on);
+            let force = answer(law, &now);
+            let root = bisection(|s| s - (velocity(s) / compliance).clamp(-limit, limit), limit);
             prop_assert!(near(force, root), "velocity-control {force} {root}");
-            prop_assert!(velocity(compliance, limit, &further) >= force);
+            prop_assert!(answer(law, &further) >= force);
 
-            let force = impact(compliance, &now);
-            let by_law = |s: f64| s - (r - h * s).min(0.0) / compliance;
-            let root = bisection(by_law, 3.0 / compliance);
-            // Here the bisection itself starts from up to 3000.
-            prop_assert!((force - root).abs() < 1e-12, "impact spring {force} {root}");
-            prop_assert!(impact(compliance, &further) >= force);
+            let law = ImpactSpring::new(soft, on);
+            let force = answer(law, &now);
+            let root = bisection(|s| s - displacement(s).min(0.0) / compliance, 20.0 / compliance);
+            // Here the bisection itself starts from up to 20000.
+            prop_assert!((force - root).abs() < 1e-11, "impact spring {force} {root}");
+            prop_assert!(answer(law, &further) >= force);
         }
     }
 
@@ -199,10 +234,14 @@ mod tests {
         ] {
             assert_eq!(friction_limit(nu, normal), limit);
         }
-        assert_eq!(
-            displacement(0.1, 0.0, 5.0, &trial(2.0, 0.0, 0.3, 0.1)),
-            (0.0, 2.0)
-        );
-        assert_eq!(velocity(0.1, 0.0, &trial(2.0, 1.0, 0.3, 0.1)), 0.0);
+        let (soft, open) = (Lane([0.1]), Lane([0.0]));
+        let mut law = DisplacementControl::new(soft, open, on(0.3, 0.1));
+        assert_eq!(answer(law, &trial(2.0, 0.7, 0.5, 0.0)), 0.0);
+        // Pressed again, with S = 0 at its start: the slip is where the contact is then.
+        law.limit = Lane([1.0]);
+        let force = answer(law, &trial(2.0, 0.0, 0.2, 0.0));
+        assert!((force - 0.2 / (0.1 + 0.3)).abs() < 1e-15);
+        let law = VelocityControl::new(soft, open, on(0.3, 0.1));
+        assert_eq!(answer(law, &trial(2.0, 0.0, 1.0, 0.0)), 0.0);
     }
 }

@@ -1,18 +1,20 @@
 //! The constant average acceleration method for a structure's modes and one contact.
 //!
 //! Newmark's method with gamma = 1/2, beta = 1/4 [F section 4, I section 3]. For a mode x'' + omega2 x = -phi2 S,
-//! with D = 1 + omega2 dt^2/4 and the increments P = x + dt v/2, W = dt v, the method is exactly
+//! with D = 1 + omega2 dt^2/4, K = omega2 dt^2/D, G = phi2 dt^2/(2 D) and the increments P = x + dt v/2, W = dt v, the
+//! method is exactly
 //!
 //! ```text
-//! W(i+1) = W(i) - omega2 dt^2/D P(i) - phi2 dt^2/(2 D) (S(i) + S(i+1))
-//! P(i+1) = P(i) + W(i+1),   x(i+1) = P(i) + W(i+1)/2,   v(i+1) = W(i+1)/dt
+//! W(i+1) = W(i) - K P(i) - G (S(i) + S(i+1)),   P(i+1) = P(i) + W(i+1)
+//! x(i+1) = P(i+1) - W(i+1)/2,   v(i+1) = W(i+1)/dt
 //! ```
 //!
-//! Three additions a step, and round-off stays that of the increments however small the step. The sum of the x gives
-//! r = r* - h S(i+1), the law gives the root, a second pass brings the force to the modes: O(modes) a step.
+//! and round-off stays that of the increments however small the step. What W(i+1) would be without the forces is ready
+//! a step ahead, in each mode (`free`) and in their sum. The sum gives what the contact would do free of the force; the
+//! law gives the root S(i+1); then one pass moves every mode: four additions a mode and step.
 
 use crate::lane::Lane;
-use crate::law::{Law, Trial};
+use crate::law::{Flexibility, Law, Trial};
 use crate::structure::Mode;
 
 /// State of the contact at the end of a step.
@@ -24,26 +26,58 @@ pub struct Contact<const L: usize> {
     pub velocity: Lane<L>,
     /// Force S.
     pub force: Lane<L>,
+    /// Energy of the structure, kinetic and elastic, summed over its modes.
+    pub energy: Lane<L>,
 }
 
-/// Modes on their way through time.
+impl<const L: usize> Contact<L> {
+    /// One lane alone.
+    #[inline(always)]
+    pub fn lane(&self, l: usize) -> Contact<1> {
+        Contact {
+            displacement: Lane([self.displacement.0[l]]),
+            velocity: Lane([self.velocity.0[l]]),
+            force: Lane([self.force.0[l]]),
+            energy: Lane([self.energy.0[l]]),
+        }
+    }
+}
+
+impl Contact<1> {
+    /// Whether the motion is still one of finite numbers; if not, it never is again.
+    pub fn is_finite(&self) -> bool {
+        let all = [self.displacement, self.velocity, self.force];
+        all.iter().all(|x| x.0[0].is_finite())
+    }
+}
+
+/// Modes on their way through time; `M` holds them, an array where their number is known.
 #[derive(Debug, Clone)]
-pub struct Stepper<const L: usize> {
-    modes: Vec<Moving<L>>,
-    /// Gap at rest: r = gap + sum x.
-    gap: Lane<L>,
+pub struct Stepper<const L: usize, M = Vec<Moving<L>>> {
+    modes: M,
     rate: Lane<L>,
-    h: Lane<L>,
+    /// Sum of the modes' G.
+    give: Lane<L>,
+    /// Sum of the modes' `free`.
+    free: Lane<L>,
     contact: Contact<L>,
+    /// dt rdot.
+    increment: Lane<L>,
 }
 
-/// One mode: its two coefficients and its two increments.
+/// One mode on its way: its coefficients and its state.
 #[derive(Debug, Clone, Copy)]
-struct Moving<const L: usize> {
+pub struct Moving<const L: usize> {
+    /// K
     stiffness: Lane<L>,
-    force: Lane<L>,
+    /// G
+    give: Lane<L>,
+    /// P
     p: Lane<L>,
-    w: Lane<L>,
+    /// W - K P, the next W but for the forces.
+    free: Lane<L>,
+    /// Energy for a unit of W^2, 1/(4 G).
+    weight: Lane<L>,
 }
 
 /// A mode at rest or in motion at T = 0, the same mode of each lane's case.
@@ -60,81 +94,158 @@ pub struct Start<const L: usize> {
 impl<const L: usize> Stepper<L> {
     /// Modes at T = 0 with steps `dt`, the contact's `gap` and the force S(0) there: by equilibrium this is a(0).
     pub fn new(dt: Lane<L>, start: &[Start<L>], gap: Lane<L>, force: Lane<L>) -> Self {
-        let rate = dt.map(|dt| 1.0 / dt);
-        let zero = Lane::splat(0.0);
-        let mut stepper = Stepper {
-            modes: Vec::with_capacity(start.len()),
-            gap,
-            rate,
-            h: zero,
-            contact: Contact {
-                displacement: gap,
-                velocity: zero,
-                force,
-            },
-        };
-        for Start {
-            mode,
-            displacement,
-            velocity,
-        } in start
-        {
-            let omega2 = Lane(mode.map(|m| m.omega2));
-            let phi2 = Lane(mode.map(|m| m.phi2));
-            let shrink = (omega2 * dt * dt).map(|o| 1.0 / (1.0 + 0.25 * o));
-            let w = dt * *velocity;
-            let moving = Moving {
-                stiffness: omega2 * dt * dt * shrink,
-                force: phi2 * dt * dt * shrink * 0.5,
-                p: *displacement + w * 0.5,
-                w,
-            };
-            stepper.h = stepper.h + moving.force * 0.5;
-            stepper.contact.displacement = stepper.contact.displacement + *displacement;
-            stepper.contact.velocity = stepper.contact.velocity + *velocity;
-            stepper.modes.push(moving);
+        let modes = start.iter().map(|start| Moving::new(dt, start)).collect();
+        Stepper::holding(modes, dt, gap, force)
+    }
+}
+
+impl<const L: usize> Stepper<L, [Moving<L>; 1]> {
+    /// The same for a structure of one mode, which needs no list of them.
+    #[inline(always)]
+    pub fn single(dt: Lane<L>, start: &Start<L>, gap: Lane<L>, force: Lane<L>) -> Self {
+        Stepper::holding([Moving::new(dt, start)], dt, gap, force)
+    }
+}
+
+impl<const L: usize> Moving<L> {
+    #[inline(always)]
+    fn new(dt: Lane<L>, start: &Start<L>) -> Self {
+        let omega2 = Lane(start.mode.map(|m| m.omega2));
+        let phi2 = Lane(start.mode.map(|m| m.phi2));
+        let shrink = (omega2 * dt * dt).map(|o| 1.0 / (1.0 + 0.25 * o));
+        let stiffness = omega2 * dt * dt * shrink;
+        let give = phi2 * dt * dt * shrink * 0.5;
+        let w = dt * start.velocity;
+        let p = start.displacement + w * 0.5;
+        Moving {
+            stiffness,
+            give,
+            p,
+            free: w - stiffness * p,
+            weight: give.map(|g| 0.25 / g),
         }
-        stepper
+    }
+
+    /// W, x and the energy, (v^2 + omega2 x^2)/(2 phi2) in increments.
+    #[inline(always)]
+    fn now(&self) -> (Lane<L>, Lane<L>, Lane<L>) {
+        let pull = self.stiffness * self.p;
+        let w = self.free + pull;
+        (w, self.p - w * 0.5, self.energy(w, pull))
+    }
+
+    #[inline(always)]
+    fn energy(&self, w: Lane<L>, pull: Lane<L>) -> Lane<L> {
+        self.weight * (w * self.free + pull * self.p)
+    }
+}
+
+/// Sum without a zero to begin with, so that the sum over one mode is that mode.
+#[inline(always)]
+fn sum<const L: usize>(terms: impl Iterator<Item = Lane<L>>) -> Lane<L> {
+    terms.reduce(|a, b| a + b).unwrap_or(Lane::splat(0.0))
+}
+
+impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
+    #[inline(always)]
+    fn holding(modes: M, dt: Lane<L>, gap: Lane<L>, force: Lane<L>) -> Self {
+        let now = || modes.as_ref().iter().map(Moving::now);
+        let rate = dt.map(|dt| 1.0 / dt);
+        let increment = sum(now().map(|(w, _, _)| w));
+        Stepper {
+            rate,
+            give: sum(modes.as_ref().iter().map(|mode| mode.give)),
+            free: sum(modes.as_ref().iter().map(|mode| mode.free)),
+            contact: Contact {
+                displacement: gap + sum(now().map(|(_, x, _)| x)),
+                velocity: increment * rate,
+                force,
+                energy: sum(now().map(|(_, _, energy)| energy)),
+            },
+            increment,
+            modes,
+        }
     }
 
     /// The contact as it stands.
+    #[inline(always)]
     pub fn contact(&self) -> Contact<L> {
         self.contact
     }
 
+    /// What a unit of the contact's force does to it in a step.
+    #[inline(always)]
+    pub fn flexibility(&self) -> Flexibility<L> {
+        Flexibility {
+            h: self.give * 0.5,
+            h_rate: self.give * self.rate,
+        }
+    }
+
     /// One step; `law` gives the force at its end.
     #[inline(always)]
-    pub fn step(&mut self, law: &mut impl Law<L>) -> Contact<L> {
-        let (mut displacement, mut increment) = (self.gap, Lane::splat(0.0));
-        for mode in &mut self.modes {
-            mode.w = mode.w - mode.stiffness * mode.p - mode.force * self.contact.force;
-            displacement = displacement + (mode.p + mode.w * 0.5);
-            increment = increment + mode.w;
-        }
-        let trial = Trial {
+    pub fn step(&mut self, law: &impl Law<L>) -> Contact<L> {
+        let Contact {
             displacement,
-            velocity: increment * self.rate,
-            h: self.h,
-            h_rate: self.h * self.rate * 2.0,
-        };
-        let force = law.respond(&trial);
-        for mode in &mut self.modes {
-            mode.w = mode.w - mode.force * force;
-            mode.p = mode.p + mode.w;
-        }
+            force: before,
+            ..
+        } = self.contact;
+        let force = law.respond(&Trial {
+            displacement,
+            force: before,
+            change: (self.increment + self.free) * 0.5,
+            rate: self.free * self.rate,
+        });
+        let both = before + force;
+        let increment = self.free - self.give * both;
+        let moved = self.modes.as_mut().iter_mut().map(|mode| {
+            let w = mode.free - mode.give * both;
+            mode.p = mode.p + w;
+            let pull = mode.stiffness * mode.p;
+            mode.free = w - pull;
+            (mode.free, mode.energy(w, pull))
+        });
+        let all = moved.reduce(|a, b| (a.0 + b.0, a.1 + b.1));
+        let (free, energy) = all.unwrap_or((Lane::splat(0.0), Lane::splat(0.0)));
+        self.free = free;
         self.contact = Contact {
-            displacement: trial.displacement - trial.h * force,
-            velocity: trial.velocity - trial.h_rate * force,
+            displacement: displacement + (self.increment + increment) * 0.5,
+            velocity: increment * self.rate,
             force,
+            energy,
         };
+        self.increment = increment;
         self.contact
     }
 
-    /// Scaled coordinates and velocities of the modes, lane by lane, for energies and profiles.
+    /// Steps 0..=`last` of each lane: `step` is shown the contact at every step, `end` each lane at its own last one.
+    ///
+    /// A lane that has ended moves on beside the others and touches none of them.
+    #[inline(always)]
+    pub fn run(
+        &mut self,
+        law: &impl Law<L>,
+        last: &[u64; L],
+        mut step: impl FnMut(&Contact<L>),
+        mut end: impl FnMut(usize, &Self),
+    ) {
+        step(&self.contact);
+        let (mut at, mut from) = (0, 0);
+        while let Some(next) = last.iter().copied().filter(|n| *n >= from).min() {
+            for _ in at..next {
+                step(&self.step(law));
+            }
+            for (lane, _) in last.iter().enumerate().filter(|(_, n)| **n == next) {
+                end(lane, self);
+            }
+            (at, from) = (next, next + 1);
+        }
+    }
+
+    /// Scaled coordinates and velocities of the modes, lane by lane, for profiles.
     pub fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_ {
-        self.modes
-            .iter()
-            .map(|mode| (mode.p - mode.w * 0.5, mode.w * self.rate))
+        let now = self.modes.as_ref().iter().map(Moving::now);
+        now.map(|(w, x, _)| (x, w * self.rate))
     }
 }
 
@@ -144,25 +255,12 @@ mod tests {
     use crate::structure::Modal;
     use nalgebra::{DVector, dmatrix, dvector};
 
-    /// A force that is given, not found; it keeps the h that the stepper offers.
-    struct Given {
-        forces: Vec<f64>,
-        h: f64,
-        h_rate: f64,
-    }
+    /// A force that is given, not found.
+    struct Given(f64);
 
     impl Law<1> for Given {
-        fn respond(&mut self, trial: &Trial<1>) -> Lane<1> {
-            (self.h, self.h_rate) = (trial.h.0[0], trial.h_rate.0[0]);
-            Lane([self.forces.remove(0)])
-        }
-    }
-
-    fn none(steps: usize) -> Given {
-        Given {
-            forces: vec![0.0; steps],
-            h: 0.0,
-            h_rate: 0.0,
+        fn respond(&self, _: &Trial<1>) -> Lane<1> {
+            Lane([self.0])
         }
     }
 
@@ -181,9 +279,9 @@ mod tests {
             };
             let zero = Lane([0.0]);
             let mut stepper = Stepper::new(Lane([w / omega]), &[start], zero, zero);
-            let mut law = none(1000);
+            let first = stepper.contact().energy.0[0];
             for step in 1..=1000 {
-                let contact = stepper.step(&mut law);
+                let contact = stepper.step(&Given(0.0));
                 let (sin, cos) = libm::sincos(f64::from(step) * 2.0 * libm::atan(0.5 * w));
                 let (x, v) = (cos + 0.4 * sin, omega * (0.4 * cos - sin));
                 // Each step rounds p and w once; where W is large, v is a small difference turned by W/2.
@@ -196,6 +294,9 @@ mod tests {
                     (contact.velocity.0[0] - v).abs() < tolerance * omega,
                     "W = {w}, step {step}"
                 );
+                let energy = (v * v + omega * omega * x * x) / (2.0 * 0.7);
+                assert!((contact.energy.0[0] - energy).abs() < 2.0 * tolerance * energy);
+                assert!((contact.energy.0[0] - first).abs() < 2.0 * tolerance * first);
             }
         }
     }
@@ -222,20 +323,17 @@ mod tests {
                 })
                 .collect();
             let mut stepper = Stepper::new(Lane([dt]), &start, Lane([gap]), Lane([force]));
-            let mut law = none(0);
-            law.forces = (1..=100).map(|i| libm::sin(0.37 * f64::from(i))).collect();
-            let forces = law.forces.clone();
             let solve = |f: DVector<f64>| m.clone().lu().solve(&f).unwrap();
             let mut a = solve(-(&k * &u + &b * force));
             let effective = (&m * (4.0 / (dt * dt)) + &k).lu();
-            for s in forces {
+            for s in (1..=100).map(|i| libm::sin(0.37 * f64::from(i))) {
                 let inertia = &m * (&u * (4.0 / (dt * dt)) + &v * (4.0 / dt) + &a);
                 let next = effective.solve(&(inertia - &b * s)).unwrap();
                 let change = (&next - &u) * (2.0 / dt);
                 v = &change - &v;
                 u = next;
                 a = solve(-(&k * &u + &b * s));
-                let contact = stepper.step(&mut law);
+                let contact = stepper.step(&Given(s));
                 let (r, rdot) = (b.dot(&u) + gap, b.dot(&v));
                 // The recursion takes v from displacements over dt/2 in each of 100 steps.
                 let tolerance = 1e-14 * 100.0 * (1.0 + 1.0 / dt);
@@ -248,11 +346,14 @@ mod tests {
                     "dt = {dt}"
                 );
                 assert_eq!(contact.force.0[0], s);
+                let energy = 0.5 * (v.dot(&(&m * &v)) + u.dot(&(&k * &u)));
+                assert!((contact.energy.0[0] / energy - 1.0).abs() < 10.0 * tolerance);
             }
             let h = b.dot(&effective.solve(&b).unwrap());
-            assert!((law.h / h - 1.0).abs() < 1e-13, "dt = {dt}");
+            let Flexibility { h: given, h_rate } = stepper.flexibility();
+            assert!((given.0[0] / h - 1.0).abs() < 1e-13, "dt = {dt}");
             assert!(
-                (law.h_rate / (2.0 * h / dt) - 1.0).abs() < 1e-13,
+                (h_rate.0[0] / (2.0 * h / dt) - 1.0).abs() < 1e-13,
                 "dt = {dt}"
             );
             // Modes give their part of r back.

@@ -45,15 +45,15 @@ fn textbook(scaled: &Scaled, dt: f64) -> Newmark<ImpactElement> {
 /// How far both forms were compared, in T_I, and the largest difference over what round-off may be by then.
 fn compare(scaled: &Scaled, dt: f64, duration: f64) -> (f64, f64) {
     let steps = (duration / dt).round() as usize;
-    let (mut modal, mut law) = run::start(scaled, dt);
+    let (mut modal, law) = run::start(&[*scaled], Lane([dt]));
     // The same with a gap of 1e-13 more: how much the problem itself makes of a disturbance.
     let mut moved = *scaled;
     moved.bars.gap += 1e-13;
-    let (mut disturbed, mut other_law) = run::start(&moved, dt);
+    let (mut disturbed, other_law) = run::start(&[moved], Lane([dt]));
     let mut book = textbook(scaled, dt);
     let (mut growth, mut largest): (f64, f64) = (1.0, 0.0);
     for step in 1..=steps {
-        let (a, b) = (modal.step(&mut law), disturbed.step(&mut other_law));
+        let (a, b) = (modal.step(&law), disturbed.step(&other_law));
         book.step(Iteration::Converged).unwrap();
         let rows = |c: slipgap::stepper::Contact<1>| [c.displacement, c.velocity, c.force];
         for ((Lane([x]), Lane([y])), z) in rows(a).into_iter().zip(rows(b)).zip(book.contact()) {

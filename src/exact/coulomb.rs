@@ -86,6 +86,68 @@ impl Coulomb {
             force: -side,
         }
     }
+
+    /// Displacements at T = 0, `step`, 2 `step`, .. of `count` steps: those of [`Coulomb::at`] to round-off.
+    ///
+    /// All half-cycles are parts of one cosine, `X = s_k + s_0 (a_k - 1) cos T`; it is turned from step to step, eight
+    /// strands side by side, and taken anew every so often.
+    pub fn displacements(&self, step: f64, count: usize) -> Vec<f64> {
+        // Beyond the time that counts in half-cycles the motion rests.
+        let begins = |k: f64| {
+            let mut i = ((k * PI / step) as usize).min(count);
+            let before = |i: usize| floor(i as f64 * step / PI) < k;
+            while i > 0 && !before(i - 1) {
+                i -= 1;
+            }
+            while i < count && before(i) {
+                i += 1;
+            }
+            i
+        };
+        let rest = begins(self.m);
+        let mut x = cosines(step, rest);
+        let (mut k, mut from) = (0.0, 0);
+        while from < rest {
+            let to = begins(k + 1.0).min(rest);
+            let (centre, swing) = (self.side(k), self.sign * (self.amplitude(k) - 1.0));
+            for x in &mut x[from..to] {
+                *x = centre + swing * *x;
+            }
+            (k, from) = (k + 1.0, to);
+        }
+        x.resize(count, self.side(self.m) * self.amplitude(self.m));
+        x
+    }
+}
+
+/// Steps that are turned side by side.
+const STRANDS: usize = 8;
+
+/// Steps after which the cosine is taken anew: round-off of the turning stays below that many eps times an angle.
+const ANEW: usize = 16 * STRANDS;
+
+/// cos(i step), i = 0..count, from their neighbours: c' = c - (a c + b s), s' = s - (a s - b c), a = 2 sin^2(d/2),
+/// b = sin d for a turn by d, exact to the round-off of the turn itself.
+fn cosines(step: f64, count: usize) -> Vec<f64> {
+    let by = |angle: f64| (2.0 * sin(0.5 * angle) * sin(0.5 * angle), sin(angle));
+    let turned =
+        |(c, s): (f64, f64), (a, b): (f64, f64)| (c - (a * c + b * s), s - (a * s - b * c));
+    let (one, all) = (by(step), by(STRANDS as f64 * step));
+    let mut cosines = Vec::with_capacity(count + STRANDS);
+    while cosines.len() < count {
+        let (mut strands, angle) = ([(1.0, 0.0); STRANDS], cosines.len() as f64 * step);
+        strands[0] = (cos(angle), sin(angle));
+        for i in 1..STRANDS {
+            strands[i] = turned(strands[i - 1], one);
+        }
+        let until = (cosines.len() + ANEW).min(count);
+        while cosines.len() < until {
+            cosines.extend(strands.map(|(c, _)| c));
+            strands = strands.map(|strand| turned(strand, all));
+        }
+    }
+    cosines.truncate(count);
+    cosines
 }
 
 #[cfg(test)]
@@ -106,6 +168,25 @@ mod tests {
         assert_eq!(Coulomb::new(1.0).half_cycles(), 0.0);
         assert_eq!(Coulomb::new(3.0).half_cycles(), 1.0);
         assert_eq!(Coulomb::new(12.0).work(), 72.0);
+    }
+
+    #[test]
+    fn steps_are_the_motion_at_their_times() {
+        for x0 in STARTS {
+            let exact = Coulomb::new(x0);
+            for step in [PI / 10.0, 0.01, 1.0, 2.0 * PI, 7.3] {
+                for (i, x) in exact.displacements(step, 1003).into_iter().enumerate() {
+                    let wanted = exact.at(i as f64 * step).displacement;
+                    // Round-off of T itself, and of the turning.
+                    let tolerance =
+                        (4.0 + i as f64 * step) * 2.0 * f64::EPSILON * x0.abs().max(1.0);
+                    assert!(
+                        (x - wanted).abs() < tolerance,
+                        "{x0} {step} {i}: {x} {wanted}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

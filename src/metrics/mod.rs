@@ -17,6 +17,18 @@ pub fn reached(t: f64, mark: f64) -> bool {
     t * (1.0 + SLACK) >= mark
 }
 
+/// The first of `count` steps for which `past` holds, as it does for all later ones; near `guess`.
+fn first_step(count: usize, guess: f64, past: impl Fn(usize) -> bool) -> usize {
+    let mut step = (guess as usize).min(count);
+    while step > 0 && past(step - 1) {
+        step -= 1;
+    }
+    while step < count && !past(step) {
+        step += 1;
+    }
+    step
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

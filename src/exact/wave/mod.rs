@@ -195,6 +195,26 @@ impl Wave {
         &self.pieces[after.max(1) - 1]
     }
 
+    /// Shows the contact at rising times, each with its number: what [`Wave::at`] gives, and where a piece begins at
+    /// that time, what [`Wave::before`] gives.
+    pub fn walk(
+        &self,
+        times: impl Iterator<Item = f64>,
+        mut show: impl FnMut(usize, State, Option<State>),
+    ) {
+        let mut begun = 0;
+        for (i, t) in times.enumerate() {
+            let later = &self.pieces[begun..];
+            begun += later
+                .iter()
+                .take_while(|piece| piece.start <= t + INSTANT)
+                .count();
+            let piece = &self.pieces[begun.max(1) - 1];
+            let jumps = piece.start >= t - INSTANT;
+            show(i, piece.state(t), jumps.then(|| self.before(t)));
+        }
+    }
+
     /// The contact at these times, at a jump its right-hand limit.
     pub fn history(&self, times: &[f64]) -> History {
         let mut history = History::with_capacity(times.len());

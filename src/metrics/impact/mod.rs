@@ -1,147 +1,127 @@
-//! Metrics of the bar impact; `c` is the computed history, `wave` the exact solution.
+//! Metrics of the bar impact, of cases side by side that share their exact solution and their steps.
 
 mod budget;
+mod sampled;
+mod track;
 
 pub use budget::budget;
+pub use sampled::Sampled;
+pub use track::Track;
 
-use super::reached;
-use crate::exact::wave::{State, Wave};
-use crate::history::History;
+use crate::lane::Lane;
 
-/// Openings are counted and rdot is watched up to this time after the exact first touch: then the returning front
-/// parts the ends for good.
-const WATCHED: f64 = 0.9;
+/// Number of the metrics here.
+pub const COUNT: usize = 11;
 
-/// The metrics in the order of the problem's table; `None` where one is undefined.
-pub fn evaluate(
-    c: &History,
-    wave: &Wave,
-    duration: f64,
-    energy: &[f64],
-    restitution: f64,
-) -> Vec<Option<f64>> {
-    let touch = wave.first_touch();
-    let drift = |e: f64| (e - energy[0]) / energy[0];
-    let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
-    let norm = |of| Norm {
-        time: &c.time,
-        wave,
-        of,
-        duration,
+/// The metrics in the order of the problem's table, for each lane; `None` where one is undefined.
+#[inline(always)]
+pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [[Option<f64>; COUNT]; L] {
+    let zero = Lane::splat(0.0);
+    let (r, rdot, force) = (&c.displacement, &c.velocity, &c.force);
+    let lowest = |of: &[Lane<L>]| of.iter().copied().reduce(Lane::smaller).unwrap_or(zero);
+    let highest = |of: &[Lane<L>]| of.iter().copied().reduce(Lane::larger).unwrap_or(zero);
+    let start = c.energy.first().copied().unwrap_or(zero);
+    let (lost, won) = (lowest(&c.energy) - start, highest(&c.energy) - start);
+    let drift = lost.zip(won, |lost, won| if -lost > won { lost } else { won });
+    let end = c.energy.last().copied().unwrap_or(zero) - start;
+    let (contact, separations) = (
+        contact_duration(r, exact.step),
+        separations(&r[..exact.openings]),
+    );
+    // Adding zero turns -0 into 0.
+    let overlap = zero - lowest(r);
+    let peak = highest(force);
+    let oscillation = oscillation(rdot, exact);
+    let impulse = impulse(force, exact.step);
+    let mean = |of: usize, c: &[Lane<L>]| {
+        exact.mean(of, |i, e| {
+            let d = c[i] - Lane::splat(e);
+            d * d
+        })
     };
-    vec![
-        contact_duration(c),
-        Some(separations(c, touch)),
-        // Adding zero turns -0 into 0.
-        c.displacement.iter().map(|r| 0.0 - r).reduce(f64::max),
-        rdot_oscillation(c, touch),
-        c.force.iter().copied().reduce(f64::max),
-        impulse_error(c, wave, duration),
-        Some(restitution),
-        energy.iter().map(|&e| drift(e)).reduce(larger),
-        energy.last().map(|&e| drift(e)),
-        Some(norm(displacement).rms_error(&c.displacement)),
-        Some(norm(velocity).rms_error(&c.velocity)),
-    ]
-    .into_iter()
-    .map(|value| value.filter(|x: &f64| x.is_finite()))
-    .collect()
-}
-
-fn displacement(state: State) -> f64 {
-    state.displacement
-}
-
-fn velocity(state: State) -> f64 {
-    state.velocity
+    let norms = [mean(0, r), mean(1, rdot)].map(|mean| mean.map(f64::sqrt));
+    std::array::from_fn(|l| {
+        [
+            contact[l],
+            Some(separations.0[l]),
+            Some(overlap.0[l]),
+            oscillation.map(|o| o.0[l]),
+            Some(peak.0[l]),
+            exact.impulse.map(|e| impulse.0[l] / e - 1.0),
+            Some(c.restitution.0[l]),
+            Some(drift.0[l] / start.0[l]),
+            Some(end.0[l] / start.0[l]),
+            Some(norms[0].0[l]),
+            Some(norms[1].0[l]),
+        ]
+        .map(|value| value.filter(|x: &f64| x.is_finite()))
+    })
 }
 
 /// From the last step before the first overlap to the first step after the last one.
-fn contact_duration(c: &History) -> Option<f64> {
-    let first = c.displacement.iter().position(|&r| r < 0.0)?;
-    let last = c.displacement.iter().rposition(|&r| r < 0.0)?;
-    let (before, after) = (first.checked_sub(1)?, last + 1);
-    Some(c.time.get(after)? - c.time[before])
-}
-
-/// Openings that close again, both in time.
-fn separations(c: &History, touch: f64) -> f64 {
-    let (mut count, mut opened) = (0, false);
-    for (pair, &t) in c.displacement.windows(2).zip(&c.time[1..]) {
-        if !reached(touch + WATCHED, t) {
-            break;
-        }
-        match (pair[0] < 0.0, pair[1] < 0.0) {
-            (true, false) => opened = true,
-            (false, true) if opened => {
-                count += 1;
-                opened = false;
-            }
-            _ => {}
-        }
+#[inline(always)]
+fn contact_duration<const L: usize>(r: &[Lane<L>], step: f64) -> [Option<f64>; L] {
+    // Step numbers as numbers: a lane is one comparison a step.
+    let mut last = Lane::splat(-1.0);
+    for (i, r) in r.iter().enumerate() {
+        let i = i as f64;
+        last = last.zip(*r, |last, r| if r < 0.0 { i } else { last });
     }
-    f64::from(count)
+    std::array::from_fn(|l| {
+        let first = r.iter().position(|r| r.0[l] < 0.0)?;
+        let after = last.0[l] as usize + 1;
+        let before = first.checked_sub(1)?;
+        (after < r.len()).then_some(after as f64 * step - before as f64 * step)
+    })
 }
 
-fn rdot_oscillation(c: &History, touch: f64) -> Option<f64> {
-    let watched = c
-        .time
+/// Openings that close again, both within the steps `r`.
+#[inline(always)]
+fn separations<const L: usize>(r: &[Lane<L>]) -> Lane<L> {
+    let closed = |r: Lane<L>| r.map(|r| if r < 0.0 { 1.0 } else { 0.0 });
+    let Some(first) = r.first().map(|r| closed(*r)) else {
+        return Lane::splat(0.0);
+    };
+    let (mut closings, mut before) = (Lane::splat(0.0), first);
+    for r in &r[1..] {
+        let now = closed(*r);
+        closings = closings + now.zip(before, |now, before| now * (1.0 - before));
+        before = now;
+    }
+    // From open at the start the first closing is the first touch.
+    closings.zip(
+        first,
+        |n, first| if n > 0.0 { n - (1.0 - first) } else { n },
+    )
+}
+
+/// RMS of rdot over the watched steps, if there are any.
+#[inline(always)]
+fn oscillation<const L: usize>(rdot: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
+    let watched = rdot.get(exact.watched.clone())?;
+    let sum = watched
         .iter()
-        .zip(&c.velocity)
-        .filter(|&(&t, _)| reached(t, touch + 0.3) && reached(touch + WATCHED, t));
-    let (count, sum) = watched.fold((0_u32, 0.0), |(count, sum), (_, v)| {
-        (count + 1, sum + v * v)
-    });
-    (count > 0).then(|| (sum / f64::from(count)).sqrt())
+        .fold(Lane::splat(0.0), |sum, v| sum + *v * *v);
+    let count = watched.len() as f64;
+    (count > 0.0).then(|| sum.map(|sum| (sum / count).sqrt()))
 }
 
-/// Both impulses up to the last step; undefined unless the run outlasts the exact contact.
-fn impulse_error(c: &History, wave: &Wave, duration: f64) -> Option<f64> {
-    let [_, parted] = wave.durations();
-    if reached(parted?, duration) {
-        return None;
-    }
-    let impulse: f64 = c
-        .time
-        .windows(2)
-        .zip(c.force.windows(2))
-        .map(|(t, f)| 0.5 * (t[1] - t[0]) * (f[0] + f[1]))
-        .sum();
-    Some(impulse / wave.impulse(*c.time.last()?) - 1.0)
-}
-
-/// Means over the duration of something that depends on the exact r or rdot.
-struct Norm<'a> {
-    time: &'a [f64],
-    wave: &'a Wave,
-    of: fn(State) -> f64,
-    duration: f64,
-}
-
-impl Norm<'_> {
-    /// Of `what(i, e)`, i a step and e the exact value there: trapezoids over the steps, each with the exact limits of
-    /// its own side; jumps inside a step are not looked for.
-    fn mean(&self, what: impl Fn(usize, f64) -> f64) -> f64 {
-        let steps = self.time.windows(2).enumerate();
-        let integral: f64 = steps
-            .map(|(i, t)| {
-                let start = what(i, (self.of)(self.wave.at(t[0])));
-                let end = what(i + 1, (self.of)(self.wave.before(t[1])));
-                0.5 * (t[1] - t[0]) * (start + end)
-            })
-            .sum();
-        integral / self.duration
-    }
-
-    fn rms_error(&self, c: &[f64]) -> f64 {
-        self.mean(|i, e| (c[i] - e) * (c[i] - e)).sqrt()
+/// Integral of the force over the steps, by trapezoids.
+#[inline(always)]
+fn impulse<const L: usize>(force: &[Lane<L>], step: f64) -> Lane<L> {
+    match force {
+        [first, inner @ .., last] => {
+            let ends = (*first + *last) * 0.5;
+            inner.iter().fold(ends, |sum, f| sum + *f) * step
+        }
+        _ => Lane::splat(0.0),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::wave::Bars;
+    use crate::exact::wave::{Bars, Wave};
     use crate::metrics::tests::assert_metrics;
 
     fn wave(gap: f64, end: f64) -> Wave {
@@ -153,13 +133,26 @@ mod tests {
         .solve(end)
     }
 
-    /// Rows (r, rdot, F) at steps of a quarter T_I.
-    fn history(rows: &[(f64, f64, f64)]) -> History {
-        let mut history = History::default();
-        for (i, &(r, rdot, force)) in rows.iter().enumerate() {
-            history.push(i as f64 * 0.25, r, rdot, force);
-        }
-        history
+    /// Rows (r, rdot, F) at steps of a quarter T_I, and their metrics.
+    fn metrics(
+        rows: &[(f64, f64, f64)],
+        gap: f64,
+        energy: &[f64],
+        restitution: f64,
+    ) -> [Option<f64>; COUNT] {
+        let column =
+            |of: fn(&(f64, f64, f64)) -> f64| rows.iter().map(|row| Lane([of(row)])).collect();
+        let track = Track {
+            displacement: column(|row| row.0),
+            velocity: column(|row| row.1),
+            force: column(|row| row.2),
+            energy: energy.iter().map(|e| Lane([*e])).collect(),
+            restitution: Lane([restitution]),
+        };
+        let last = rows.len() as u64 - 1;
+        let end = last as f64 * 0.25;
+        let [metrics] = evaluate(&track, &Sampled::new(&wave(gap, end), 0.25, last, end));
+        metrics
     }
 
     const ROWS: [(f64, f64, f64); 7] = [
@@ -196,21 +189,22 @@ mod tests {
             r.sqrt(),
             rdot.sqrt(),
         ];
-        let found = evaluate(&history(&ROWS), &wave(0.0, 1.5), 1.5, &energy, 0.8);
-        assert_metrics(&found, &wanted.map(Some));
+        assert_metrics(&metrics(&ROWS, 0.0, &energy, 0.8), &wanted.map(Some));
     }
 
     #[test]
     fn contact_ends_at_the_first_step_that_touches_without_overlap() {
-        let rows = [0.0, -0.1, 0.0, 0.0, 0.3].map(|r| (r, 0.0, 0.0));
-        assert_eq!(contact_duration(&history(&rows)), Some(0.5));
+        let r = [0.0, -0.1, 0.0, 0.0, 0.3].map(|r| Lane([r]));
+        assert_eq!(contact_duration(&r, 0.25), [Some(0.5)]);
     }
 
     #[test]
     fn separations_must_close_again_in_time() {
         let count = |touch: f64, r: &[f64]| {
-            let rows: Vec<_> = r.iter().map(|&r| (r, 0.0, 0.0)).collect();
-            separations(&history(&rows), touch)
+            let last = r.len() as u64 - 1;
+            let sampled = Sampled::new(&wave(2.0 * touch, 2.0), 0.25, last, 2.0);
+            let r: Vec<_> = r.iter().map(|r| Lane([*r])).collect();
+            separations(&r[..sampled.openings]).0[0]
         };
         for (touch, r, wanted) in [
             (0.0, &[0.0, 0.1, -0.1][..], 0.0),
@@ -226,9 +220,7 @@ mod tests {
     #[test]
     fn cells_without_meaning_are_empty() {
         let defined = |rows: &[(f64, f64, f64)], gap: f64| {
-            let c = history(rows);
-            let duration = *c.time.last().unwrap();
-            let metrics = evaluate(&c, &wave(gap, duration), duration, &[1.0], 0.0);
+            let metrics = metrics(rows, gap, &[1.0], 0.0);
             // contact duration, oscillation of rdot, impulse
             [metrics[0], metrics[3], metrics[5]].map(|m| m.is_some())
         };
@@ -239,7 +231,6 @@ mod tests {
         assert_eq!(defined(&ROWS[..2], 0.0), [false, false, false]);
         let apart = [(9.0, -1.0, 0.0), (8.5, -1.0, 0.0)];
         assert_eq!(defined(&apart, 9.0), [false, false, false]);
-        let overlap = evaluate(&history(&apart), &wave(9.0, 0.25), 0.25, &[1.0], 0.0)[2];
-        assert_eq!(overlap, Some(-8.5));
+        assert_eq!(metrics(&apart, 9.0, &[1.0], 0.0)[2], Some(-8.5));
     }
 }

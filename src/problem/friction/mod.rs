@@ -1,6 +1,7 @@
 //! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 mod once;
+mod run;
 mod tables;
 
 use super::parameter::Parameter;
@@ -9,10 +10,8 @@ use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::law::{DisplacementControl, Law, VelocityControl};
 use crate::metrics::{self, steps};
-use crate::stepper::{Start, Stepper};
-use crate::structure::Mode;
+use run::Given;
 use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
@@ -73,36 +72,21 @@ impl Problem for FrictionOscillator {
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
-        let number = |name: &str| {
-            case.number(name)
-                .ok_or_else(|| format!("{name} is not given"))
-        };
-        let (step, x0) = (number("dT")?, number("x0")?);
-        let last = self.steps(case);
-        let computed = if case.choice("law") == "velocity-control" {
-            let law = VelocityControl {
-                compliance: Lane([number("beta")?]),
-                limit: Lane([1.0]),
-            };
-            run(law, 0.0, x0, step, last)
-        } else {
-            let (slip, force) = release(case.choice("initial_slip"), x0, number("alpha")?);
-            let law = DisplacementControl {
-                compliance: Lane([number("alpha")?]),
-                limit: Lane([1.0]),
-                slip: Lane([slip]),
-            };
-            run(law, force, x0, step, last)
-        };
-        self.judged(case, computed, wanted)
+        let given = Given::of(case, self.steps(case)).ok_or(NOT_GIVEN)?;
+        let mut computed = History::with_capacity(given.last as usize + 1);
+        let [end] = run::run(&[given], |contact| {
+            let [Lane([x]), Lane([v]), Lane([s])] =
+                [contact.displacement, contact.velocity, contact.force];
+            computed.push(computed.len() as f64 * given.step, x, v, s);
+        });
+        self.judged(case, &given, computed, run::work(&given, &end), wanted)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
-        let given = case.number("dT").zip(case.number("x0"));
-        let (step, x0) = given.ok_or("dT or x0 is not given")?;
-        let computed =
-            once::run(case, step, x0, self.steps(case)).ok_or("a step has no solution")?;
-        self.judged(case, computed, wanted)
+        let given = Given::of(case, self.steps(case)).ok_or(NOT_GIVEN)?;
+        let computed = once::run(case, &given).ok_or("a step has no solution")?;
+        let work = metrics::friction::work(&computed, given.x0.abs());
+        self.judged(case, &given, computed, work, wanted)
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
@@ -117,25 +101,28 @@ impl Problem for FrictionOscillator {
 }
 
 impl FrictionOscillator {
-    /// A computed history beside the exact one, with its metrics.
-    fn judged(&self, case: &Case, computed: History, wanted: &[usize]) -> Result<Solution, String> {
-        let number = |name: &str| {
-            case.number(name)
-                .ok_or_else(|| format!("{name} is not given"))
-        };
-        let x0 = number("x0")?;
+    /// A computed history beside the exact one, with its metrics; `work` over |x0|.
+    fn judged(
+        &self,
+        case: &Case,
+        given: &Given,
+        computed: History,
+        work: f64,
+        wanted: &[usize],
+    ) -> Result<Solution, String> {
         if !computed.is_finite() {
-            return Err("the motion leaves the range of double precision".into());
+            return Err(OUT_OF_RANGE.into());
         }
-        let exact = self.exact(case, &computed.time).ok_or("x0 is not given")?;
-        let mut metrics = metrics::friction::evaluate(x0, number("duration")?, &computed, &exact);
+        let x: Vec<_> = computed.displacement.iter().map(|x| Lane([*x])).collect();
+        let [own] = metrics::friction::evaluate(&x, Lane([work]), &given.exact());
+        let exact = self.exact(case, &computed.time).ok_or(NOT_GIVEN)?;
         let budget = wanted
             .iter()
             .any(|&row| !METRICS[row].default)
             .then(|| between(case, &computed.time))
             .flatten()
-            .map(|between| metrics::friction::budget(x0, &computed, &exact, &between));
-        metrics.extend(budget.unwrap_or([None; 4]));
+            .map(|between| metrics::friction::budget(given.x0, &computed, &exact, &between));
+        let metrics = own.into_iter().chain(budget.unwrap_or([None; 4])).collect();
         Ok(Solution {
             computed,
             exact,
@@ -143,6 +130,10 @@ impl FrictionOscillator {
         })
     }
 }
+
+const NOT_GIVEN: &str = "a parameter is not given";
+
+const OUT_OF_RANGE: &str = "the motion leaves the range of double precision";
 
 /// The case's own model in continuous time, between the exact solution and the computed one; `None` where the run is
 /// too long for it.
@@ -174,28 +165,4 @@ fn release(initial_slip: &str, x0: f64, alpha: f64) -> (f64, f64) {
         "sliding" => (x0 + sign * alpha, -sign),
         _ => (x0, 0.0),
     }
-}
-
-/// `last` steps of X'' + X + S = 0 from rest at `x0` with S(0) = `force`.
-fn run(mut law: impl Law<1>, force: f64, x0: f64, step: f64, last: u64) -> History {
-    let start = Start {
-        mode: [Mode {
-            omega2: 1.0,
-            phi2: 1.0,
-        }],
-        displacement: Lane([x0]),
-        velocity: Lane([0.0]),
-    };
-    let mut stepper = Stepper::new(Lane([step]), &[start], Lane([0.0]), Lane([force]));
-    let mut history = History::with_capacity(last as usize + 1);
-    let mut contact = stepper.contact();
-    for i in 0..=last {
-        if i > 0 {
-            contact = stepper.step(&mut law);
-        }
-        let [Lane([r]), Lane([rdot]), Lane([s])] =
-            [contact.displacement, contact.velocity, contact.force];
-        history.push(i as f64 * step, r, rdot, s);
-    }
-    history
 }

@@ -2,14 +2,16 @@
 //! taken as none.
 
 use super::release;
+use super::run::Given;
 use crate::history::History;
 use crate::problem::Case;
 use crate::textbook::element::{DisplacementFriction, Element, VelocityFriction};
 use crate::textbook::{Assembly, Iteration, Newmark};
 use nalgebra::{DMatrix, DVector};
 
-/// `last` steps of a completed case.
-pub fn run(case: &Case, step: f64, x0: f64, last: u64) -> Option<History> {
+/// The steps of a completed case.
+pub fn run(case: &Case, given: &Given) -> Option<History> {
+    let Given { x0, step, last, .. } = *given;
     match case.number("alpha") {
         Some(alpha) => {
             let (slip, force) = release(case.choice("initial_slip"), x0, alpha);

@@ -10,7 +10,10 @@ mod tables;
 
 use super::parameter::Parameter;
 use super::{Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
+use crate::exact::wave::Wave;
 use crate::history::History;
+use crate::lane::Lane;
+use crate::metrics::impact::{Sampled, Track};
 use crate::metrics::{self, steps};
 use scaled::Scaled;
 use tables::{BUDGETS, METRICS, PARAMETERS, PROFILES, QUANTITIES};
@@ -80,22 +83,19 @@ impl Problem for BarImpact {
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
-        let number = |name: &str| {
-            case.number(name)
-                .ok_or_else(|| format!("{name} is not given"))
-        };
-        let (dt, duration) = (number("dt")?, number("duration")?);
-        let scaled = Scaled::new(case).ok_or("a parameter is not given")?;
-        let done = run::run(&scaled, dt, self.steps(case));
-        judged(&scaled, done, duration, wanted)
+        let parameters = Given::of(case).ok_or(NOT_GIVEN)?;
+        let track = run::run(
+            &[parameters.scaled],
+            Lane([parameters.dt]),
+            &[parameters.last],
+        );
+        judged(&parameters, track, wanted)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
-        let given = case.number("dt").zip(case.number("duration"));
-        let (dt, duration) = given.ok_or("dt or duration is not given")?;
-        let scaled = Scaled::new(case).ok_or("a parameter is not given")?;
-        let done = once::run(&scaled, dt, self.steps(case))?;
-        judged(&scaled, done, duration, wanted)
+        let parameters = Given::of(case).ok_or(NOT_GIVEN)?;
+        let track = once::run(&parameters.scaled, parameters.dt, parameters.last)?;
+        judged(&parameters, track, wanted)
     }
 
     fn profiles(&self) -> &'static [Profile] {
@@ -119,36 +119,57 @@ impl Problem for BarImpact {
     }
 }
 
-/// A run beside the exact solution, with its metrics.
-fn judged(
-    scaled: &Scaled,
-    done: run::Run,
+/// What a case is solved by.
+#[derive(Debug, Clone, Copy)]
+struct Given {
+    scaled: Scaled,
+    dt: f64,
     duration: f64,
-    wanted: &[usize],
-) -> Result<Solution, String> {
-    if !done.history.is_finite() {
-        return Err("the motion leaves the range of double precision".into());
+    last: u64,
+}
+
+impl Given {
+    fn of(case: &Case) -> Option<Given> {
+        Some(Given {
+            scaled: Scaled::new(case)?,
+            dt: case.number("dt")?,
+            duration: case.number("duration")?,
+            last: BarImpact.steps(case),
+        })
     }
-    let wave = scaled.bars.solve(duration);
-    let exact = wave.history(&done.history.time);
-    let mut metrics = metrics::impact::evaluate(
-        &done.history,
-        &wave,
-        duration,
-        &done.energy,
-        done.restitution,
-    );
+
+    fn exact(&self) -> (Wave, Sampled) {
+        let wave = self.scaled.bars.solve(self.duration);
+        let sampled = Sampled::new(&wave, self.dt, self.last, self.duration);
+        (wave, sampled)
+    }
+}
+
+const NOT_GIVEN: &str = "a parameter is not given";
+
+const OUT_OF_RANGE: &str = "the motion leaves the range of double precision";
+
+/// A computed history beside the exact one, with its metrics.
+fn judged(given: &Given, track: Track<1>, wanted: &[usize]) -> Result<Solution, String> {
+    let computed = track.history(given.dt);
+    if !computed.is_finite() {
+        return Err(OUT_OF_RANGE.into());
+    }
+    let (wave, sampled) = given.exact();
+    let exact = wave.history(&computed.time);
+    let [own] = metrics::impact::evaluate(&track, &sampled);
     let budget = wanted
         .iter()
         .any(|&row| !METRICS[row].default)
-        .then(|| between::between(scaled, &done.history.time))
+        .then(|| between::between(&given.scaled, &computed.time))
         .flatten()
-        .map(|[spring, chain]| {
-            metrics::impact::budget(&done.history, &wave, &spring, &chain, duration)
-        });
-    metrics.extend(budget.unwrap_or([None; 12]));
+        .map(|[spring, chain]| metrics::impact::budget(&track, &sampled, &spring, &chain));
+    let metrics = own
+        .into_iter()
+        .chain(budget.unwrap_or([None; 12]))
+        .collect();
     Ok(Solution {
-        computed: done.history,
+        computed,
         exact,
         metrics,
     })

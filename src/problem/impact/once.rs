@@ -1,9 +1,9 @@
 //! The bars by the papers' element matrices, each step solved once: the other reading of [I], where the residual was
 //! held against an external force that is zero.
 
-use super::run::Run;
 use super::scaled::Scaled;
-use crate::history::History;
+use crate::lane::Lane;
+use crate::metrics::impact::Track;
 use crate::textbook::element::ImpactElement;
 use crate::textbook::{Iteration, Newmark, bars::assemble};
 use nalgebra::DVector;
@@ -12,7 +12,7 @@ use nalgebra::DVector;
 const MOST_ELEMENTS: u32 = 400;
 
 /// Runs `last` steps; the error says why not.
-pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Run, String> {
+pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Track<1>, String> {
     let elements: u32 = scaled.each().map(|bar| bar.elements).sum();
     if elements > MOST_ELEMENTS {
         return Err(format!(
@@ -42,8 +42,7 @@ pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Run, String> {
         ),
         None => (vec![one(0, first)], [scaled.left.mass, 0.0]),
     };
-    let mut history = History::with_capacity(last as usize + 1);
-    let mut energy = Vec::with_capacity(last as usize + 1);
+    let mut track = Track::with_capacity(last as usize + 1);
     let mut centres = vec![0.0; ones.len()];
     for i in 0..=last {
         if i > 0 {
@@ -52,7 +51,9 @@ pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Run, String> {
                 .map_err(|cycle| format!("step {} has no solution", cycle.step))?;
         }
         let [r, rdot, s] = newmark.contact();
-        history.push(i as f64 * dt, r, 0.5 * rdot, 0.0 - s);
+        track.displacement.push(Lane([r]));
+        track.velocity.push(Lane([0.5 * rdot]));
+        track.force.push(Lane([0.0 - s]));
         let (u, v) = newmark.state();
         let momentum = &mass * v;
         for ((centre, one), mass) in centres.iter_mut().zip(&ones).zip(masses) {
@@ -66,12 +67,10 @@ pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Run, String> {
         let relative = v.add_scalar(-common);
         let kinetic = relative.dot(&(&mass * &relative));
         let strain = u.dot(&(&stiffness * u));
-        energy.push(0.5 * (kinetic + strain + scaled.spring * r.min(0.0) * r.min(0.0)));
+        let spring = scaled.spring * r.min(0.0) * r.min(0.0);
+        track.energy.push(Lane([0.5 * (kinetic + strain + spring)]));
     }
     let restitution = 0.5 * (centres.get(1).copied().unwrap_or(0.0) - centres[0]);
-    Ok(Run {
-        history,
-        energy,
-        restitution,
-    })
+    track.restitution = Lane([restitution]);
+    Ok(track)
 }

@@ -6,6 +6,7 @@
 
 use crate::exact::wave::Bars;
 use crate::problem::Case;
+use crate::structure::Mode;
 use crate::structure::bar::{Bar, Mass};
 
 /// A case in its own scales.
@@ -75,8 +76,25 @@ impl Scaled {
         [Some(self.left), self.right].into_iter().flatten()
     }
 
-    /// Rate of r at which a bar's rigid-body mode closes the gap: both bars share it, to a wall one brings it all.
-    pub fn approach(&self) -> f64 {
-        if self.right.is_some() { -1.0 } else { -2.0 }
+    /// The modes that the contact feels, the rigid-body mode first. Modes of one frequency move as one whose share of
+    /// r is the sum of theirs: the rigid-body modes of both bars, and every pair of modes of like bars.
+    pub fn modes(&self) -> Vec<Mode> {
+        let mut modes: Vec<Mode> = self.left.modes().collect();
+        match self.right {
+            Some(right) if right == self.left => {
+                for mode in &mut modes {
+                    mode.phi2 *= 2.0;
+                }
+            }
+            Some(right) => {
+                let mut others = right.modes();
+                if let (Some(rigid), Some(other)) = (modes.first_mut(), others.next()) {
+                    rigid.phi2 += other.phi2;
+                }
+                modes.extend(others);
+            }
+            None => {}
+        }
+        modes
     }
 }

@@ -1,8 +1,9 @@
 //! Velocity and stress along the bars at given times, computed and exact.
 
-use super::run::start;
+use super::run::{CLOSING, start};
 use super::scaled::Scaled;
 use crate::exact::wave::Wave;
+use crate::lane::Lane;
 use crate::problem::{Lines, Snapshot};
 use crate::structure::bar::Bar;
 
@@ -20,18 +21,51 @@ pub fn snapshots(scaled: &Scaled, dt: f64, last: u64, times: &[f64]) -> Vec<Snap
         .collect();
     let furthest = steps.iter().copied().max().unwrap_or(0);
     let wave = scaled.bars.solve(furthest as f64 * dt);
-    let (mut stepper, mut law) = start(scaled, dt);
+    let (mut stepper, law) = start(&[*scaled], Lane([dt]));
     let mut found: Vec<Option<Snapshot>> = vec![None; times.len()];
     for step in 0..=furthest {
         if step > 0 {
-            stepper.step(&mut law);
+            stepper.step(&law);
         }
         for (slot, _) in found.iter_mut().zip(&steps).filter(|(_, s)| **s == step) {
             let modes: Vec<[f64; 2]> = stepper.modes().map(|(x, v)| [x.0[0], v.0[0]]).collect();
-            *slot = Some(snapshot(scaled, &wave, step as f64 * dt, &modes));
+            let time = step as f64 * dt;
+            *slot = Some(snapshot(scaled, &wave, time, &apart(scaled, time, &modes)));
         }
     }
     found.into_iter().flatten().collect()
+}
+
+/// Displacement and velocity of each bar's own modes, left bar's first, from those that move as one.
+///
+/// Modes of one frequency share a force as their phi2; the approach is shared evenly in the frame of the mean of both V0.
+fn apart(scaled: &Scaled, time: f64, together: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let Some(right) = scaled.right else {
+        return together.to_vec();
+    };
+    let like = right == scaled.left;
+    let (left, other) = (scaled.left.mass, right.mass);
+    // phi2 of a rigid-body mode is the inverse of the mass.
+    let rigid = |share: f64| {
+        let [x, v] = together[0];
+        let free = [CLOSING * time, CLOSING];
+        [
+            0.5 * free[0] + share * (x - free[0]),
+            0.5 * free[1] + share * (v - free[1]),
+        ]
+    };
+    let halves = |modes: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        let share = if like { 0.5 } else { 1.0 };
+        modes.iter().map(|mode| mode.map(|x| share * x)).collect()
+    };
+    let first = scaled.left.elements as usize + 1;
+    let (own, rest) = together.split_at(first);
+    let rest = if like { &own[1..] } else { rest };
+    let mut modes = vec![rigid(other / (left + other))];
+    modes.extend(halves(&own[1..]));
+    modes.push(rigid(left / (left + other)));
+    modes.extend(halves(rest));
+    modes
 }
 
 fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snapshot {

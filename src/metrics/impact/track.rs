@@ -1,0 +1,64 @@
+//! What the contact of bars does over time, for cases side by side.
+
+use crate::history::History;
+use crate::lane::Lane;
+
+/// The contact of L cases at the steps 0..=N, in the problem's scales.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Track<const L: usize> {
+    /// r/(c T_I/2).
+    pub displacement: Vec<Lane<L>>,
+    /// rdot/c.
+    pub velocity: Vec<Lane<L>>,
+    /// F/F0.
+    pub force: Vec<Lane<L>>,
+    /// Energy, with the spring, in the frame of the common mass centre.
+    pub energy: Vec<Lane<L>>,
+    /// Relative velocity of the mass centres at the end over c.
+    pub restitution: Lane<L>,
+}
+
+impl<const L: usize> Track<L> {
+    /// No steps yet, and room for `len`.
+    pub fn with_capacity(len: usize) -> Track<L> {
+        Track {
+            displacement: Vec::with_capacity(len),
+            velocity: Vec::with_capacity(len),
+            force: Vec::with_capacity(len),
+            energy: Vec::with_capacity(len),
+            restitution: Lane::splat(0.0),
+        }
+    }
+
+    /// One lane alone, its steps 0..=`last`.
+    pub fn lane(&self, l: usize, last: u64) -> Track<1> {
+        let alone = |of: &[Lane<L>]| {
+            of.iter()
+                .take(last as usize + 1)
+                .map(|x| Lane([x.0[l]]))
+                .collect()
+        };
+        Track {
+            displacement: alone(&self.displacement),
+            velocity: alone(&self.velocity),
+            force: alone(&self.force),
+            energy: alone(&self.energy),
+            restitution: Lane([self.restitution.0[l]]),
+        }
+    }
+}
+
+impl Track<1> {
+    /// As a history with steps of `dt`.
+    pub fn history(&self, dt: f64) -> History {
+        let alone = |of: &[Lane<1>]| of.iter().map(|x| x.0[0]).collect();
+        History {
+            time: (0..self.displacement.len())
+                .map(|i| i as f64 * dt)
+                .collect(),
+            displacement: alone(&self.displacement),
+            velocity: alone(&self.velocity),
+            force: alone(&self.force),
+        }
+    }
+}
