@@ -8,6 +8,7 @@ pub struct Lane<const L: usize>(pub [f64; L]);
 
 impl<const L: usize> Lane<L> {
     /// The same number in every lane.
+    #[inline(always)]
     pub fn splat(x: f64) -> Self {
         Lane([x; L])
     }
@@ -48,6 +49,26 @@ impl<const L: usize> Lane<L> {
     pub fn cut(self, limit: Self) -> Self {
         self.smaller(limit).larger(-limit)
     }
+}
+
+/// The largest of some, lane by lane; zero of none.
+#[inline(always)]
+pub fn largest<const L: usize>(of: &[Lane<L>]) -> Lane<L> {
+    let mut largest = of.first().copied().unwrap_or(Lane::splat(0.0));
+    for x in of {
+        largest = largest.larger(*x);
+    }
+    largest
+}
+
+/// The smallest of some, lane by lane; zero of none.
+#[inline(always)]
+pub fn smallest<const L: usize>(of: &[Lane<L>]) -> Lane<L> {
+    let mut smallest = of.first().copied().unwrap_or(Lane::splat(0.0));
+    for x in of {
+        smallest = smallest.smaller(*x);
+    }
+    smallest
 }
 
 impl<const L: usize> Add for Lane<L> {

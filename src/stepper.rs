@@ -65,6 +65,30 @@ pub struct Stepper<const L: usize, M = Vec<Moving<L>>> {
     increment: Lane<L>,
 }
 
+/// The lanes that end at a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Ending<const L: usize>([bool; L]);
+
+impl<const L: usize> Ending<L> {
+    #[inline(always)]
+    fn new(last: &[u64; L], step: u64) -> Self {
+        let mut ending = [false; L];
+        for (ending, last) in ending.iter_mut().zip(last) {
+            *ending = *last == step;
+        }
+        Ending(ending)
+    }
+
+    /// `now` in the lanes that end, `before` in the others.
+    #[inline(always)]
+    pub fn pick(&self, now: Lane<L>, mut before: Lane<L>) -> Lane<L> {
+        for ((before, now), ending) in before.0.iter_mut().zip(now.0).zip(self.0) {
+            *before = if ending { now } else { *before };
+        }
+        before
+    }
+}
+
 /// One mode on its way: its coefficients and its state.
 #[derive(Debug, Clone, Copy)]
 pub struct Moving<const L: usize> {
@@ -126,6 +150,16 @@ impl<const L: usize> Moving<L> {
         }
     }
 
+    /// One step under S(i) + S(i+1); gives `free` and the energy.
+    #[inline(always)]
+    fn step(&mut self, both: Lane<L>) -> (Lane<L>, Lane<L>) {
+        let w = self.free - self.give * both;
+        self.p = self.p + w;
+        let pull = self.stiffness * self.p;
+        self.free = w - pull;
+        (self.free, self.energy(w, pull))
+    }
+
     /// W, x and the energy, (v^2 + omega2 x^2)/(2 phi2) in increments.
     #[inline(always)]
     fn now(&self) -> (Lane<L>, Lane<L>, Lane<L>) {
@@ -140,27 +174,34 @@ impl<const L: usize> Moving<L> {
     }
 }
 
-/// Sum without a zero to begin with, so that the sum over one mode is that mode.
+/// Sum from the first term on, so that the sum over one mode is that mode.
 #[inline(always)]
-fn sum<const L: usize>(terms: impl Iterator<Item = Lane<L>>) -> Lane<L> {
-    terms.reduce(|a, b| a + b).unwrap_or(Lane::splat(0.0))
+fn sum<const L: usize>(modes: &[Moving<L>], of: impl Fn(&Moving<L>) -> Lane<L>) -> Lane<L> {
+    let Some((first, others)) = modes.split_first() else {
+        return Lane::splat(0.0);
+    };
+    let mut sum = of(first);
+    for mode in others {
+        sum = sum + of(mode);
+    }
+    sum
 }
 
 impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
     #[inline(always)]
     fn holding(modes: M, dt: Lane<L>, gap: Lane<L>, force: Lane<L>) -> Self {
-        let now = || modes.as_ref().iter().map(Moving::now);
+        let all = modes.as_ref();
         let rate = dt.map(|dt| 1.0 / dt);
-        let increment = sum(now().map(|(w, _, _)| w));
+        let increment = sum(all, |mode| mode.now().0);
         Stepper {
             rate,
-            give: sum(modes.as_ref().iter().map(|mode| mode.give)),
-            free: sum(modes.as_ref().iter().map(|mode| mode.free)),
+            give: sum(all, |mode| mode.give),
+            free: sum(all, |mode| mode.free),
             contact: Contact {
-                displacement: gap + sum(now().map(|(_, x, _)| x)),
+                displacement: gap + sum(all, |mode| mode.now().1),
                 velocity: increment * rate,
                 force,
-                energy: sum(now().map(|(_, _, energy)| energy)),
+                energy: sum(all, |mode| mode.now().2),
             },
             increment,
             modes,
@@ -185,11 +226,13 @@ impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
     /// One step; `law` gives the force at its end.
     #[inline(always)]
     pub fn step(&mut self, law: &impl Law<L>) -> Contact<L> {
-        let Contact {
-            displacement,
-            force: before,
-            ..
-        } = self.contact;
+        self.advance(law);
+        self.contact
+    }
+
+    #[inline(always)]
+    fn advance(&mut self, law: &impl Law<L>) {
+        let (displacement, before) = (self.contact.displacement, self.contact.force);
         let force = law.respond(&Trial {
             displacement,
             force: before,
@@ -198,27 +241,25 @@ impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
         });
         let both = before + force;
         let increment = self.free - self.give * both;
-        let moved = self.modes.as_mut().iter_mut().map(|mode| {
-            let w = mode.free - mode.give * both;
-            mode.p = mode.p + w;
-            let pull = mode.stiffness * mode.p;
-            mode.free = w - pull;
-            (mode.free, mode.energy(w, pull))
-        });
-        let all = moved.reduce(|a, b| (a.0 + b.0, a.1 + b.1));
-        let (free, energy) = all.unwrap_or((Lane::splat(0.0), Lane::splat(0.0)));
+        // From the first mode on, not from zero: a structure of one mode has no sums then.
+        let (mut free, mut energy) = (Lane::splat(0.0), Lane::splat(0.0));
+        if let [first, others @ ..] = self.modes.as_mut() {
+            (free, energy) = first.step(both);
+            for mode in others {
+                let (own, kept) = mode.step(both);
+                (free, energy) = (free + own, energy + kept);
+            }
+        }
         self.free = free;
-        self.contact = Contact {
-            displacement: displacement + (self.increment + increment) * 0.5,
-            velocity: increment * self.rate,
-            force,
-            energy,
-        };
+        self.contact.displacement = displacement + (self.increment + increment) * 0.5;
+        self.contact.velocity = increment * self.rate;
+        self.contact.force = force;
+        self.contact.energy = energy;
         self.increment = increment;
-        self.contact
     }
 
-    /// Steps 0..=`last` of each lane: `step` is shown the contact at every step, `end` each lane at its own last one.
+    /// Steps 0..=`last` of each lane: `step` is shown the contact at every step, `end` the first mode's velocity whenever
+    /// lanes end, with which. Gives each lane's contact at its own last step.
     ///
     /// A lane that has ended moves on beside the others and touches none of them.
     #[inline(always)]
@@ -227,19 +268,30 @@ impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
         law: &impl Law<L>,
         last: &[u64; L],
         mut step: impl FnMut(&Contact<L>),
-        mut end: impl FnMut(usize, &Self),
-    ) {
+        mut end: impl FnMut(Lane<L>, &Ending<L>),
+    ) -> Contact<L> {
         step(&self.contact);
+        let mut ends = self.contact;
         let (mut at, mut from) = (0, 0);
         while let Some(next) = last.iter().copied().filter(|n| *n >= from).min() {
             for _ in at..next {
-                step(&self.step(law));
+                self.advance(law);
+                step(&self.contact);
             }
-            for (lane, _) in last.iter().enumerate().filter(|(_, n)| **n == next) {
-                end(lane, self);
+            let now = Ending::new(last, next);
+            // All lanes by one rule: a lane picked by its number would keep the whole state from the registers.
+            ends = Contact {
+                displacement: now.pick(self.contact.displacement, ends.displacement),
+                velocity: now.pick(self.contact.velocity, ends.velocity),
+                force: now.pick(self.contact.force, ends.force),
+                energy: now.pick(self.contact.energy, ends.energy),
+            };
+            if let Some(first) = self.modes.as_ref().first() {
+                end(first.now().0 * self.rate, &now);
             }
             (at, from) = (next, next + 1);
         }
+        ends
     }
 
     /// Scaled coordinates and velocities of the modes, lane by lane, for profiles.

@@ -8,9 +8,10 @@ pub mod store;
 pub mod whole;
 
 use crate::error::Error;
+use crate::problem::sweep::Metrics;
 use crate::problem::{Case, Solution};
 use crate::study::Study;
-use chunk::{Cut, Done};
+use chunk::{Cut, Done, Key};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use store::Store;
@@ -28,6 +29,9 @@ pub struct Outcome {
     pub failure: Option<String>,
 }
 
+/// Is shown a case's number and its solution.
+pub type Visit<'a> = dyn Fn(u64, &Solution) -> Result<(), Error> + Sync + 'a;
+
 /// What is done with cases while they are run.
 pub struct Wishes<'a> {
     /// Where finished chunks are kept and looked for, if anywhere.
@@ -36,8 +40,8 @@ pub struct Wishes<'a> {
     pub anew: bool,
     /// Which cases keep their histories, where they are computed.
     pub keep: &'a (dyn Fn(&Case) -> bool + Sync),
-    /// Is shown every solution that is computed.
-    pub visit: &'a (dyn Fn(u64, &Solution) -> Result<(), Error> + Sync),
+    /// Is shown every solution that is computed, if anyone asks.
+    pub visit: Option<&'a Visit<'a>>,
 }
 
 impl Wishes<'_> {
@@ -46,7 +50,7 @@ impl Wishes<'_> {
         store: None,
         anew: false,
         keep: &|_| false,
-        visit: &|_, _| Ok(()),
+        visit: None,
     };
 }
 
@@ -99,8 +103,9 @@ fn one(
         // A condition dropped them all.
         return Ok(Done::kept(0, Vec::new()));
     };
-    let found = match wishes.store {
-        Some(store) if !wishes.anew => store.find(study, chunk, &cases),
+    let store = wishes.store.map(|store| (store, Key::new(study, &cases)));
+    let found = match &store {
+        Some((store, key)) if !wishes.anew => store.find(study, chunk, key, &cases),
         _ => Err(None),
     };
     let why = match found {
@@ -110,17 +115,9 @@ fn one(
         }
         Err(why) => why,
     };
-    let outcomes: Vec<Result<Outcome, Error>> = cases
-        .into_par_iter()
-        .map(|(number, case)| {
-            let outcome = solve(study, number, case, wishes);
-            bar.inc(1);
-            outcome
-        })
-        .collect();
-    let outcomes = outcomes.into_iter().collect::<Result<Vec<_>, _>>()?;
-    if let Some(store) = wishes.store {
-        store.put(study, chunk, first, &outcomes)?;
+    let outcomes = computed(study, cases, bar, wishes)?;
+    if let Some((store, key)) = store {
+        store.put(study, chunk, &key, first, &outcomes)?;
     }
     Ok(Done {
         outcomes,
@@ -129,24 +126,86 @@ fn one(
     })
 }
 
-fn solve(study: &Study, number: u64, case: Case, wishes: &Wishes) -> Result<Outcome, Error> {
-    Ok(match solution(study, &case) {
-        Ok(solution) => {
-            (wishes.visit)(number, &solution)?;
-            Outcome {
-                metrics: solution.metrics.clone(),
-                solution: (wishes.keep)(&case).then_some(solution),
-                failure: None,
-                case,
-            }
-        }
-        Err(why) => Outcome {
-            metrics: vec![None; study.problem.metrics().len()],
-            solution: None,
-            failure: Some(why),
+/// Cases that move side by side on one thread.
+const SLICE: usize = 4096;
+
+/// The outcomes of a chunk that has to be computed.
+fn computed(
+    study: &Study,
+    cases: Vec<(u64, Case)>,
+    bar: &ProgressBar,
+    wishes: &Wishes,
+) -> Result<Vec<Outcome>, Error> {
+    let table = study.problem.metrics();
+    // Histories, budgets and the papers' own iteration are for one case at a time.
+    let beside = wishes.visit.is_none()
+        && !study.once
+        && study.metrics.iter().all(|row| table[*row].default);
+    let alone: Vec<bool> = cases
+        .iter()
+        .map(|(_, case)| !beside || (wishes.keep)(case))
+        .collect();
+    let size = match rayon::current_num_threads() {
+        1 => cases.len(),
+        _ if beside => SLICE,
+        _ => 1,
+    };
+    let found: Vec<Vec<Found>> = cases
+        .par_chunks(size.max(1))
+        .zip(alone.par_chunks(size.max(1)))
+        .map(|(cases, alone)| {
+            let pairs = cases.iter().zip(alone);
+            let together: Vec<&Case> = pairs
+                .clone()
+                .filter(|(_, alone)| !**alone)
+                .map(|((_, case), _)| case)
+                .collect();
+            let mut swept = study.problem.sweep(&together).into_iter();
+            let found = pairs.map(|((number, case), alone)| {
+                let beside = if *alone { None } else { swept.next() };
+                match beside {
+                    Some(metrics) => Ok((metrics, None)),
+                    None => solve(study, *number, case, wishes),
+                }
+            });
+            let found = found.collect();
+            bar.inc(cases.len() as u64);
+            found
+        })
+        .collect::<Result<_, Error>>()?;
+    let outcome = |((_, case), (metrics, solution)): ((u64, Case), Found)| {
+        let (metrics, failure) = match metrics {
+            Ok(metrics) => (metrics, None),
+            Err(why) => (vec![None; table.len()], Some(why)),
+        };
+        Outcome {
             case,
-        },
-    })
+            metrics,
+            solution,
+            failure,
+        }
+    };
+    Ok(cases
+        .into_iter()
+        .zip(found.into_iter().flatten())
+        .map(outcome)
+        .collect())
+}
+
+/// What was found of a case, and its histories where they are kept.
+type Found = (Metrics, Option<Solution>);
+
+/// One case alone, with its histories on the way.
+fn solve(study: &Study, number: u64, case: &Case, wishes: &Wishes) -> Result<Found, Error> {
+    let solution = match solution(study, case) {
+        Ok(solution) => solution,
+        Err(why) => return Ok((Err(why), None)),
+    };
+    if let Some(visit) = wishes.visit {
+        visit(number, &solution)?;
+    }
+    let metrics = solution.metrics.clone();
+    Ok((Ok(metrics), (wishes.keep)(case).then_some(solution)))
 }
 
 /// The solution of one case by the study's way of solving.

@@ -11,6 +11,7 @@ use slipgap::batch::sobol::Gathered;
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, Outcome, Wishes};
 use slipgap::error::Error;
+use slipgap::problem::Solution;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
@@ -78,18 +79,17 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
     };
     let mut tally = Tally::new(store.is_empty());
     let (mut shown, mut failed) = (Vec::new(), Vec::new());
+    let visit = |case: u64, solution: &Solution| {
+        let name = history(case);
+        folder.put(&name, |out| results::history(study.problem, solution, out))?;
+        Ok(())
+    };
     let wishes = Wishes {
         store: Some(&store),
         // Histories are not in the store.
         anew: manner.histories,
         keep: &|case| drawn::over_time(study, case),
-        visit: &|case, solution| {
-            if manner.histories {
-                let name = history(case);
-                folder.put(&name, |out| results::history(study.problem, solution, out))?;
-            }
-            Ok(())
-        },
+        visit: manner.histories.then_some(&visit),
     };
     let mut solved = Vec::new();
     let mut designs = Gathered::new(study);

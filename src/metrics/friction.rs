@@ -5,7 +5,7 @@
 use super::{first_step, reached};
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
-use crate::lane::Lane;
+use crate::lane::{Lane, largest, smallest};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -69,13 +69,13 @@ pub fn evaluate<const L: usize>(
 ) -> [[Option<f64>; COUNT]; L] {
     let zero = Lane::splat(0.0);
     let over = 1.0 / exact.scale;
-    let (mut squares, mut magnitudes, mut largest) = (zero, zero, zero);
+    let (mut squares, mut magnitudes, mut furthest) = (zero, zero, zero);
     for (c, e) in c.iter().zip(&exact.at) {
         let c = *c * over;
         let error = c - Lane::splat(*e);
         squares = squares + error * error;
         magnitudes = magnitudes + c * c;
-        largest = largest.larger(error.map(f64::abs));
+        furthest = furthest.larger(error.map(f64::abs));
     }
     let peak = peak_error(c, exact).map(|error| error * over);
     let residual = residual_motion(c, exact).map(|motion| motion * over);
@@ -91,7 +91,7 @@ pub fn evaluate<const L: usize>(
     std::array::from_fn(|l| {
         [
             Some(rms.0[l]),
-            Some(largest.0[l]),
+            Some(furthest.0[l]),
             peak.map(|p| p.0[l]),
             exact.rests.then_some(rest.0[l]),
             residual.map(|r| r.0[l]),
@@ -158,28 +158,26 @@ pub fn work(c: &History, scale: f64) -> f64 {
 #[inline(always)]
 fn peak_error<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let windows = exact.peaks.as_ref().filter(|peaks| !peaks.is_empty())?;
-    let mut largest = Lane::splat(0.0);
+    let mut worst = Lane::splat(0.0);
     for (k, window) in windows.iter().enumerate() {
         let k = k as f64 + 1.0;
-        let steps = c[window.clone()].iter().copied();
+        let steps = &c[window.clone()];
         let extreme = if exact.exact.side(k) > 0.0 {
-            steps.reduce(Lane::larger)?
+            largest(steps)
         } else {
-            -steps.reduce(Lane::smaller)?
+            -smallest(steps)
         };
         let error = extreme - Lane::splat(exact.exact.amplitude(k));
-        largest = largest.larger(error.map(f64::abs));
+        worst = worst.larger(error.map(f64::abs));
     }
-    Some(largest)
+    Some(worst)
 }
 
 /// Half the range of the motion from T = (m + 1) pi on; undefined where the run ends before.
 #[inline(always)]
 fn residual_motion<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let late = c.get(exact.late.clone())?;
-    let highest = late.iter().copied().reduce(Lane::larger)?;
-    let lowest = late.iter().copied().reduce(Lane::smaller)?;
-    Some((highest - lowest) * 0.5)
+    (!late.is_empty()).then(|| (largest(late) - smallest(late)) * 0.5)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 pub mod friction;
 pub mod impact;
 pub mod parameter;
+pub mod sweep;
 
 use crate::history::History;
 use crate::metrics::steps;
@@ -33,6 +34,19 @@ impl Case {
     /// The number called `name`; `None` where it does not apply.
     pub fn number(&self, name: &str) -> Option<f64> {
         self.get(name)?.as_f64()
+    }
+
+    /// The number in a row of the table; `None` where it does not apply.
+    pub fn at(&self, row: usize) -> Option<f64> {
+        self.values[row]?.as_f64()
+    }
+
+    /// The name in a row of the table; empty where it does not apply.
+    pub fn name_at(&self, row: usize) -> &'static str {
+        match self.values[row] {
+            Some(Value::Name(chosen)) => chosen,
+            _ => "",
+        }
     }
 
     /// The name chosen for `name`; empty where it does not apply.
@@ -203,6 +217,8 @@ pub trait Problem: Sync + std::fmt::Debug {
     ///
     /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
+    /// The default metrics of many completed cases, moved side by side: to the bit what `solve` gives each.
+    fn sweep(&self, cases: &[&Case]) -> Vec<sweep::Metrics>;
     /// The same by the papers' element matrices, each step solved once and not to the end: the other reading of the
     /// papers, for the ledger of claims.
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;

@@ -21,6 +21,24 @@ pub struct Parameter {
     pub meaning: &'static str,
 }
 
+/// The row of a table that has this name, for constants: a name that is not there does not compile.
+pub const fn row_of(table: &[Parameter], name: &str) -> usize {
+    let wanted = name.as_bytes();
+    let mut row = 0;
+    while row < table.len() {
+        let found = table[row].name.as_bytes();
+        let mut same = 0;
+        while same < found.len() && same < wanted.len() && found[same] == wanted[same] {
+            same += 1;
+        }
+        if same == found.len() && same == wanted.len() {
+            return row;
+        }
+        row += 1;
+    }
+    panic!("no such parameter")
+}
+
 /// The declared type of a parameter: decoding goes by this and by nothing else.
 #[derive(Debug, Clone, Copy)]
 pub enum Kind {

@@ -21,6 +21,15 @@ pub struct Block {
     pub design: Option<Design>,
     /// Number of cases before every `STRIDE`-th combination, and at the end; counted when first asked for.
     pub(super) kept: OnceLock<Vec<u64>>,
+    /// What all raw combinations share; found when the first is made.
+    pub(super) shared: OnceLock<Option<Shared>>,
+}
+
+/// The values that all combinations of a block have, and the groups that make the difference.
+#[derive(Debug, Clone)]
+pub(super) struct Shared {
+    values: Vec<Option<Value>>,
+    varying: Vec<usize>,
 }
 
 /// Axes that advance together.
@@ -78,10 +87,52 @@ impl Block {
 
     /// Combination `raw` with what it leaves out at its default, but before `Problem::complete`.
     pub(super) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
-        let digits = self.digits(raw);
-        let mut case = Case::new(problem.parameters());
-        self.fill(&mut case, &digits, self.derived.len());
+        let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
+            let mut case = Case::new(problem.parameters());
+            self.fill(&mut case, &self.digits(raw), self.derived.len());
+            return case;
+        };
+        let mut case = Case {
+            table: problem.parameters(),
+            values: shared.values.clone(),
+        };
+        let mut rest = raw;
+        for group in shared
+            .varying
+            .iter()
+            .rev()
+            .map(|group| &self.groups[*group])
+        {
+            for axis in &group.axes {
+                case.values[axis.parameter] = Some(axis.values[(rest % group.len()) as usize]);
+            }
+            rest /= group.len();
+        }
         case
+    }
+
+    /// What all combinations share; `None` where expressions or names that bring other parameters take part.
+    fn shared(&self, problem: &dyn Problem) -> Option<Shared> {
+        let table = problem.parameters();
+        let varying: Vec<usize> = (0..self.groups.len())
+            .filter(|g| self.groups[*g].len() > 1)
+            .collect();
+        let governs = |axis: &Axis| {
+            let name = table[axis.parameter].name;
+            table
+                .iter()
+                .any(|p| p.applies.is_some_and(|(governor, _)| governor == name))
+        };
+        let axes = |group: &usize| self.groups[*group].axes.iter();
+        if !self.derived.is_empty() || varying.iter().flat_map(axes).any(governs) {
+            return None;
+        }
+        let mut case = Case::new(table);
+        self.fill(&mut case, &vec![0; self.groups.len()], 0);
+        Some(Shared {
+            values: case.values,
+            varying,
+        })
     }
 
     /// Sets what stands at these places of the groups, defaults, and the first of the derived parameters.

@@ -80,9 +80,9 @@ impl Store {
         &self,
         study: &Study,
         chunk: u64,
+        key: &Key,
         cases: &[(u64, Case)],
     ) -> Result<Vec<Outcome>, Option<String>> {
-        let key = Key::new(study, cases);
         let mut why = None;
         for path in self.parts.get(&chunk).into_iter().flatten() {
             let damaged = || Some(format!("{} is damaged", path.display()));
@@ -116,13 +116,11 @@ impl Store {
         &self,
         study: &Study,
         chunk: u64,
+        key: &Key,
         first: u64,
         outcomes: &[Outcome],
     ) -> Result<(), Error> {
-        let cases: Vec<(u64, Case)> = (first..)
-            .zip(outcomes.iter().map(|o| o.case.clone()))
-            .collect();
-        let bytes = part::written(study, &Key::new(study, &cases), first, outcomes)
+        let bytes = part::written(study, key, first, outcomes)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
         let path = self
             .folder

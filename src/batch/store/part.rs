@@ -11,7 +11,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::Type;
+use parquet::schema::types::{ColumnPath, Type};
 use serde_json::json;
 
 use crate::batch::Outcome;
@@ -23,6 +23,9 @@ use crate::study::Study;
 /// Column of the reason why a case could not be solved.
 const FAILURE: &str = "failure";
 
+/// Bytes of the different values of a column from which on it has no dictionary.
+const DICTIONARY: usize = 1 << 14;
+
 /// Metrics by the problem's table, and why the case could not be solved.
 type Row = (Vec<Option<f64>>, Option<String>);
 
@@ -33,12 +36,22 @@ pub(super) fn written(
     first: u64,
     outcomes: &[Outcome],
 ) -> Result<Vec<u8>> {
-    let properties = WriterProperties::builder()
+    // Values that many cases share go to a dictionary, as far as there are few; metrics differ from case to case.
+    let mut properties = WriterProperties::builder()
+        .set_dictionary_enabled(true)
+        .set_dictionary_page_size_limit(DICTIONARY)
         .set_compression(Compression::SNAPPY)
         .set_created_by("slipgap".into())
         .set_statistics_enabled(EnabledStatistics::Chunk)
-        .set_key_value_metadata(Some(metadata(study, key)))
-        .build();
+        .set_key_value_metadata(Some(metadata(study, key)));
+    let metrics = study
+        .metrics
+        .iter()
+        .map(|m| study.problem.metrics()[*m].name);
+    for name in metrics.chain(["case"]) {
+        properties = properties.set_column_dictionary_enabled(ColumnPath::from(name), false);
+    }
+    let properties = properties.build();
     let mut bytes = Vec::new();
     let mut file =
         SerializedFileWriter::new(&mut bytes, Arc::new(schema(study)?), Arc::new(properties))?;

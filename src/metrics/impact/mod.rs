@@ -8,7 +8,7 @@ pub use budget::budget;
 pub use sampled::Sampled;
 pub use track::Track;
 
-use crate::lane::Lane;
+use crate::lane::{Lane, largest, smallest};
 
 /// Number of the metrics here.
 pub const COUNT: usize = 11;
@@ -17,20 +17,21 @@ pub const COUNT: usize = 11;
 #[inline(always)]
 pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [[Option<f64>; COUNT]; L] {
     let zero = Lane::splat(0.0);
-    let (r, rdot, force) = (&c.displacement, &c.velocity, &c.force);
-    let lowest = |of: &[Lane<L>]| of.iter().copied().reduce(Lane::smaller).unwrap_or(zero);
-    let highest = |of: &[Lane<L>]| of.iter().copied().reduce(Lane::larger).unwrap_or(zero);
-    let start = c.energy.first().copied().unwrap_or(zero);
-    let (lost, won) = (lowest(&c.energy) - start, highest(&c.energy) - start);
+    // Beside longer runs a lane has steps that are not its own.
+    let steps = ..exact.len();
+    let (r, rdot) = (&c.displacement[steps], &c.velocity[steps]);
+    let (force, energy) = (&c.force[steps], &c.energy[steps]);
+    let start = energy.first().copied().unwrap_or(zero);
+    let (lost, won) = (smallest(energy) - start, largest(energy) - start);
     let drift = lost.zip(won, |lost, won| if -lost > won { lost } else { won });
-    let end = c.energy.last().copied().unwrap_or(zero) - start;
+    let end = energy.last().copied().unwrap_or(zero) - start;
     let (contact, separations) = (
         contact_duration(r, exact.step),
         separations(&r[..exact.openings]),
     );
     // Adding zero turns -0 into 0.
-    let overlap = zero - lowest(r);
-    let peak = highest(force);
+    let overlap = zero - smallest(r);
+    let peak = largest(force);
     let oscillation = oscillation(rdot, exact);
     let impulse = impulse(force, exact.step);
     let mean = |of: usize, c: &[Lane<L>]| {
@@ -99,9 +100,10 @@ fn separations<const L: usize>(r: &[Lane<L>]) -> Lane<L> {
 #[inline(always)]
 fn oscillation<const L: usize>(rdot: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let watched = rdot.get(exact.watched.clone())?;
-    let sum = watched
-        .iter()
-        .fold(Lane::splat(0.0), |sum, v| sum + *v * *v);
+    let mut sum = Lane::splat(0.0);
+    for v in watched {
+        sum = sum + *v * *v;
+    }
     let count = watched.len() as f64;
     (count > 0.0).then(|| sum.map(|sum| (sum / count).sqrt()))
 }
@@ -111,8 +113,11 @@ fn oscillation<const L: usize>(rdot: &[Lane<L>], exact: &Sampled) -> Option<Lane
 fn impulse<const L: usize>(force: &[Lane<L>], step: f64) -> Lane<L> {
     match force {
         [first, inner @ .., last] => {
-            let ends = (*first + *last) * 0.5;
-            inner.iter().fold(ends, |sum, f| sum + *f) * step
+            let mut sum = (*first + *last) * 0.5;
+            for f in inner {
+                sum = sum + *f;
+            }
+            sum * step
         }
         _ => Lane::splat(0.0),
     }
@@ -146,8 +151,11 @@ mod tests {
             displacement: column(|row| row.0),
             velocity: column(|row| row.1),
             force: column(|row| row.2),
-            energy: energy.iter().map(|e| Lane([*e])).collect(),
+            energy: (0..rows.len())
+                .map(|i| Lane([energy[i.min(energy.len() - 1)]]))
+                .collect(),
             restitution: Lane([restitution]),
+            ..Track::default()
         };
         let last = rows.len() as u64 - 1;
         let end = last as f64 * 0.25;

@@ -18,16 +18,25 @@ pub struct Track<const L: usize> {
     pub restitution: Lane<L>,
 }
 
-impl<const L: usize> Track<L> {
-    /// No steps yet, and room for `len`.
-    pub fn with_capacity(len: usize) -> Track<L> {
+impl<const L: usize> Default for Track<L> {
+    fn default() -> Self {
         Track {
-            displacement: Vec::with_capacity(len),
-            velocity: Vec::with_capacity(len),
-            force: Vec::with_capacity(len),
-            energy: Vec::with_capacity(len),
+            displacement: Vec::new(),
+            velocity: Vec::new(),
+            force: Vec::new(),
+            energy: Vec::new(),
             restitution: Lane::splat(0.0),
         }
+    }
+}
+
+impl<const L: usize> Track<L> {
+    /// No steps again; the memory stays.
+    pub fn clear(&mut self) {
+        self.displacement.clear();
+        self.velocity.clear();
+        self.force.clear();
+        self.energy.clear();
     }
 
     /// One lane alone, its steps 0..=`last`.

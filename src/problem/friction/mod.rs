@@ -2,9 +2,11 @@
 
 mod once;
 mod run;
+mod sweep;
 mod tables;
 
 use super::parameter::Parameter;
+use super::sweep::{Metrics, split};
 use super::{Budget, Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
@@ -12,7 +14,7 @@ use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::{self, steps};
 use run::Given;
-use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES};
+use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -60,33 +62,39 @@ impl Problem for FrictionOscillator {
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
-        let (Some(step), Some(duration)) = (case.number("dT"), case.number("duration")) else {
+        let (Some(step), Some(duration)) = (case.at(rows::DT), case.at(rows::DURATION)) else {
             return Vec::new();
         };
         time_rules("dT", step, duration)
     }
 
     fn steps(&self, case: &Case) -> u64 {
-        let number = |name| case.number(name).unwrap_or(f64::NAN);
-        steps(number("duration"), number("dT"))
+        let number = |row| case.at(row).unwrap_or(f64::NAN);
+        steps(number(rows::DURATION), number(rows::DT))
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let given = Given::of(case, self.steps(case)).ok_or(NOT_GIVEN)?;
         let mut computed = History::with_capacity(given.last as usize + 1);
-        let [end] = run::run(&[given], |contact| {
+        let end = run::run(&[given], |contact| {
             let [Lane([x]), Lane([v]), Lane([s])] =
                 [contact.displacement, contact.velocity, contact.force];
             computed.push(computed.len() as f64 * given.step, x, v, s);
         });
-        self.judged(case, &given, computed, run::work(&given, &end), wanted)
+        self.judged(case, &given, computed, run::work(&[given], &end), wanted)
+    }
+
+    fn sweep(&self, cases: &[&Case]) -> Vec<Metrics> {
+        let given = |case: &Case| Given::of(case, self.steps(case));
+        let alone = |case: &Case| Ok(self.solve(case, &[])?.metrics);
+        split(cases, given, sweep::metrics, alone)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let given = Given::of(case, self.steps(case)).ok_or(NOT_GIVEN)?;
         let computed = once::run(case, &given).ok_or("a step has no solution")?;
         let work = metrics::friction::work(&computed, given.x0.abs());
-        self.judged(case, &given, computed, work, wanted)
+        self.judged(case, &given, computed, Lane([work]), wanted)
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
@@ -107,14 +115,14 @@ impl FrictionOscillator {
         case: &Case,
         given: &Given,
         computed: History,
-        work: f64,
+        work: Lane<1>,
         wanted: &[usize],
     ) -> Result<Solution, String> {
         if !computed.is_finite() {
             return Err(OUT_OF_RANGE.into());
         }
         let x: Vec<_> = computed.displacement.iter().map(|x| Lane([*x])).collect();
-        let [own] = metrics::friction::evaluate(&x, Lane([work]), &given.exact());
+        let [own] = metrics::friction::evaluate(&x, work, &given.exact_at_steps());
         let exact = self.exact(case, &computed.time).ok_or(NOT_GIVEN)?;
         let budget = wanted
             .iter()

@@ -1,6 +1,7 @@
 //! Cases of one law through the stepper, side by side.
 
 use super::release;
+use super::tables::rows;
 use crate::lane::Lane;
 use crate::law::{DisplacementControl, Law, VelocityControl};
 use crate::metrics::friction::Sampled;
@@ -36,14 +37,14 @@ pub struct Given {
 impl Given {
     /// The case's own parameters; `None` where one is not given.
     pub fn of(case: &Case, last: u64) -> Option<Given> {
-        let x0 = case.number("x0")?;
-        let (model, force) = match case.number("alpha") {
+        let x0 = case.at(rows::X0)?;
+        let (model, force) = match case.at(rows::ALPHA) {
             Some(alpha) => {
-                let (_, force) = release(case.choice("initial_slip"), x0, alpha);
+                let (_, force) = release(case.name_at(rows::INITIAL_SLIP), x0, alpha);
                 (Model::Displacement { alpha }, force)
             }
             None => {
-                let beta = case.number("beta")?;
+                let beta = case.at(rows::BETA)?;
                 (Model::Velocity { beta }, 0.0)
             }
         };
@@ -51,8 +52,8 @@ impl Given {
             model,
             force,
             x0,
-            step: case.number("dT")?,
-            duration: case.number("duration")?,
+            step: case.at(rows::DT)?,
+            duration: case.at(rows::DURATION)?,
             last,
         })
     }
@@ -64,17 +65,15 @@ impl Given {
         }
     }
 
-    pub fn exact(&self) -> Sampled {
+    /// The exact solution at the case's steps.
+    pub fn exact_at_steps(&self) -> Sampled {
         Sampled::new(self.x0, self.step, self.last, self.duration)
     }
 }
 
-/// The last step's contact of each lane.
-pub type Ends<const L: usize> = [Contact<1>; L];
-
-/// Steps 0..=last of each case, shown to `show`, from rest at x0; all cases have the law of the first.
+/// Steps 0..=last of each case, shown to `show`, from rest at x0, and what each is at its own last; all cases have the law of the first.
 #[inline(always)]
-pub fn run<const L: usize>(cases: &[Given; L], show: impl FnMut(&Contact<L>)) -> Ends<L> {
+pub fn run<const L: usize>(cases: &[Given; L], show: impl FnMut(&Contact<L>)) -> Contact<L> {
     let of = |number: fn(&Given) -> f64| Lane(cases.each_ref().map(number));
     let start = Start {
         mode: [UNIT; L],
@@ -107,22 +106,17 @@ fn walk<const L: usize>(
     law: impl Law<L>,
     last: &[u64; L],
     show: impl FnMut(&Contact<L>),
-) -> Ends<L> {
-    let mut ends = [stepper.contact().lane(0); L];
-    stepper.run(&law, last, show, |l, stepper| {
-        ends[l] = stepper.contact().lane(l);
-    });
-    ends
+) -> Contact<L> {
+    stepper.run(&law, last, show, |_, _| ())
 }
 
 /// Work of the friction force over |x0|: what the oscillator has lost of its energy. The method keeps the sum of both,
 /// (S_i + S_{i+1}) (X_{i+1} - X_i)/2 to (X^2 + V^2)/2, to round-off.
-pub fn work(case: &Given, end: &Contact<1>) -> f64 {
-    let Contact {
-        displacement: Lane([x]),
-        velocity: Lane([v]),
-        ..
-    } = *end;
-    let scale = case.x0.abs();
-    0.5 * ((case.x0 - x) / scale * (case.x0 + x) - v / scale * v)
+pub fn work<const L: usize>(cases: &[Given; L], end: &Contact<L>) -> Lane<L> {
+    let mut work = end.displacement;
+    for (l, case) in cases.iter().enumerate() {
+        let (x, v, scale) = (end.displacement.0[l], end.velocity.0[l], case.x0.abs());
+        work.0[l] = 0.5 * ((case.x0 - x) / scale * (case.x0 + x) - v / scale * v);
+    }
+    work
 }

@@ -88,6 +88,19 @@ pub(super) static PARAMETERS: [Parameter; 7] = [
     },
 ];
 
+/// Rows that every case is read by.
+pub(super) mod rows {
+    use super::PARAMETERS;
+    use crate::problem::parameter::row_of;
+
+    pub const ALPHA: usize = row_of(&PARAMETERS, "alpha");
+    pub const BETA: usize = row_of(&PARAMETERS, "beta");
+    pub const DT: usize = row_of(&PARAMETERS, "dT");
+    pub const DURATION: usize = row_of(&PARAMETERS, "duration");
+    pub const X0: usize = row_of(&PARAMETERS, "x0");
+    pub const INITIAL_SLIP: usize = row_of(&PARAMETERS, "initial_slip");
+}
+
 pub(super) static METRICS: [Metric; 13] = [
     Metric {
         name: "rms_error",

@@ -6,9 +6,11 @@ mod rules;
 pub mod run;
 pub mod scaled;
 mod snapshot;
+mod sweep;
 mod tables;
 
 use super::parameter::Parameter;
+use super::sweep::{Metrics, split};
 use super::{Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
 use crate::exact::wave::Wave;
 use crate::history::History;
@@ -16,7 +18,7 @@ use crate::lane::Lane;
 use crate::metrics::impact::{Sampled, Track};
 use crate::metrics::{self, steps};
 use scaled::Scaled;
-use tables::{BUDGETS, METRICS, PARAMETERS, PROFILES, QUANTITIES};
+use tables::{BUDGETS, METRICS, PARAMETERS, PROFILES, QUANTITIES, rows};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -72,13 +74,13 @@ impl Problem for BarImpact {
     }
 
     fn steps(&self, case: &Case) -> u64 {
-        let number = |name| case.number(name).unwrap_or(f64::NAN);
-        steps(number("duration"), number("dt"))
+        let number = |row| case.at(row).unwrap_or(f64::NAN);
+        steps(number(rows::DURATION), number(rows::DT))
     }
 
     fn work(&self, case: &Case) -> u64 {
-        let modes = |name| case.number(name).map_or(0, |n| n as u64 + 1);
-        let all = modes("n") + modes("right.n");
+        let modes = |row| case.at(row).map_or(0, |n| n as u64 + 1);
+        let all = modes(rows::N) + modes(rows::RIGHT_N);
         self.steps(case).saturating_mul(all)
     }
 
@@ -90,6 +92,12 @@ impl Problem for BarImpact {
             &[parameters.last],
         );
         judged(&parameters, track, wanted)
+    }
+
+    fn sweep(&self, cases: &[&Case]) -> Vec<Metrics> {
+        let given = |case: &Case| Given::of(case);
+        let alone = |case: &Case| Ok(self.solve(case, &[])?.metrics);
+        split(cases, given, sweep::metrics, alone)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
@@ -107,7 +115,7 @@ impl Problem for BarImpact {
     }
 
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
-        match (Scaled::new(case), case.number("dt")) {
+        match (Scaled::new(case), case.at(rows::DT)) {
             (Some(scaled), Some(dt)) => snapshot::snapshots(&scaled, dt, self.steps(case), times),
             _ => Vec::new(),
         }
@@ -132,13 +140,14 @@ impl Given {
     fn of(case: &Case) -> Option<Given> {
         Some(Given {
             scaled: Scaled::new(case)?,
-            dt: case.number("dt")?,
-            duration: case.number("duration")?,
+            dt: case.at(rows::DT)?,
+            duration: case.at(rows::DURATION)?,
             last: BarImpact.steps(case),
         })
     }
 
-    fn exact(&self) -> (Wave, Sampled) {
+    /// The exact solution, and what it is at the case's steps.
+    fn exact_at_steps(&self) -> (Wave, Sampled) {
         let wave = self.scaled.bars.solve(self.duration);
         let sampled = Sampled::new(&wave, self.dt, self.last, self.duration);
         (wave, sampled)
@@ -155,7 +164,7 @@ fn judged(given: &Given, track: Track<1>, wanted: &[usize]) -> Result<Solution, 
     if !computed.is_finite() {
         return Err(OUT_OF_RANGE.into());
     }
-    let (wave, sampled) = given.exact();
+    let (wave, sampled) = given.exact_at_steps();
     let exact = wave.history(&computed.time);
     let [own] = metrics::impact::evaluate(&track, &sampled);
     let budget = wanted

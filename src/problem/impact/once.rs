@@ -42,7 +42,7 @@ pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Track<1>, String> {
         ),
         None => (vec![one(0, first)], [scaled.left.mass, 0.0]),
     };
-    let mut track = Track::with_capacity(last as usize + 1);
+    let mut track = Track::default();
     let mut centres = vec![0.0; ones.len()];
     for i in 0..=last {
         if i > 0 {

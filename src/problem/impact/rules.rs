@@ -1,7 +1,7 @@
 //! What follows from a case's parameters, and the rules across them.
 
 use super::scaled::Scaled;
-use super::tables::PARAMETERS;
+use super::tables::{PARAMETERS, rows};
 use crate::exact::wave::Bars;
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::{Case, Violation, time_rules};
@@ -14,7 +14,7 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     let mut violations = Vec::new();
     follow_left(case);
     stiffness(case, &mut violations);
-    if let (Some(step), Some(duration)) = (case.number("dt"), case.number("duration")) {
+    if let (Some(step), Some(duration)) = (case.at(rows::DT), case.at(rows::DURATION)) {
         violations.extend(time_rules("dt", step, duration));
     }
     closing(case, &mut violations);
@@ -26,26 +26,22 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
 
 /// What is left out of the right bar is as in the left one; its velocity has the sign turned.
 fn follow_left(case: &mut Case) {
-    let wall = case.choice("right") == "wall";
-    for (row, parameter) in PARAMETERS.iter().enumerate() {
-        let Some(name) = parameter.name.strip_prefix("right.") else {
-            continue;
+    let wall = case.name_at(rows::RIGHT) == "wall";
+    for [right, left] in rows::FOLLOWS {
+        case.values[right] = match (case.values[right], case.values[left]) {
+            _ if wall => None,
+            (Some(own), _) => Some(own),
+            (None, Some(Value::Number(v))) if right == rows::RIGHT_V0 => {
+                Some(Value::Number(0.0 - v))
+            }
+            (None, value) => value,
         };
-        if wall {
-            case.values[row] = None;
-        } else if case.values[row].is_none() {
-            case.values[row] = match (name, case.get(name)) {
-                ("V0", Some(Value::Number(v))) => Some(Value::Number(0.0 - v)),
-                (_, value) => value,
-            };
-        }
     }
 }
 
 /// gamma and k_I, each from the other.
 fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
-    let number = |name| case.number(name);
-    let (gamma, k_i) = (number("gamma"), number("k_I"));
+    let (gamma, k_i) = (case.at(rows::GAMMA), case.at(rows::K_I));
     let violation = |parameter, message: &str| Violation {
         parameter,
         message: message.into(),
@@ -61,7 +57,12 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         }
         _ => {}
     }
-    let parts = (number("n"), number("E"), number("A"), number("L"));
+    let parts = (
+        case.at(rows::N),
+        case.at(rows::E),
+        case.at(rows::A),
+        case.at(rows::L),
+    );
     let (Some(n), Some(e), Some(a), Some(l)) = parts else {
         return;
     };
@@ -82,7 +83,7 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
 
 /// The bars must close: c = V_left - V_right > 0.
 fn closing(case: &Case, violations: &mut Vec<Violation>) {
-    let (Some(left), right) = (case.number("V0"), case.number("right.V0").unwrap_or(0.0)) else {
+    let (Some(left), right) = (case.at(rows::V0), case.at(rows::RIGHT_V0).unwrap_or(0.0)) else {
         return;
     };
     let c = left - right;
@@ -112,7 +113,7 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
 /// The scaled data must be doubles, and waves must not be too many for the exact solution, which follows every front:
 /// in a bar much shorter than the other, or in a very long run.
 fn scales(case: &Case, violations: &mut Vec<Violation>) {
-    let (Some(scaled), Some(duration)) = (Scaled::new(case), case.number("duration")) else {
+    let (Some(scaled), Some(duration)) = (Scaled::new(case), case.at(rows::DURATION)) else {
         return;
     };
     let Bars {
@@ -121,7 +122,7 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
         ..
     } = scaled.bars;
     let mut violation = |parameter, message| violations.push(Violation { parameter, message });
-    let wall = case.choice("right") == "wall";
+    let wall = case.name_at(rows::RIGHT) == "wall";
     if !(time_ratio.is_normal() && (wall || impedance_ratio.is_normal())) {
         let message = "the bars are so unlike that the ratio of their impedances A sqrt(E rho) or of their travel times \
                        L sqrt(rho/E) is beyond double precision";

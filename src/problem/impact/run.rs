@@ -4,7 +4,7 @@ use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::law::ImpactSpring;
 use crate::metrics::impact::Track;
-use crate::stepper::{Start, Stepper};
+use crate::stepper::{Contact, Start, Stepper};
 
 /// Velocity at which the rigid-body mode closes the gap: c in units of c/2.
 pub const CLOSING: f64 = -2.0;
@@ -35,12 +35,24 @@ pub fn start<const L: usize>(cases: &[Scaled; L], dt: Lane<L>) -> (Stepper<L>, I
 }
 
 /// `last` steps of each case; what follows a case's own last step is of no account.
-#[inline(always)]
 pub fn run<const L: usize>(cases: &[Scaled; L], dt: Lane<L>, last: &[u64; L]) -> Track<L> {
+    let mut track = Track::default();
+    run_on(cases, dt, last, &mut track);
+    track
+}
+
+/// The same in place of what the track holds; gives each case's contact at its last step.
+#[inline(always)]
+pub fn run_on<const L: usize>(
+    cases: &[Scaled; L],
+    dt: Lane<L>,
+    last: &[u64; L],
+    track: &mut Track<L>,
+) -> Contact<L> {
     let (mut stepper, law) = start(cases, dt);
-    let mut track = Track::with_capacity(last.iter().copied().max().unwrap_or(0) as usize + 1);
+    track.clear();
     let mut centres = Lane::splat(0.0);
-    stepper.run(
+    let ends = stepper.run(
         &law,
         last,
         |contact| {
@@ -51,12 +63,8 @@ pub fn run<const L: usize>(cases: &[Scaled; L], dt: Lane<L>, last: &[u64; L]) ->
             track.force.push(Lane::splat(0.0) - s);
             track.energy.push(contact.energy + s * r * 0.5);
         },
-        |case, stepper| {
-            if let Some((_, velocity)) = stepper.modes().next() {
-                centres.0[case] = velocity.0[case];
-            }
-        },
+        |rigid, ending| centres = ending.pick(rigid, centres),
     );
     track.restitution = centres * 0.5;
-    track
+    ends
 }

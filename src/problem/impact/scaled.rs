@@ -4,6 +4,7 @@
 //! The left bar's mass is then (1 + z)/4, z = Z1/Z2, the right bar's theta/z of it, theta = T_2/T_1, and the spring's
 //! stiffness gamma n (1 + z). For like bars z = theta = 1 exactly: density and speed never reach the solver.
 
+use super::tables::rows;
 use crate::exact::wave::Bars;
 use crate::problem::Case;
 use crate::structure::Mode;
@@ -27,17 +28,23 @@ pub struct Scaled {
 impl Scaled {
     /// Scales a completed case; `None` where a number is not given.
     pub fn new(case: &Case) -> Option<Scaled> {
-        let number = |name: &str| case.number(name);
-        let kind = match case.choice("mass") {
+        let kind = match case.name_at(rows::MASS) {
             "consistent" => Mass::Consistent,
             _ => Mass::Lumped,
         };
-        let n = number("n")?;
-        let ratio = |name: &str| Some(number(name)? / number(&format!("right.{name}"))?);
-        let (z, theta, length) = if case.choice("right") == "wall" {
+        let n = case.at(rows::N)?;
+        let ratio = |left: usize, right: usize| Some(case.at(left)? / case.at(right)?);
+        let (z, theta, length) = if case.name_at(rows::RIGHT) == "wall" {
             (0.0, 1.0, 0.0)
         } else {
-            let (e, a, rho, l) = (ratio("E")?, ratio("A")?, ratio("rho")?, ratio("L")?);
+            let (e, a) = (
+                ratio(rows::E, rows::RIGHT_E)?,
+                ratio(rows::A, rows::RIGHT_A)?,
+            );
+            let (rho, l) = (
+                ratio(rows::RHO, rows::RIGHT_RHO)?,
+                ratio(rows::L, rows::RIGHT_L)?,
+            );
             // Z = A sqrt(E rho), T = 2 L sqrt(rho/E)
             (a * (e * rho).sqrt(), (e / rho).sqrt() / l, 1.0 / l)
         };
@@ -50,7 +57,7 @@ impl Scaled {
         };
         let right = if z > 0.0 {
             Some(Bar {
-                elements: number("right.n")? as u32,
+                elements: case.at(rows::RIGHT_N)? as u32,
                 mass: mass * theta / z,
                 trip: theta,
                 kind,
@@ -64,9 +71,9 @@ impl Scaled {
             bars: Bars {
                 impedance_ratio: z,
                 time_ratio: theta,
-                gap: number("gap")?,
+                gap: case.at(rows::GAP)?,
             },
-            spring: number("gamma")? * n * (1.0 + z),
+            spring: case.at(rows::GAMMA)? * n * (1.0 + z),
             length_ratio: length,
         })
     }

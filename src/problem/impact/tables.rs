@@ -220,6 +220,42 @@ const fn part(
     }
 }
 
+/// Rows that every case is read by.
+pub(super) mod rows {
+    use super::PARAMETERS;
+    use crate::problem::parameter::row_of;
+
+    pub const GAMMA: usize = row_of(&PARAMETERS, "gamma");
+    pub const K_I: usize = row_of(&PARAMETERS, "k_I");
+    pub const N: usize = row_of(&PARAMETERS, "n");
+    pub const DT: usize = row_of(&PARAMETERS, "dt");
+    pub const DURATION: usize = row_of(&PARAMETERS, "duration");
+    pub const GAP: usize = row_of(&PARAMETERS, "gap");
+    pub const MASS: usize = row_of(&PARAMETERS, "mass");
+    pub const E: usize = row_of(&PARAMETERS, "E");
+    pub const A: usize = row_of(&PARAMETERS, "A");
+    pub const RHO: usize = row_of(&PARAMETERS, "rho");
+    pub const L: usize = row_of(&PARAMETERS, "L");
+    pub const V0: usize = row_of(&PARAMETERS, "V0");
+    pub const RIGHT: usize = row_of(&PARAMETERS, "right");
+    pub const RIGHT_E: usize = row_of(&PARAMETERS, "right.E");
+    pub const RIGHT_A: usize = row_of(&PARAMETERS, "right.A");
+    pub const RIGHT_RHO: usize = row_of(&PARAMETERS, "right.rho");
+    pub const RIGHT_L: usize = row_of(&PARAMETERS, "right.L");
+    pub const RIGHT_N: usize = row_of(&PARAMETERS, "right.n");
+    pub const RIGHT_V0: usize = row_of(&PARAMETERS, "right.V0");
+
+    /// What the right bar has as the left one where it is not said.
+    pub const FOLLOWS: [[usize; 2]; 6] = [
+        [RIGHT_E, E],
+        [RIGHT_A, A],
+        [RIGHT_RHO, RHO],
+        [RIGHT_L, L],
+        [RIGHT_N, N],
+        [RIGHT_V0, V0],
+    ];
+}
+
 pub(super) static METRICS: [Metric; 23] = [
     metric(
         "contact_duration",
