@@ -13,6 +13,7 @@ fn study(parameters: &str) -> Study {
 }
 
 fn sweep(criterion: &mut Criterion) {
+    slipgap::batch::keep_memory();
     let mut group = criterion.benchmark_group("sweep");
     group.sample_size(20);
     let oscillator = |law: &str, width: &str, steps: u64| {

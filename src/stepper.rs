@@ -89,8 +89,9 @@ impl<const L: usize> Ending<L> {
     }
 }
 
-/// One mode on its way: its coefficients and its state.
+/// One mode on its way: its coefficients and its state, where a cache line begins.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
 pub struct Moving<const L: usize> {
     /// K
     stiffness: Lane<L>,
@@ -226,20 +227,14 @@ impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
     /// One step; `law` gives the force at its end.
     #[inline(always)]
     pub fn step(&mut self, law: &impl Law<L>) -> Contact<L> {
-        self.advance(law);
-        self.contact
-    }
-
-    #[inline(always)]
-    fn advance(&mut self, law: &impl Law<L>) {
-        let (displacement, before) = (self.contact.displacement, self.contact.force);
+        let before = self.contact;
         let force = law.respond(&Trial {
-            displacement,
-            force: before,
+            displacement: before.displacement,
+            force: before.force,
             change: (self.increment + self.free) * 0.5,
             rate: self.free * self.rate,
         });
-        let both = before + force;
+        let both = before.force + force;
         let increment = self.free - self.give * both;
         // From the first mode on, not from zero: a structure of one mode has no sums then.
         let (mut free, mut energy) = (Lane::splat(0.0), Lane::splat(0.0));
@@ -250,36 +245,31 @@ impl<const L: usize, M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>> Stepper<L, M> {
                 (free, energy) = (free + own, energy + kept);
             }
         }
-        self.free = free;
-        self.contact.displacement = displacement + (self.increment + increment) * 0.5;
-        self.contact.velocity = increment * self.rate;
-        self.contact.force = force;
-        self.contact.energy = energy;
-        self.increment = increment;
+        self.contact = Contact {
+            displacement: before.displacement + (self.increment + increment) * 0.5,
+            velocity: increment * self.rate,
+            force,
+            energy,
+        };
+        (self.free, self.increment) = (free, increment);
+        self.contact
     }
 
-    /// Steps 0..=`last` of each lane: `step` is shown the contact at every step, `end` the first mode's velocity whenever
-    /// lanes end, with which. Gives each lane's contact at its own last step.
+    /// Steps 0..=`last` of each lane: `walk` moves by a number of steps, `end` is told the first mode's velocity whenever
+    /// lanes end, and which. Gives each lane's contact at its own last step.
     ///
     /// A lane that has ended moves on beside the others and touches none of them.
-    #[inline(always)]
     pub fn run(
         &mut self,
-        law: &impl Law<L>,
         last: &[u64; L],
-        mut step: impl FnMut(&Contact<L>),
+        mut walk: impl FnMut(&mut Self, usize),
         mut end: impl FnMut(Lane<L>, &Ending<L>),
     ) -> Contact<L> {
-        step(&self.contact);
         let mut ends = self.contact;
         let (mut at, mut from) = (0, 0);
         while let Some(next) = last.iter().copied().filter(|n| *n >= from).min() {
-            for _ in at..next {
-                self.advance(law);
-                step(&self.contact);
-            }
+            walk(self, (next - at) as usize);
             let now = Ending::new(last, next);
-            // All lanes by one rule: a lane picked by its number would keep the whole state from the registers.
             ends = Contact {
                 displacement: now.pick(self.contact.displacement, ends.displacement),
                 velocity: now.pick(self.contact.velocity, ends.velocity),

@@ -39,8 +39,8 @@ fn energy_changes_by_the_methods_own_identity() {
     for given in mixed() {
         let case = bars(&given);
         let scaled = Scaled::new(&case).unwrap();
-        let dt = Lane([case.number("dt").unwrap()]);
-        let track = run::run(&[scaled], dt, &[problem().steps(&case)]);
+        let dt = case.number("dt").unwrap();
+        let track = run::run(&scaled, dt, problem().steps(&case));
         let alone = |of: &[Lane<1>]| -> Vec<f64> { of.iter().map(|x| x.0[0]).collect() };
         let (e, r, f) = (
             alone(&track.energy),
@@ -193,7 +193,7 @@ fn only_stiff_springs_make_a_disturbance_visible() {
         for i in 0..=8 {
             let mut scaled = Scaled::new(&case).unwrap();
             scaled.bars.gap = f64::from(i) * 1e-13;
-            let Lane([restitution]) = run::run(&[scaled], Lane([0.001]), &[1500]).restitution;
+            let Lane([restitution]) = run::run(&scaled, 0.001, 1500).restitution;
             (least, most) = (restitution.min(least), restitution.max(most));
         }
         most - least

@@ -24,7 +24,7 @@ pub struct Outcome {
     /// In the order of `problem.metrics()`; `None` where one is undefined or the case could not be solved.
     pub metrics: Vec<Option<f64>>,
     /// The histories, where they were asked for.
-    pub solution: Option<Solution>,
+    pub solution: Option<Box<Solution>>,
     /// Why the case could not be solved, if so.
     pub failure: Option<String>,
 }
@@ -65,6 +65,7 @@ pub fn run(
     wishes: &Wishes,
     mut take: impl FnMut(Done) -> Result<(), Error>,
 ) -> Result<(), Error> {
+    keep_memory();
     let cut = Cut::new(study);
     // As many chunks at a time as keep all threads busy; memory does not grow with the number of cases.
     let window = 2 * rayon::current_num_threads() as u64;
@@ -79,6 +80,15 @@ pub fn run(
         }
     }
     Ok(())
+}
+
+/// Bytes, just below the most for which the C library lets its threshold rise.
+const MAPPED: usize = 31 << 20;
+
+/// Has the allocator keep the memory of one chunk for the next. glibc gives freed memory back to the system, which clears
+/// it anew for every chunk, until a block as large as this was freed once; elsewhere nothing happens.
+pub fn keep_memory() {
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(MAPPED)));
 }
 
 /// The outcomes of all cases at once, for studies that are known to be small.
@@ -193,7 +203,7 @@ fn computed(
 }
 
 /// What was found of a case, and its histories where they are kept.
-type Found = (Metrics, Option<Solution>);
+type Found = (Metrics, Option<Box<Solution>>);
 
 /// One case alone, with its histories on the way.
 fn solve(study: &Study, number: u64, case: &Case, wishes: &Wishes) -> Result<Found, Error> {
@@ -205,7 +215,7 @@ fn solve(study: &Study, number: u64, case: &Case, wishes: &Wishes) -> Result<Fou
         visit(number, &solution)?;
     }
     let metrics = solution.metrics.clone();
-    Ok((Ok(metrics), (wishes.keep)(case).then_some(solution)))
+    Ok((Ok(metrics), (wishes.keep)(case).then(|| Box::new(solution))))
 }
 
 /// The solution of one case by the study's way of solving.

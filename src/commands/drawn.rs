@@ -27,7 +27,7 @@ pub fn solve(study: &Study, shown: &mut [Outcome]) {
     for outcome in shown.iter_mut() {
         let again = outcome.solution.is_none() && outcome.failure.is_none();
         if again && over_time(study, &outcome.case) {
-            outcome.solution = batch::solution(study, &outcome.case).ok();
+            outcome.solution = batch::solution(study, &outcome.case).ok().map(Box::new);
         }
     }
 }
@@ -67,7 +67,7 @@ pub fn with_shown<T>(
         .map(|(outcome, snapshots)| Shown {
             case: &outcome.case,
             metrics: &outcome.metrics,
-            solution: outcome.solution.as_ref(),
+            solution: outcome.solution.as_deref(),
             snapshots,
         })
         .collect();

@@ -64,6 +64,9 @@ impl Problem for Bars {
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         self.solve(case, wanted)
     }
+    fn sweep(&self, _: &[&Case]) -> Vec<crate::problem::sweep::Metrics> {
+        Vec::new()
+    }
     fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
         None
     }

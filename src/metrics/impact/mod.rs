@@ -6,7 +6,7 @@ mod track;
 
 pub use budget::budget;
 pub use sampled::Sampled;
-pub use track::Track;
+pub use track::{Row, Track};
 
 use crate::lane::{Lane, largest, smallest};
 
@@ -34,13 +34,7 @@ pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [[Option<f64>;
     let peak = largest(force);
     let oscillation = oscillation(rdot, exact);
     let impulse = impulse(force, exact.step);
-    let mean = |of: usize, c: &[Lane<L>]| {
-        exact.mean(of, |i, e| {
-            let d = c[i] - Lane::splat(e);
-            d * d
-        })
-    };
-    let norms = [mean(0, r), mean(1, rdot)].map(|mean| mean.map(f64::sqrt));
+    let norms = [rms(0, r, exact), rms(1, rdot, exact)];
     std::array::from_fn(|l| {
         [
             contact[l],
@@ -57,6 +51,20 @@ pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [[Option<f64>;
         ]
         .map(|value| value.filter(|x: &f64| x.is_finite()))
     })
+}
+
+/// Root of the mean square of c - e over the duration, `of` as in [`Sampled::mean`].
+#[inline(always)]
+fn rms<const L: usize>(of: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
+    let mean = exact.mean(
+        of,
+        #[inline(always)]
+        |i, e| {
+            let d = c[i] - Lane::splat(e);
+            d * d
+        },
+    );
+    mean.map(f64::sqrt)
 }
 
 /// From the last step before the first overlap to the first step after the last one.

@@ -18,6 +18,9 @@ pub struct Track<const L: usize> {
     pub restitution: Lane<L>,
 }
 
+/// r, rdot, force and energy of one step.
+pub type Row<'a, const L: usize> = [&'a mut Lane<L>; 4];
+
 impl<const L: usize> Default for Track<L> {
     fn default() -> Self {
         Track {
@@ -31,12 +34,32 @@ impl<const L: usize> Default for Track<L> {
 }
 
 impl<const L: usize> Track<L> {
-    /// No steps again; the memory stays.
-    pub fn clear(&mut self) {
-        self.displacement.clear();
-        self.velocity.clear();
-        self.force.clear();
-        self.energy.clear();
+    /// Room for `len` steps; what they hold is still to be noted.
+    pub fn resize(&mut self, len: usize) {
+        for column in self.columns() {
+            column.resize(len, Lane::splat(0.0));
+        }
+    }
+
+    /// `count` steps from `first` on, to be written.
+    #[inline(always)]
+    pub fn rows(&mut self, first: usize, count: usize) -> impl Iterator<Item = Row<'_, L>> {
+        let [r, rdot, force, energy] = self.columns().map(|c| c[first..first + count].iter_mut());
+        let rows = r.zip(rdot).zip(force).zip(energy);
+        rows.map(
+            #[inline(always)]
+            |(((r, rdot), force), energy)| [r, rdot, force, energy],
+        )
+    }
+
+    #[inline(always)]
+    fn columns(&mut self) -> [&mut Vec<Lane<L>>; 4] {
+        [
+            &mut self.displacement,
+            &mut self.velocity,
+            &mut self.force,
+            &mut self.energy,
+        ]
     }
 
     /// One lane alone, its steps 0..=`last`.

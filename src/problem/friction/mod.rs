@@ -13,6 +13,7 @@ use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::{self, steps};
+use crate::stepper::Contact;
 use run::Given;
 use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES, rows};
 
@@ -76,11 +77,20 @@ impl Problem for FrictionOscillator {
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let given = Given::of(case, self.steps(case)).ok_or(NOT_GIVEN)?;
         let mut computed = History::with_capacity(given.last as usize + 1);
-        let end = run::run(&[given], |contact| {
-            let [Lane([x]), Lane([v]), Lane([s])] =
-                [contact.displacement, contact.velocity, contact.force];
-            computed.push(computed.len() as f64 * given.step, x, v, s);
-        });
+        let (mut stepper, law) = run::start(&[given]);
+        for i in 0..=given.last {
+            if i > 0 {
+                stepper.step(&law);
+            }
+            let Contact {
+                displacement: Lane([x]),
+                velocity: Lane([v]),
+                force: Lane([s]),
+                ..
+            } = stepper.contact();
+            computed.push(i as f64 * given.step, x, v, s);
+        }
+        let end = stepper.contact();
         self.judged(case, &given, computed, run::work(&[given], &end), wanted)
     }
 

@@ -3,7 +3,7 @@
 use super::release;
 use super::tables::rows;
 use crate::lane::Lane;
-use crate::law::{DisplacementControl, Law, VelocityControl};
+use crate::law::{DisplacementControl, Law, Trial, VelocityControl};
 use crate::metrics::friction::Sampled;
 use crate::problem::Case;
 use crate::stepper::{Contact, Moving, Start, Stepper};
@@ -71,10 +71,25 @@ impl Given {
     }
 }
 
-/// Steps 0..=last of each case, shown to `show`, from rest at x0, and what each is at its own last; all cases have the law of the first.
-#[inline(always)]
-pub fn run<const L: usize>(cases: &[Given; L], show: impl FnMut(&Contact<L>)) -> Contact<L> {
-    let of = |number: fn(&Given) -> f64| Lane(cases.each_ref().map(number));
+/// Oscillators side by side.
+pub type Oscillators<const L: usize> = Stepper<L, [Moving<L>; 1]>;
+
+/// The law of a group of cases.
+#[derive(Debug, Clone, Copy)]
+pub enum Laws<const L: usize> {
+    Displacement(DisplacementControl<L>),
+    Velocity(VelocityControl<L>),
+}
+
+/// The cases at rest at x0, all with the law of the first.
+pub fn start<const L: usize>(cases: &[Given; L]) -> (Oscillators<L>, Laws<L>) {
+    let of = |number: fn(&Given) -> f64| {
+        let mut lane = Lane::splat(0.0);
+        for (x, case) in lane.0.iter_mut().zip(cases) {
+            *x = number(case);
+        }
+        lane
+    };
     let start = Start {
         mode: [UNIT; L],
         displacement: of(|case| case.x0),
@@ -83,31 +98,23 @@ pub fn run<const L: usize>(cases: &[Given; L], show: impl FnMut(&Contact<L>)) ->
     let stepper = Stepper::single(of(|c| c.step), &start, Lane::splat(0.0), of(|c| c.force));
     let (compliance, limit) = (of(Given::compliance), Lane::splat(1.0));
     let on = stepper.flexibility();
-    let last = cases.each_ref().map(|case| case.last);
-    match cases[0].model {
-        Model::Displacement { .. } => walk(
-            stepper,
-            DisplacementControl::new(compliance, limit, on),
-            &last,
-            show,
-        ),
-        Model::Velocity { .. } => walk(
-            stepper,
-            VelocityControl::new(compliance, limit, on),
-            &last,
-            show,
-        ),
-    }
+    let laws = match cases[0].model {
+        Model::Displacement { .. } => {
+            Laws::Displacement(DisplacementControl::new(compliance, limit, on))
+        }
+        Model::Velocity { .. } => Laws::Velocity(VelocityControl::new(compliance, limit, on)),
+    };
+    (stepper, laws)
 }
 
-#[inline(always)]
-fn walk<const L: usize>(
-    mut stepper: Stepper<L, [Moving<L>; 1]>,
-    law: impl Law<L>,
-    last: &[u64; L],
-    show: impl FnMut(&Contact<L>),
-) -> Contact<L> {
-    stepper.run(&law, last, show, |_, _| ())
+impl<const L: usize> Law<L> for Laws<L> {
+    #[inline(always)]
+    fn respond(&self, trial: &Trial<L>) -> Lane<L> {
+        match self {
+            Laws::Displacement(law) => law.respond(trial),
+            Laws::Velocity(law) => law.respond(trial),
+        }
+    }
 }
 
 /// Work of the friction force over |x0|: what the oscillator has lost of its energy. The method keeps the sum of both,

@@ -1,15 +1,17 @@
 //! Default metrics of many cases, side by side.
 
 use super::OUT_OF_RANGE;
-use super::run::{Given, Model, run, work};
+use super::run::{Given, Laws, Model, Oscillators, start, work};
 use super::tables::METRICS;
 use crate::lane::Lane;
+use crate::law::{DisplacementControl, Law, VelocityControl};
 use crate::metrics::friction::{COUNT, Sampled, evaluate};
 use crate::problem::sweep::{Beside, EXACT, Metrics, row, runs, sweep};
+use crate::stepper::Contact;
 use multiversion::multiversion;
 
 /// Cases side by side: as many as keep the adders busy while each waits for its own last result.
-pub const LANES: usize = 16;
+pub const LANES: usize = 32;
 
 impl Beside for Given {
     fn kind(&self) -> u64 {
@@ -46,19 +48,12 @@ pub fn metrics(cases: &[Given]) -> Vec<Metrics> {
     found
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+/// The metrics of a group.
 fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [Metrics]) {
-    let x = &mut desk.x;
     let longest = lanes.iter().map(|case| case.last).max().unwrap_or(0) as usize;
-    x.resize(longest + 1, Lane::splat(0.0));
-    let mut rows = x.iter_mut();
-    let ends = run(lanes, |contact| {
-        if let Some(row) = rows.next() {
-            for (to, from) in row.0.iter_mut().zip(&contact.displacement.0) {
-                *to = *from;
-            }
-        }
-    });
+    desk.x.resize(longest + 1, Lane::splat(0.0));
+    let x = &mut desk.x[..=longest];
+    let ends = moved(lanes, x);
     let works = work(lanes, &ends);
     for (range, together) in runs(lanes, numbers.len()) {
         let first = &lanes[range.start];
@@ -69,7 +64,7 @@ fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [
         };
         let steps = &x[..=first.last as usize];
         let all = if together {
-            evaluate(steps, works, exact)
+            judged(steps, works, exact)
         } else {
             [[None; COUNT]; LANES]
         };
@@ -86,4 +81,60 @@ fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [
             };
         }
     }
+}
+
+/// All steps of a group.
+fn moved(lanes: &[Given; LANES], x: &mut [Lane<LANES>]) -> Contact<LANES> {
+    let (mut stepper, law) = start(lanes);
+    let Some((first, mut rows)) = x.split_first_mut() else {
+        return stepper.contact();
+    };
+    *first = stepper.contact().displacement;
+    let walk = |stepper: &mut Oscillators<LANES>, steps: usize| {
+        let (now, later) = std::mem::take(&mut rows).split_at_mut(steps);
+        rows = later;
+        match &law {
+            Laws::Displacement(law) => by_displacement(stepper, law, now),
+            Laws::Velocity(law) => by_velocity(stepper, law, now),
+        }
+    };
+    stepper.run(&lanes.each_ref().map(|case| case.last), walk, |_, _| ())
+}
+
+/// Steps, one for each row of displacements.
+// Small functions of their own: among other code these loops would be compiled less well.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn by_displacement(
+    stepper: &mut Oscillators<LANES>,
+    law: &DisplacementControl<LANES>,
+    rows: &mut [Lane<LANES>],
+) {
+    walk(stepper, *law, rows);
+}
+
+/// The same for the other law.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn by_velocity(
+    stepper: &mut Oscillators<LANES>,
+    law: &VelocityControl<LANES>,
+    rows: &mut [Lane<LANES>],
+) {
+    walk(stepper, *law, rows);
+}
+
+#[inline(always)]
+fn walk(stepper: &mut Oscillators<LANES>, law: impl Law<LANES>, rows: &mut [Lane<LANES>]) {
+    let mut moving = stepper.clone();
+    for row in rows {
+        moving.step(&law);
+        *row = moving.contact().displacement;
+    }
+    *stepper = moving;
+}
+
+/// All metrics of a group.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn judged(x: &[Lane<LANES>], works: Lane<LANES>, exact: &Sampled) -> [[Option<f64>; COUNT]; LANES] {
+    let metrics = evaluate(x, works, exact);
+    metrics
 }

@@ -14,7 +14,6 @@ use super::sweep::{Metrics, split};
 use super::{Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
 use crate::exact::wave::Wave;
 use crate::history::History;
-use crate::lane::Lane;
 use crate::metrics::impact::{Sampled, Track};
 use crate::metrics::{self, steps};
 use scaled::Scaled;
@@ -86,11 +85,7 @@ impl Problem for BarImpact {
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let parameters = Given::of(case).ok_or(NOT_GIVEN)?;
-        let track = run::run(
-            &[parameters.scaled],
-            Lane([parameters.dt]),
-            &[parameters.last],
-        );
+        let track = run::run(&parameters.scaled, parameters.dt, parameters.last);
         judged(&parameters, track, wanted)
     }
 

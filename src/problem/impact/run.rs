@@ -3,7 +3,7 @@
 use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::law::ImpactSpring;
-use crate::metrics::impact::Track;
+use crate::metrics::impact::{Row, Track};
 use crate::stepper::{Contact, Start, Stepper};
 
 /// Velocity at which the rigid-body mode closes the gap: c in units of c/2.
@@ -34,37 +34,41 @@ pub fn start<const L: usize>(cases: &[Scaled; L], dt: Lane<L>) -> (Stepper<L>, I
     (stepper, law)
 }
 
-/// `last` steps of each case; what follows a case's own last step is of no account.
-pub fn run<const L: usize>(cases: &[Scaled; L], dt: Lane<L>, last: &[u64; L]) -> Track<L> {
+/// `last` steps of one case.
+pub fn run(case: &Scaled, dt: f64, last: u64) -> Track<1> {
+    let (mut stepper, law) = start(&[*case], Lane([dt]));
     let mut track = Track::default();
-    run_on(cases, dt, last, &mut track);
+    track.resize(last as usize + 1);
+    note(track.rows(0, 1).next(), &stepper.contact());
+    walk(&mut stepper, &law, track.rows(1, last as usize));
+    if let Some((_, rigid)) = stepper.modes().next() {
+        track.restitution = rigid * 0.5;
+    }
     track
 }
 
-/// The same in place of what the track holds; gives each case's contact at its last step.
+/// A step for each row, and what the contact is then.
 #[inline(always)]
-pub fn run_on<const L: usize>(
-    cases: &[Scaled; L],
-    dt: Lane<L>,
-    last: &[u64; L],
-    track: &mut Track<L>,
-) -> Contact<L> {
-    let (mut stepper, law) = start(cases, dt);
-    track.clear();
-    let mut centres = Lane::splat(0.0);
-    let ends = stepper.run(
-        &law,
-        last,
-        |contact| {
-            // dr/dt in c T_I/2 over T_I is 2 rdot/c; S resists, so the force that pushes is -S. The spring has S r/2.
-            let (r, s) = (contact.displacement, contact.force);
-            track.displacement.push(r);
-            track.velocity.push(contact.velocity * 0.5);
-            track.force.push(Lane::splat(0.0) - s);
-            track.energy.push(contact.energy + s * r * 0.5);
-        },
-        |rigid, ending| centres = ending.pick(rigid, centres),
-    );
-    track.restitution = centres * 0.5;
-    ends
+pub fn walk<'a, const L: usize>(
+    stepper: &mut Stepper<L>,
+    law: &ImpactSpring<L>,
+    rows: impl Iterator<Item = Row<'a, L>>,
+) {
+    for row in rows {
+        note(Some(row), &stepper.step(law));
+    }
+}
+
+/// Puts the contact in a row.
+#[inline(always)]
+pub fn note<const L: usize>(row: Option<Row<L>>, contact: &Contact<L>) {
+    let Some([displacement, velocity, force, energy]) = row else {
+        return;
+    };
+    // dr/dt in c T_I/2 over T_I is 2 rdot/c; S resists, so the force that pushes is -S. The spring has S r/2.
+    let (r, s) = (contact.displacement, contact.force);
+    *displacement = r;
+    *velocity = contact.velocity * 0.5;
+    *force = Lane::splat(0.0) - s;
+    *energy = contact.energy + s * r * 0.5;
 }

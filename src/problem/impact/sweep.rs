@@ -1,12 +1,15 @@
 //! Default metrics of many cases, side by side.
 
-use super::run::run_on;
+use super::run::{note, start, walk};
 use super::tables::METRICS;
 use super::{Given, OUT_OF_RANGE};
 use crate::lane::Lane;
+use crate::law::ImpactSpring;
 use crate::metrics::impact::{COUNT, Sampled, Track, evaluate};
 use crate::problem::sweep::{Beside, EXACT, Metrics, row, runs, sweep};
+use crate::stepper::{Contact, Stepper};
 use multiversion::multiversion;
+use std::ops::Range;
 
 /// Cases side by side: more of them, with all their modes, do not stay near the processor.
 pub const LANES: usize = 16;
@@ -55,13 +58,10 @@ pub fn metrics(cases: &[Given]) -> Vec<Metrics> {
     found
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+/// The metrics of a group.
 fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [Metrics]) {
-    let dt = Lane(lanes.each_ref().map(|case| case.dt));
-    let last = lanes.each_ref().map(|case| case.last);
-    let scaled = lanes.each_ref().map(|case| case.scaled);
     let track = &mut desk.track;
-    let ends = run_on(&scaled, dt, &last, track);
+    let ends = moved(lanes, track);
     for (range, together) in runs(lanes, numbers.len()) {
         let first = &lanes[range.start];
         let key = first.exact();
@@ -70,7 +70,7 @@ fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [
             other => &mut other.insert((key, first.exact_at_steps().1)).1,
         };
         let all = if together {
-            evaluate(track, at_steps)
+            judged(track, at_steps)
         } else {
             [[None; COUNT]; LANES]
         };
@@ -86,4 +86,45 @@ fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [
             };
         }
     }
+}
+
+/// All steps of a group.
+fn moved(lanes: &[Given; LANES], track: &mut Track<LANES>) -> Contact<LANES> {
+    let dt = Lane(lanes.each_ref().map(|case| case.dt));
+    let scaled = lanes.each_ref().map(|case| case.scaled);
+    let (mut stepper, law) = start(&scaled, dt);
+    let last = lanes.each_ref().map(|case| case.last);
+    let longest = last.iter().copied().max().unwrap_or(0) as usize;
+    track.resize(longest + 1);
+    note(track.rows(0, 1).next(), &stepper.contact());
+    let (mut centres, mut at) = (Lane::splat(0.0), 1);
+    let ends = stepper.run(
+        &last,
+        |stepper, steps| {
+            walked(stepper, &law, track, at..at + steps);
+            at += steps;
+        },
+        |rigid, ending| centres = ending.pick(rigid, centres),
+    );
+    track.restitution = centres * 0.5;
+    ends
+}
+
+/// Steps, each noted.
+// A small function of its own: among other code its loops would be compiled less well.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn walked(
+    stepper: &mut Stepper<LANES>,
+    law: &ImpactSpring<LANES>,
+    track: &mut Track<LANES>,
+    steps: Range<usize>,
+) {
+    walk(stepper, law, track.rows(steps.start, steps.len()));
+}
+
+/// All metrics of a group.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn judged(track: &Track<LANES>, exact: &Sampled) -> [[Option<f64>; COUNT]; LANES] {
+    let metrics = evaluate(track, exact);
+    metrics
 }

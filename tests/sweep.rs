@@ -1,0 +1,81 @@
+//! Cases side by side, with the widest instructions there are: to the bit what each alone has, in any order and company.
+
+use slipgap::problem::Case;
+use slipgap::study::{Study, parse};
+
+/// Both laws, steps and amplitudes that have nothing in common, runs that end before rest, and a motion without bounds.
+const FRICTION: &str = r#"{"problem": "friction-oscillator", "blocks": [
+  {"parameters": {"law": "displacement-control", "x0": 12, "dT": ["pi/10", "pi/3", 0.3], "duration": "8*pi",
+                  "initial_slip": ["unloaded", "pulled", "sliding"], "alpha": {"geomspace": [0.01, 10, 40]}}},
+  {"parameters": {"law": "displacement-control", "duration": 20, "x0": {"uniform": [-15, 15]},
+                  "dT": {"loguniform": [0.01, 1]}, "alpha": {"loguniform": [0.001, 5]}},
+   "design": {"kind": "sobol", "n": 128, "seed": 1}},
+  {"parameters": {"law": "velocity-control", "x0": [0.4, 12, -1e6], "dT": 0.1, "duration": [3, 40, 60],
+                  "beta": {"geomspace": [0.001, 10, 30]}}}]}"#;
+
+/// Like and unlike bars, walls, both mass matrices, gaps, steps and durations of every kind.
+const IMPACT: &str = r#"{"problem": "bar-impact", "blocks": [
+  {"parameters": {"gamma": {"geomspace": [0.1, 10, 20]}, "n": [1, 10], "dt": 0.01, "duration": 1.5, "gap": [0, 0.25],
+                  "mass": ["lumped", "consistent"]}},
+  {"parameters": {"gamma": 0.5, "n": 7, "dt": {"loguniform": [0.001, 0.1]}, "duration": {"uniform": [0.2, 3]},
+                  "gap": {"uniform": [0, 0.5]}}, "design": {"kind": "latin-hypercube", "n": 100, "seed": 2}},
+  {"parameters": {"gamma": {"linspace": [0.2, 4, 9]}, "n": 5, "dt": 0.02, "duration": 3, "right": {"L": 14, "A": 2, "n": 8}}},
+  {"parameters": {"gamma": {"linspace": [0.2, 4, 9]}, "n": 5, "dt": 0.02, "duration": 2, "right": "wall"}}]}"#;
+
+fn study(text: &str) -> Study {
+    parse("sweep.json", text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The bits of a row of metrics, those that every study has.
+fn bits(study: &Study, row: &[Option<f64>]) -> Vec<Option<u64>> {
+    let table = study.problem.metrics();
+    let default = row.iter().zip(table).filter(|(_, metric)| metric.default);
+    default.map(|(x, _)| x.map(f64::to_bits)).collect()
+}
+
+#[test]
+fn cases_side_by_side_are_cases_alone() {
+    for text in [FRICTION, IMPACT] {
+        let study = study(text);
+        let cases: Vec<Case> = study.cases().collect();
+        let alone: Vec<_> = cases
+            .iter()
+            .map(|case| bits(&study, &study.problem.solve(case, &[]).unwrap().metrics))
+            .collect();
+        let mut order: Vec<usize> = (0..cases.len()).collect();
+        // As they come, mirrored, every third alone with its like, and in slices of sizes that fill no lanes.
+        for (turn, size) in [(0, cases.len()), (1, cases.len()), (2, 3), (3, 37)] {
+            match turn {
+                1 => order.reverse(),
+                2 => order.sort_by_key(|i| i % 3),
+                _ => {}
+            }
+            for slice in order.chunks(size) {
+                let together: Vec<&Case> = slice.iter().map(|i| &cases[*i]).collect();
+                let swept = study.problem.sweep(&together);
+                assert_eq!(swept.len(), slice.len());
+                for (i, row) in slice.iter().zip(swept) {
+                    assert_eq!(bits(&study, &row.unwrap()), alone[*i], "case {i} of {text}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_motion_without_bounds_is_told_beside_others() {
+    let study = study(
+        r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": [12, 1e308, 3], "dT": 3,
+            "duration": 3e3, "beta": 1}}"#,
+    );
+    let cases: Vec<Case> = study.cases().collect();
+    let swept = study.problem.sweep(&cases.iter().collect::<Vec<_>>());
+    for (case, row) in cases.iter().zip(swept) {
+        let alone = study.problem.solve(case, &[]);
+        match (row, alone) {
+            (Ok(row), Ok(alone)) => assert_eq!(bits(&study, &row), bits(&study, &alone.metrics)),
+            (Err(row), Err(alone)) => assert_eq!(row, alone),
+            (row, alone) => panic!("{row:?} beside others, {} alone", alone.is_ok()),
+        }
+    }
+}
