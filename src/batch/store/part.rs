@@ -75,7 +75,6 @@ pub(super) fn written(
             }
             Column::Text(values) => {
                 let (values, levels) = levelled(values);
-                let values: Vec<ByteArray> = values.into_iter().map(ByteArray::from).collect();
                 writer
                     .typed::<ByteArrayType>()
                     .write_batch(&values, Some(&levels), None)?;
@@ -102,30 +101,35 @@ pub(super) fn written(
             outcomes.iter().map(|o| o.metrics[metric]).collect(),
         ))?;
     }
-    column(Column::Text(
-        outcomes.iter().map(|o| o.failure.as_deref()).collect(),
-    ))?;
+    let why = |o: &Outcome| Some(ByteArray::from(o.failure.as_deref()?));
+    column(Column::Text(outcomes.iter().map(why).collect()))?;
     rows.close()?;
     file.close()?;
     Ok(bytes)
 }
 
 /// One column; every one may lack values.
-enum Column<'a> {
+enum Column {
     Number(Vec<Option<f64>>),
     Whole(Vec<Option<i64>>),
-    Text(Vec<Option<&'a str>>),
+    Text(Vec<Option<ByteArray>>),
 }
 
 /// The values that are there, and for each row whether it has one.
 fn levelled<T>(values: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
-    let levels = values.iter().map(|v| i16::from(v.is_some())).collect();
-    (values.into_iter().flatten().collect(), levels)
+    let mut levels = Vec::with_capacity(values.len());
+    let mut there = Vec::with_capacity(values.len());
+    for value in values {
+        levels.push(i16::from(value.is_some()));
+        there.extend(value);
+    }
+    (there, levels)
 }
 
-fn name(value: Option<Value>) -> Option<&'static str> {
+/// A name as it is stored: the table's own bytes, not a copy for each row.
+fn name(value: Option<Value>) -> Option<ByteArray> {
     match value {
-        Some(Value::Name(name)) => Some(name),
+        Some(Value::Name(name)) => Some(Bytes::from_static(name.as_bytes()).into()),
         _ => None,
     }
 }
