@@ -3,7 +3,7 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures report test lint fresh licences schema bench mutants
+.PHONY: help figures report test lint fresh licences schema bench peers maps mutants
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
@@ -34,6 +34,14 @@ licences: ## hold the licences of all dependencies to the list allowed
 
 bench: ## measure how fast studies expand; not part of CI, since no wall clock is a test
 	cargo bench --locked
+
+# OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
+peers: ## the same sweeps by slipgap, numba, numpy and OpenSees, in one table
+	benches/peers/run
+
+maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/
+	cargo run --release --locked -- run docs/maps/*.json --out target/maps
+	for map in target/maps/*/*.png; do cp $$map docs/maps/$$(basename $$(dirname $$map))-$$(basename $$map); done
 
 # Hours on two cores, and not part of CI. What survives is explained in tests/mutants.md.
 mutants: ## change law, stepper, exact and metrics in every small way, and see that a test notices

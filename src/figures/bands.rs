@@ -10,6 +10,9 @@ use crate::study::{Marks, Scale};
 /// Most levels that are told apart.
 const MOST_LEVELS: usize = 10;
 
+/// Places along both axes from which on what changes from one to the next would fill the picture with lines.
+const FINE: usize = 200;
+
 /// A metric over two parameters, one value a place.
 pub struct Values {
     /// Places along x and y, rising.
@@ -90,7 +93,8 @@ impl Values {
             .iter()
             .map(|ring| (number::short(levels[ring.level]), line(ring)))
             .collect();
-        for (_, points) in &lines {
+        // On a fine map the edges of the colours are lines enough.
+        for (_, points) in lines.iter().filter(|_| !self.is_fine()) {
             panel.series.push(Series {
                 label: String::new(),
                 points: points.clone(),
@@ -110,6 +114,11 @@ impl Values {
             tags,
             ..map
         });
+    }
+
+    /// Whether there are so many places that each is a dot of the picture.
+    pub fn is_fine(&self) -> bool {
+        self.places.iter().all(|places| places.len() >= FINE)
     }
 
     /// Squares of the grid with a corner that has no value.
@@ -152,12 +161,16 @@ fn line(ring: &Ring) -> Vec<[f64; 2]> {
     line
 }
 
-/// The line along the valley.
-pub fn ridge(points: Vec<[f64; 2]>, label: String) -> Series {
+/// The line along the valley; on a fine map a stroke for each column, since it may leap from one to the next.
+pub fn ridge(points: Vec<[f64; 2]>, label: String, fine: bool) -> Series {
+    let stroke = |pair: &[[f64; 2]]| [pair[0], [pair[1][0], pair[0][1]], [f64::NAN; 2]];
     Series {
         label,
-        points,
-        stroke: Stroke::Dashed,
+        points: match fine {
+            true => points.windows(2).flat_map(stroke).collect(),
+            false => points,
+        },
+        stroke: if fine { Stroke::Solid } else { Stroke::Dashed },
         width: style::RIDGE_LINE,
         marker: None,
         marked: Vec::new(),

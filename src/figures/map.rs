@@ -85,7 +85,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             places: [xs, ys],
             z: values,
         };
-        let valley = values.valley();
+        let (valley, fine) = (values.valley(), values.is_fine());
         let marked: Vec<[f64; 2]> = marks.iter().flat_map(|m| m.at.clone()).collect();
         let busy: Vec<[f64; 2]> = marked.iter().chain(&valley).copied().collect();
         values.fill(
@@ -95,7 +95,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         );
         if valley.iter().any(|p| p[1].is_finite()) {
             let label = format!("least {} at each {}", metric.symbol, parameters[*x].symbol);
-            panel.series.push(bands::ridge(valley, label));
+            panel.series.push(bands::ridge(valley, label, fine));
             keys.extend(panel.series.last().map(Key::of));
         }
     } else {
