@@ -3,7 +3,7 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures report test lint fresh licences schema bench peers maps mutants
+.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
@@ -32,8 +32,11 @@ fresh: ## compare committed tables, pictures and schema with what is written now
 licences: ## hold the licences of all dependencies to the list allowed
 	cargo test --locked --test licences -- --ignored
 
-bench: ## measure how fast studies expand; not part of CI, since no wall clock is a test
-	cargo bench --locked
+bench: ## measure sweeps, expansion and store; not part of CI, since no wall clock is a test
+	cargo bench --locked --bench kernel --bench expansion --bench store
+
+guard: ## hold the sweeps to their recorded instructions (where valgrind is) and to the gain of lanes
+	cargo bench --locked --bench guard
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
 peers: ## the same sweeps by slipgap, numba, numpy and OpenSees, in one table

@@ -1,56 +1,64 @@
-//! The sweep's own work: steps and default metrics of many cases side by side, against the add rate of this machine.
+//! The sweep's own work: steps and default metrics of many cases side by side, one at a time, and the add rate of this
+//! machine, which is the limit of both.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use multiversion::multiversion;
+use slipgap::lane::Lane;
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
-
-/// Cases of one benchmark: whole groups of lanes.
-const CASES: u64 = 4096;
+use std::hint::black_box;
 
 fn study(parameters: &str) -> Study {
     let text = format!("{{{parameters}}}");
     parse("bench.json", &text).expect("a study without faults")
 }
 
+/// Release at x0 = 12, up to 8 pi, in so many steps.
+fn oscillators(law: &str, width: &str, steps: u64, cases: u64) -> Study {
+    study(&format!(
+        r#""problem": "friction-oscillator", "parameters": {{"law": "{law}", "x0": 12, "duration": "8*pi",
+        "dT": "8*pi/{steps}", "{width}": {{"geomspace": [0.01, 10, {cases}]}}}}"#
+    ))
+}
+
+/// Like bars of n elements, 300 steps.
+fn bars(n: u64, cases: u64) -> Study {
+    study(&format!(
+        r#""problem": "bar-impact", "parameters": {{"n": {n}, "dt": 0.005, "duration": 1.5,
+        "gamma": {{"geomspace": [0.1, 10, {cases}]}}}}"#
+    ))
+}
+
+/// Steps of a case, or steps times modes of both bars.
+fn work(study: &Study) -> u64 {
+    study.cases().map(|case| study.problem.work(&case)).sum()
+}
+
 fn sweep(criterion: &mut Criterion) {
     slipgap::batch::keep_memory();
     let mut group = criterion.benchmark_group("sweep");
     group.sample_size(20);
-    let oscillator = |law: &str, width: &str, steps: u64| {
-        study(&format!(
-            r#""problem": "friction-oscillator", "parameters": {{"law": "{law}", "x0": 12, "duration": "8*pi",
-            "dT": "8*pi/{steps}", "{width}": {{"geomspace": [0.01, 10, {CASES}]}}}}"#
-        ))
+    let of = |law: &str, steps| match law {
+        "displacement-control" => oscillators(law, "alpha", steps, 4096),
+        _ => oscillators(law, "beta", steps, 4096),
     };
-    let bars = |n: u64| {
-        study(&format!(
-            r#""problem": "bar-impact", "parameters": {{"n": {n}, "dt": 0.005, "duration": 1.5,
-            "gamma": {{"geomspace": [0.1, 10, {CASES}]}}}}"#
-        ))
-    };
-    for (name, study, per_case) in [
-        (
-            "displacement-control 80",
-            oscillator("displacement-control", "alpha", 80),
-            80,
-        ),
-        (
-            "velocity-control 80",
-            oscillator("velocity-control", "beta", 80),
-            80,
-        ),
+    for (name, study) in [
+        ("displacement-control 80", of("displacement-control", 80)),
         (
             "displacement-control 2500",
-            oscillator("displacement-control", "alpha", 2500),
-            2500,
+            of("displacement-control", 2500),
         ),
-        ("bars 10", bars(10), 300 * 22),
-        ("bars 40", bars(40), 300 * 82),
-        ("bars 400", bars(400), 300 * 802),
+        ("velocity-control 80", of("velocity-control", 80)),
+        ("velocity-control 2500", of("velocity-control", 2500)),
+        ("bars 10", bars(10, 4096)),
+        ("bars 40", bars(40, 4096)),
+        ("bars 100", bars(100, 512)),
+        ("bars 1000", bars(1000, 64)),
+        ("bars 10000", bars(10_000, 16)),
     ] {
         let cases: Vec<Case> = study.cases().collect();
         let cases: Vec<&Case> = cases.iter().collect();
-        group.throughput(Throughput::Elements(CASES * per_case));
+        group.throughput(Throughput::Elements(work(&study)));
         group.bench_function(BenchmarkId::new("metrics", name), |bencher| {
             bencher.iter(|| study.problem.sweep(&cases));
         });
@@ -58,5 +66,60 @@ fn sweep(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, sweep);
+/// One case after the other, each with its history.
+fn case(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("case");
+    group.sample_size(20);
+    for (name, study) in [
+        (
+            "displacement-control 80",
+            oscillators("displacement-control", "alpha", 80, 64),
+        ),
+        (
+            "velocity-control 80",
+            oscillators("velocity-control", "beta", 80, 64),
+        ),
+        ("bars 10", bars(10, 64)),
+        ("bars 40", bars(40, 64)),
+    ] {
+        let cases: Vec<Case> = study.cases().collect();
+        group.throughput(Throughput::Elements(work(&study)));
+        group.bench_function(BenchmarkId::new("alone", name), |bencher| {
+            bencher.iter(|| {
+                for case in &cases {
+                    drop(black_box(study.problem.solve(case, &[])));
+                }
+            });
+        });
+    }
+    group.finish();
+}
+
+/// Registers full of sums that do not wait for each other.
+const SUMS: usize = 8;
+
+/// Additions to each of them.
+const ADDITIONS: usize = 10_000;
+
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn add(sums: &mut [Lane<8>; SUMS], term: Lane<8>) {
+    let [mut a, mut b, mut c, mut d, mut e, mut f, mut g, mut h] = *sums;
+    for _ in 0..ADDITIONS {
+        (a, b, c, d) = (a + term, b + term, c + term, d + term);
+        (e, f, g, h) = (e + term, f + term, g + term, h + term);
+    }
+    *sums = [a, b, c, d, e, f, g, h];
+}
+
+fn limit(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("limit");
+    group.throughput(Throughput::Elements((SUMS * 8 * ADDITIONS) as u64));
+    group.bench_function("additions", |bencher| {
+        let mut sums = [Lane::splat(1.0); SUMS];
+        bencher.iter(|| add(&mut sums, black_box(Lane::splat(1e-9))));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, limit, sweep, case);
 criterion_main!(benches);

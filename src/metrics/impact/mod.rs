@@ -163,7 +163,6 @@ mod tests {
                 .map(|i| Lane([energy[i.min(energy.len() - 1)]]))
                 .collect(),
             restitution: Lane([restitution]),
-            ..Track::default()
         };
         let last = rows.len() as u64 - 1;
         let end = last as f64 * 0.25;

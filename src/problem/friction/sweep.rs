@@ -133,8 +133,8 @@ fn walk(stepper: &mut Oscillators<LANES>, law: impl Law<LANES>, rows: &mut [Lane
 }
 
 /// All metrics of a group.
+#[allow(unused_braces, reason = "the macro puts them")]
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
 fn judged(x: &[Lane<LANES>], works: Lane<LANES>, exact: &Sampled) -> [[Option<f64>; COUNT]; LANES] {
-    let metrics = evaluate(x, works, exact);
-    metrics
+    evaluate(x, works, exact)
 }

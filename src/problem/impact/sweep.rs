@@ -123,8 +123,8 @@ fn walked(
 }
 
 /// All metrics of a group.
+#[allow(unused_braces, reason = "the macro puts them")]
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
 fn judged(track: &Track<LANES>, exact: &Sampled) -> [[Option<f64>; COUNT]; LANES] {
-    let metrics = evaluate(track, exact);
-    metrics
+    evaluate(track, exact)
 }

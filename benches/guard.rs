@@ -1,0 +1,140 @@
+//! What must not get slower unnoticed: instructions of fixed sweeps by callgrind, and lanes over one lane on AVX-512.
+//!
+//! `guard` alone checks; `guard NAME TIMES` only runs a sweep so many times, for callgrind to count.
+
+use slipgap::problem::Case;
+use slipgap::study::{Study, parse};
+use std::env::args;
+use std::hint::black_box;
+use std::process::{Command, ExitCode};
+use std::time::{Duration, Instant};
+
+/// Sweeps, and their instructions for each case as recorded (AVX2: valgrind knows no wider ones).
+const SWEEPS: [(&str, &str, u64); 4] = [
+    (
+        "displacement-control",
+        r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "x0": 12, "dT": "pi/10",
+            "duration": "8*pi", "alpha": {"geomspace": [0.01, 10, 1024]}}"#,
+        2662,
+    ),
+    (
+        "velocity-control",
+        r#""problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": 12, "dT": "pi/10",
+            "duration": "8*pi", "beta": {"geomspace": [0.01, 10, 1024]}}"#,
+        2610,
+    ),
+    (
+        "bars",
+        r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5,
+            "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
+        25008,
+    ),
+    (
+        "unlike bars",
+        r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5, "right": {"A": 2, "n": 20},
+            "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
+        56452,
+    ),
+];
+
+/// How far counts may lie from the recorded ones: compilers differ by a few per cent.
+const NEAR: f64 = 0.1;
+
+/// Least speed of lanes over one lane, which has a history too, on AVX-512: well below what was measured.
+const RATIO: f64 = 3.0;
+
+fn study(text: &str) -> Study {
+    parse("guard.json", &format!("{{{text}}}")).expect("a study without faults")
+}
+
+fn main() -> ExitCode {
+    let words: Vec<String> = args().skip(1).filter(|word| word != "--bench").collect();
+    if let [name, times] = &words[..] {
+        let sweep = SWEEPS
+            .iter()
+            .find(|sweep| sweep.0 == name)
+            .expect("a sweep");
+        let study = study(sweep.1);
+        let cases: Vec<Case> = study.cases().collect();
+        let cases: Vec<&Case> = cases.iter().collect();
+        for _ in 0..times.parse().expect("a number") {
+            black_box(study.problem.sweep(&cases));
+        }
+        return ExitCode::SUCCESS;
+    }
+    let counted = counts();
+    if ratios() && counted {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
+
+/// Whether the instructions of all sweeps are near the recorded ones, as far as callgrind is there to count them.
+fn counts() -> bool {
+    let version = Command::new("valgrind").arg("--version").output();
+    if !version.is_ok_and(|output| output.status.success()) {
+        println!("no valgrind: instructions are not counted");
+        return true;
+    }
+    let mut good = true;
+    for (name, text, recorded) in SWEEPS {
+        // What comes before the sweeps is in both counts.
+        let more = count(name, 3) - count(name, 1);
+        let each = more as f64 / 2.0 / study(text).len() as f64;
+        let near = (each / recorded as f64 - 1.0).abs() < NEAR;
+        let verdict = if near { "near" } else { "NOT NEAR" };
+        println!("{name}: {each:.0} instructions a case, {verdict} the recorded {recorded}");
+        good &= near;
+    }
+    good
+}
+
+/// Instructions of this program for a number of sweeps.
+fn count(name: &str, times: u64) -> i64 {
+    let own = std::env::current_exe().expect("this program has a path");
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(own)
+        .args([name, &times.to_string()])
+        .output()
+        .expect("valgrind runs");
+    let told = String::from_utf8_lossy(&output.stderr);
+    let line = told.lines().find(|line| line.contains("Collected :"));
+    let number = line.and_then(|line| line.split(':').nth(1)?.trim().parse().ok());
+    number.unwrap_or_else(|| panic!("no count in: {told}"))
+}
+
+/// Whether lanes are faster than one by the margin, where there are wide ones.
+fn ratios() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let wide = is_x86_feature_detected!("avx512f");
+    #[cfg(not(target_arch = "x86_64"))]
+    let wide = false;
+    let mut good = true;
+    for (name, text, _) in SWEEPS {
+        let study = study(text);
+        let cases: Vec<Case> = study.cases().collect();
+        let all: Vec<&Case> = cases.iter().collect();
+        // The best of several turns each, taken in turn: a slow moment of the machine is no verdict.
+        let (mut lanes, mut one) = (Duration::MAX, Duration::MAX);
+        for _ in 0..7 {
+            lanes = lanes.min(timed(|| drop(black_box(study.problem.sweep(&all)))));
+            one = one.min(timed(|| {
+                for case in &all {
+                    drop(black_box(study.problem.solve(case, &[])));
+                }
+            }));
+        }
+        let ratio = one.as_secs_f64() / lanes.as_secs_f64();
+        println!("{name}: side by side {ratio:.1} times as fast as one at a time");
+        good &= !wide || ratio > RATIO;
+    }
+    good
+}
+
+fn timed(work: impl FnOnce()) -> Duration {
+    let start = Instant::now();
+    work();
+    start.elapsed()
+}
