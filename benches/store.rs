@@ -16,7 +16,9 @@ fn store(criterion: &mut Criterion) {
     let study = parse("bench.json", &text).expect("a study without faults");
     let folder = tempfile::tempdir().expect("a folder");
     let mut group = criterion.benchmark_group("store");
-    group.sample_size(10).throughput(Throughput::Elements(CASES));
+    group
+        .sample_size(10)
+        .throughput(Throughput::Elements(CASES));
     for (name, anew) in [("written", true), ("found", false)] {
         group.bench_function(name, |bencher| {
             bencher.iter(|| {

@@ -63,21 +63,27 @@ pub fn run(
     study: &Study,
     bar: &ProgressBar,
     wishes: &Wishes,
-    mut take: impl FnMut(Done) -> Result<(), Error>,
+    mut take: impl FnMut(Done) -> Result<(), Error> + Send,
 ) -> Result<(), Error> {
     keep_memory();
     let cut = Cut::new(study);
     // As many chunks at a time as keep all threads busy; memory does not grow with the number of cases.
     let window = 2 * rayon::current_num_threads() as u64;
-    for start in (0..cut.count()).step_by(window as usize) {
-        let end = (start + window).min(cut.count());
-        let chunks: Vec<Result<Done, Error>> = (start..end)
+    let compute = |start: u64| -> Vec<Result<Done, Error>> {
+        (start..(start + window).min(cut.count()))
             .into_par_iter()
             .map(|chunk| one(study, chunk, cut.cases(study, chunk), bar, wishes))
-            .collect();
-        for done in chunks {
-            take(done?)?;
-        }
+            .collect()
+    };
+    let mut done = compute(0);
+    for start in (0..cut.count()).step_by(window as usize) {
+        // What is done is taken while the next is computed.
+        let (taken, next) = rayon::join(
+            || done.into_iter().try_for_each(|done| take(done?)),
+            || compute(start + window),
+        );
+        taken?;
+        done = next;
     }
     Ok(())
 }
