@@ -152,6 +152,27 @@ fn nothing_jumps_at_an_event() {
 }
 
 #[test]
+fn a_release_leaves_the_viscous_zone_if_its_highest_velocity_does() {
+    // X'' + X'/beta + X = 0 from rest at x0, beta < 1/2: with the rates a < b of its two exponentials, a b = 1, the highest
+    // velocity is x0 (exp(-a t) - exp(-b t))/(b - a) at t = log(b/a)/(b - a).
+    for beta in [0.05, 0.2, 0.4, 0.49] {
+        let root = f64::sqrt(1.0 / (beta * beta) - 4.0);
+        let (a, b) = (0.5 * (1.0 / beta - root), 0.5 * (1.0 / beta + root));
+        let crest = libm::log(b / a) / (b - a);
+        let highest = (libm::exp(-a * crest) - libm::exp(-b * crest)) / (b - a);
+        for (over, leaves) in [(1.0 + 1e-6, true), (1.0 - 1e-6, false)] {
+            let first = Regularised::velocity(over * beta / highest, beta).next_event();
+            assert_eq!(first.is_finite(), leaves, "beta = {beta}, {over}: {first}");
+            // Near the crest v falls short of its height by (t - crest)^2/2 times the curvature: a few thousandths away.
+            assert!(
+                !leaves || (first - crest).abs() < 0.01,
+                "beta = {beta}: {first}, {crest}"
+            );
+        }
+    }
+}
+
+#[test]
 fn energy_is_lost_to_friction() {
     // Simpson's rule for the power S V between events, where it is smooth; alpha S'S is kept in the energy.
     for release in releases() {
