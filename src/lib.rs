@@ -32,6 +32,7 @@
 //! - [`problem::Problem`]: one of the two problems, [`problem::friction::FrictionOscillator`] and
 //!   [`problem::impact::BarImpact`], with the tables of parameters and metrics that everything else reads.
 //! - [`problem::Solution`]: a case's [`history::History`], the exact one beside it, and the metrics.
+//! - [`problem::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each alone has.
 //! - [`stepper::Stepper`] and [`law::Law`]: the method and the contact.
 //! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the stepper.
 //!
