@@ -161,34 +161,37 @@ fn computed(
         .iter()
         .map(|(_, case)| !beside || (wishes.keep)(case))
         .collect();
+    let choose = |wanted: bool| {
+        let pairs = cases.par_iter().zip(&alone);
+        pairs.filter_map(move |(case, alone)| (*alone == wanted).then_some(case))
+    };
+    let together: Vec<&Case> = choose(false).map(|(_, case)| case).collect();
     let size = match rayon::current_num_threads() {
         1 => cases.len(),
-        _ if beside => SLICE,
-        _ => 1,
+        _ => SLICE,
     };
-    let found: Vec<Vec<Found>> = cases
-        .par_chunks(size.max(1))
-        .zip(alone.par_chunks(size.max(1)))
-        .map(|(cases, alone)| {
-            let pairs = cases.iter().zip(alone);
-            let together: Vec<&Case> = pairs
-                .clone()
-                .filter(|(_, alone)| !**alone)
-                .map(|((_, case), _)| case)
-                .collect();
-            let mut swept = study.problem.sweep(&together).into_iter();
-            let found = pairs.map(|((number, case), alone)| {
-                let beside = if *alone { None } else { swept.next() };
-                match beside {
-                    Some(metrics) => Ok((metrics, None)),
-                    None => solve(study, *number, case, wishes),
-                }
-            });
-            let found = found.collect();
-            bar.inc(cases.len() as u64);
-            found
+    let mut swept: Vec<Vec<Metrics>> = Vec::new();
+    let sweep = |slice: &[&Case]| {
+        bar.inc(slice.len() as u64);
+        study.problem.sweep(slice)
+    };
+    together
+        .par_chunks(size)
+        .map(sweep)
+        .collect_into_vec(&mut swept);
+    let solved = choose(true).map(|(number, case)| {
+        bar.inc(1);
+        solve(study, *number, case, wishes)
+    });
+    let solved: Vec<Found> = solved.collect::<Result<_, Error>>()?;
+    let (mut swept, mut solved) = (swept.into_iter().flatten(), solved.into_iter());
+    let found: Vec<Found> = alone
+        .iter()
+        .filter_map(|alone| match alone {
+            true => solved.next(),
+            false => swept.next().map(|metrics| (metrics, None)),
         })
-        .collect::<Result<_, Error>>()?;
+        .collect();
     let outcome = |((_, case), (metrics, solution)): ((u64, Case), Found)| {
         let (metrics, failure) = match metrics {
             Ok(metrics) => (metrics, None),
@@ -201,11 +204,7 @@ fn computed(
             failure,
         }
     };
-    Ok(cases
-        .into_iter()
-        .zip(found.into_iter().flatten())
-        .map(outcome)
-        .collect())
+    Ok(cases.into_iter().zip(found).map(outcome).collect())
 }
 
 /// What was found of a case, and its histories where they are kept.

@@ -32,11 +32,17 @@ pub fn split<G: Beside>(
     together: impl Fn(&[G]) -> Vec<Metrics>,
     alone: impl Fn(&Case) -> Metrics,
 ) -> Vec<Metrics> {
-    let all: Option<Vec<G>> = cases.iter().map(|case| given(case)).collect();
-    match all {
-        Some(all) if all.iter().all(|case| case.last() <= LONGEST) => together(&all),
-        _ => cases.iter().map(|case| alone(case)).collect(),
-    }
+    let given: Vec<Option<G>> = cases
+        .iter()
+        .map(|case| given(case).filter(|case| case.last() <= LONGEST))
+        .collect();
+    let lanes: Vec<G> = given.iter().flatten().copied().collect();
+    let mut lanes = together(&lanes).into_iter();
+    let metrics = |(case, given): (&&Case, &Option<G>)| match given {
+        Some(_) => lanes.next().unwrap_or_else(|| alone(case)),
+        None => alone(case),
+    };
+    cases.iter().zip(&given).map(metrics).collect()
 }
 
 /// The cases in lanes of `L`: `solve` is given as many cases as there are lanes and the numbers of those that are meant
