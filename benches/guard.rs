@@ -55,10 +55,10 @@ fn main() -> ExitCode {
             .find(|sweep| sweep.0 == name)
             .expect("a sweep");
         let study = study(sweep.1);
-        let cases: Vec<Case> = study.cases().collect();
-        let cases: Vec<&Case> = cases.iter().collect();
+        let (_, cases) = study.columns(0, study.raw_len());
+        let rows: Vec<u32> = (0..cases.len() as u32).collect();
         for _ in 0..times.parse().expect("a number") {
-            black_box(study.problem.sweep(&cases));
+            black_box(study.problem.sweep(&cases, &rows));
         }
         return ExitCode::SUCCESS;
     }
@@ -115,13 +115,16 @@ fn ratios() -> bool {
     for (name, text, _) in SWEEPS {
         let study = study(text);
         let cases: Vec<Case> = study.cases().collect();
-        let all: Vec<&Case> = cases.iter().collect();
+        let (_, columns) = study.columns(0, study.raw_len());
+        let rows: Vec<u32> = (0..columns.len() as u32).collect();
         // The best of several turns each, taken in turn: a slow moment of the machine is no verdict.
         let (mut lanes, mut one) = (Duration::MAX, Duration::MAX);
         for _ in 0..7 {
-            lanes = lanes.min(timed(|| drop(black_box(study.problem.sweep(&all)))));
+            lanes = lanes.min(timed(|| {
+                drop(black_box(study.problem.sweep(&columns, &rows)))
+            }));
             one = one.min(timed(|| {
-                for case in &all {
+                for case in &cases {
                     drop(black_box(study.problem.solve(case, &[])));
                 }
             }));

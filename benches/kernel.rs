@@ -56,11 +56,11 @@ fn sweep(criterion: &mut Criterion) {
         ("bars 1000", bars(1000, 64)),
         ("bars 10000", bars(10_000, 16)),
     ] {
-        let cases: Vec<Case> = study.cases().collect();
-        let cases: Vec<&Case> = cases.iter().collect();
+        let (_, cases) = study.columns(0, study.raw_len());
+        let rows: Vec<u32> = (0..cases.len() as u32).collect();
         group.throughput(Throughput::Elements(work(&study)));
         group.bench_function(BenchmarkId::new("metrics", name), |bencher| {
-            bencher.iter(|| study.problem.sweep(&cases));
+            bencher.iter(|| study.problem.sweep(&cases, &rows));
         });
     }
     group.finish();

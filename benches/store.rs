@@ -30,7 +30,7 @@ fn store(criterion: &mut Criterion) {
                 };
                 let mut cases = 0;
                 batch::run(&study, &ProgressBar::hidden(), &wishes, |done| {
-                    cases += done.outcomes.len();
+                    cases += done.len();
                     Ok(())
                 })
                 .expect("a run");

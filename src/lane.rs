@@ -6,6 +6,12 @@ use std::ops::{Add, Mul, Neg, Sub};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lane<const L: usize>(pub [f64; L]);
 
+impl<const L: usize> Default for Lane<L> {
+    fn default() -> Self {
+        Lane::splat(0.0)
+    }
+}
+
 impl<const L: usize> Lane<L> {
     /// The same number in every lane.
     #[inline(always)]

@@ -31,23 +31,10 @@ pub struct Contact<const L: usize> {
 }
 
 impl<const L: usize> Contact<L> {
-    /// One lane alone.
-    #[inline(always)]
-    pub fn lane(&self, l: usize) -> Contact<1> {
-        Contact {
-            displacement: Lane([self.displacement.0[l]]),
-            velocity: Lane([self.velocity.0[l]]),
-            force: Lane([self.force.0[l]]),
-            energy: Lane([self.energy.0[l]]),
-        }
-    }
-}
-
-impl Contact<1> {
-    /// Whether the motion is still one of finite numbers; if not, it never is again.
-    pub fn is_finite(&self) -> bool {
+    /// Whether the motion of each lane is still one of finite numbers; if not, it never is again.
+    pub fn finite(&self) -> [bool; L] {
         let all = [self.displacement, self.velocity, self.force];
-        all.iter().all(|x| x.0[0].is_finite())
+        std::array::from_fn(|l| all.iter().all(|x| x.0[l].is_finite()))
     }
 }
 

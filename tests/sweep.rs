@@ -1,6 +1,5 @@
 //! Cases side by side, with the widest instructions there are: to the bit what each alone has, in any order and company.
 
-use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
 
 /// Both laws, steps and amplitudes that have nothing in common, runs that end before rest, and a motion without bounds.
@@ -37,12 +36,13 @@ fn bits(study: &Study, row: &[Option<f64>]) -> Vec<Option<u64>> {
 fn cases_side_by_side_are_cases_alone() {
     for text in [FRICTION, IMPACT] {
         let study = study(text);
-        let cases: Vec<Case> = study.cases().collect();
-        let alone: Vec<_> = cases
-            .iter()
-            .map(|case| bits(&study, &study.problem.solve(case, &[]).unwrap().metrics))
+        let alone: Vec<_> = study
+            .cases()
+            .map(|case| bits(&study, &study.problem.solve(&case, &[]).unwrap().metrics))
             .collect();
-        let mut order: Vec<usize> = (0..cases.len()).collect();
+        let (_, cases) = study.columns(0, study.raw_len());
+        assert_eq!(cases.len(), alone.len());
+        let mut order: Vec<u32> = (0..cases.len() as u32).collect();
         // As they come, mirrored, every third alone with its like, and in slices of sizes that fill no lanes.
         for (turn, size) in [(0, cases.len()), (1, cases.len()), (2, 3), (3, 37)] {
             match turn {
@@ -51,11 +51,11 @@ fn cases_side_by_side_are_cases_alone() {
                 _ => {}
             }
             for slice in order.chunks(size) {
-                let together: Vec<&Case> = slice.iter().map(|i| &cases[*i]).collect();
-                let swept = study.problem.sweep(&together);
-                assert_eq!(swept.len(), slice.len());
-                for (i, row) in slice.iter().zip(swept) {
-                    assert_eq!(bits(&study, &row.unwrap()), alone[*i], "case {i} of {text}");
+                let swept = study.problem.sweep(&cases, slice);
+                assert_eq!((swept.len(), swept.failures().count()), (slice.len(), 0));
+                for (place, i) in slice.iter().enumerate() {
+                    let found = bits(&study, &swept.row(place).collect::<Vec<_>>());
+                    assert_eq!(found, alone[*i as usize], "case {i} of {text}");
                 }
             }
         }
@@ -68,14 +68,23 @@ fn a_motion_without_bounds_is_told_beside_others() {
         r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": [12, 1e308, 3], "dT": 3,
             "duration": 3e3, "beta": 1}}"#,
     );
-    let cases: Vec<Case> = study.cases().collect();
-    let swept = study.problem.sweep(&cases.iter().collect::<Vec<_>>());
-    for (case, row) in cases.iter().zip(swept) {
-        let alone = study.problem.solve(case, &[]);
-        match (row, alone) {
-            (Ok(row), Ok(alone)) => assert_eq!(bits(&study, &row), bits(&study, &alone.metrics)),
-            (Err(row), Err(alone)) => assert_eq!(row, alone),
-            (row, alone) => panic!("{row:?} beside others, {} alone", alone.is_ok()),
+    let (_, cases) = study.columns(0, study.raw_len());
+    let swept = study.problem.sweep(&cases, &[0, 1, 2]);
+    for (place, case) in study.cases().enumerate() {
+        let alone = study.problem.solve(&case, &[]);
+        match (swept.failure(place), alone) {
+            (None, Ok(alone)) => {
+                assert_eq!(
+                    bits(&study, &swept.row(place).collect::<Vec<_>>()),
+                    bits(&study, &alone.metrics)
+                );
+            }
+            (Some(why), Err(alone)) => assert_eq!(why, alone),
+            (why, alone) => panic!("{why:?} beside others, {} alone", alone.is_ok()),
         }
     }
+    assert_eq!(
+        swept.failures().map(|(place, _)| place).collect::<Vec<_>>(),
+        [1]
+    );
 }

@@ -1,8 +1,7 @@
 //! Chunks: fixed ranges of raw combinations, the unit that is computed, kept and found again.
 
-use super::Outcome;
+use crate::problem::cases::{Cases, Column};
 use crate::problem::parameter::Value;
-use crate::problem::{Case, Problem};
 use crate::study::Study;
 use twox_hash::XxHash3_128;
 
@@ -28,8 +27,8 @@ pub struct Cut {
 impl Cut {
     /// Chunks of a power of two, by what the first case costs: an extended study keeps its first case.
     pub fn new(study: &Study) -> Cut {
-        let first = study.range(0, study.raw_len()).next();
-        let work = first.map_or(1, |(_, case)| study.problem.work(&case).max(1));
+        let first = study.case(0);
+        let work = first.map_or(1, |case| study.problem.work(&case).max(1));
         let fitting = (WORK / work).clamp(1, LARGEST);
         Cut {
             size: 1 << fitting.ilog2(),
@@ -42,12 +41,10 @@ impl Cut {
         self.raw.div_ceil(self.size)
     }
 
-    /// The cases of chunk `index`, with their numbers.
-    pub fn cases(&self, study: &Study, index: u64) -> Vec<(u64, Case)> {
+    /// The cases of chunk `index`, with the number of the first.
+    pub fn cases(&self, study: &Study, index: u64) -> (u64, Cases) {
         let from = index * self.size;
-        study
-            .range(from, (from + self.size).min(self.raw))
-            .collect()
+        study.columns(from, (from + self.size).min(self.raw))
     }
 }
 
@@ -63,28 +60,26 @@ pub struct Key {
 }
 
 impl Key {
-    /// The key of these cases.
-    pub fn new(study: &Study, cases: &[(u64, Case)]) -> Key {
+    /// The key of these cases, the first of which has the number `first`.
+    pub fn new(study: &Study, first: u64, cases: &Cases) -> Key {
         let mut hasher = XxHash3_128::new();
-        // A case at a time: the hasher takes long pieces much faster than short ones.
+        // A column at a time: the hasher takes long pieces much faster than short ones.
         let mut bytes = Vec::new();
-        for (number, case) in cases {
-            bytes.clear();
-            bytes.extend(number.to_le_bytes());
-            for value in &case.values {
-                let (tag, bits): (u8, u64) = match value {
-                    None => (0, 0),
-                    Some(Value::Number(x)) => (1, x.to_bits()),
-                    Some(Value::Whole(n)) => (2, *n),
-                    Some(Value::Name(name)) => {
-                        bytes.extend(name.as_bytes());
-                        (3, name.len() as u64)
-                    }
-                };
-                bytes.push(tag);
-                bytes.extend(bits.to_le_bytes());
+        bytes.extend(first.to_le_bytes());
+        bytes.extend(cases.len().to_le_bytes());
+        for column in cases.columns() {
+            match column {
+                Column::Same(value) => {
+                    bytes.push(0);
+                    note(&mut bytes, *value);
+                }
+                Column::Each(values) => {
+                    bytes.push(1);
+                    values.iter().for_each(|value| note(&mut bytes, *value));
+                }
             }
             hasher.write(&bytes);
+            bytes.clear();
         }
         let metrics = study.problem.metrics();
         let names: Vec<&str> = study.metrics.iter().map(|m| metrics[*m].name).collect();
@@ -110,31 +105,22 @@ impl Key {
     }
 }
 
+/// Adds what tells a value from all others.
+fn note(bytes: &mut Vec<u8>, value: Option<Value>) {
+    let tag: u8 = match value {
+        None => 0,
+        Some(Value::Number(_)) => 1,
+        Some(Value::Whole(_)) => 2,
+        Some(Value::Name(_)) => 3,
+    };
+    bytes.push(tag);
+    if let Some((bits, name)) = value.map(Value::identity) {
+        bytes.extend((bits ^ name.len() as u64).to_le_bytes());
+        bytes.extend(name.as_bytes());
+    }
+}
+
 /// The checksum of some bytes, as 32 hexadecimal digits.
 pub fn checksum(bytes: &[u8]) -> String {
     format!("{:032x}", XxHash3_128::oneshot(bytes))
-}
-
-/// A row of a table by the problem's table: metrics that the study does not have are `None`.
-pub(super) fn by_table(
-    problem: &dyn Problem,
-    columns: &[usize],
-    row: impl Iterator<Item = Option<f64>>,
-) -> Vec<Option<f64>> {
-    let mut metrics = vec![None; problem.metrics().len()];
-    for (column, value) in columns.iter().zip(row) {
-        metrics[*column] = value;
-    }
-    metrics
-}
-
-/// Outcomes of a chunk and where they came from.
-#[derive(Debug)]
-pub struct Done {
-    /// In case order.
-    pub outcomes: Vec<Outcome>,
-    /// Number of the first.
-    pub first: u64,
-    /// Whether they were kept from a former run; if not, and something was there, why it could not serve.
-    pub kept: Result<(), Option<String>>,
 }

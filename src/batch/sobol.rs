@@ -1,6 +1,6 @@
 //! sobol.csv: the indices of every metric of every saltelli design.
 
-use super::Outcome;
+use super::Done;
 use crate::error::Error;
 use crate::indices::{Index, indices};
 use crate::problem::parameter::shortest;
@@ -19,7 +19,7 @@ const COLUMNS: [&str; 9] = [
     "total_high",
 ];
 
-/// Gathers the metrics of saltelli designs, case by case.
+/// Gathers the metrics of saltelli designs, chunk by chunk.
 #[derive(Debug)]
 pub struct Gathered<'a> {
     study: &'a Study,
@@ -46,14 +46,15 @@ impl<'a> Gathered<'a> {
         }
     }
 
-    /// Takes note of a case.
-    pub fn add(&mut self, number: u64, outcome: &Outcome) {
+    /// Takes note of a chunk.
+    pub fn add(&mut self, done: &Done) {
         for (first, block, columns) in &mut self.designs {
             let end = *first + self.study.blocks[*block].raw_len();
-            if (*first..end).contains(&number) {
-                for (column, metric) in columns.iter_mut().zip(&self.study.metrics) {
-                    column.push(outcome.metrics[*metric]);
-                }
+            let of_design = (done.first..).take(done.len());
+            let of_design = of_design.map(|number| (*first..end).contains(&number));
+            for (column, metric) in columns.iter_mut().zip(&self.study.metrics) {
+                let rows = done.found.column(*metric).zip(of_design.clone());
+                column.extend(rows.filter_map(|(value, of_design)| of_design.then_some(value)));
             }
         }
     }

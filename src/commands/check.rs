@@ -19,8 +19,7 @@ pub fn check(sources: &[Source]) -> Result<u8, Error> {
         let bar = progress::bar(&source.name, source.study.len());
         let (mut verdicts, mut unsolved) = (Vec::new(), Vec::new());
         batch::run(&source.study, &bar, &Wishes::METRICS, |done| {
-            let outcomes = (done.first..).zip(done.outcomes);
-            for (number, outcome) in outcomes {
+            for (number, outcome) in done.outcomes(source.study.problem) {
                 checks::judge(&source.study, number, &outcome, &mut verdicts);
                 if outcome.failure.is_some() {
                     unsolved.push((number, outcome));

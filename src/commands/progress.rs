@@ -2,7 +2,7 @@
 
 use super::note;
 use indicatif::{ProgressBar, ProgressStyle};
-use slipgap::batch::chunk::Done;
+use slipgap::batch::Done;
 use std::io::{IsTerminal, stderr};
 
 /// Most reasons that one line gives.
@@ -60,7 +60,7 @@ impl Tally {
     pub fn add(&mut self, done: &Done) {
         let why = match &done.kept {
             Ok(()) => {
-                self.kept += done.outcomes.len() as u64;
+                self.kept += done.len() as u64;
                 return;
             }
             Err(None) => "not in the store yet".to_owned(),

@@ -56,7 +56,7 @@ fn section<'a>(
     let (mut outcomes, mut cases) = (Vec::new(), 0);
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
-        for (number, outcome) in (done.first..).zip(done.outcomes) {
+        for (number, outcome) in done.outcomes(study.problem) {
             cases += 1;
             checks::judge(study, number, &outcome, &mut verdicts);
             if outcomes.len() < MOST_ROWS {

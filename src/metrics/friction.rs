@@ -56,6 +56,16 @@ impl Sampled {
             rests: reached(duration, exact.rest_time()),
         }
     }
+
+    /// Number of steps, N + 1.
+    pub fn len(&self) -> usize {
+        self.at.len()
+    }
+
+    /// Whether there is none; there always is one.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
 }
 
 /// The metrics in the order of the problem's table, for each lane; `None` where one is undefined.

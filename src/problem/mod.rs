@@ -1,5 +1,7 @@
 //! Problems: the one place where a case's parameters become structure, law, exact solution and metrics.
 
+pub mod cases;
+pub mod found;
 pub mod friction;
 pub mod impact;
 pub mod parameter;
@@ -7,6 +9,8 @@ pub mod sweep;
 
 use crate::history::History;
 use crate::metrics::steps;
+use cases::Cases;
+use found::Found;
 use parameter::{Parameter, Value};
 
 /// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
@@ -217,8 +221,9 @@ pub trait Problem: Sync + std::fmt::Debug {
     ///
     /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
-    /// The default metrics of many completed cases, moved side by side: to the bit what `solve` gives each.
-    fn sweep(&self, cases: &[&Case]) -> Vec<sweep::Metrics>;
+    /// The default metrics of the completed cases in these rows, in their order, moved side by side: to the bit what
+    /// `solve` gives each.
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> Found;
     /// The same by the papers' element matrices, each step solved once and not to the end: the other reading of the
     /// papers, for the ledger of claims.
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
@@ -234,6 +239,10 @@ pub static PROBLEMS: [&dyn Problem; 2] = [&friction::FrictionOscillator, &impact
 pub fn find(name: &str) -> Option<&'static dyn Problem> {
     PROBLEMS.iter().copied().find(|p| p.name() == name)
 }
+
+const NOT_GIVEN: &str = "a parameter is not given";
+
+const OUT_OF_RANGE: &str = "the motion leaves the range of double precision";
 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.
 pub const MOST_STEPS: u64 = 30_000_000;

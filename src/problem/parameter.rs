@@ -123,6 +123,15 @@ impl Value {
         }
     }
 
+    /// What tells a value from others of its parameter: all bits of a number, or a name.
+    pub fn identity(self) -> (u64, &'static str) {
+        match self {
+            Value::Number(x) => (x.to_bits(), ""),
+            Value::Whole(n) => (n, ""),
+            Value::Name(name) => (0, name),
+        }
+    }
+
     /// Whether two values are the same: numbers within 1e-12 relative, names to the letter.
     pub fn matches(self, other: Value) -> bool {
         match (self.as_f64(), other.as_f64()) {

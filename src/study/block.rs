@@ -87,15 +87,19 @@ impl Block {
 
     /// Combination `raw` with what it leaves out at its default, but before `Problem::complete`.
     pub(super) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
+        let mut case = Case::new(problem.parameters());
+        self.put(problem, raw, &mut case);
+        case
+    }
+
+    /// The same in place of another case.
+    pub(super) fn put(&self, problem: &dyn Problem, raw: u64, case: &mut Case) {
         let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
-            let mut case = Case::new(problem.parameters());
-            self.fill(&mut case, &self.digits(raw), self.derived.len());
-            return case;
+            case.values.fill(None);
+            self.fill(case, &self.digits(raw), self.derived.len());
+            return;
         };
-        let mut case = Case {
-            table: problem.parameters(),
-            values: shared.values.clone(),
-        };
+        case.values.copy_from_slice(&shared.values);
         let mut rest = raw;
         for group in shared
             .varying
@@ -108,7 +112,6 @@ impl Block {
             }
             rest /= group.len();
         }
-        case
     }
 
     /// What all combinations share; `None` where expressions or names that bring other parameters take part.

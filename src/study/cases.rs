@@ -1,8 +1,10 @@
 //! Cases of a study, and which of them a filter chooses.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use super::{Block, Filter, Group, Study};
+use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
 
@@ -95,17 +97,8 @@ impl Group {
 pub(super) fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
     let mut seen = HashSet::new();
     values
-        .filter(|value| seen.insert(identity(*value)))
+        .filter(|value| seen.insert(value.identity()))
         .collect()
-}
-
-/// What tells a value from others of its parameter: all bits of a number, or a name.
-pub(super) fn identity(value: Value) -> (u64, &'static str) {
-    match value {
-        Value::Number(x) => (x.to_bits(), ""),
-        Value::Whole(n) => (n, ""),
-        Value::Name(name) => (0, name),
-    }
 }
 
 impl Filter {
@@ -166,22 +159,41 @@ impl Study {
 
     /// The cases among raw combinations `from..to`, with their numbers, made as they are asked for.
     pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
+        self.stretches(from, to).flat_map(|(block, raws, number)| {
+            let raws = raws.filter(|raw| block.keeps(self.problem, *raw));
+            (number..).zip(raws.map(|raw| block.completed(self.problem, raw)))
+        })
+    }
+
+    /// The same as columns, with the number of the first.
+    pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
+        let mut cases = Cases::new(self.problem.parameters());
+        let (mut case, mut first) = (Case::new(self.problem.parameters()), None);
+        for (block, raws, number) in self.stretches(from, to) {
+            first.get_or_insert(number);
+            for raw in raws.filter(|raw| block.keeps(self.problem, *raw)) {
+                block.put(self.problem, raw, &mut case);
+                // What it may violate was reported when the study was read.
+                let _ = block.complete(self.problem, &mut case);
+                cases.push(&case);
+            }
+        }
+        (first.unwrap_or(0), cases)
+    }
+
+    /// What of raw combinations `from..to` lies in each block, by its own count, and the number of the first case there.
+    fn stretches(&self, from: u64, to: u64) -> impl Iterator<Item = (&Block, Range<u64>, u64)> {
         let (mut start, mut cases) = (0, 0);
-        self.blocks.iter().flat_map(move |block| {
+        self.blocks.iter().filter_map(move |block| {
             let (first, before) = (start, cases);
             start += block.raw_len();
-            let from = from.clamp(first, start) - first;
-            let to = to.clamp(first, start) - first;
-            let number = if from < to {
-                before + block.rank(self.problem, from)
-            } else {
-                0
-            };
-            if start < self.raw_len() {
+            let raws = from.clamp(first, start) - first..to.clamp(first, start) - first;
+            // The last block's cases need not be counted.
+            if start < to {
                 cases += block.len(self.problem);
             }
-            let raws = (from..to).filter(|raw| block.keeps(self.problem, *raw));
-            (number..).zip(raws.map(|raw| block.completed(self.problem, raw)))
+            let number = (!raws.is_empty()).then(|| before + block.rank(self.problem, raws.start));
+            number.map(|number| (block, raws, number))
         })
     }
 

@@ -4,7 +4,7 @@ use super::parameters::Draft;
 use super::report::Faults;
 use super::{Axis, Block, Group, Study};
 use crate::problem::parameter::Value;
-use crate::problem::{Case, Problem};
+use crate::problem::{Case, Problem, Violation};
 
 /// Most raw combinations of a study, where nobody says otherwise.
 pub const MOST_CASES: u64 = 1_000_000_000;
@@ -55,6 +55,16 @@ pub(super) fn count(
 
 /// Reports every rule of the problem that a case of the block breaks, at the value it names.
 pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults: &mut Faults) {
+    // Axes apart from each other: there the ends say whether anything breaks a rule.
+    let alone = |group: &Group| group.axes.len() == 1;
+    let apart = block.derived.is_empty() && block.when.is_none() && block.groups.iter().all(alone);
+    if apart
+        && broken(problem, draft, &sieved(block, &ends(block)))
+            .next()
+            .is_none()
+    {
+        return;
+    }
     let places = if block.raw_len() <= MOST_CHECKED {
         every(block)
     } else {
@@ -64,15 +74,8 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults:
     let sieved = sieved(block, &places);
     let groups = draft.groups();
     let mut told = std::collections::HashSet::new();
-    for index in 0..sieved.raw_len().min(MOST_CHECKED) {
-        if !sieved.keeps(problem, index) {
-            continue;
-        }
-        let mut case = sieved.raw_case(problem, index);
-        for row in &draft.faulty {
-            case.values[*row] = None;
-        }
-        for violation in sieved.complete(problem, &mut case) {
+    for (index, violations) in broken(problem, draft, &sieved) {
+        for violation in violations {
             let row = problem
                 .parameters()
                 .iter()
@@ -108,6 +111,25 @@ pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults:
             return;
         }
     }
+}
+
+/// The cases of a block that break rules.
+fn broken(
+    problem: &dyn Problem,
+    draft: &Draft,
+    block: &Block,
+) -> impl Iterator<Item = (u64, Vec<Violation>)> {
+    let mut case = Case::new(problem.parameters());
+    let cases = 0..block.raw_len().min(MOST_CHECKED);
+    let kept = cases.filter(|index| block.keeps(problem, *index));
+    let violations = kept.map(move |index| {
+        block.put(problem, index, &mut case);
+        for row in &draft.faulty {
+            case.values[*row] = None;
+        }
+        (index, block.complete(problem, &mut case))
+    });
+    violations.filter(|(_, violations)| !violations.is_empty())
 }
 
 impl Study {

@@ -4,6 +4,8 @@ use super::cases::select;
 use super::parameters::{Draft, parameters};
 use super::report::Faults;
 use super::{Axis, Block, Filter, Group, rules, tree};
+use crate::problem::cases::Cases;
+use crate::problem::found::Found;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
 
@@ -64,8 +66,8 @@ impl Problem for Bars {
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         self.solve(case, wanted)
     }
-    fn sweep(&self, _: &[&Case]) -> Vec<crate::problem::sweep::Metrics> {
-        Vec::new()
+    fn sweep(&self, _: &Cases, _: &[u32]) -> Found {
+        Found::default()
     }
     fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
         None

@@ -3,22 +3,28 @@
 //! `part-00000012-<checksum>.parquet` is written under another name and renamed, so that it is there whole or not at all;
 //! what is damaged later shows by its sum. Any tool that reads Parquet reads the folder as one table.
 
-mod part;
+mod reading;
+mod writing;
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::chunk::{Cut, Done, Key, checksum};
+use super::chunk::{Cut, Key, checksum};
 use super::whole::whole;
-use crate::batch::Outcome;
 use crate::compare::Rows;
 use crate::error::Error;
-use crate::problem::Case;
+use crate::problem::cases::Cases;
+use crate::problem::found::Found;
 use crate::study::Study;
+use parquet::errors::ParquetError;
 
 /// Name of the store in a folder of results.
 pub const STORE: &str = "store";
+
+/// Column of the reason why a case could not be solved.
+const FAILURE: &str = "failure";
 
 /// Held by the run that writes.
 const LOCK: &str = "lock";
@@ -75,63 +81,50 @@ impl Store {
         self.parts.is_empty()
     }
 
-    /// The outcomes of a chunk, if they are there whole and nothing has changed; else why not, if something is there.
+    /// What was found of a chunk, if it is there whole and nothing has changed; else why not, if something is there.
     pub fn find(
         &self,
         study: &Study,
         chunk: u64,
         key: &Key,
-        cases: &[(u64, Case)],
-    ) -> Result<Vec<Outcome>, Option<String>> {
+        cases: usize,
+    ) -> Result<Found, Option<String>> {
         let mut why = None;
         for path in self.parts.get(&chunk).into_iter().flatten() {
             let damaged = || Some(format!("{} is damaged", path.display()));
             let whole = fs::read(path)
                 .ok()
                 .filter(|bytes| named(path).is_some_and(|(_, sum)| checksum(bytes) == sum));
-            let Some((kept, rows)) = whole.and_then(|bytes| part::read(study, bytes).ok()) else {
+            let Some((kept, found)) = whole.and_then(|bytes| reading::read(study, bytes).ok())
+            else {
                 why = damaged();
                 continue;
             };
             match key.change(&kept) {
                 Some(change) => why = why.or(Some(change.to_owned())),
-                None if rows.len() == cases.len() => {
-                    let cases = cases.iter().map(|(_, case)| case.clone());
-                    let outcome = |(case, (metrics, failure))| Outcome {
-                        case,
-                        metrics,
-                        solution: None,
-                        failure,
-                    };
-                    return Ok(cases.zip(rows).map(outcome).collect());
-                }
+                None if found.len() == cases => return Ok(found),
                 None => why = damaged(),
             }
         }
         Err(why)
     }
 
-    /// Keeps the outcomes of a chunk, in place of what was there.
+    /// Keeps what was found of a chunk, in place of what was there.
     pub fn put(
         &self,
         study: &Study,
         chunk: u64,
         key: &Key,
-        first: u64,
-        outcomes: &[Outcome],
+        cases: (u64, &Cases),
+        found: &Found,
     ) -> Result<(), Error> {
-        let bytes = part::written(study, key, first, outcomes)
+        let bytes = writing::written(study, key, cases, found)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
         let path = self
             .folder
             .join(format!("part-{chunk:08}-{}.parquet", checksum(&bytes)));
-        whole(&path, |out| {
-            use std::io::Write;
-            out.write_all(&bytes)?;
-            out.flush()?;
-            // It may be needed after a power cut.
-            out.get_ref().sync_data()
-        })?;
+        // Not waited for until it is on the disk: what a power cut takes away shows by its sum.
+        whole(&path, |out| out.write_all(&bytes))?;
         for old in self
             .parts
             .get(&chunk)
@@ -175,7 +168,7 @@ pub fn rows(results: &Path) -> Result<Rows, Error> {
         if !good {
             return Err(damaged());
         }
-        part::text(bytes, &mut rows).map_err(|_| damaged())?;
+        reading::text(bytes, &mut rows).map_err(|_| damaged())?;
     }
     Ok(rows)
 }
@@ -188,13 +181,6 @@ fn named(path: &Path) -> Option<(u64, String)> {
     Some((chunk.parse().ok()?, sum.to_owned()))
 }
 
-impl Done {
-    /// Outcomes from the store.
-    pub(super) fn kept(first: u64, outcomes: Vec<Outcome>) -> Done {
-        Done {
-            outcomes,
-            first,
-            kept: Ok(()),
-        }
-    }
+fn general(what: &str) -> ParquetError {
+    ParquetError::General(what.into())
 }

@@ -62,14 +62,9 @@ impl<const L: usize> Track<L> {
         ]
     }
 
-    /// One lane alone, its steps 0..=`last`.
-    pub fn lane(&self, l: usize, last: u64) -> Track<1> {
-        let alone = |of: &[Lane<L>]| {
-            of.iter()
-                .take(last as usize + 1)
-                .map(|x| Lane([x.0[l]]))
-                .collect()
-        };
+    /// The first `len` steps of one lane.
+    pub fn lane(&self, l: usize, len: usize) -> Track<1> {
+        let alone = |of: &[Lane<L>]| of[..len].iter().map(|x| Lane([x.0[l]])).collect();
         Track {
             displacement: alone(&self.displacement),
             velocity: alone(&self.velocity),

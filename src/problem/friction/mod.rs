@@ -6,8 +6,11 @@ mod sweep;
 mod tables;
 
 use super::parameter::Parameter;
-use super::sweep::{Metrics, split};
-use super::{Budget, Case, Metric, Problem, Quantity, Solution, Violation, time_rules};
+use super::sweep::sweep;
+use super::{
+    Budget, Case, Cases, Found, Metric, NOT_GIVEN, OUT_OF_RANGE, Problem, Quantity, Solution,
+    Violation, time_rules,
+};
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
@@ -94,10 +97,8 @@ impl Problem for FrictionOscillator {
         self.judged(case, &given, computed, run::work(&[given], &end), wanted)
     }
 
-    fn sweep(&self, cases: &[&Case]) -> Vec<Metrics> {
-        let given = |case: &Case| Given::of(case, self.steps(case));
-        let alone = |case: &Case| Ok(self.solve(case, &[])?.metrics);
-        split(cases, given, sweep::metrics, alone)
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> Found {
+        sweep(self, cases, rows, |case| Given::of(case, self.steps(case)))
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
@@ -148,10 +149,6 @@ impl FrictionOscillator {
         })
     }
 }
-
-const NOT_GIVEN: &str = "a parameter is not given";
-
-const OUT_OF_RANGE: &str = "the motion leaves the range of double precision";
 
 /// The case's own model in continuous time, between the exact solution and the computed one; `None` where the run is
 /// too long for it.

@@ -1,19 +1,28 @@
 //! Default metrics of many cases, side by side.
 
-use super::OUT_OF_RANGE;
 use super::run::{Given, Laws, Model, Oscillators, start, work};
-use super::tables::METRICS;
 use crate::lane::Lane;
 use crate::law::{DisplacementControl, Law, VelocityControl};
 use crate::metrics::friction::{COUNT, Sampled, evaluate};
-use crate::problem::sweep::{Beside, EXACT, Metrics, row, runs, sweep};
+use crate::problem::sweep::{Beside, DECIDE};
 use crate::stepper::Contact;
 use multiversion::multiversion;
 
 /// Cases side by side: as many as keep the adders busy while each waits for its own last result.
 pub const LANES: usize = 32;
 
-impl Beside for Given {
+/// Displacements of a group, step by step, and the work of friction at the end.
+#[derive(Debug, Default)]
+pub struct Motion {
+    x: Vec<Lane<LANES>>,
+    work: Lane<LANES>,
+}
+
+impl Beside<LANES> for Given {
+    type Exact = Sampled;
+    type Track = Motion;
+    type Row = [Option<f64>; COUNT];
+
     fn kind(&self) -> u64 {
         match self.model {
             Model::Displacement { .. } => 0,
@@ -25,61 +34,31 @@ impl Beside for Given {
         self.last
     }
 
-    fn exact(&self) -> [u64; EXACT] {
-        let decides = [self.x0, self.step, self.duration, 0.0, 0.0];
-        decides.map(f64::to_bits)
+    fn decides(&self) -> [f64; DECIDE] {
+        [self.x0, self.step, self.duration, 0.0, 0.0]
     }
-}
 
-/// What is used from group to group.
-#[derive(Debug, Default)]
-struct Desk {
-    x: Vec<Lane<LANES>>,
-    exact: Option<([u64; EXACT], Sampled)>,
-}
+    fn exact(&self) -> Sampled {
+        self.exact_at_steps()
+    }
 
-/// The metrics of each case, in their order, to the bit as each alone has them.
-pub fn metrics(cases: &[Given]) -> Vec<Metrics> {
-    let mut found = vec![Ok(Vec::new()); cases.len()];
-    let mut desk = Desk::default();
-    sweep::<LANES, _>(cases, |lanes, numbers| {
-        group(&mut desk, lanes, numbers, &mut found);
-    });
-    found
-}
+    fn moved(lanes: &[Given; LANES], track: &mut Motion) -> [bool; LANES] {
+        let longest = lanes.iter().map(|case| case.last).max().unwrap_or(0) as usize;
+        track.x.resize(longest + 1, Lane::splat(0.0));
+        let ends = moved(lanes, &mut track.x);
+        track.work = work(lanes, &ends);
+        ends.finite()
+    }
 
-/// The metrics of a group.
-fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [Metrics]) {
-    let longest = lanes.iter().map(|case| case.last).max().unwrap_or(0) as usize;
-    desk.x.resize(longest + 1, Lane::splat(0.0));
-    let x = &mut desk.x[..=longest];
-    let ends = moved(lanes, x);
-    let works = work(lanes, &ends);
-    for (range, together) in runs(lanes, numbers.len()) {
-        let first = &lanes[range.start];
-        let key = first.exact();
-        let exact = match &mut desk.exact {
-            Some((kept, exact)) if *kept == key => exact,
-            other => &mut other.insert((key, first.exact_at_steps())).1,
-        };
-        let steps = &x[..=first.last as usize];
-        let all = if together {
-            judged(steps, works, exact)
-        } else {
-            [[None; COUNT]; LANES]
-        };
-        for l in range {
-            let own = if together {
-                all[l]
-            } else {
-                let steps: Vec<_> = steps.iter().map(|x| Lane([x.0[l]])).collect();
-                evaluate(&steps, Lane([works.0[l]]), exact)[0]
-            };
-            found[numbers[l] as usize] = match ends.lane(l).is_finite() {
-                true => Ok(row(&own, METRICS.len())),
-                false => Err(OUT_OF_RANGE.into()),
-            };
-        }
+    fn judged(track: &Motion, exact: &Sampled) -> [Self::Row; LANES] {
+        judged(&track.x[..exact.len()], track.work, exact)
+    }
+
+    fn judged_alone(track: &Motion, lane: usize, exact: &Sampled) -> Self::Row {
+        let steps = track.x[..exact.len()].iter();
+        let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
+        let [row] = evaluate(&steps, Lane([track.work.0[lane]]), exact);
+        row
     }
 }
 

@@ -10,8 +10,11 @@ mod sweep;
 mod tables;
 
 use super::parameter::Parameter;
-use super::sweep::{Metrics, split};
-use super::{Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation};
+use super::sweep::sweep;
+use super::{
+    Budget, Case, Cases, Found, Metric, NOT_GIVEN, OUT_OF_RANGE, Problem, Profile, Quantity,
+    Snapshot, Solution, Violation,
+};
 use crate::exact::wave::Wave;
 use crate::history::History;
 use crate::metrics::impact::{Sampled, Track};
@@ -89,10 +92,8 @@ impl Problem for BarImpact {
         judged(&parameters, track, wanted)
     }
 
-    fn sweep(&self, cases: &[&Case]) -> Vec<Metrics> {
-        let given = |case: &Case| Given::of(case);
-        let alone = |case: &Case| Ok(self.solve(case, &[])?.metrics);
-        split(cases, given, sweep::metrics, alone)
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> Found {
+        sweep(self, cases, rows, Given::of)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
@@ -148,10 +149,6 @@ impl Given {
         (wave, sampled)
     }
 }
-
-const NOT_GIVEN: &str = "a parameter is not given";
-
-const OUT_OF_RANGE: &str = "the motion leaves the range of double precision";
 
 /// A computed history beside the exact one, with its metrics.
 fn judged(given: &Given, track: Track<1>, wanted: &[usize]) -> Result<Solution, String> {

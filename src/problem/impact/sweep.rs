@@ -1,12 +1,11 @@
 //! Default metrics of many cases, side by side.
 
+use super::Given;
 use super::run::{note, start, walk};
-use super::tables::METRICS;
-use super::{Given, OUT_OF_RANGE};
 use crate::lane::Lane;
 use crate::law::ImpactSpring;
 use crate::metrics::impact::{COUNT, Sampled, Track, evaluate};
-use crate::problem::sweep::{Beside, EXACT, Metrics, row, runs, sweep};
+use crate::problem::sweep::{Beside, DECIDE};
 use crate::stepper::{Contact, Stepper};
 use multiversion::multiversion;
 use std::ops::Range;
@@ -14,7 +13,11 @@ use std::ops::Range;
 /// Cases side by side: more of them, with all their modes, do not stay near the processor.
 pub const LANES: usize = 16;
 
-impl Beside for Given {
+impl Beside<LANES> for Given {
+    type Exact = Sampled;
+    type Track = Track<LANES>;
+    type Row = [Option<f64>; COUNT];
+
     fn kind(&self) -> u64 {
         let modes = |bar: u32| u64::from(bar) + 1;
         let right = match self.scaled.right {
@@ -28,63 +31,27 @@ impl Beside for Given {
         self.last
     }
 
-    fn exact(&self) -> [u64; EXACT] {
+    fn decides(&self) -> [f64; DECIDE] {
         let bars = self.scaled.bars;
-        let decides = [
-            self.dt,
-            self.duration,
-            bars.gap,
-            bars.impedance_ratio,
-            bars.time_ratio,
-        ];
-        decides.map(f64::to_bits)
+        let (z, theta) = (bars.impedance_ratio, bars.time_ratio);
+        [self.dt, self.duration, bars.gap, z, theta]
     }
-}
 
-/// What is used from group to group.
-#[derive(Debug, Default)]
-struct Desk {
-    track: Track<LANES>,
-    exact: Option<([u64; EXACT], Sampled)>,
-}
+    fn exact(&self) -> Sampled {
+        self.exact_at_steps().1
+    }
 
-/// The metrics of each case, in their order, to the bit as each alone has them.
-pub fn metrics(cases: &[Given]) -> Vec<Metrics> {
-    let mut found = vec![Ok(Vec::new()); cases.len()];
-    let mut desk = Desk::default();
-    sweep::<LANES, _>(cases, |lanes, numbers| {
-        group(&mut desk, lanes, numbers, &mut found);
-    });
-    found
-}
+    fn moved(lanes: &[Given; LANES], track: &mut Track<LANES>) -> [bool; LANES] {
+        moved(lanes, track).finite()
+    }
 
-/// The metrics of a group.
-fn group(desk: &mut Desk, lanes: &[Given; LANES], numbers: &[u32], found: &mut [Metrics]) {
-    let track = &mut desk.track;
-    let ends = moved(lanes, track);
-    for (range, together) in runs(lanes, numbers.len()) {
-        let first = &lanes[range.start];
-        let key = first.exact();
-        let at_steps = match &mut desk.exact {
-            Some((kept, exact)) if *kept == key => exact,
-            other => &mut other.insert((key, first.exact_at_steps().1)).1,
-        };
-        let all = if together {
-            judged(track, at_steps)
-        } else {
-            [[None; COUNT]; LANES]
-        };
-        for l in range {
-            let own = if together {
-                all[l]
-            } else {
-                evaluate(&track.lane(l, first.last), at_steps)[0]
-            };
-            found[numbers[l] as usize] = match ends.lane(l).is_finite() {
-                true => Ok(row(&own, METRICS.len())),
-                false => Err(OUT_OF_RANGE.into()),
-            };
-        }
+    fn judged(track: &Track<LANES>, exact: &Sampled) -> [Self::Row; LANES] {
+        judged(track, exact)
+    }
+
+    fn judged_alone(track: &Track<LANES>, lane: usize, exact: &Sampled) -> Self::Row {
+        let [row] = evaluate(&track.lane(lane, exact.len()), exact);
+        row
     }
 }
 

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use super::taken::Values;
 use crate::problem::parameter::{Default, Value, shortest};
-use crate::study::cases::identity;
 use crate::study::report::{Faults, join};
 use crate::study::scope::Scope;
 use crate::study::{Figure, FigureKind, Sampling, Scale};
@@ -201,7 +200,7 @@ fn curves(
     let mut steps = 0u64;
     let case = |index| crate::study::cases::case(scope.problem, &scope.blocks, index);
     for case in scope.select(&figure.filter).filter_map(case) {
-        let panel = panels.and_then(|row| case.values[row]).map(identity);
+        let panel = panels.and_then(|row| case.values[row]).map(Value::identity);
         let count = counts.entry(panel).or_default();
         *count += 1;
         steps = steps.saturating_add(scope.problem.steps(&case));

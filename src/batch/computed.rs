@@ -1,0 +1,91 @@
+//! Cases that have to be computed: side by side where they can be, else one at a time.
+
+use super::Wishes;
+use super::done::Solutions;
+use crate::error::Error;
+use crate::problem::cases::Cases;
+use crate::problem::found::Found;
+use crate::problem::{Case, Solution};
+use crate::study::Study;
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+
+/// Cases that move side by side on one of several threads.
+const SLICE: usize = 4096;
+
+/// What a chunk comes to, and the histories that are kept of it.
+pub(super) fn computed(
+    study: &Study,
+    first: u64,
+    cases: &Cases,
+    bar: &ProgressBar,
+    wishes: &Wishes,
+) -> Result<(Found, Solutions), Error> {
+    let table = study.problem.metrics();
+    // Histories, budgets and the papers' own iteration are for one case at a time.
+    let beside = wishes.visit.is_none()
+        && !study.once
+        && study.metrics.iter().all(|row| table[*row].default);
+    let mut shown = cases.shown();
+    let (together, alone): (Vec<u32>, Vec<u32>) =
+        (0..cases.len() as u32).partition(|row| beside && !(wishes.keep)(shown.at(*row as usize)));
+    let size = match rayon::current_num_threads() {
+        1 => cases.len().max(1),
+        _ => SLICE,
+    };
+    let sweep = |rows: &[u32]| {
+        bar.inc(rows.len() as u64);
+        study.problem.sweep(cases, rows)
+    };
+    let swept: Vec<Found> = together.par_chunks(size).map(sweep).collect();
+    let swept = swept.into_iter().reduce(Found::followed_by);
+    if alone.is_empty() {
+        return Ok((swept.unwrap_or_default(), Solutions::new()));
+    }
+    let mut shown = cases.shown();
+    let alone = alone.into_iter().map(|row| row as usize);
+    let alone: Vec<(usize, Case)> = alone.map(|row| (row, shown.at(row).clone())).collect();
+    let solve = |(row, case): &(usize, Case)| {
+        bar.inc(1);
+        solved(study, first + *row as u64, case, wishes).map(|solved| (*row, solved))
+    };
+    let solved: Vec<(usize, Solved)> = alone.par_iter().map(solve).collect::<Result<_, Error>>()?;
+    let (mut found, mut solutions) = (Found::new(cases.len(), table.len()), Solutions::new());
+    for (place, row) in together.into_iter().enumerate() {
+        if let Some(swept) = &swept {
+            found.copy(row as usize, swept, place);
+        }
+    }
+    for (row, (metrics, solution)) in solved {
+        match metrics {
+            Ok(metrics) => found.set(row, Ok(&metrics)),
+            Err(why) => found.set(row, Err(why)),
+        }
+        solutions.extend(solution.map(|solution| (row, solution)));
+    }
+    Ok((found, solutions))
+}
+
+/// The metrics of one case, or why there are none, and its histories where they are kept.
+type Solved = (Result<Vec<Option<f64>>, String>, Option<Box<Solution>>);
+
+/// One case alone, with its histories on the way.
+fn solved(study: &Study, number: u64, case: &Case, wishes: &Wishes) -> Result<Solved, Error> {
+    let solution = match solution(study, case) {
+        Ok(solution) => solution,
+        Err(why) => return Ok((Err(why), None)),
+    };
+    if let Some(visit) = wishes.visit {
+        visit(number, &solution)?;
+    }
+    let metrics = solution.metrics.clone();
+    Ok((Ok(metrics), (wishes.keep)(case).then(|| Box::new(solution))))
+}
+
+/// The solution of one case by the study's way of solving.
+pub fn solution(study: &Study, case: &Case) -> Result<Solution, String> {
+    match study.once {
+        true => study.problem.solve_once(case, &study.metrics),
+        false => study.problem.solve(case, &study.metrics),
+    }
+}

@@ -1,0 +1,148 @@
+//! Many cases, parameter by parameter: what all of them share stands once.
+
+use super::Case;
+use super::parameter::{Parameter, Value};
+
+/// Cases of one problem, as columns.
+#[derive(Debug, Clone)]
+pub struct Cases {
+    table: &'static [Parameter],
+    len: usize,
+    columns: Vec<Column>,
+}
+
+/// The values of one parameter over many cases; `None` where it does not apply.
+#[derive(Debug, Clone)]
+pub enum Column {
+    /// One for all cases.
+    Same(Option<Value>),
+    /// One for each case.
+    Each(Vec<Option<Value>>),
+}
+
+impl Cases {
+    /// No case yet.
+    pub fn new(table: &'static [Parameter]) -> Cases {
+        Cases {
+            table,
+            len: 0,
+            columns: vec![Column::Same(None); table.len()],
+        }
+    }
+
+    /// Adds a case of the same table.
+    pub fn push(&mut self, case: &Case) {
+        for (column, value) in self.columns.iter_mut().zip(&case.values) {
+            match column {
+                Column::Each(values) => values.push(*value),
+                Column::Same(same) if self.len == 0 => *same = *value,
+                Column::Same(same) if identical(*same, *value) => {}
+                Column::Same(same) => {
+                    let mut values = vec![*same; self.len];
+                    values.push(*value);
+                    *column = Column::Each(values);
+                }
+            }
+        }
+        self.len += 1;
+    }
+
+    /// Number of cases.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// One column for each row of the problem's table.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The cases, to be looked at one after the other.
+    pub fn shown(&self) -> Shown<'_> {
+        let mut case = Case::new(self.table);
+        let mut varying = Vec::new();
+        for (row, column) in self.columns.iter().enumerate() {
+            match column {
+                Column::Same(value) => case.values[row] = *value,
+                Column::Each(values) => varying.push((row, &values[..])),
+            }
+        }
+        Shown { case, varying }
+    }
+}
+
+/// Shows one case after the other in the same place.
+#[derive(Debug)]
+pub struct Shown<'a> {
+    case: Case,
+    varying: Vec<(usize, &'a [Option<Value>])>,
+}
+
+impl Shown<'_> {
+    /// Case `index`, from 0.
+    ///
+    /// # Panics
+    /// Where there is none.
+    pub fn at(&mut self, index: usize) -> &Case {
+        for (row, values) in &self.varying {
+            self.case.values[*row] = values[index];
+        }
+        &self.case
+    }
+}
+
+/// Whether two values have all bits in common.
+fn identical(a: Option<Value>, b: Option<Value>) -> bool {
+    match (a, b) {
+        (Some(Value::Number(a)), Some(Value::Number(b))) => a.to_bits() == b.to_bits(),
+        // The table's own names: mostly the same piece of memory.
+        (Some(Value::Name(a)), Some(Value::Name(b))) => std::ptr::eq(a, b) || a == b,
+        (a, b) => a == b,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::PROBLEMS;
+
+    #[test]
+    fn what_is_shown_is_what_was_put_in() {
+        let table = PROBLEMS[0].parameters();
+        let number = |x: f64| Some(Value::Number(x));
+        // One value all along, one that changes late, by the sign of zero alone, and one that comes and goes.
+        let values = |i: usize| {
+            [
+                number(0.1),
+                number(if i < 3 { 0.0 } else { -0.0 }),
+                Some(Value::Whole(7)).filter(|_| i % 2 == 1),
+                Some(Value::Name(if i == 4 { "wall" } else { "bar" })),
+            ]
+        };
+        let mut case = Case::new(table);
+        let mut cases = Cases::new(table);
+        for i in 0..6 {
+            case.values[..4].copy_from_slice(&values(i));
+            cases.push(&case);
+        }
+        let same = |column: &Column| matches!(column, Column::Same(_));
+        let which: Vec<bool> = cases.columns().iter().map(same).collect();
+        assert_eq!(which[..5], [true, false, false, false, true]);
+        let mut shown = cases.shown();
+        for i in [5, 0, 3, 1, 4, 2] {
+            let case = shown.at(i);
+            for (found, wanted) in case.values.iter().zip(values(i)) {
+                assert!(
+                    identical(*found, wanted),
+                    "case {i}: {found:?}, not {wanted:?}"
+                );
+            }
+            assert!(case.values[4..].iter().all(Option::is_none));
+        }
+    }
+}

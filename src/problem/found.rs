@@ -1,0 +1,103 @@
+//! What was found of many cases.
+
+use std::collections::BTreeMap;
+
+/// The metrics of many cases, row by row, and why some have none.
+#[derive(Debug, Clone, Default)]
+pub struct Found {
+    len: usize,
+    width: usize,
+    /// Not a number where one is undefined: half the memory of an option.
+    metrics: Vec<f64>,
+    failures: BTreeMap<usize, String>,
+}
+
+impl Found {
+    /// `len` cases without metrics yet, of which there will be the first `width` of the problem's table.
+    pub fn new(len: usize, width: usize) -> Found {
+        Found {
+            len,
+            width,
+            metrics: vec![f64::NAN; len * width],
+            failures: BTreeMap::new(),
+        }
+    }
+
+    /// Number of cases.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The metrics of a case, the first of the problem's table; those beyond were not asked for.
+    pub fn row(&self, case: usize) -> impl Iterator<Item = Option<f64>> + '_ {
+        let row = &self.metrics[case * self.width..(case + 1) * self.width];
+        row.iter().map(|x| defined(*x))
+    }
+
+    /// A metric of every case; `None` where one is undefined.
+    pub fn column(&self, metric: usize) -> impl Iterator<Item = Option<f64>> + '_ {
+        let (inside, width) = (metric < self.width, self.width);
+        let cell = move |case: usize| match inside {
+            true => defined(self.metrics[case * width + metric]),
+            false => None,
+        };
+        (0..self.len).map(cell)
+    }
+
+    /// Why a case could not be solved, if so.
+    pub fn failure(&self, case: usize) -> Option<&str> {
+        self.failures.get(&case).map(String::as_str)
+    }
+
+    /// The cases that could not be solved, rising, and why.
+    pub fn failures(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.failures
+            .iter()
+            .map(|(case, why)| (*case, why.as_str()))
+    }
+
+    /// Puts in what was found of a case: as many metrics as there are in a row, or fewer.
+    pub fn set(&mut self, case: usize, metrics: Result<&[Option<f64>], String>) {
+        match metrics {
+            Ok(metrics) => {
+                for (x, metric) in self.metrics[case * self.width..].iter_mut().zip(metrics) {
+                    *x = metric.unwrap_or(f64::NAN);
+                }
+            }
+            Err(why) => {
+                self.failures.insert(case, why);
+            }
+        }
+    }
+
+    /// Puts in a case of another table, at most as wide.
+    pub fn copy(&mut self, case: usize, other: &Found, from: usize) {
+        let (to, row) = (
+            case * self.width,
+            from * other.width..(from + 1) * other.width,
+        );
+        self.metrics[to..to + other.width].copy_from_slice(&other.metrics[row]);
+        if let Some(why) = other.failure(from) {
+            self.failures.insert(case, why.to_owned());
+        }
+    }
+
+    /// This table and another of the same width below it.
+    pub fn followed_by(mut self, below: Found) -> Found {
+        let moved = below.failures.into_iter();
+        self.failures
+            .extend(moved.map(|(case, why)| (self.len + case, why)));
+        self.metrics.extend(below.metrics);
+        self.len += below.len;
+        self
+    }
+}
+
+fn defined(x: f64) -> Option<f64> {
+    (!x.is_nan()).then_some(x)
+}
