@@ -36,7 +36,7 @@ impl Cases {
             match column {
                 Column::Each(values) => values.push(*value),
                 Column::Same(same) if self.len == 0 => *same = *value,
-                Column::Same(same) if identical(*same, *value) => {}
+                Column::Same(same) if Value::identical(*same, *value) => {}
                 Column::Same(same) => {
                     let mut values = vec![*same; self.len];
                     values.push(*value);
@@ -96,16 +96,6 @@ impl Shown<'_> {
     }
 }
 
-/// Whether two values have all bits in common.
-fn identical(a: Option<Value>, b: Option<Value>) -> bool {
-    match (a, b) {
-        (Some(Value::Number(a)), Some(Value::Number(b))) => a.to_bits() == b.to_bits(),
-        // The table's own names: mostly the same piece of memory.
-        (Some(Value::Name(a)), Some(Value::Name(b))) => std::ptr::eq(a, b) || a == b,
-        (a, b) => a == b,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,7 +128,7 @@ mod tests {
             let case = shown.at(i);
             for (found, wanted) in case.values.iter().zip(values(i)) {
                 assert!(
-                    identical(*found, wanted),
+                    Value::identical(*found, wanted),
                     "case {i}: {found:?}, not {wanted:?}"
                 );
             }

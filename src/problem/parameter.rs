@@ -132,6 +132,16 @@ impl Value {
         }
     }
 
+    /// Whether two values, or their lack, are the same in all bits.
+    pub fn identical(a: Option<Value>, b: Option<Value>) -> bool {
+        match (a, b) {
+            (Some(Value::Number(a)), Some(Value::Number(b))) => a.to_bits() == b.to_bits(),
+            // The table's own names: mostly the same piece of memory.
+            (Some(Value::Name(a)), Some(Value::Name(b))) => std::ptr::eq(a, b) || a == b,
+            (a, b) => a == b,
+        }
+    }
+
     /// Whether two values are the same: numbers within 1e-12 relative, names to the letter.
     pub fn matches(self, other: Value) -> bool {
         match (self.as_f64(), other.as_f64()) {

@@ -4,6 +4,7 @@
 //! what is damaged later shows by its sum. Any tool that reads Parquet reads the folder as one table.
 
 mod reading;
+mod uniform;
 mod writing;
 
 use std::collections::BTreeMap;
@@ -19,6 +20,7 @@ use crate::problem::cases::Cases;
 use crate::problem::found::Found;
 use crate::study::Study;
 use parquet::errors::ParquetError;
+use uniform::Uniform;
 
 /// Name of the store in a folder of results.
 pub const STORE: &str = "store";
@@ -35,6 +37,7 @@ pub struct Store {
     folder: PathBuf,
     /// Parts by the number of their chunk.
     parts: BTreeMap<u64, Vec<PathBuf>>,
+    uniform: Uniform,
     _lock: File,
 }
 
@@ -67,6 +70,7 @@ impl Store {
         Ok(Store {
             folder,
             parts,
+            uniform: Uniform::default(),
             _lock: lock,
         })
     }
@@ -118,7 +122,7 @@ impl Store {
         cases: (u64, &Cases),
         found: &Found,
     ) -> Result<(), Error> {
-        let bytes = writing::written(study, key, cases, found)
+        let bytes = writing::written(study, key, cases, found, &self.uniform)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
         let path = self
             .folder

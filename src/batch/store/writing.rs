@@ -1,17 +1,22 @@
 //! One chunk as a Parquet file: `case`, the parameters, the metrics, and `failure` where a case could not be solved.
 
+use std::iter::repeat_n;
 use std::sync::Arc;
 
 use bytes::Bytes;
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical};
+use parquet::column::writer::{ColumnWriter, get_column_writer, get_typed_column_writer_mut};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::{EnabledStatistics, WriterProperties};
-use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
-use parquet::schema::types::{ColumnPath, Type};
+use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
+use parquet::file::writer::{
+    SerializedFileWriter, SerializedPageWriter, SerializedRowGroupWriter, TrackedWrite,
+};
+use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
 use serde_json::json;
 
+use super::uniform::{Made, Uniform};
 use super::{FAILURE, general};
 use crate::batch::chunk::Key;
 use crate::problem::cases::{Cases, Column};
@@ -28,26 +33,41 @@ pub fn written(
     key: &Key,
     (first, cases): (u64, &Cases),
     found: &Found,
+    uniform: &Uniform,
 ) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let (schema, properties) = (Arc::new(schema(study)?), Arc::new(properties(study, key)));
-    let mut file = SerializedFileWriter::new(&mut bytes, schema, properties)?;
+    let mut file = SerializedFileWriter::new(&mut bytes, schema, properties.clone())?;
+    let columns = file.schema_descr().columns().to_vec();
     let mut rows = file.next_row_group()?;
     let len = cases.len();
     let numbers = (first..).take(len).map(|number| Some(number as i64));
-    put::<Int64Type>(&mut rows, cells(len, numbers))?;
-    for (column, parameter) in cases.columns().iter().zip(study.problem.parameters()) {
-        match parameter.kind {
-            Kind::Number(_) => put::<DoubleType>(&mut rows, given(column, len, Value::as_f64)),
-            Kind::Whole { .. } => put::<Int64Type>(&mut rows, given(column, len, whole)),
-            Kind::Choice(_) => put::<ByteArrayType>(&mut rows, given(column, len, name)),
-        }?;
+    put(&mut rows, |writer| fill::<Int64Type>(writer, len, numbers))?;
+    let given = cases.columns().iter().zip(study.problem.parameters());
+    for (place, (column, parameter)) in (1..).zip(given) {
+        match column {
+            Column::Each(values) => put(&mut rows, |writer| {
+                parameters(writer, parameter.kind, len, values.iter().copied())
+            })?,
+            Column::Same(value) => {
+                let made = uniform.column(place, *value, len, || {
+                    alone(&columns[place], &properties, |writer| {
+                        parameters(writer, parameter.kind, len, repeat_n(*value, len))
+                    })
+                })?;
+                rows.append_column(&made.0, made.1)?;
+            }
+        }
     }
     for &metric in &study.metrics {
-        put::<DoubleType>(&mut rows, cells(len, found.column(metric)))?;
+        let values = found.column(metric);
+        put(&mut rows, |writer| fill::<DoubleType>(writer, len, values))?;
     }
     let why = |case| Some(ByteArray::from(found.failure(case)?));
-    put::<ByteArrayType>(&mut rows, cells(len, (0..len).map(why)))?;
+    let reasons = (0..len).map(why);
+    put(&mut rows, |writer| {
+        fill::<ByteArrayType>(writer, len, reasons)
+    })?;
     rows.close()?;
     file.close()?;
     Ok(bytes)
@@ -76,40 +96,59 @@ fn properties(study: &Study, key: &Key) -> WriterProperties {
     properties.build()
 }
 
-/// The values of a column that are there, and for each row whether it has one.
-type Cells<T> = (Vec<T>, Vec<i16>);
-
-/// A column of parameters as cells of the type `T`.
-fn given<T: Clone>(column: &Column, len: usize, of: impl Fn(Value) -> Option<T>) -> Cells<T> {
-    match column {
-        Column::Each(values) => cells(len, values.iter().map(|value| value.and_then(&of))),
-        Column::Same(value) => match value.and_then(of) {
-            Some(value) => (vec![value; len], vec![1; len]),
-            None => (Vec::new(), vec![0; len]),
-        },
-    }
-}
-
-/// `len` cells.
-fn cells<T>(len: usize, of: impl Iterator<Item = Option<T>>) -> Cells<T> {
-    let (mut values, mut levels) = (Vec::with_capacity(len), Vec::with_capacity(len));
-    for cell in of {
-        levels.push(i16::from(cell.is_some()));
-        values.extend(cell);
-    }
-    (values, levels)
-}
-
 /// Writes the next column.
-fn put<D: DataType>(
+fn put(
     rows: &mut SerializedRowGroupWriter<&mut Vec<u8>>,
-    (values, levels): Cells<D::T>,
+    write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
 ) -> Result<()> {
     let next = rows.next_column()?;
     let mut writer = next.ok_or_else(|| general("a column too many"))?;
-    let typed = writer.typed::<D>();
-    typed.write_batch(&values, Some(&levels), None)?;
+    write(writer.untyped())?;
     writer.close()
+}
+
+/// Writes a column by itself, to be put into parts.
+fn alone(
+    column: &ColumnDescPtr,
+    properties: &WriterPropertiesPtr,
+    write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
+) -> Result<Made> {
+    let mut bytes = TrackedWrite::new(Vec::new());
+    let pages = Box::new(SerializedPageWriter::new(&mut bytes));
+    let mut writer = get_column_writer(column.clone(), properties.clone(), pages);
+    write(&mut writer)?;
+    let closed = writer.close()?;
+    Ok((bytes.into_inner()?.into(), closed))
+}
+
+/// Writes values of a parameter of this kind.
+fn parameters(
+    writer: &mut ColumnWriter,
+    kind: Kind,
+    len: usize,
+    values: impl Iterator<Item = Option<Value>>,
+) -> Result<()> {
+    match kind {
+        Kind::Number(_) => fill::<DoubleType>(writer, len, values.map(|v| v?.as_f64())),
+        Kind::Whole { .. } => fill::<Int64Type>(writer, len, values.map(|v| whole(v?))),
+        Kind::Choice(_) => fill::<ByteArrayType>(writer, len, values.map(|v| name(v?))),
+    }
+}
+
+/// Writes `len` cells: the values that are there, and for each row whether it has one.
+fn fill<D: DataType>(
+    writer: &mut ColumnWriter,
+    len: usize,
+    cells: impl Iterator<Item = Option<D::T>>,
+) -> Result<()> {
+    let (mut values, mut levels) = (Vec::with_capacity(len), Vec::with_capacity(len));
+    for cell in cells {
+        levels.push(i16::from(cell.is_some()));
+        values.extend(cell);
+    }
+    let writer = get_typed_column_writer_mut::<D>(writer);
+    writer.write_batch(&values, Some(&levels), None)?;
+    Ok(())
 }
 
 fn whole(value: Value) -> Option<i64> {
