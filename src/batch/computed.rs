@@ -4,7 +4,7 @@ use super::Wishes;
 use super::done::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
+use crate::problem::found::{Found, cells};
 use crate::problem::{Case, Solution};
 use crate::study::Study;
 use indicatif::ProgressBar;
@@ -58,8 +58,8 @@ pub(super) fn computed(
     }
     for (row, (metrics, solution)) in solved {
         match metrics {
-            Ok(metrics) => found.set(row, Ok(&metrics)),
-            Err(why) => found.set(row, Err(why)),
+            Ok(metrics) => found.set(row, cells(&metrics)),
+            Err(why) => found.fail(row, why),
         }
         solutions.extend(solution.map(|solution| (row, solution)));
     }

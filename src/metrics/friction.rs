@@ -2,7 +2,7 @@
 //!
 //! Displacements enter over |x0|, so that no sum of squares overflows before the displacements themselves do.
 
-use super::{first_step, reached};
+use super::{first_step, or_undefined, reached};
 use crate::exact::coulomb::Coulomb;
 use crate::history::History;
 use crate::lane::{Lane, largest, smallest};
@@ -68,15 +68,11 @@ impl Sampled {
     }
 }
 
-/// The metrics in the order of the problem's table, for each lane; `None` where one is undefined.
+/// The metrics in the order of the problem's table, for each lane; not a finite number where one is undefined.
 ///
 /// `work` is that of the friction force over |x0|.
 #[inline(always)]
-pub fn evaluate<const L: usize>(
-    c: &[Lane<L>],
-    work: Lane<L>,
-    exact: &Sampled,
-) -> [[Option<f64>; COUNT]; L] {
+pub fn evaluate<const L: usize>(c: &[Lane<L>], work: Lane<L>, exact: &Sampled) -> [Lane<L>; COUNT] {
     let zero = Lane::splat(0.0);
     let over = 1.0 / exact.scale;
     let (mut squares, mut magnitudes, mut furthest) = (zero, zero, zero);
@@ -98,20 +94,17 @@ pub fn evaluate<const L: usize>(
     let combined = (magnitude * magnitude + phase * phase).map(f64::sqrt);
     let moves = exact.exact.half_cycles() >= 1.0 && exact.rests;
     let lost = exact.exact.work() * over;
-    std::array::from_fn(|l| {
-        [
-            Some(rms.0[l]),
-            Some(furthest.0[l]),
-            peak.map(|p| p.0[l]),
-            exact.rests.then_some(rest.0[l]),
-            residual.map(|r| r.0[l]),
-            moves.then(|| work.0[l] / lost - 1.0),
-            Some(magnitude.0[l]),
-            Some(phase.0[l]),
-            Some(combined.0[l]),
-        ]
-        .map(|value| value.filter(|x: &f64| x.is_finite()))
-    })
+    [
+        rms,
+        furthest,
+        or_undefined(peak),
+        or_undefined(exact.rests.then_some(rest)),
+        or_undefined(residual),
+        or_undefined(moves.then(|| work.map(|work| work / lost - 1.0))),
+        magnitude,
+        phase,
+        combined,
+    ]
 }
 
 /// acos(sum c e/sqrt(sum c^2 sum e^2))/pi from the three sums of squares of c - e, c and e: by the half angle, which
@@ -171,12 +164,12 @@ fn peak_error<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>>
     let mut worst = Lane::splat(0.0);
     for (k, window) in windows.iter().enumerate() {
         let k = k as f64 + 1.0;
-        let steps = &c[window.clone()];
-        let extreme = if exact.exact.side(k) > 0.0 {
-            largest(steps)
-        } else {
-            -smallest(steps)
-        };
+        // One loop for both sides: of two that differ only in the comparison, compilers make a slow one.
+        let side = exact.exact.side(k);
+        let mut extreme = Lane::splat(f64::NEG_INFINITY);
+        for c in &c[window.clone()] {
+            extreme = extreme.larger(*c * side);
+        }
         let error = extreme - Lane::splat(exact.exact.amplitude(k));
         worst = worst.larger(error.map(f64::abs));
     }
@@ -186,13 +179,14 @@ fn peak_error<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>>
 /// Half the range of the motion from T = (m + 1) pi on; undefined where the run ends before.
 #[inline(always)]
 fn residual_motion<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
-    let late = c.get(exact.late.clone())?;
-    (!late.is_empty()).then(|| (largest(late) - smallest(late)) * 0.5)
+    let late = c.get(exact.late.clone()).filter(|late| !late.is_empty())?;
+    Some((largest(late) - smallest(late)) * 0.5)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::metrics::cells;
     use crate::metrics::tests::assert_metrics;
 
     /// Rows at T = i pi/2 with these X and S.
@@ -210,8 +204,8 @@ mod tests {
             c.displacement.iter().map(|x| Lane([*x])),
         );
         let exact = Sampled::new(x0, 0.5 * PI, last, last as f64 * 0.5 * PI);
-        let [metrics] = evaluate(&x.collect::<Vec<_>>(), Lane([work(c, x0.abs())]), &exact);
-        metrics
+        let x: Vec<_> = x.collect();
+        cells(evaluate(&x, Lane([work(c, x0.abs())]), &exact))
     }
 
     #[test]

@@ -3,6 +3,8 @@
 pub mod friction;
 pub mod impact;
 
+use crate::lane::Lane;
+
 /// Relative slack in comparing times and counting steps: 8 pi/(pi/10) is 80 steps, 70 (pi/10) is 7 pi.
 pub const SLACK: f64 = 1e-12;
 
@@ -27,6 +29,17 @@ fn first_step(count: usize, guess: f64, past: impl Fn(usize) -> bool) -> usize {
         step += 1;
     }
     step
+}
+
+/// A metric of lanes in which it is undefined: not a number.
+#[inline(always)]
+fn or_undefined<const L: usize>(metric: Option<Lane<L>>) -> Lane<L> {
+    metric.unwrap_or(Lane::splat(f64::NAN))
+}
+
+/// The metrics of one case; `None` where one is undefined, or beyond all numbers.
+pub fn cells<const N: usize>(metrics: [Lane<1>; N]) -> [Option<f64>; N] {
+    metrics.map(|Lane([x])| Some(x).filter(|x| x.is_finite()))
 }
 
 #[cfg(test)]

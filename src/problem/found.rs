@@ -61,18 +61,18 @@ impl Found {
             .map(|(case, why)| (*case, why.as_str()))
     }
 
-    /// Puts in what was found of a case: as many metrics as there are in a row, or fewer.
-    pub fn set(&mut self, case: usize, metrics: Result<&[Option<f64>], String>) {
-        match metrics {
-            Ok(metrics) => {
-                for (x, metric) in self.metrics[case * self.width..].iter_mut().zip(metrics) {
-                    *x = metric.unwrap_or(f64::NAN);
-                }
-            }
-            Err(why) => {
-                self.failures.insert(case, why);
-            }
+    /// Puts in the metrics of a case: as many as there are in a row, or fewer; those that are not finite are undefined.
+    #[inline]
+    pub fn set(&mut self, case: usize, metrics: impl Iterator<Item = f64>) {
+        let row = &mut self.metrics[case * self.width..(case + 1) * self.width];
+        for (x, metric) in row.iter_mut().zip(metrics) {
+            *x = if metric.is_finite() { metric } else { f64::NAN };
         }
+    }
+
+    /// Says why a case could not be solved.
+    pub fn fail(&mut self, case: usize, why: String) {
+        self.failures.insert(case, why);
     }
 
     /// Puts in a case of another table, at most as wide.
@@ -96,6 +96,11 @@ impl Found {
         self.len += below.len;
         self
     }
+}
+
+/// A row as [`Found::set`] takes it.
+pub fn cells(row: &[Option<f64>]) -> impl Iterator<Item = f64> + '_ {
+    row.iter().map(|metric| metric.unwrap_or(f64::NAN))
 }
 
 fn defined(x: f64) -> Option<f64> {

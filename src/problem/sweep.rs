@@ -1,8 +1,9 @@
 //! Many cases side by side: in which order they fill lanes, and which share their exact solution.
 
 use super::cases::Cases;
-use super::found::Found;
+use super::found::{Found, cells};
 use super::{Case, OUT_OF_RANGE, Problem};
+use crate::lane::Lane;
 use std::ops::Range;
 
 /// A case that can stand beside others, in lanes of `L`.
@@ -11,8 +12,10 @@ pub trait Beside<const L: usize>: Copy {
     type Exact;
     /// What is noted of the steps of all lanes.
     type Track: Default;
-    /// The default metrics of a case.
-    type Row: AsRef<[Option<f64>]>;
+    /// The default metrics of all lanes, one after the other.
+    type Judged: AsRef<[Lane<L>]>;
+    /// Those of one lane.
+    type Alone: AsRef<[Lane<1>]>;
 
     /// What cases that move side by side have in common: law and number of modes.
     fn kind(&self) -> u64;
@@ -25,9 +28,9 @@ pub trait Beside<const L: usize>: Copy {
     /// All steps of a group, noted; for each lane whether its motion stays finite.
     fn moved(lanes: &[Self; L], track: &mut Self::Track) -> [bool; L];
     /// The metrics of all lanes, for cases that have this exact solution.
-    fn judged(track: &Self::Track, exact: &Self::Exact) -> [Self::Row; L];
+    fn judged(track: &Self::Track, exact: &Self::Exact) -> Self::Judged;
     /// The metrics of one lane.
-    fn judged_alone(track: &Self::Track, lane: usize, exact: &Self::Exact) -> Self::Row;
+    fn judged_alone(track: &Self::Track, lane: usize, exact: &Self::Exact) -> Self::Alone;
 }
 
 /// Numbers that decide an exact solution at a run's steps.
@@ -54,8 +57,8 @@ pub fn sweep<const L: usize, G: Beside<L>>(
         match given(case).filter(|case| case.last() <= LONGEST) {
             Some(case) => beside.push((place, case)),
             None => match problem.solve(case, &[]) {
-                Ok(solution) => found.set(place, Ok(&solution.metrics[..])),
-                Err(why) => found.set(place, Err(why)),
+                Ok(solution) => found.set(place, cells(&solution.metrics)),
+                Err(why) => found.fail(place, why),
             },
         }
     }
@@ -67,9 +70,8 @@ pub fn sweep<const L: usize, G: Beside<L>>(
     let mut desk = Desk::default();
     for kind in order.chunk_by(|a, b| a >> KIND == b >> KIND) {
         for group in kind.chunks(L) {
-            // The last group of a kind fills its lanes with its last case.
-            let of_lane = |l: usize| beside[group[l.min(group.len() - 1)] as u32 as usize];
-            desk.group(&std::array::from_fn(of_lane), group.len(), &mut found);
+            let members = group.iter().map(|rank| beside[*rank as u32 as usize]);
+            desk.group::<L, G>(members, &mut found);
         }
     }
     found
@@ -99,7 +101,7 @@ fn rank<const L: usize, G: Beside<L>>(case: &G, index: u32) -> u128 {
 struct Desk<E, T> {
     track: T,
     /// The last exact solution, with what decides it.
-    exact: Option<([u64; DECIDE], E)>,
+    exact: Option<([f64; DECIDE], E)>,
 }
 
 impl<E, T: Default> Default for Desk<E, T> {
@@ -112,44 +114,57 @@ impl<E, T: Default> Default for Desk<E, T> {
 }
 
 impl<E, T> Desk<E, T> {
-    /// Puts in the metrics of a group, of which the first `count` lanes are meant.
-    fn group<const L: usize, G>(&mut self, lanes: &[(usize, G); L], count: usize, found: &mut Found)
-    where
+    /// Puts in the metrics of a group, at most L cases with the places that they have in `found`.
+    // Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+    fn group<const L: usize, G>(
+        &mut self,
+        members: impl ExactSizeIterator<Item = (usize, G)> + Clone,
+        found: &mut Found,
+    ) where
         G: Beside<L, Exact = E, Track = T>,
     {
-        let finite = G::moved(&lanes.map(|(_, case)| case), &mut self.track);
+        let count = members.len();
+        let Some((place, last)) = members.clone().last() else {
+            return;
+        };
+        // The last group of a kind fills its lanes with its last case.
+        let (mut places, mut lanes) = ([place; L], [last; L]);
+        for (l, (place, case)) in members.enumerate() {
+            (places[l], lanes[l]) = (place, case);
+        }
+        let finite = G::moved(&lanes, &mut self.track);
         for range in runs(&lanes[..count]) {
-            let first = &lanes[range.start].1;
-            let key = key(first);
+            let first = &lanes[range.start];
             let exact = match &mut self.exact {
-                Some((kept, exact)) if *kept == key => exact,
-                other => &mut other.insert((key, first.exact())).1,
+                Some((kept, exact)) if same(*kept, first.decides()) => exact,
+                other => &mut other.insert((first.decides(), first.exact())).1,
             };
             let all = (range.len() >= SHARED).then(|| G::judged(&self.track, exact));
             for l in range {
-                let alone = all
-                    .is_none()
-                    .then(|| G::judged_alone(&self.track, l, exact));
-                let row = all.as_ref().map(|all| &all[l]).or(alone.as_ref());
-                let metrics = match row {
-                    Some(row) if finite[l] => Ok(row.as_ref()),
-                    _ => Err(OUT_OF_RANGE.into()),
-                };
-                found.set(lanes[l].0, metrics);
+                let place = places[l];
+                if !finite[l] {
+                    found.fail(place, OUT_OF_RANGE.into());
+                } else if let Some(all) = &all {
+                    found.set(place, all.as_ref().iter().map(|metric| metric.0[l]));
+                } else {
+                    let alone = G::judged_alone(&self.track, l, exact);
+                    found.set(place, alone.as_ref().iter().map(|metric| metric.0[0]));
+                }
             }
         }
     }
 }
 
-fn key<const L: usize, G: Beside<L>>(case: &G) -> [u64; DECIDE] {
-    case.decides().map(f64::to_bits)
+/// Whether numbers are the same in all bits.
+fn same(a: [f64; DECIDE], b: [f64; DECIDE]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
 
 /// The runs of cases with the same steps and exact solution.
-fn runs<const L: usize, G: Beside<L>>(lanes: &[(usize, G)]) -> impl Iterator<Item = Range<usize>> {
+fn runs<const L: usize, G: Beside<L>>(lanes: &[G]) -> impl Iterator<Item = Range<usize>> {
     let mut from = 0;
     lanes
-        .chunk_by(|a, b| a.1.last() == b.1.last() && key(&a.1) == key(&b.1))
+        .chunk_by(|a, b| a.last() == b.last() && same(a.decides(), b.decides()))
         .map(move |run| {
             let range = from..from + run.len();
             from = range.end;

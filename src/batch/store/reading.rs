@@ -8,7 +8,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use super::{FAILURE, general};
 use crate::batch::chunk::Key;
 use crate::compare::Rows;
-use crate::problem::found::Found;
+use crate::problem::found::{Found, cells};
 use crate::problem::parameter::shortest;
 use crate::study::Study;
 
@@ -65,9 +65,9 @@ pub fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Found)> {
         for (metric, column) in &columns {
             row[*metric] = column.get(case).copied().flatten();
         }
-        found.set(case, Ok(&row));
+        found.set(case, cells(&row));
         if let Some(why) = why {
-            found.set(case, Err(why.as_utf8()?.to_owned()));
+            found.fail(case, why.as_utf8()?.to_owned());
         }
     }
     Ok((key, found))

@@ -12,9 +12,12 @@ use crate::problem::parameter::Value;
 /// A column as it stands in a part, and what the part's footer says of it.
 pub type Made = (Bytes, ColumnCloseResult);
 
-/// Of each column the last, with the value and the number of rows that it has.
+/// Of each column the last.
 #[derive(Debug, Default)]
-pub struct Uniform(Mutex<BTreeMap<usize, (Option<Value>, usize, Made)>>);
+pub struct Uniform(Mutex<BTreeMap<usize, Kept>>);
+
+/// The value in all rows, their number, and the column.
+type Kept = (Option<Value>, usize, Made);
 
 impl Uniform {
     /// The column at `place`, `value` in `len` rows.

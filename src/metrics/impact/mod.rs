@@ -8,14 +8,15 @@ pub use budget::budget;
 pub use sampled::Sampled;
 pub use track::{Row, Track};
 
+use super::or_undefined;
 use crate::lane::{Lane, largest, smallest};
 
 /// Number of the metrics here.
 pub const COUNT: usize = 11;
 
-/// The metrics in the order of the problem's table, for each lane; `None` where one is undefined.
+/// The metrics in the order of the problem's table, for each lane; not a finite number where one is undefined.
 #[inline(always)]
-pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [[Option<f64>; COUNT]; L] {
+pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [Lane<L>; COUNT] {
     let zero = Lane::splat(0.0);
     // Beside longer runs a lane has steps that are not its own.
     let steps = ..exact.len();
@@ -35,22 +36,20 @@ pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [[Option<f64>;
     let oscillation = oscillation(rdot, exact);
     let impulse = impulse(force, exact.step);
     let norms = [rms(0, r, exact), rms(1, rdot, exact)];
-    std::array::from_fn(|l| {
-        [
-            contact[l],
-            Some(separations.0[l]),
-            Some(overlap.0[l]),
-            oscillation.map(|o| o.0[l]),
-            Some(peak.0[l]),
-            exact.impulse.map(|e| impulse.0[l] / e - 1.0),
-            Some(c.restitution.0[l]),
-            Some(drift.0[l] / start.0[l]),
-            Some(end.0[l] / start.0[l]),
-            Some(norms[0].0[l]),
-            Some(norms[1].0[l]),
-        ]
-        .map(|value| value.filter(|x: &f64| x.is_finite()))
-    })
+    let of_start = |energy: Lane<L>| energy.zip(start, |energy, start| energy / start);
+    [
+        contact,
+        separations,
+        overlap,
+        or_undefined(oscillation),
+        peak,
+        or_undefined(exact.impulse.map(|e| impulse.map(|i| i / e - 1.0))),
+        c.restitution,
+        of_start(drift),
+        of_start(end),
+        norms[0],
+        norms[1],
+    ]
 }
 
 /// Root of the mean square of c - e over the duration, `of` as in [`Sampled::mean`].
@@ -67,21 +66,26 @@ fn rms<const L: usize>(of: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
     mean.map(f64::sqrt)
 }
 
-/// From the last step before the first overlap to the first step after the last one.
+/// From the last step before the first overlap to the first step after the last one, where both are there.
 #[inline(always)]
-fn contact_duration<const L: usize>(r: &[Lane<L>], step: f64) -> [Option<f64>; L] {
+fn contact_duration<const L: usize>(r: &[Lane<L>], step: f64) -> Lane<L> {
     // Step numbers as numbers: a lane is one comparison a step.
     let mut last = Lane::splat(-1.0);
     for (i, r) in r.iter().enumerate() {
         let i = i as f64;
         last = last.zip(*r, |last, r| if r < 0.0 { i } else { last });
     }
-    std::array::from_fn(|l| {
-        let first = r.iter().position(|r| r.0[l] < 0.0)?;
+    let mut contact = Lane::splat(f64::NAN);
+    for l in 0..L {
+        let first = r.iter().position(|r| r.0[l] < 0.0);
         let after = last.0[l] as usize + 1;
-        let before = first.checked_sub(1)?;
-        (after < r.len()).then_some(after as f64 * step - before as f64 * step)
-    })
+        if let Some(before) = first.and_then(|first| first.checked_sub(1))
+            && after < r.len()
+        {
+            contact.0[l] = after as f64 * step - before as f64 * step;
+        }
+    }
+    contact
 }
 
 /// Openings that close again, both within the steps `r`.
@@ -135,6 +139,7 @@ fn impulse<const L: usize>(force: &[Lane<L>], step: f64) -> Lane<L> {
 mod tests {
     use super::*;
     use crate::exact::wave::{Bars, Wave};
+    use crate::metrics::cells;
     use crate::metrics::tests::assert_metrics;
 
     fn wave(gap: f64, end: f64) -> Wave {
@@ -166,8 +171,10 @@ mod tests {
         };
         let last = rows.len() as u64 - 1;
         let end = last as f64 * 0.25;
-        let [metrics] = evaluate(&track, &Sampled::new(&wave(gap, end), 0.25, last, end));
-        metrics
+        cells(evaluate(
+            &track,
+            &Sampled::new(&wave(gap, end), 0.25, last, end),
+        ))
     }
 
     const ROWS: [(f64, f64, f64); 7] = [
@@ -210,7 +217,7 @@ mod tests {
     #[test]
     fn contact_ends_at_the_first_step_that_touches_without_overlap() {
         let r = [0.0, -0.1, 0.0, 0.0, 0.3].map(|r| Lane([r]));
-        assert_eq!(contact_duration(&r, 0.25), [Some(0.5)]);
+        assert_eq!(contact_duration(&r, 0.25), Lane([0.5]));
     }
 
     #[test]

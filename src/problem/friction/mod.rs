@@ -15,7 +15,7 @@ use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::metrics::{self, steps};
+use crate::metrics::{self, cells, steps};
 use crate::stepper::Contact;
 use run::Given;
 use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES, rows};
@@ -133,7 +133,7 @@ impl FrictionOscillator {
             return Err(OUT_OF_RANGE.into());
         }
         let x: Vec<_> = computed.displacement.iter().map(|x| Lane([*x])).collect();
-        let [own] = metrics::friction::evaluate(&x, work, &given.exact_at_steps());
+        let own = metrics::friction::evaluate(&x, work, &given.exact_at_steps());
         let exact = self.exact(case, &computed.time).ok_or(NOT_GIVEN)?;
         let budget = wanted
             .iter()
@@ -141,7 +141,10 @@ impl FrictionOscillator {
             .then(|| between(case, &computed.time))
             .flatten()
             .map(|between| metrics::friction::budget(given.x0, &computed, &exact, &between));
-        let metrics = own.into_iter().chain(budget.unwrap_or([None; 4])).collect();
+        let metrics = cells(own)
+            .into_iter()
+            .chain(budget.unwrap_or([None; 4]))
+            .collect();
         Ok(Solution {
             computed,
             exact,

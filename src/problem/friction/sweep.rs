@@ -21,7 +21,8 @@ pub struct Motion {
 impl Beside<LANES> for Given {
     type Exact = Sampled;
     type Track = Motion;
-    type Row = [Option<f64>; COUNT];
+    type Judged = [Lane<LANES>; COUNT];
+    type Alone = [Lane<1>; COUNT];
 
     fn kind(&self) -> u64 {
         match self.model {
@@ -50,15 +51,14 @@ impl Beside<LANES> for Given {
         ends.finite()
     }
 
-    fn judged(track: &Motion, exact: &Sampled) -> [Self::Row; LANES] {
+    fn judged(track: &Motion, exact: &Sampled) -> Self::Judged {
         judged(&track.x[..exact.len()], track.work, exact)
     }
 
-    fn judged_alone(track: &Motion, lane: usize, exact: &Sampled) -> Self::Row {
+    fn judged_alone(track: &Motion, lane: usize, exact: &Sampled) -> Self::Alone {
         let steps = track.x[..exact.len()].iter();
         let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
-        let [row] = evaluate(&steps, Lane([track.work.0[lane]]), exact);
-        row
+        evaluate(&steps, Lane([track.work.0[lane]]), exact)
     }
 }
 
@@ -77,7 +77,11 @@ fn moved(lanes: &[Given; LANES], x: &mut [Lane<LANES>]) -> Contact<LANES> {
             Laws::Velocity(law) => by_velocity(stepper, law, now),
         }
     };
-    stepper.run(&lanes.each_ref().map(|case| case.last), walk, |_, _| ())
+    let mut last = [0; LANES];
+    for (last, case) in last.iter_mut().zip(lanes) {
+        *last = case.last;
+    }
+    stepper.run(&last, walk, |_, _| ())
 }
 
 /// Steps, one for each row of displacements.
@@ -114,6 +118,6 @@ fn walk(stepper: &mut Oscillators<LANES>, law: impl Law<LANES>, rows: &mut [Lane
 /// All metrics of a group.
 #[allow(unused_braces, reason = "the macro puts them")]
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn judged(x: &[Lane<LANES>], works: Lane<LANES>, exact: &Sampled) -> [[Option<f64>; COUNT]; LANES] {
+fn judged(x: &[Lane<LANES>], works: Lane<LANES>, exact: &Sampled) -> [Lane<LANES>; COUNT] {
     evaluate(x, works, exact)
 }

@@ -18,7 +18,7 @@ use super::{
 use crate::exact::wave::Wave;
 use crate::history::History;
 use crate::metrics::impact::{Sampled, Track};
-use crate::metrics::{self, steps};
+use crate::metrics::{self, cells, steps};
 use scaled::Scaled;
 use tables::{BUDGETS, METRICS, PARAMETERS, PROFILES, QUANTITIES, rows};
 
@@ -158,14 +158,14 @@ fn judged(given: &Given, track: Track<1>, wanted: &[usize]) -> Result<Solution, 
     }
     let (wave, sampled) = given.exact_at_steps();
     let exact = wave.history(&computed.time);
-    let [own] = metrics::impact::evaluate(&track, &sampled);
+    let own = metrics::impact::evaluate(&track, &sampled);
     let budget = wanted
         .iter()
         .any(|&row| !METRICS[row].default)
         .then(|| between::between(&given.scaled, &computed.time))
         .flatten()
         .map(|[spring, chain]| metrics::impact::budget(&track, &sampled, &spring, &chain));
-    let metrics = own
+    let metrics = cells(own)
         .into_iter()
         .chain(budget.unwrap_or([None; 12]))
         .collect();

@@ -16,7 +16,8 @@ pub const LANES: usize = 16;
 impl Beside<LANES> for Given {
     type Exact = Sampled;
     type Track = Track<LANES>;
-    type Row = [Option<f64>; COUNT];
+    type Judged = [Lane<LANES>; COUNT];
+    type Alone = [Lane<1>; COUNT];
 
     fn kind(&self) -> u64 {
         let modes = |bar: u32| u64::from(bar) + 1;
@@ -45,13 +46,12 @@ impl Beside<LANES> for Given {
         moved(lanes, track).finite()
     }
 
-    fn judged(track: &Track<LANES>, exact: &Sampled) -> [Self::Row; LANES] {
+    fn judged(track: &Track<LANES>, exact: &Sampled) -> Self::Judged {
         judged(track, exact)
     }
 
-    fn judged_alone(track: &Track<LANES>, lane: usize, exact: &Sampled) -> Self::Row {
-        let [row] = evaluate(&track.lane(lane, exact.len()), exact);
-        row
+    fn judged_alone(track: &Track<LANES>, lane: usize, exact: &Sampled) -> Self::Alone {
+        evaluate(&track.lane(lane, exact.len()), exact)
     }
 }
 
@@ -92,6 +92,6 @@ fn walked(
 /// All metrics of a group.
 #[allow(unused_braces, reason = "the macro puts them")]
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn judged(track: &Track<LANES>, exact: &Sampled) -> [[Option<f64>; COUNT]; LANES] {
+fn judged(track: &Track<LANES>, exact: &Sampled) -> [Lane<LANES>; COUNT] {
     evaluate(track, exact)
 }
