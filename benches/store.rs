@@ -1,19 +1,47 @@
-//! A chunk of cases from its numbers to its file: what a run does beside computing.
+//! A chunk of cases from its numbers to its file: what a run does beside computing, and what writing the same columns
+//! raw costs.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use indicatif::ProgressBar;
-use slipgap::batch::{self, Wishes, store::Store};
-use slipgap::study::parse;
+use parquet::basic::{Compression, Repetition, Type as Physical};
+use parquet::data_type::DoubleType;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+use slipgap::batch::{self, Done, Wishes, store::Store};
+use slipgap::problem::cases::Column;
+use slipgap::problem::parameter::Value;
+use slipgap::study::{Study, parse};
+use std::fs::File;
+use std::path::Path;
+use std::sync::Arc;
 
 /// Cases of so few steps that hardly anything is computed.
 const CASES: u64 = 65_536;
 
-fn store(criterion: &mut Criterion) {
+/// Bytes of a raw page.
+const PAGE: usize = 1 << 16;
+
+fn study() -> Study {
     let text = format!(
         r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control", "x0": 12, "duration": 1, "dT": 1,
         "beta": {{"geomspace": [0.01, 10, {CASES}]}}}}}}"#
     );
-    let study = parse("bench.json", &text).expect("a study without faults");
+    parse("bench.json", &text).expect("a study without faults")
+}
+
+/// Runs the study and hands over its chunks.
+fn run(study: &Study, wishes: &Wishes, mut take: impl FnMut(Done) + Send) {
+    let bar = ProgressBar::hidden();
+    batch::run(study, &bar, wishes, |done| {
+        take(done);
+        Ok(())
+    })
+    .expect("a run");
+}
+
+fn store(criterion: &mut Criterion) {
+    let study = study();
     let folder = tempfile::tempdir().expect("a folder");
     let mut group = criterion.benchmark_group("store");
     group
@@ -29,16 +57,78 @@ fn store(criterion: &mut Criterion) {
                     ..Wishes::METRICS
                 };
                 let mut cases = 0;
-                batch::run(&study, &ProgressBar::hidden(), &wishes, |done| {
-                    cases += done.len();
-                    Ok(())
-                })
-                .expect("a run");
+                run(&study, &wishes, |done| cases += done.len());
                 cases
             });
         });
     }
+    group.bench_function("computed only", |bencher| {
+        bencher.iter(|| {
+            let mut cases = 0;
+            run(&study, &Wishes::METRICS, |done| cases += done.len());
+            cases
+        });
+    });
+    let mut chunks = Vec::new();
+    run(&study, &Wishes::METRICS, |done| {
+        chunks.push(numbers(&study, &done));
+    });
+    group.bench_function("raw", |bencher| {
+        bencher.iter(|| {
+            for (i, columns) in chunks.iter().enumerate() {
+                raw(columns, &folder.path().join(format!("{i}.parquet")));
+            }
+        });
+    });
     group.finish();
+}
+
+/// All columns of a chunk as numbers: a name as 0, what is not there as not a number.
+fn numbers(study: &Study, done: &Done) -> Vec<Vec<f64>> {
+    let case = (done.first..).take(done.len()).map(|number| number as f64);
+    let mut columns: Vec<Vec<f64>> = vec![case.collect()];
+    for column in done.cases.columns() {
+        let of = |value: &Option<Value>| value.map_or(f64::NAN, |v| v.as_f64().unwrap_or(0.0));
+        columns.push(match column {
+            Column::Same(value) => vec![of(value); done.len()],
+            Column::Each(values) => values.iter().map(of).collect(),
+        });
+    }
+    for metric in &study.metrics {
+        let values = done.found.column(*metric);
+        columns.push(values.map(|x| x.unwrap_or(f64::NAN)).collect());
+    }
+    columns
+}
+
+/// Writes columns as one part, neither packed nor looked at.
+fn raw(columns: &[Vec<f64>], path: &Path) {
+    let field = |i: usize| {
+        let built = Type::primitive_type_builder(&format!("column{i}"), Physical::DOUBLE)
+            .with_repetition(Repetition::REQUIRED)
+            .build();
+        Arc::new(built.expect("a type"))
+    };
+    let fields = (0..columns.len()).map(field).collect();
+    let schema = Type::group_type_builder("raw").with_fields(fields).build();
+    let properties = WriterProperties::builder()
+        .set_dictionary_enabled(false)
+        .set_statistics_enabled(EnabledStatistics::None)
+        .set_compression(Compression::UNCOMPRESSED)
+        .set_data_page_size_limit(PAGE)
+        .build();
+    let out = File::create(path).expect("a file");
+    let schema = Arc::new(schema.expect("a schema"));
+    let mut file = SerializedFileWriter::new(out, schema, properties.into()).expect("a writer");
+    let mut rows = file.next_row_group().expect("rows");
+    for column in columns {
+        let mut writer = rows.next_column().expect("a column").expect("a column");
+        let typed = writer.typed::<DoubleType>();
+        typed.write_batch(column, None, None).expect("written");
+        writer.close().expect("written");
+    }
+    rows.close().expect("written");
+    file.close().expect("written");
 }
 
 criterion_group!(benches, store);

@@ -2,7 +2,8 @@
 
 use super::Shown;
 use super::label;
-use super::layout::{self, Key};
+use super::layout;
+use super::legend::Key;
 use super::sheet::{Axis, Panel, Series, Sheet};
 use super::slope;
 use super::style::{self, Marker, Stroke};

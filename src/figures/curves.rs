@@ -2,7 +2,7 @@
 
 use super::Shown;
 use super::label;
-use super::layout::Key;
+use super::legend::Key;
 use super::sheet::{Series, Sheet};
 use super::style::{self, Marker, Stroke};
 use crate::history::History;

@@ -1,6 +1,7 @@
 //! What accuracy costs: the best that each cost buys, the target, and the case recommended.
 
-use super::layout::{self, Key};
+use super::layout;
+use super::legend::Key;
 use super::sheet::{Panel, Series, Sheet};
 use super::style::{self, Marker, Stroke};
 use super::ticks;

@@ -2,7 +2,8 @@
 
 use super::Shown;
 use super::label;
-use super::layout::{self, Key};
+use super::layout;
+use super::legend::Key;
 use super::sheet::{Anchor, Axis, Panel, Series, Sheet, Words};
 use super::style::{self, Marker, Stroke};
 use super::ticks;

@@ -1,9 +1,8 @@
 //! Where frames, legend and heading stand on a sheet.
 
-use super::clip;
-use super::sheet::{Anchor, Axis, Entry, Panel, Rect, Series, Sheet, Words};
-use super::style::{self, Marker, Stroke};
-use super::text;
+use super::legend::{self, Key};
+use super::sheet::{Anchor, Axis, Panel, Rect, Sheet, Words};
+use super::{style, text};
 
 /// Height of the line with the panel letter, over each frame.
 pub const LETTER_LINE: f64 = style::TITLE + style::LABEL_GAP;
@@ -69,45 +68,6 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
     (0..y.len()).map(column).collect()
 }
 
-/// A line of the legend before it has its place.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Key {
-    /// Words in markup.
-    pub label: String,
-    /// Pattern of the line.
-    pub stroke: Stroke,
-    /// Width of the line.
-    pub width: f64,
-    /// Marker on the line.
-    pub marker: Option<Marker>,
-}
-
-impl Key {
-    /// The key of a curve.
-    pub fn of(series: &Series) -> Key {
-        Key {
-            label: series.label.clone(),
-            stroke: series.stroke,
-            width: series.width,
-            marker: series.marker,
-        }
-    }
-
-    fn length(&self) -> f64 {
-        style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
-    }
-
-    fn placed(self, at: [f64; 2]) -> Entry {
-        Entry {
-            at,
-            label: self.label,
-            stroke: self.stroke,
-            width: self.width,
-            marker: self.marker,
-        }
-    }
-}
-
 /// Finishes a sheet whose panels start at the top: places legends and heading, and sets the height.
 ///
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
@@ -117,22 +77,13 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     if sheet.panels.iter().all(bare) {
         move_down(sheet, style::LABEL_GAP - LETTER_LINE);
     }
-    let corners: Option<Vec<Rect>> = keys
-        .iter()
-        .zip(&sheet.panels)
-        .map(|(keys, panel)| free_corner(panel, keys))
-        .collect();
-    sheet.legend = match corners {
-        Some(corners) => {
-            let placed = keys.into_iter().zip(corners).flat_map(|(keys, corner)| {
-                let line = move |(i, key): (usize, Key)| {
-                    key.placed([corner.left, corner.top + (i as f64 + 0.5) * style::LEADING])
-                };
-                keys.into_iter().enumerate().map(line)
-            });
-            placed.collect()
+    sheet.legend = match legend::within(&sheet.panels, &keys) {
+        Some(entries) => entries,
+        None => {
+            let (entries, by) = legend::over(sheet, &keys);
+            move_down(sheet, by);
+            entries
         }
-        None => over(sheet, keys),
     };
     if let Some(heading) = heading {
         move_down(sheet, style::TITLE + 6.0);
@@ -184,87 +135,6 @@ pub fn small_print(sheet: &mut Sheet, markup: &str) {
             size: style::LABEL,
         });
     }
-}
-
-/// A place in a panel for its legend where it hides nothing.
-fn free_corner(panel: &Panel, keys: &[Key]) -> Option<Rect> {
-    let width = keys.iter().map(Key::length).fold(0.0, f64::max);
-    let height = keys.len() as f64 * style::LEADING;
-    let away = style::MAJOR_TICK + 4.0;
-    let inner = panel.frame.inflated(-away);
-    let lefts = [
-        inner.right() - width,
-        inner.left,
-        inner.left + (inner.width - width) / 2.0,
-    ];
-    let tops = [inner.top, inner.bottom() - height];
-    let places = tops.iter().flat_map(|top| {
-        lefts.iter().map(|left| Rect {
-            left: *left,
-            top: *top,
-            width,
-            height,
-        })
-    });
-    places
-        .filter(|place| place.left >= inner.left && place.top >= inner.top)
-        .find(|place| is_free(panel, &place.inflated(3.0)))
-}
-
-/// Whether nothing is drawn in an area of a panel.
-pub fn is_free(panel: &Panel, area: &Rect) -> bool {
-    let clear = |a: [f64; 2], b: [f64; 2]| clip::segment(a, b, area).is_none();
-    let zero = panel.x.range.map(|x| panel.place([x, 0.0]));
-    if panel.map.is_some() || (panel.zero && !clear(zero[0], zero[1])) {
-        return false;
-    }
-    let with_markers = area.inflated(style::MARKER + 1.0);
-    let notes = panel
-        .notes
-        .iter()
-        .all(|words| !area.inflated(style::TITLE).contains(words.at));
-    let arrows = panel
-        .arrows
-        .iter()
-        .all(|[a, b]| clear(panel.place(*a), panel.place(*b)));
-    notes
-        && arrows
-        && panel.series.iter().all(|series| {
-            let places: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
-            places.windows(2).all(|pair| clear(pair[0], pair[1]))
-                && series
-                    .marked
-                    .iter()
-                    .all(|i| !with_markers.contains(places[*i]))
-        })
-}
-
-/// The legends in lines over their panels, which move down for them.
-fn over(sheet: &mut Sheet, keys: Vec<Vec<Key>>) -> Vec<Entry> {
-    let alone = keys.len() == 1;
-    let mut entries = Vec::new();
-    let mut lowest = 0.0_f64;
-    for (keys, panel) in keys.into_iter().zip(&sheet.panels) {
-        let left = panel.frame.left;
-        let right = if alone {
-            sheet.width - style::EDGE
-        } else {
-            panel.frame.right()
-        };
-        let (mut x, mut y) = (left, style::EDGE + style::LEADING / 2.0);
-        for key in keys {
-            let length = key.length();
-            if x > left && x + length > right {
-                x = left;
-                y += style::LEADING;
-            }
-            lowest = lowest.max(y);
-            entries.push(key.placed([x, y]));
-            x += length + 14.0;
-        }
-    }
-    move_down(sheet, lowest + style::LEADING / 2.0 - style::EDGE);
-    entries
 }
 
 fn move_down(sheet: &mut Sheet, by: f64) {

@@ -2,7 +2,8 @@
 
 use super::Shown;
 use super::bands;
-use super::layout::{self, Key};
+use super::layout;
+use super::legend::Key;
 use super::sheet::{Axis, Cell, FilledMap, Panel, Rect, Sheet};
 use super::style;
 use super::text;

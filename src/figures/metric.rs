@@ -3,7 +3,8 @@
 
 use super::Shown;
 use super::label;
-use super::layout::{self, Key};
+use super::layout;
+use super::legend::Key;
 use super::number;
 use super::sheet::{Anchor, Axis, Panel, Series, Sheet, Words};
 use super::slope;

@@ -16,6 +16,7 @@ mod hover;
 mod label;
 mod law;
 mod layout;
+mod legend;
 mod map;
 pub mod markup;
 mod metric;

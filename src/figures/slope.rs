@@ -1,6 +1,6 @@
 //! The slope of a curve on logarithmic scales, where it is straight.
 
-use super::layout;
+use super::legend;
 use super::sheet::{Anchor, Panel, Rect, Words};
 use super::style;
 use super::text;
@@ -95,7 +95,7 @@ pub fn write(panel: &mut Panel) {
                 let inner = panel.frame.inflated(-style::MAJOR_TICK);
                 let inside = inner.contains([area.left, area.top])
                     && inner.contains([area.right(), area.bottom()]);
-                inside && !taken.iter().any(|t| meet(t, area)) && layout::is_free(panel, area)
+                inside && !taken.iter().any(|t| meet(t, area)) && legend::is_free(panel, area)
             });
         if let Some(area) = free {
             taken.push(area);

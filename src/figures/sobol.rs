@@ -1,7 +1,8 @@
 //! Sobol' indices as bars with their intervals: a panel a metric, a pair of bars a parameter.
 
 use super::Shown;
-use super::layout::{self, Key};
+use super::layout;
+use super::legend::Key;
 use super::sheet::{Axis, Bar, Panel, Series, Sheet, Tick};
 use super::style::{self, Marker, Stroke};
 use super::ticks;

@@ -11,7 +11,8 @@ use super::values::{
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{PROBLEMS, Problem};
 use crate::study::blocks::BESIDE;
-use crate::study::figure::kinds::{self, COMMON, KINDS, Key, SCALES, Takes};
+use crate::study::figure::keys::{COMMON, Key, SCALES, Takes};
+use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::taken::MARKS;
 use crate::study::{checks, decode, design};
 

@@ -1,5 +1,7 @@
 //! The kinds of figure and the keys that each takes: the one table that decoding, schema and documentation read.
 
+use super::keys::{BY_OTHERS, COMMON, Key, METRICS, PANELS, Takes, X, X_SCALE, Y_SCALE, key};
+
 /// One kind of figure.
 pub(in crate::study) struct Kind {
     pub name: &'static str,
@@ -7,85 +9,6 @@ pub(in crate::study) struct Kind {
     /// Keys beyond those that every figure takes.
     pub keys: &'static [Key],
 }
-
-/// One key of a figure.
-pub(in crate::study) struct Key {
-    pub name: &'static str,
-    pub takes: Takes,
-    pub required: bool,
-    pub meaning: &'static str,
-}
-
-/// What stands under a key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::study) enum Takes {
-    /// A name that becomes a file name.
-    FileName,
-    /// The name of a kind.
-    Kind,
-    /// Any string.
-    Text,
-    /// Parameters with the values that the cases shown have.
-    Filter,
-    /// A parameter.
-    Parameter,
-    /// A parameter that is a number.
-    NumericParameter,
-    /// One or several of the problem's quantities over time.
-    Quantities,
-    /// One of the problem's quantities along the structure.
-    Profile,
-    /// One or several of the problem's quantities along the structure.
-    Profiles,
-    /// A metric.
-    Metric,
-    /// One or several metrics.
-    Metrics,
-    /// One or several times, not negative.
-    Times,
-    /// One or several of the problem's budgets.
-    Budgets,
-    /// Places on a map and their name.
-    Marks,
-    /// `linear` or `log`.
-    Scale,
-}
-
-/// Names of the scales, as `Scale` has them.
-pub(in crate::study) const SCALES: [&str; 2] = ["linear", "log"];
-
-const fn key(name: &'static str, takes: Takes, required: bool, meaning: &'static str) -> Key {
-    Key {
-        name,
-        takes,
-        required,
-        meaning,
-    }
-}
-
-/// The keys of every figure.
-pub(in crate::study) static COMMON: [Key; 5] = [
-    key(
-        "name",
-        Takes::FileName,
-        true,
-        "file name without ending: letters, digits, - and _; each figure of a study has its own",
-    ),
-    key("kind", Takes::Kind, true, "what is drawn"),
-    key("title", Takes::Text, false, "heading; none if left out"),
-    key(
-        "note",
-        Takes::Text,
-        false,
-        "what a reader must know beside it, small under the panels; none if left out",
-    ),
-    key(
-        "where",
-        Takes::Filter,
-        false,
-        "the cases to show: those that have all these values; all cases if left out",
-    ),
-];
 
 /// Every kind of figure.
 pub(in crate::study) static KINDS: [Kind; 9] = [
@@ -105,12 +28,7 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
                 false,
                 "parameter whose values are told apart by line style; all that vary if left out",
             ),
-            key(
-                "panels",
-                Takes::Parameter,
-                false,
-                "parameter whose values get panels of their own",
-            ),
+            PANELS,
         ],
     },
     Kind {
@@ -144,33 +62,7 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
     Kind {
         name: "metric",
         meaning: "metrics against a parameter",
-        keys: &[
-            key(
-                "x",
-                Takes::NumericParameter,
-                true,
-                "parameter along the horizontal axis",
-            ),
-            key("y", Takes::Metrics, true, "metrics, one panel each"),
-            key(
-                "by",
-                Takes::Parameter,
-                false,
-                "parameter whose values are told apart by line style; all others that vary if left out",
-            ),
-            key(
-                "x_scale",
-                Takes::Scale,
-                false,
-                "horizontal scale, linear if left out",
-            ),
-            key(
-                "y_scale",
-                Takes::Scale,
-                false,
-                "vertical scale, linear if left out",
-            ),
-        ],
+        keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE],
     },
     Kind {
         name: "convergence",
@@ -182,49 +74,29 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
                 false,
                 "parameter along the horizontal axis; the step if left out",
             ),
-            key("y", Takes::Metrics, true, "metrics, one panel each"),
-            key(
-                "by",
-                Takes::Parameter,
-                false,
-                "parameter whose values are told apart by line style; all others that vary if left out",
-            ),
+            METRICS,
+            BY_OTHERS,
         ],
     },
     Kind {
         name: "budget",
         meaning: "the error and its parts against a parameter, both scales logarithmic, with the slope where a curve is straight",
         keys: &[
-            key(
-                "x",
-                Takes::NumericParameter,
-                true,
-                "parameter along the horizontal axis",
-            ),
+            X,
             key(
                 "y",
                 Takes::Budgets,
                 false,
                 "whose error, one row of panels each; all that the problem has if left out",
             ),
-            key(
-                "panels",
-                Takes::Parameter,
-                false,
-                "parameter whose values get panels of their own",
-            ),
+            PANELS,
         ],
     },
     Kind {
         name: "map",
         meaning: "one metric over two parameters, as filled contours with a colour bar and a line where it is least for each x",
         keys: &[
-            key(
-                "x",
-                Takes::NumericParameter,
-                true,
-                "parameter along the horizontal axis",
-            ),
+            X,
             key(
                 "y",
                 Takes::NumericParameter,
@@ -232,18 +104,8 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
                 "parameter up the vertical axis",
             ),
             key("z", Takes::Metric, true, "metric shown as shades"),
-            key(
-                "x_scale",
-                Takes::Scale,
-                false,
-                "horizontal scale, linear if left out",
-            ),
-            key(
-                "y_scale",
-                Takes::Scale,
-                false,
-                "vertical scale, linear if left out",
-            ),
+            X_SCALE,
+            Y_SCALE,
             key(
                 "z_scale",
                 Takes::Scale,
@@ -261,7 +123,7 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
     Kind {
         name: "sobol",
         meaning: "Sobol' indices from a saltelli design, as bars with their 95 % intervals",
-        keys: &[key("y", Takes::Metrics, true, "metrics, one panel each")],
+        keys: &[METRICS],
     },
     Kind {
         name: "law",

@@ -1,6 +1,7 @@
 //! The `figures` of a study.
 
 mod fitness;
+pub(super) mod keys;
 pub(super) mod kinds;
 pub(super) mod taken;
 
@@ -13,7 +14,8 @@ use crate::study::scope::Scope;
 use crate::study::tree::Node;
 use crate::study::value::name;
 use crate::study::{Figure, FigureKind};
-use kinds::{COMMON, KINDS, Key, Kind, Takes};
+use keys::{COMMON, Key, Takes};
+use kinds::{KINDS, Kind};
 use taken::{Values, take};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems

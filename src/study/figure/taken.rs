@@ -1,6 +1,6 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
-use super::kinds::{Key, SCALES, Takes};
+use super::keys::{Key, SCALES, Takes};
 use crate::problem::parameter::{self, Range};
 use crate::study::object::Object;
 use crate::study::report::{Faults, join};

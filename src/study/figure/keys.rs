@@ -1,0 +1,118 @@
+//! What stands under the keys of figures.
+
+/// One key of a figure.
+pub(in crate::study) struct Key {
+    pub name: &'static str,
+    pub takes: Takes,
+    pub required: bool,
+    pub meaning: &'static str,
+}
+
+/// What stands under a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::study) enum Takes {
+    /// A name that becomes a file name.
+    FileName,
+    /// The name of a kind.
+    Kind,
+    /// Any string.
+    Text,
+    /// Parameters with the values that the cases shown have.
+    Filter,
+    /// A parameter.
+    Parameter,
+    /// A parameter that is a number.
+    NumericParameter,
+    /// One or several of the problem's quantities over time.
+    Quantities,
+    /// One of the problem's quantities along the structure.
+    Profile,
+    /// One or several of the problem's quantities along the structure.
+    Profiles,
+    /// A metric.
+    Metric,
+    /// One or several metrics.
+    Metrics,
+    /// One or several times, not negative.
+    Times,
+    /// One or several of the problem's budgets.
+    Budgets,
+    /// Places on a map and their name.
+    Marks,
+    /// `linear` or `log`.
+    Scale,
+}
+
+/// Names of the scales, as `Scale` has them.
+pub(in crate::study) const SCALES: [&str; 2] = ["linear", "log"];
+
+pub(super) const fn key(
+    name: &'static str,
+    takes: Takes,
+    required: bool,
+    meaning: &'static str,
+) -> Key {
+    Key {
+        name,
+        takes,
+        required,
+        meaning,
+    }
+}
+
+/// The keys of every figure.
+pub(in crate::study) static COMMON: [Key; 5] = [
+    key(
+        "name",
+        Takes::FileName,
+        true,
+        "file name without ending: letters, digits, - and _; each figure of a study has its own",
+    ),
+    key("kind", Takes::Kind, true, "what is drawn"),
+    key("title", Takes::Text, false, "heading; none if left out"),
+    key(
+        "note",
+        Takes::Text,
+        false,
+        "what a reader must know beside it, small under the panels; none if left out",
+    ),
+    key(
+        "where",
+        Takes::Filter,
+        false,
+        "the cases to show: those that have all these values; all cases if left out",
+    ),
+];
+
+/// Keys that several kinds take.
+pub(super) const X: Key = key(
+    "x",
+    Takes::NumericParameter,
+    true,
+    "parameter along the horizontal axis",
+);
+pub(super) const METRICS: Key = key("y", Takes::Metrics, true, "metrics, one panel each");
+pub(super) const BY_OTHERS: Key = key(
+    "by",
+    Takes::Parameter,
+    false,
+    "parameter whose values are told apart by line style; all others that vary if left out",
+);
+pub(super) const PANELS: Key = key(
+    "panels",
+    Takes::Parameter,
+    false,
+    "parameter whose values get panels of their own",
+);
+pub(super) const X_SCALE: Key = key(
+    "x_scale",
+    Takes::Scale,
+    false,
+    "horizontal scale, linear if left out",
+);
+pub(super) const Y_SCALE: Key = key(
+    "y_scale",
+    Takes::Scale,
+    false,
+    "vertical scale, linear if left out",
+);
