@@ -55,10 +55,7 @@ pub(super) fn count(
 
 /// Reports every rule of the problem that a case of the block breaks, at the value it names.
 pub(super) fn check(problem: &dyn Problem, draft: &Draft, block: &Block, faults: &mut Faults) {
-    // Axes apart from each other: there the ends say whether anything breaks a rule.
-    let alone = |group: &Group| group.axes.len() == 1;
-    let apart = block.derived.is_empty() && block.when.is_none() && block.groups.iter().all(alone);
-    if apart
+    if apart(block)
         && broken(problem, draft, &sieved(block, &ends(block)))
             .next()
             .is_none()
@@ -133,11 +130,11 @@ fn broken(
 }
 
 impl Study {
-    /// Cases that stand for all where only the range of something is asked for: every case of a small block, those at the
-    /// ends of the axes of a large one.
+    /// Cases that stand for all where only the range of something is asked for: those at the ends of the axes, or every
+    /// case of a small block whose axes are not apart.
     pub fn standing_for(&self) -> impl Iterator<Item = Case> + '_ {
         self.blocks.iter().flat_map(|block| {
-            let places = match block.raw_len() <= MOST_LISTED {
+            let places = match block.raw_len() <= MOST_LISTED && !apart(block) {
                 true => every(block),
                 false => ends(block),
             };
@@ -148,6 +145,12 @@ impl Study {
             cases.collect::<Vec<_>>()
         })
     }
+}
+
+/// Whether the axes are apart from each other: then what is true at all their ends is true everywhere.
+fn apart(block: &Block) -> bool {
+    let alone = |group: &Group| group.axes.len() == 1;
+    block.derived.is_empty() && block.when.is_none() && block.groups.iter().all(alone)
 }
 
 /// All places of every group.
