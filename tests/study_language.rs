@@ -1,6 +1,7 @@
 //! What a study's axes, groups, expressions, conditions and designs stand for: against lists written out.
 
 use slipgap::problem::Case;
+use slipgap::problem::cases::Column;
 use slipgap::problem::parameter::Value;
 use slipgap::study::{Filter, Study, parse};
 
@@ -82,6 +83,10 @@ fn a_condition_drops_combinations_and_numbers_those_left() {
         assert_eq!(told(&case), expected[index], "{index}");
     }
     assert!(study.case(study.len()).is_none());
+    let (first, columns) = study.columns(0, study.raw_len());
+    let mut shown = columns.shown();
+    let columns: Vec<String> = (0..columns.len()).map(|i| told(shown.at(i))).collect();
+    assert_eq!((first, &columns), (0, &expected));
     // Ranges of raw combinations have the cases among them, with their numbers.
     let mut pieces = Vec::new();
     for start in (0..study.raw_len()).step_by(777) {
@@ -119,6 +124,24 @@ fn blocks_with_conditions_follow_one_another() {
     assert_eq!(found, [[1.0, 0.1], [3.0, 0.1], [5.0, 0.2], [6.0, 0.3]]);
     let range: Vec<u64> = study.range(2, 5).map(|(number, _)| number).collect();
     assert_eq!(range, [1, 2]);
+    // The same as columns; of what all share there is one value.
+    for (from, to, first, gammas) in [
+        (2, 5, 1, &[3.0, 5.0][..]),
+        (0, 6, 0, &[1.0, 3.0, 5.0, 6.0]),
+        (3, 4, 2, &[]),
+    ] {
+        let (number, columns) = study.columns(from, to);
+        assert_eq!((number, columns.len()), (first, gammas.len()));
+        let mut shown = columns.shown();
+        for (i, case) in study.range(from, to).enumerate() {
+            assert_eq!(shown.at(i).values, case.1.values);
+            assert_eq!(case.1.number("gamma"), Some(gammas[i]));
+        }
+        let shared = |column: &&Column| matches!(column, Column::Same(Some(Value::Whole(2))));
+        // n of both bars
+        let count = columns.columns().iter().filter(shared).count();
+        assert_eq!(count, if gammas.is_empty() { 0 } else { 2 });
+    }
     assert_eq!(study.case(3).unwrap().number("gamma"), Some(6.0));
 }
 

@@ -1,5 +1,8 @@
 //! Cases side by side, with the widest instructions there are: to the bit what each alone has, in any order and company.
 
+use indicatif::ProgressBar;
+use slipgap::batch::{self, Wishes};
+use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
 
 /// Both laws, steps and amplitudes that have nothing in common, runs that end before rest, and a motion without bounds.
@@ -87,4 +90,39 @@ fn a_motion_without_bounds_is_told_beside_others() {
         swept.failures().map(|(place, _)| place).collect::<Vec<_>>(),
         [1]
     );
+}
+
+#[test]
+fn a_case_that_is_shown_by_itself_leaves_the_others_as_they_are() {
+    let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": [12, 1e308, 3],
+        "dT": 3, "duration": 3e3, "beta": [0.5, 1, 2]}}"#;
+    let study = study(text);
+    let outcomes = |wishes: &Wishes| {
+        let mut outcomes = Vec::new();
+        batch::run(&study, &ProgressBar::hidden(), wishes, |done| {
+            outcomes.extend(done.outcomes(study.problem));
+            Ok(())
+        })
+        .unwrap();
+        outcomes
+    };
+    // One that can be solved, one that cannot, and the last.
+    let kept = [1, 4, 8];
+    let chosen: Vec<Case> = kept.map(|number| study.case(number).unwrap()).to_vec();
+    let wishes = Wishes {
+        keep: &|case| chosen.iter().any(|other| other.values == case.values),
+        ..Wishes::METRICS
+    };
+    let (all, shown) = (outcomes(&Wishes::METRICS), outcomes(&wishes));
+    assert_eq!((all.len(), shown.len()), (9, 9));
+    for ((number, together), (same, other)) in all.iter().zip(&shown) {
+        assert_eq!(number, same);
+        assert_eq!(together.case.values, other.case.values);
+        assert_eq!(together.metrics, other.metrics, "case {number}");
+        assert_eq!(together.failure, other.failure);
+        assert_eq!(together.failure.is_some(), (3..6).contains(number));
+        assert!(together.solution.is_none());
+        let solved = kept.contains(number) && other.failure.is_none();
+        assert_eq!(other.solution.is_some(), solved, "case {number}");
+    }
 }
