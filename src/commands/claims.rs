@@ -1,12 +1,11 @@
 //! `slipgap claims`: the papers' sentences with their verdicts, and the page about them.
 
-use super::{NOT_MET, columns, note, progress, say};
+use super::{NOT_MET, columns, files, note, progress, say};
 use slipgap::batch::output::Folder;
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
 use slipgap::study::ledger::{self, Ledger};
 use std::path::{Path, PathBuf};
-use walkdir::WalkDir;
 
 /// Name of the page.
 const PAGE: &str = "claims.md";
@@ -72,33 +71,7 @@ pub fn read(named: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
             files.push(path.clone());
             continue;
         }
-        let before = files.len();
-        for entry in WalkDir::new(path).sort_by_file_name() {
-            let entry = entry.map_err(|e| {
-                let at = e.path().unwrap_or(path).to_owned();
-                Error::io("cannot read", at)(e.into())
-            })?;
-            let file = entry.path();
-            if file.is_file() && file.extension().is_some_and(|e| e == "json") {
-                files.push(file.to_owned());
-            }
-        }
-        if files.len() == before {
-            let what = format!("no ledgers (*.json) in folder {}", path.display());
-            return Err(Error::Usage(what));
-        }
+        files.extend(files::under(path, "ledgers (*.json)", files::is_json)?);
     }
-    let (mut ledgers, mut faults) = (Vec::new(), Vec::new());
-    for file in files {
-        match ledger::read(&file) {
-            Ok(ledger) => ledgers.push(ledger),
-            Err(Error::Faults(more)) => faults.extend(more),
-            Err(other) => return Err(other),
-        }
-    }
-    if faults.is_empty() {
-        Ok(ledgers)
-    } else {
-        Err(Error::Faults(faults))
-    }
+    files::each(files, |file| ledger::read(&file))
 }

@@ -1,6 +1,6 @@
 //! `slipgap compare`: what two folders of results differ in.
 
-use super::{NOT_MET, columns, note, say};
+use super::{NOT_MET, columns, files, note, say};
 use slipgap::batch::output::RESULTS;
 use slipgap::batch::store::{self, STORE};
 use slipgap::compare::{Rows, compare as held};
@@ -8,7 +8,7 @@ use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use walkdir::WalkDir;
+use walkdir::DirEntry;
 
 /// Compares the studies that `a` and `b` hold, or are; gives the exit code.
 pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
@@ -84,23 +84,17 @@ fn shown(name: &str) -> &str {
 /// The folders with results under `path`, by their way from it; its own is called nothing.
 fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
     std::fs::metadata(path).map_err(Error::io("cannot read", path))?;
-    let mut found = BTreeMap::new();
-    for entry in WalkDir::new(path).sort_by_file_name() {
-        let entry = entry.map_err(|e| {
-            let at = e.path().unwrap_or(path).to_owned();
-            Error::io("cannot read", at)(e.into())
-        })?;
+    let wanted = |entry: &DirEntry| {
         let folder = entry.path();
-        if folder.join(RESULTS).is_file() || folder.join(STORE).is_dir() {
-            let name = folder.strip_prefix(path).unwrap_or(folder);
-            found.insert(name.display().to_string(), folder.to_owned());
-        }
-    }
-    if found.is_empty() {
-        let what = format!("no results ({RESULTS} or {STORE}) in {}", path.display());
-        return Err(Error::Usage(what));
-    }
-    Ok(found)
+        folder.join(RESULTS).is_file() || folder.join(STORE).is_dir()
+    };
+    let what = format!("results ({RESULTS} or {STORE})");
+    let found = files::under(path, &what, wanted)?.into_iter();
+    let named = found.map(|folder| {
+        let name = folder.strip_prefix(path).unwrap_or(&folder);
+        (name.display().to_string(), folder)
+    });
+    Ok(named.collect())
 }
 
 /// The table of one folder.

@@ -6,6 +6,7 @@ pub mod claims;
 pub mod compare;
 pub mod drawn;
 pub mod explain;
+pub mod files;
 pub mod init;
 pub mod list;
 pub mod progress;

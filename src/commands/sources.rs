@@ -1,11 +1,12 @@
 //! From what the user named to the studies that are meant, each with the folder its results go to.
 
+use super::files;
 use slipgap::batch::output;
 use slipgap::error::Error;
 use slipgap::study::{self, Study};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use walkdir::WalkDir;
+use walkdir::DirEntry;
 
 /// A study and where it came from.
 pub struct Source {
@@ -24,19 +25,10 @@ pub fn read(named: &[PathBuf], limit: u64) -> Result<Vec<Source>, Error> {
     for path in named {
         files.extend(find(path)?);
     }
-    let (mut sources, mut faults) = (Vec::new(), Vec::new());
-    for (file, name) in distinct(files)? {
-        match study::read_up_to(&file, limit) {
-            Ok(study) => sources.push(Source { file, name, study }),
-            Err(Error::Faults(more)) => faults.extend(more),
-            Err(other) => return Err(other),
-        }
-    }
-    if faults.is_empty() {
-        Ok(sources)
-    } else {
-        Err(Error::Faults(faults))
-    }
+    files::each(distinct(files)?, |(file, name)| {
+        let study = study::read_up_to(&file, limit)?;
+        Ok(Source { file, name, study })
+    })
 }
 
 /// The study files under `path`, by name, each with its path relative to it and without `.json`.
@@ -50,26 +42,18 @@ fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         }
         return Ok(vec![(path.to_owned(), name(Path::new(stem)))]);
     }
-    let mut files = Vec::new();
-    for entry in WalkDir::new(path).sort_by_file_name() {
-        let entry = entry.map_err(|e| {
-            let at = e.path().unwrap_or(path).to_owned();
-            Error::io("cannot read", at)(e.into())
-        })?;
-        let file = entry.path();
+    let wanted = |entry: &DirEntry| {
         let hidden = entry.file_name().to_string_lossy().starts_with('.');
         // Results may stand in the folder that is read.
-        let result = output::is_manifest(file);
-        if file.is_file() && !hidden && !result && file.extension().is_some_and(|e| e == "json") {
-            let relative = file.strip_prefix(path).unwrap_or(file).with_extension("");
-            files.push((file.to_owned(), name(&relative)));
-        }
-    }
-    if files.is_empty() {
-        let what = format!("no studies (*.json) in folder {}", path.display());
-        return Err(Error::Usage(what));
-    }
-    Ok(files)
+        files::is_json(entry) && !hidden && !output::is_manifest(entry.path())
+    };
+    let found = files::under(path, "studies (*.json)", wanted)?.into_iter();
+    let named = found.map(|file| {
+        let relative = file.strip_prefix(path).unwrap_or(&file).with_extension("");
+        let name = name(&relative);
+        (file, name)
+    });
+    Ok(named.collect())
 }
 
 /// Drops a file named twice; refuses two files whose results would share a folder.
