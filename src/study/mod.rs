@@ -3,6 +3,7 @@
 //! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
 //! problem and of `figure::kinds` and collects every fault -> [`Study`] -> `block` and `cases`, made one at a time.
 
+mod applies;
 mod block;
 mod blocks;
 mod cases;
