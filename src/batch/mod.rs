@@ -60,26 +60,29 @@ pub fn run(
 ) -> Result<(), Error> {
     keep_memory();
     let cut = Cut::new(study);
-    // So many chunks at a time that no thread waits long for the others at the end; memory does not grow with the
-    // number of cases.
-    let window = (4 * rayon::current_num_threads() as u64).max(16);
-    let compute = |start: u64| -> Vec<Result<Done, Error>> {
-        (start..(start + window).min(cut.count()))
+    let compute = |from: u64, count: u64| -> Vec<Result<Done, Error>> {
+        (from..(from + count).min(cut.count()))
             .into_par_iter()
             .map(|chunk| one(study, chunk, cut.cases(study, chunk), bar, wishes))
             .collect()
     };
-    let mut done = compute(0);
-    for start in (0..cut.count()).step_by(window as usize) {
+    // More and more chunks at a time, so that the first are seen soon and no thread waits often for the others; memory
+    // does not grow with the number of cases.
+    let threads = rayon::current_num_threads() as u64;
+    let (mut from, mut window, most) = (0, threads, (4 * threads).max(16));
+    let mut done = Vec::new();
+    loop {
         // What is done is taken while the next is computed.
         let (taken, next) = rayon::join(
             || done.into_iter().try_for_each(|done| take(done?)),
-            || compute(start + window),
+            || compute(from, window),
         );
         taken?;
-        done = next;
+        if next.is_empty() {
+            return Ok(());
+        }
+        (from, window, done) = (from + window, most.min(2 * window), next);
     }
-    Ok(())
 }
 
 /// Bytes, just below the most for which the C library lets its threshold rise.
