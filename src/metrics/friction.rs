@@ -58,13 +58,8 @@ impl Sampled {
     }
 
     /// Number of steps, N + 1.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.at.len()
-    }
-
-    /// Whether there is none; there always is one.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 }
 

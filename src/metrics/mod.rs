@@ -75,6 +75,17 @@ mod tests {
     }
 
     #[test]
+    fn the_first_step_is_found_from_any_guess() {
+        for count in 0..6 {
+            for first in 0..=count {
+                for guess in [0.0, 1.0, 2.7, 5.0, 9.0, 1e300, f64::NAN] {
+                    assert_eq!(first_step(count, guess, |i| i >= first), first, "{guess}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn times_are_reached_within_the_slack() {
         assert!(reached(70.0 * (PI / 10.0), 7.0 * PI));
         assert!(reached(1.0 - 5e-13, 1.0));

@@ -19,7 +19,7 @@ pub const COUNT: usize = 11;
 pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [Lane<L>; COUNT] {
     let zero = Lane::splat(0.0);
     // Beside longer runs a lane has steps that are not its own.
-    let steps = ..exact.len();
+    let steps = ..exact.count();
     let (r, rdot) = (&c.displacement[steps], &c.velocity[steps]);
     let (force, energy) = (&c.force[steps], &c.energy[steps]);
     let start = energy.first().copied().unwrap_or(zero);

@@ -70,13 +70,8 @@ impl Sampled {
     }
 
     /// Number of steps, N + 1.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.at[0].len()
-    }
-
-    /// Whether there is none; there always is one.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Mean over the duration of `what(i, e)`, e the exact r (`of` = 0) or rdot (`of` = 1) at step i: trapezoids over

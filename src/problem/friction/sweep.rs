@@ -52,11 +52,11 @@ impl Beside<LANES> for Given {
     }
 
     fn judged(track: &Motion, exact: &Sampled) -> Self::Judged {
-        judged(&track.x[..exact.len()], track.work, exact)
+        judged(&track.x[..exact.count()], track.work, exact)
     }
 
     fn judged_alone(track: &Motion, lane: usize, exact: &Sampled) -> Self::Alone {
-        let steps = track.x[..exact.len()].iter();
+        let steps = track.x[..exact.count()].iter();
         let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
         evaluate(&steps, Lane([track.work.0[lane]]), exact)
     }

@@ -51,7 +51,7 @@ impl Beside<LANES> for Given {
     }
 
     fn judged_alone(track: &Track<LANES>, lane: usize, exact: &Sampled) -> Self::Alone {
-        evaluate(&track.lane(lane, exact.len()), exact)
+        evaluate(&track.lane(lane, exact.count()), exact)
     }
 }
 
