@@ -70,7 +70,7 @@ fn rms<const L: usize>(of: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
 #[inline(always)]
 fn contact_duration<const L: usize>(r: &[Lane<L>], step: f64) -> Lane<L> {
     // Step numbers as numbers: a lane is one comparison a step.
-    let mut last = Lane::splat(-1.0);
+    let mut last = Lane::splat(0.0);
     for (i, r) in r.iter().enumerate() {
         let i = i as f64;
         last = last.zip(*r, |last, r| if r < 0.0 { i } else { last });
@@ -216,8 +216,28 @@ mod tests {
 
     #[test]
     fn contact_ends_at_the_first_step_that_touches_without_overlap() {
-        let r = [0.0, -0.1, 0.0, 0.0, 0.3].map(|r| Lane([r]));
-        assert_eq!(contact_duration(&r, 0.25), Lane([0.5]));
+        for r in [[0.0, -0.1, 0.0, 0.0, 0.3], [0.2, 0.1, -0.1, 0.0, 0.3]] {
+            assert_eq!(contact_duration(&r.map(|r| Lane([r])), 0.25), Lane([0.5]));
+        }
+    }
+
+    #[test]
+    fn impulses_are_over_the_exact_one() {
+        // Unlike bars: their exact impulse is not 1.
+        let wave = Bars {
+            impedance_ratio: 2.0,
+            time_ratio: 0.25,
+            gap: 0.0,
+        }
+        .solve(4.0);
+        let exact = wave.impulse(4.0);
+        assert!((exact - 1.0).abs() > 0.1, "{exact}");
+        let mut track = Track::<1>::default();
+        track.resize(17);
+        track.force.fill(Lane([0.3]));
+        let metrics = cells(evaluate(&track, &Sampled::new(&wave, 0.25, 16, 4.0)));
+        let wanted = 1.2 / exact - 1.0;
+        assert!((metrics[5].unwrap() - wanted).abs() < 1e-14, "{metrics:?}");
     }
 
     #[test]
