@@ -244,6 +244,21 @@ mod tests {
     }
 
     #[test]
+    fn a_motion_in_proportion_has_no_phase_error() {
+        // Its square is round-off of either sign, of which the root is some 1e-8.
+        for i in 1..200 {
+            let factor = f64::from(i) * 0.013;
+            let rows: Vec<_> = [3.0, 1.0, -1.0, -1.0, -1.0]
+                .map(|e| (factor * e, 0.0))
+                .to_vec();
+            let metrics = metrics(3.0, &history(&rows));
+            let phase = metrics[7].expect("a phase");
+            assert!((0.0..4e-8).contains(&phase), "{factor}: {phase:e}");
+            assert!((metrics[6].expect("a magnitude") - (factor - 1.0)).abs() < 1e-15 * 4.0);
+        }
+    }
+
+    #[test]
     fn cells_without_meaning_are_empty() {
         let rows = [(3.0, 0.0), (1.0, -1.0), (-1.5, -0.4), (-0.9, 1.0)];
         let defined = |x0: f64, rows: &[(f64, f64)]| {
