@@ -4,7 +4,7 @@ use super::Wishes;
 use super::done::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
-use crate::problem::found::{Found, cells};
+use crate::problem::found::Found;
 use crate::problem::{Case, Solution};
 use crate::study::Study;
 use indicatif::ProgressBar;
@@ -57,10 +57,7 @@ pub(super) fn computed(
         }
     }
     for (row, (metrics, solution)) in solved {
-        match metrics {
-            Ok(metrics) => found.set(row, cells(&metrics)),
-            Err(why) => found.fail(row, why),
-        }
+        found.put(row, metrics);
         solutions.extend(solution.map(|solution| (row, solution)));
     }
     Ok((found, solutions))

@@ -113,10 +113,9 @@ fn one(
     bar: &ProgressBar,
     wishes: &Wishes,
 ) -> Result<Done, Error> {
-    let key = || Key::new(study, first, &cases);
     // Without cases, where a condition dropped them all, there is nothing to keep.
     let store = wishes.store.filter(|_| !cases.is_empty());
-    let store = store.map(|store| (store, key()));
+    let store = store.map(|store| (store, Key::new(study, first, &cases)));
     let found = match &store {
         Some((store, key)) if !wishes.anew => store.find(study, chunk, key, cases.len()),
         _ => Err(None),

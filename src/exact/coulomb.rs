@@ -4,6 +4,7 @@
 //! `X = s_k (1 + (a_k - 1) cos(T - k pi))`, a_k = a0 - 2 k, s_k = sign(x0) (-1)^k: undamped frequency, four Delta
 //! less a cycle. The motion stops at the first peak with |a_k| <= 1, after m half-cycles, at X = s_m a_m.
 
+use super::first_step;
 use libm::{ceil, cos, floor, sin};
 use std::f64::consts::PI;
 
@@ -93,17 +94,8 @@ impl Coulomb {
     /// strands side by side, and taken anew every so often.
     pub fn displacements(&self, step: f64, count: usize) -> Vec<f64> {
         // Beyond the time that counts in half-cycles the motion rests.
-        let begins = |k: f64| {
-            let mut i = ((k * PI / step) as usize).min(count);
-            let before = |i: usize| floor(i as f64 * step / PI) < k;
-            while i > 0 && !before(i - 1) {
-                i -= 1;
-            }
-            while i < count && before(i) {
-                i += 1;
-            }
-            i
-        };
+        let half_cycle = |i: usize| floor(i as f64 * step / PI);
+        let begins = |k: f64| first_step(count, k * PI / step, |i| half_cycle(i) >= k);
         let rest = begins(self.m);
         let mut x = cosines(step, rest);
         let (mut k, mut from) = (0.0, 0);

@@ -2,8 +2,9 @@
 //!
 //! Displacements enter over |x0|, so that no sum of squares overflows before the displacements themselves do.
 
-use super::{first_step, or_undefined, reached};
+use super::{or_undefined, reached};
 use crate::exact::coulomb::Coulomb;
+use crate::exact::first_step;
 use crate::history::History;
 use crate::lane::{Lane, largest, smallest};
 use std::f64::consts::PI;

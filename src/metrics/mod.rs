@@ -19,18 +19,6 @@ pub fn reached(t: f64, mark: f64) -> bool {
     t * (1.0 + SLACK) >= mark
 }
 
-/// The first of `count` steps for which `past` holds, as it does for all later ones; near `guess`.
-fn first_step(count: usize, guess: f64, past: impl Fn(usize) -> bool) -> usize {
-    let mut step = (guess as usize).min(count);
-    while step > 0 && past(step - 1) {
-        step -= 1;
-    }
-    while step < count && !past(step) {
-        step += 1;
-    }
-    step
-}
-
 /// A metric of lanes in which it is undefined: not a number.
 #[inline(always)]
 fn or_undefined<const L: usize>(metric: Option<Lane<L>>) -> Lane<L> {
@@ -72,17 +60,6 @@ mod tests {
         }
         // Where it is larger than a number of steps can be, it saturates.
         assert_eq!(steps(1e300, 1e-300), u64::MAX);
-    }
-
-    #[test]
-    fn the_first_step_is_found_from_any_guess() {
-        for count in 0..6 {
-            for first in 0..=count {
-                for guess in [0.0, 1.0, 2.7, 5.0, 9.0, 1e300, f64::NAN] {
-                    assert_eq!(first_step(count, guess, |i| i >= first), first, "{guess}");
-                }
-            }
-        }
     }
 
     #[test]

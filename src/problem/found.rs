@@ -75,6 +75,14 @@ impl Found {
         self.failures.insert(case, why);
     }
 
+    /// Puts in what a case by itself came to, or says why it came to nothing.
+    pub fn put(&mut self, case: usize, metrics: Result<Vec<Option<f64>>, String>) {
+        match metrics {
+            Ok(row) => self.set(case, row.iter().map(|x| x.unwrap_or(f64::NAN))),
+            Err(why) => self.fail(case, why),
+        }
+    }
+
     /// Puts in a case of another table, at most as wide.
     pub fn copy(&mut self, case: usize, other: &Found, from: usize) {
         let (to, row) = (
@@ -96,11 +104,6 @@ impl Found {
         self.len += below.len;
         self
     }
-}
-
-/// A row as [`Found::set`] takes it.
-pub fn cells(row: &[Option<f64>]) -> impl Iterator<Item = f64> + '_ {
-    row.iter().map(|metric| metric.unwrap_or(f64::NAN))
 }
 
 fn defined(x: f64) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! Many cases side by side: in which order they fill lanes, and which share their exact solution.
 
 use super::cases::Cases;
-use super::found::{Found, cells};
+use super::found::Found;
 use super::{Case, OUT_OF_RANGE, Problem};
 use crate::lane::Lane;
 use std::ops::Range;
@@ -56,10 +56,10 @@ pub fn sweep<const L: usize, G: Beside<L>>(
         let case = shown.at(*row as usize);
         match given(case).filter(|case| case.last() <= LONGEST) {
             Some(case) => beside.push((place, case)),
-            None => match problem.solve(case, &[]) {
-                Ok(solution) => found.set(place, cells(&solution.metrics)),
-                Err(why) => found.fail(place, why),
-            },
+            None => found.put(
+                place,
+                problem.solve(case, &[]).map(|solution| solution.metrics),
+            ),
         }
     }
     let mut order: Vec<u128> = (0..)

@@ -1,14 +1,15 @@
 //! Chunks read back from their files.
 
 use bytes::Bytes;
-use parquet::column::reader::ColumnReader;
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::DataType;
 use parquet::errors::Result;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use super::{FAILURE, general};
 use crate::batch::chunk::Key;
 use crate::compare::Rows;
-use crate::problem::found::{Found, cells};
+use crate::problem::found::Found;
 use crate::problem::parameter::shortest;
 use crate::study::Study;
 
@@ -46,26 +47,23 @@ pub fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Found)> {
         let Some(place) = place(table[metric].name) else {
             return Ok((key, Found::default()));
         };
-        let ColumnReader::DoubleColumnReader(mut reader) = group.get_column_reader(place)? else {
+        let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
             return Err(general("a metric that is no number"));
         };
-        let (mut values, mut levels) = (Vec::new(), Vec::new());
-        reader.read_records(count, Some(&mut levels), None, &mut values)?;
-        columns.push((metric, spread(values, &levels).collect::<Vec<_>>()));
+        columns.push((metric, cells(reader, count)?));
         width = width.max(metric + 1);
     }
     let place = place(FAILURE).ok_or_else(|| general("no column of failures"))?;
-    let ColumnReader::ByteArrayColumnReader(mut reader) = group.get_column_reader(place)? else {
+    let ColumnReader::ByteArrayColumnReader(reader) = group.get_column_reader(place)? else {
         return Err(general("a reason that is no text"));
     };
-    let (mut values, mut levels) = (Vec::new(), Vec::new());
-    reader.read_records(count, Some(&mut levels), None, &mut values)?;
-    let (mut found, mut row) = (Found::new(levels.len(), width), vec![None; width]);
-    for (case, why) in spread(values, &levels).enumerate() {
+    let failures = cells(reader, count)?;
+    let (mut found, mut row) = (Found::new(failures.len(), width), vec![f64::NAN; width]);
+    for (case, why) in failures.into_iter().enumerate() {
         for (metric, column) in &columns {
-            row[*metric] = column.get(case).copied().flatten();
+            row[*metric] = column.get(case).copied().flatten().unwrap_or(f64::NAN);
         }
-        found.set(case, cells(&row));
+        found.set(case, row.iter().copied());
         if let Some(why) = why {
             found.fail(case, why.as_utf8()?.to_owned());
         }
@@ -87,38 +85,33 @@ pub fn text(bytes: Vec<u8>, rows: &mut Rows) -> Result<()> {
     let start = rows.rows.len();
     rows.rows.resize(start + count, Vec::new());
     for place in 0..rows.columns.len() {
-        let mut levels = Vec::new();
-        let cells: Vec<Option<String>> = match group.get_column_reader(place)? {
-            ColumnReader::DoubleColumnReader(mut reader) => {
-                let mut values = Vec::new();
-                reader.read_records(count, Some(&mut levels), None, &mut values)?;
-                spread(values, &levels).map(|x| x.map(shortest)).collect()
+        let told: Vec<Option<String>> = match group.get_column_reader(place)? {
+            ColumnReader::DoubleColumnReader(reader) => {
+                let numbers = cells(reader, count)?.into_iter();
+                numbers.map(|x| x.map(shortest)).collect()
             }
-            ColumnReader::Int64ColumnReader(mut reader) => {
-                let mut values = Vec::new();
-                reader.read_records(count, Some(&mut levels), None, &mut values)?;
-                spread(values, &levels)
-                    .map(|n| n.map(|n: i64| n.to_string()))
-                    .collect()
+            ColumnReader::Int64ColumnReader(reader) => {
+                let numbers = cells(reader, count)?.into_iter();
+                numbers.map(|n| n.map(|n| n.to_string())).collect()
             }
-            ColumnReader::ByteArrayColumnReader(mut reader) => {
-                let mut values = Vec::new();
-                reader.read_records(count, Some(&mut levels), None, &mut values)?;
-                let texts = spread(values, &levels);
+            ColumnReader::ByteArrayColumnReader(reader) => {
+                let texts = cells(reader, count)?.into_iter();
                 texts.map(|t| Some(t?.as_utf8().ok()?.to_owned())).collect()
             }
             _ => return Err(general("a column of an unknown type")),
         };
-        for (row, cell) in rows.rows[start..].iter_mut().zip(cells) {
+        for (row, cell) in rows.rows[start..].iter_mut().zip(told) {
             row.push(cell.unwrap_or_default());
         }
     }
     Ok(())
 }
 
-/// A value or none for each row.
-fn spread<T>(values: Vec<T>, levels: &[i16]) -> impl Iterator<Item = Option<T>> {
+/// The cells of a column of `count` rows: a value or none for each.
+fn cells<D: DataType>(mut reader: ColumnReaderImpl<D>, count: usize) -> Result<Vec<Option<D::T>>> {
+    let (mut values, mut levels) = (Vec::new(), Vec::new());
+    reader.read_records(count, Some(&mut levels), None, &mut values)?;
     let mut values = values.into_iter();
-    let take = move |level: &i16| (*level > 0).then(|| values.next()).flatten();
-    levels.iter().map(take)
+    let cell = |level: &i16| (*level > 0).then(|| values.next()).flatten();
+    Ok(levels.iter().map(cell).collect())
 }

@@ -1,9 +1,10 @@
 //! The exact solution at the steps of a run, and what the metrics ask of it: the same for all cases with its gap, bars,
 //! step and duration.
 
+use crate::exact::first_step;
 use crate::exact::wave::{State, Wave};
 use crate::lane::Lane;
-use crate::metrics::{first_step, reached};
+use crate::metrics::reached;
 use std::ops::Range;
 
 /// Openings are counted and rdot is watched up to this time after the exact first touch: then the returning front
