@@ -22,6 +22,12 @@ const GAMMAS: [f64; 2] = [0.01, 10.0];
 /// Most steps times modes of a case, unless n is given.
 const MOST_COST: u64 = 2_000_000;
 
+/// The same for one n that is given.
+const MOST_COST_GIVEN: u64 = 200_000_000;
+
+/// Trips of a wave through the shorter bar up to which the bars must part.
+const MOST_TRIPS: f64 = 1e4;
+
 /// Where in a step the impact falls, for neighbours.
 const INTO: [f64; 2] = [0.37, 0.71];
 
@@ -72,17 +78,12 @@ impl Impact {
         let bars = Scaled::new(&case).map(|scaled| scaled.bars);
         let bars = bars.filter(|bars| !bars.wall() && bars.time_ratio != 1.0);
         impact.unlike = bars.map(|bars| bars.time_ratio);
-        // Contact seldom outlasts two trips through the longer bar.
-        let longest = impact.unlike.map_or(1.0, |ratio| ratio.max(1.0));
-        let ends = [2.0, 8.0, 32.0].map(|times| times * longest);
-        let parted = Scaled::new(&case).and_then(|scaled| {
-            let mut ends = ends.into_iter();
-            ends.find_map(|end| scaled.bars.solve(end).durations()[1])
-        });
-        let Some(parted) = parted else {
+        let Some(parted) = Scaled::new(&case).and_then(|scaled| parting(&scaled)) else {
             return Err(vec![Violation {
                 parameter: "right",
-                message: format!("the bars do not part within {} T_I", shortest(ends[2])),
+                message: format!(
+                    "the bars do not part while {MOST_TRIPS} waves pass the shorter one"
+                ),
             }]);
         };
         impact.duration = 1.5 * parted;
@@ -111,7 +112,6 @@ impl Impact {
     ) -> (Case, Vec<Violation>) {
         let dt = passes / f64::from(2 * n);
         let mut given = self.fixed.bars.clone();
-        let own_mesh = given.iter().any(|(name, _)| *name == "right.n");
         given.extend([
             (spring.0, Value::Number(spring.1)),
             ("n", Value::Whole(u64::from(n))),
@@ -120,11 +120,16 @@ impl Impact {
             ("gap", Value::Number(2.0 * into * dt)),
             ("mass", Value::Name(mass)),
         ]);
-        if let Some(ratio) = self.unlike.filter(|_| !own_mesh) {
+        if let Some(ratio) = self.unlike.filter(|_| !self.own_mesh()) {
             let count = (f64::from(n) * ratio).round().max(1.0);
             given.push(("right.n", Value::Whole(count as u64)));
         }
         Case::given(&BarImpact, &given)
+    }
+
+    /// Whether the user gives the mesh of the right bar.
+    fn own_mesh(&self) -> bool {
+        self.fixed.bars.iter().any(|(name, _)| *name == "right.n")
     }
 
     fn case(&self, spring: (&'static str, f64), mesh: Mesh, into: f64) -> Case {
@@ -140,6 +145,7 @@ impl Impact {
 
     /// The meshes and steps to search, with their costs.
     fn affordable(&self) -> Vec<(Mesh, u64)> {
+        let most = self.fixed.n.map_or(MOST_COST, |_| MOST_COST_GIVEN);
         let mut meshes = Vec::new();
         for (at, passes) in PASSES.into_iter().enumerate() {
             let ratio = if at < WITH_EVERY_MESH { 1.0 } else { 1.05 };
@@ -154,7 +160,9 @@ impl Impact {
                     let case = self.case(spring, mesh, 0.0);
                     let cost = BarImpact.work(&case);
                     let steps = BarImpact.steps(&case);
-                    if steps > 1 && (self.fixed.n.is_some() || cost <= MOST_COST) {
+                    let right = case.number("right.n").unwrap_or(f64::INFINITY);
+                    let meshed = self.unlike.is_none() || right >= 2.0 || self.own_mesh();
+                    if steps > 1 && meshed && cost <= most {
                         meshes.push((mesh, cost));
                     }
                 }
@@ -162,6 +170,17 @@ impl Impact {
         }
         meshes
     }
+}
+
+/// When the ends part for the first time, by the exact solution; `None` where that takes too long to follow.
+fn parting(scaled: &Scaled) -> Option<f64> {
+    let shorter = match scaled.right {
+        Some(right) => right.trip.min(1.0),
+        None => 1.0,
+    };
+    let longer = |trips: &f64| Some(4.0 * trips).filter(|trips| *trips <= MOST_TRIPS);
+    let mut ends = std::iter::successors(Some(2.0), longer).map(|trips| trips * shorter);
+    ends.find_map(|end| scaled.bars.solve(end).durations()[1])
 }
 
 impl Space for Impact {
@@ -226,7 +245,7 @@ impl Space for Impact {
         ];
         if self.unlike.is_some() {
             notes.push(
-                "the right bar has elements of the same travel time unless right.n is given".into(),
+                "the right bar has elements of the same travel time, at least 2, unless right.n is given".into(),
             );
         }
         if self.peak != 1.0 {
