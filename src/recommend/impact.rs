@@ -92,8 +92,7 @@ impl Impact {
         impact.peak = force.into_iter().fold(0.0, f64::max);
         impact.meshes = impact.affordable();
         if impact.meshes.is_empty() {
-            let message =
-                "the bars' travel times are so unlike that every mesh costs too much; give n";
+            let message = "the bars' travel times are so unlike that no mesh searched fits both; give right.n";
             let parameter = "right";
             return Err(vec![Violation {
                 parameter,
