@@ -540,7 +540,7 @@ fn names_of_rows_agree_with_their_numbers() {
             // Four digits are printed.
             assert!((most / worst - 1.0).abs() < 1.1e-3, "{row:?}");
             if energy {
-                assert!(over.clone().last().unwrap() <= 1.0, "{row:?}");
+                assert!(over.clone().next_back().unwrap() <= 1.0, "{row:?}");
             }
             match row[0] {
                 "recommended" => assert!(worst <= 1.0),
