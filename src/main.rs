@@ -209,9 +209,9 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
         Verb::Claims(claims) => commands::pool(claims.jobs.jobs)?
             .install(|| commands::claims::claims(&claims.ledgers, &claims.out)),
         Verb::Recommend(asked) => {
-            let (space, targets, common) = asked.meant();
-            commands::pool(common.jobs.jobs)?
-                .install(|| commands::recommend::recommend(&*space, &targets, &common.out))
+            let meant = asked.meant()?;
+            commands::pool(meant.common.jobs.jobs)?
+                .install(|| commands::recommend::recommend(&meant))
         }
         Verb::Schema(schema) => commands::say(&match schema.markdown {
             true => slipgap::study::reference(),

@@ -1,5 +1,6 @@
 //! One file for each verb, and what they share.
 
+pub mod advice;
 pub mod asked;
 pub mod check;
 pub mod claims;

@@ -5,6 +5,7 @@ use super::legend::Key;
 use super::sheet::{Panel, Series, Sheet};
 use super::style::{self, Marker, Stroke};
 use super::ticks;
+use libm::log10;
 
 /// A front to draw.
 #[derive(Debug)]
@@ -17,6 +18,22 @@ pub struct Front {
     pub points: Vec<[f64; 2]>,
     /// Position of the recommended point, if any.
     pub chosen: Option<usize>,
+}
+
+/// Least distance of markers along the axis, over its length: a marker's own width.
+const APART: f64 = 0.02;
+
+/// The points to mark along a logarithmic axis, so that no marker hides the next.
+fn apart(points: &[[f64; 2]], range: [f64; 2]) -> Vec<usize> {
+    let place = |x: f64| log10(x / range[0]) / log10(range[1] / range[0]);
+    let mut marked: Vec<usize> = Vec::new();
+    for (i, point) in points.iter().enumerate() {
+        let last = marked.last().map(|last| place(points[*last][0]));
+        if last.is_none_or(|last| place(point[0]) - last >= APART) {
+            marked.push(i);
+        }
+    }
+    marked
 }
 
 impl Front {
@@ -35,7 +52,7 @@ impl Front {
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x, y);
         let curve = |label: &str, points: Vec<[f64; 2]>, stroke, width, marker| Series {
             label: label.into(),
-            marked: (0..points.len()).collect(),
+            marked: apart(&points, panel.x.range),
             points,
             stroke,
             width,

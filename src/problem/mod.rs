@@ -29,6 +29,32 @@ impl Case {
         Case { table, values }
     }
 
+    /// A completed case from parameters by name, the others at their defaults, and the rules that it breaks.
+    pub fn given(problem: &dyn Problem, given: &[(&str, Value)]) -> (Case, Vec<Violation>) {
+        let mut case = Case::new(problem.parameters());
+        for (row, parameter) in case.table.iter().enumerate() {
+            let own = given.iter().find(|(name, _)| *name == parameter.name);
+            // A name that a default depends on precedes it in the table.
+            case.values[row] = own
+                .map(|(_, value)| *value)
+                .or_else(|| case.default_at(row));
+        }
+        let broken = problem.complete(&mut case);
+        (case, broken)
+    }
+
+    /// The default of a row of the table, where it has one and applies.
+    pub fn default_at(&self, row: usize) -> Option<Value> {
+        let parameter = &self.table[row];
+        let applies = parameter
+            .applies
+            .is_none_or(|(governor, name)| self.choice(governor) == name);
+        match parameter.default {
+            parameter::Default::Is(value) if applies => Some(value),
+            _ => None,
+        }
+    }
+
     /// The value of the parameter `name`, if it applies.
     pub fn get(&self, name: &str) -> Option<Value> {
         let row = self.table.iter().position(|p| p.name == name)?;

@@ -1,61 +1,68 @@
-//! Width and step of a friction model.
+//! Law, width and step of a friction model.
 
-use super::{Candidate, Rung, Space, written};
+use super::{Rung, Space, wholes, written};
 use crate::exact::coulomb::Coulomb;
+use crate::history::History;
 use crate::problem::friction::FrictionOscillator;
-use crate::problem::parameter::{Default, Value};
+use crate::problem::parameter::{Value, shortest};
 use crate::problem::{Case, Problem};
 use std::f64::consts::PI;
-
-/// Steps of a half-cycle.
-const PARTS: [u32; 34] = [
-    2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 24, 28, 32, 36, 40, 48, 56, 64, 80, 96, 112,
-    128, 160, 192, 224, 256, 320, 384, 512, 640,
-];
 
 /// Part by which x0 is not known: neighbours.
 const UNSURE: f64 = 0.02;
 
-/// Widths and steps for one law and one release.
+/// Steps of a half-cycle up to which every whole number is searched, and the most.
+const EVERY: u32 = 128;
+const MOST: u32 = 640;
+
+/// Widths searched.
+const WIDTHS: [f64; 2] = [1e-6, 10.0];
+
+/// Widths and steps for one or more laws and one release.
 #[derive(Debug)]
 pub struct Friction {
-    /// Name of the law.
-    pub law: &'static str,
+    /// Names of the laws.
+    pub laws: Vec<&'static str>,
     /// Release.
     pub x0: f64,
 }
 
-impl Friction {
-    fn width(&self) -> &'static str {
-        match self.law {
-            "velocity-control" => "beta",
-            _ => "alpha",
-        }
-    }
+/// Steps of a half-cycle.
+fn parts() -> Vec<u32> {
+    let mut parts: Vec<u32> = (2..EVERY).collect();
+    parts.extend(wholes(EVERY, MOST, 1.05));
+    parts
+}
 
+fn width(law: &str) -> &'static str {
+    match law {
+        "velocity-control" => "beta",
+        _ => "alpha",
+    }
+}
+
+impl Friction {
     /// Until a cycle after the exact rest: all that can be judged.
     fn duration(&self) -> f64 {
         Coulomb::new(self.x0).rest_time() + 2.0 * PI
     }
 
-    fn case(&self, width: f64, parts: u32, x0: f64) -> Case {
-        let mut case = Case::new(FrictionOscillator.parameters());
-        let values = [
-            ("law", Value::Name(self.law)),
-            (self.width(), Value::Number(width)),
+    fn case(&self, law: &'static str, own: f64, parts: u32, x0: f64) -> Case {
+        let given = [
+            ("law", Value::Name(law)),
+            (width(law), Value::Number(own)),
             ("dT", Value::Number(PI / f64::from(parts))),
             ("duration", Value::Number(self.duration())),
             ("x0", Value::Number(x0)),
         ];
-        for (row, parameter) in case.table.iter().enumerate() {
-            let given = values.iter().find(|(name, _)| *name == parameter.name);
-            case.values[row] = match (given, parameter.default, parameter.applies) {
-                (Some((_, value)), ..) => Some(*value),
-                (None, Default::Is(value), Some((_, law))) if law == self.law => Some(value),
-                _ => None,
-            };
-        }
-        case
+        // A grid within the table's ranges breaks no rule.
+        Case::given(&FrictionOscillator, &given).0
+    }
+
+    fn widths(&self) -> Vec<&'static str> {
+        let mut widths: Vec<_> = self.laws.iter().map(|law| width(law)).collect();
+        widths.sort_unstable();
+        widths
     }
 }
 
@@ -64,26 +71,30 @@ impl Space for Friction {
         &FrictionOscillator
     }
 
-    fn free(&self) -> &'static [&'static str] {
-        match self.law {
-            "velocity-control" => &["beta", "dT"],
-            _ => &["alpha", "dT"],
-        }
+    fn shown(&self) -> Vec<&'static str> {
+        [vec!["law"], self.widths(), vec!["dT"]].concat()
     }
 
-    fn said(&self) -> Vec<String> {
+    fn stated(&self) -> Vec<&'static str> {
+        vec!["law", "alpha", "beta", "dT", "duration", "x0"]
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let ends = WIDTHS.map(shortest).join(" .. ");
+        let widths = self.widths().join(" and ");
         vec![
             format!(
-                "searched: {} 0.001 .. 10, dT pi/2 .. pi/{}, over duration {}*pi (a cycle after the exact rest)",
-                self.width(),
-                PARTS[PARTS.len() - 1],
+                "searched: {}; {widths} {ends}, 20 a decade; dT pi/2 .. pi/{EVERY} with every whole number, then in \
+                 ratios of 1.05 to pi/{MOST}; duration {}*pi (a cycle after the exact rest)",
+                self.laws.join(" and "),
                 (self.duration() / PI).round()
             ),
             format!(
-                "reached also with {} 12 % up and down and with x0 {} % up and down",
-                self.width(),
+                "neighbours that must reach the target too: {widths} 12 % smaller and larger, x0 {} % smaller and larger",
                 100.0 * UNSURE
             ),
+            "not searched: other releases, initial_slip pulled and sliding, steps that do not divide a half-cycle"
+                .into(),
         ]
     }
 
@@ -91,26 +102,40 @@ impl Space for Friction {
         "steps"
     }
 
-    fn rungs(&self) -> Vec<Rung> {
-        let widths = written(0.001, 10.0, 20.0);
-        let rung = |parts: u32| Rung {
-            cost: FrictionOscillator.steps(&self.case(1.0, parts, self.x0)) as f64,
-            candidates: widths
-                .windows(3)
-                .map(|near| Candidate {
-                    case: self.case(near[1], parts, self.x0),
-                    tried: [
-                        (near[0], 1.0),
-                        (near[1], 1.0),
-                        (near[2], 1.0),
-                        (near[1], 1.0 - UNSURE),
-                        (near[1], 1.0 + UNSURE),
-                    ]
-                    .map(|(width, x0)| self.case(width, parts, x0 * self.x0))
-                    .to_vec(),
-                })
-                .collect(),
+    fn costs(&self) -> Vec<u64> {
+        let steps = |parts| {
+            let case = self.case(self.laws[0], 1.0, parts, self.x0);
+            FrictionOscillator.steps(&case)
         };
-        PARTS.into_iter().map(rung).collect()
+        parts().into_iter().map(steps).collect()
+    }
+
+    fn rung(&self, at: usize) -> Rung {
+        let parts = parts()[at];
+        let widths = written(WIDTHS[0], WIDTHS[1], 20.0);
+        let mut rung = Rung::default();
+        for law in &self.laws {
+            let first = rung.cases.len();
+            for x0 in [1.0, 1.0 - UNSURE, 1.0 + UNSURE] {
+                let cases = widths
+                    .iter()
+                    .map(|own| self.case(law, *own, parts, x0 * self.x0));
+                rung.cases.extend(cases);
+            }
+            let count = widths.len();
+            for i in first + 1..first + count - 1 {
+                let tried = vec![i, i - 1, i + 1, i + count, i + 2 * count];
+                rung.candidates.push(tried);
+            }
+        }
+        rung
+    }
+
+    fn energy_drifts(&self) -> Option<[usize; 2]> {
+        None
+    }
+
+    fn energy_gain(&self, _: &Case, _: &History) -> Option<f64> {
+        None
     }
 }

@@ -1,133 +1,130 @@
 //! Which parameters to take: the cheapest case that reaches a target, found by computing.
 //!
 //! Candidates lie on a grid and are tried by rising cost. One reaches the target only if it does so for neighbours too
-//! (each space says for which), so that no lucky cancellation is recommended.
+//! (each space says for which), so that no lucky cancellation is recommended. None may gain more energy than a limit.
 
+pub mod energy;
 pub mod friction;
 pub mod impact;
+mod search;
 
+pub use search::search;
+
+use crate::history::History;
 use crate::problem::{Case, Problem};
-use rayon::prelude::*;
 
-/// A demand on a case: a number from its metrics, at most a limit.
+/// A demand on a case: the miss of one of its metrics, at most a limit.
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// What is demanded, as in `rms_error` or `abs(peak_force - 1)`.
+    /// What is demanded, as in `rms_error`.
     pub name: &'static str,
     /// Row of `problem.metrics()`.
     pub metric: usize,
-    /// What is taken from the metric before its magnitude counts.
+    /// What the metric should be: its relative error counts; 0 where the metric is an error itself.
     pub ideal: f64,
-    /// Largest magnitude allowed, > 0.
+    /// Largest miss allowed, > 0.
     pub limit: f64,
 }
 
 impl Target {
-    /// How far a case misses the ideal; `None` where the metric is undefined.
-    pub fn miss(&self, metrics: &[Option<f64>]) -> Option<f64> {
-        Some((metrics[self.metric]? - self.ideal).abs())
+    /// How far a case misses the ideal; infinite where the metric is undefined.
+    pub fn miss(&self, metrics: &[Option<f64>]) -> f64 {
+        let scale = if self.ideal == 0.0 { 1.0 } else { self.ideal };
+        let metric = metrics.get(self.metric).copied().flatten();
+        metric.map_or(f64::INFINITY, |x| ((x - self.ideal) / scale).abs())
     }
 }
 
-/// One candidate: a case, and the neighbours that must reach the target with it.
+/// What is asked of a case and its neighbours.
 #[derive(Debug, Clone)]
-pub struct Candidate {
-    /// The case as recommended.
-    pub case: Case,
-    /// It and its neighbours.
-    pub tried: Vec<Case>,
+pub struct Request {
+    /// What they must reach.
+    pub targets: Vec<Target>,
+    /// Most energy that they may gain, over that at the start; `None` for a problem whose law only takes energy.
+    pub energy_gain: Option<f64>,
 }
 
-/// Candidates of the same cost.
-#[derive(Debug)]
+/// Candidates of the same cost, and the cases that decide about them.
+#[derive(Debug, Default)]
 pub struct Rung {
-    /// Steps, or steps times modes.
-    pub cost: f64,
-    /// The candidates.
-    pub candidates: Vec<Candidate>,
+    /// Candidates and neighbours.
+    pub cases: Vec<Case>,
+    /// For each candidate its place in `cases`, then those of its neighbours.
+    pub candidates: Vec<Vec<usize>>,
 }
 
 /// Where to search.
 pub trait Space: Sync {
     /// The problem.
     fn problem(&self) -> &'static dyn Problem;
-    /// Names of the parameters that are recommended.
-    fn free(&self) -> &'static [&'static str];
-    /// What is searched, and what counts as neighbours, in words.
-    fn said(&self) -> Vec<String>;
+    /// Names of the parameters that an answer shows.
+    fn shown(&self) -> Vec<&'static str>;
+    /// Names of the parameters that a study of the answer needs.
+    fn stated(&self) -> Vec<&'static str>;
+    /// What is searched, what counts as neighbours, and what is not searched, in words.
+    fn notes(&self) -> Vec<String>;
     /// What the cost counts.
     fn cost_title(&self) -> &'static str;
-    /// All candidates, by rising cost.
-    fn rungs(&self) -> Vec<Rung>;
+    /// The cost of every rung.
+    fn costs(&self) -> Vec<u64>;
+    /// A rung by its place in `costs`.
+    fn rung(&self, at: usize) -> Rung;
+    /// Row of the metric that is the largest change of energy, with its sign, and of that at the end.
+    fn energy_drifts(&self) -> Option<[usize; 2]>;
+    /// The largest gain of energy on the way, over the energy at the start; `None` where energy is not watched.
+    fn energy_gain(&self, case: &Case, computed: &History) -> Option<f64>;
 }
 
-/// The best candidate of a rung.
+/// The best candidate of a cost.
 #[derive(Debug, Clone)]
 pub struct Tried {
-    /// Its case.
-    pub case: Case,
+    /// Its case, then its neighbours.
+    pub cases: Vec<Case>,
     /// What it costs.
-    pub cost: f64,
-    /// The largest miss over its limit, of all targets and neighbours: at most 1 reaches the target.
+    pub cost: u64,
+    /// The largest miss of each target, over case and neighbours.
+    pub misses: Vec<f64>,
+    /// The largest miss over its limit: at most 1 reaches the target.
     pub worst: f64,
 }
 
 /// What a search comes to.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Answer {
-    /// The best candidates of rungs that are better than every cheaper one, by rising cost.
+    /// The best candidate of every cost that buys a smaller `worst` than all lower costs, by rising cost.
     pub front: Vec<Tried>,
-    /// Position in the front of the cheapest that reaches the target; `None` if none does.
-    pub chosen: Option<usize>,
+    /// Number of cases solved.
+    pub solved: u64,
 }
 
-/// How much dearer than the recommended case alternatives are looked for.
-const BEYOND: f64 = 4.0;
+/// Part of cost or of `worst` by which alternatives differ at least.
+const APART: f64 = 0.8;
 
-/// Searches a space by rising cost, and a little beyond the first candidate that reaches all targets.
-pub fn search(space: &dyn Space, targets: &[Target]) -> Answer {
-    let mut front: Vec<Tried> = Vec::new();
-    let mut chosen: Option<usize> = None;
-    for rung in space.rungs() {
-        if chosen.is_some_and(|at| rung.cost > BEYOND * front[at].cost) {
-            break;
-        }
-        let judged: Vec<f64> = rung
-            .candidates
-            .par_iter()
-            .map(|candidate| worst(space.problem(), candidate, targets))
-            .collect();
-        let best = judged.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-        let Some((at, &worst)) = best.filter(|(_, worst)| worst.is_finite()) else {
-            continue;
-        };
-        if front.last().is_none_or(|last| worst < last.worst) {
-            front.push(Tried {
-                case: rung.candidates[at].case.clone(),
-                cost: rung.cost,
-                worst,
-            });
-            if worst <= 1.0 && chosen.is_none() {
-                chosen = Some(front.len() - 1);
-            }
-        }
+impl Answer {
+    /// Position of the cheapest that reaches the target; `None` if none does.
+    pub fn chosen(&self) -> Option<usize> {
+        self.front.iter().position(|tried| tried.worst <= 1.0)
     }
-    Answer { front, chosen }
+
+    /// Position of a clearly cheaper one before `at`: by a fifth, else the first.
+    pub fn cheaper(&self, at: usize) -> Option<usize> {
+        let most = APART * self.front[at].cost as f64;
+        let clearly = self.front[..at].iter().rposition(|t| t.cost as f64 <= most);
+        clearly.or_else(|| (at > 0).then_some(0))
+    }
+
+    /// Position of the first after `at` that is clearly better: by a fifth.
+    pub fn better(&self, at: usize) -> Option<usize> {
+        let most = APART * self.front[at].worst;
+        let found = self.front[at..].iter().position(|t| t.worst <= most);
+        found.map(|further| at + further)
+    }
 }
 
-/// The largest miss over its limit; infinite where a case has no solution or a metric no value.
-fn worst(problem: &dyn Problem, candidate: &Candidate, targets: &[Target]) -> f64 {
-    let mut worst = 0.0_f64;
-    for case in &candidate.tried {
-        let Ok(solution) = problem.solve(case, &[]) else {
-            return f64::INFINITY;
-        };
-        for target in targets {
-            let miss = target.miss(&solution.metrics).unwrap_or(f64::INFINITY);
-            worst = worst.max(miss / target.limit);
-        }
-    }
-    worst
+/// The row of a metric; beyond the table, where every case misses, if there is none.
+pub fn metric(problem: &dyn Problem, name: &str) -> usize {
+    let found = problem.metrics().iter().position(|m| m.name == name);
+    found.unwrap_or(usize::MAX)
 }
 
 /// Numbers in equal ratios from `from` to `to`, `count` a decade, to three digits as one would write them.
@@ -139,4 +136,12 @@ fn written(from: f64, to: f64, count: f64) -> Vec<f64> {
         .collect();
     all.dedup();
     all
+}
+
+/// Whole numbers from `from` to `to`, each at least `ratio` times the one before.
+fn wholes(from: u32, to: u32, ratio: f64) -> Vec<u32> {
+    let next = |n: &u32| Some((f64::from(*n) * ratio).ceil().max(f64::from(*n) + 1.0) as u32);
+    std::iter::successors(Some(from), next)
+        .take_while(|n| *n <= to)
+        .collect()
 }

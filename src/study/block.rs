@@ -4,12 +4,12 @@ use std::sync::OnceLock;
 
 use super::derived::{Condition, Derived};
 use super::design::Design;
-use crate::problem::parameter::{Default, Value};
+use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
 
 /// A block: the product of its groups of axes in file order, the last one fastest; what follows from them; and which of
 /// these raw combinations are cases.
-#[derive(Debug, Clone, std::default::Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Block {
     /// Every parameter that has values of its own, a single value being an axis of one.
     pub groups: Vec<Group>,
@@ -145,14 +145,9 @@ impl Block {
                 case.values[axis.parameter] = Some(axis.values[*digit as usize]);
             }
         }
-        for (row, parameter) in case.table.iter().enumerate() {
-            if let (None, Default::Is(value)) = (case.values[row], parameter.default)
-                && self.derived.iter().all(|d| d.parameter != row)
-                && parameter
-                    .applies
-                    .is_none_or(|(governor, name)| case.choice(governor) == name)
-            {
-                case.values[row] = Some(value);
+        for row in 0..case.table.len() {
+            if case.values[row].is_none() && self.derived.iter().all(|d| d.parameter != row) {
+                case.values[row] = case.default_at(row);
             }
         }
         for derived in self.derived.iter().take(derived) {
