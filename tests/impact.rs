@@ -35,7 +35,7 @@ fn third_figure_has_its_numbers() {
     ] {
         let solution = solve(&json!({"k_I": k_i, "n": 10, "dt": 0.001, "duration": 1.5}));
         for (name, printed, digit) in [
-            ("contact_duration", contact, 0.001),
+            ("contact_steps", contact, 0.001),
             ("max_overlap", overlap, 0.0001),
             ("peak_force", peak, digit),
         ] {
@@ -52,7 +52,6 @@ fn third_figure_has_its_numbers() {
 fn contact_on_a_continuum_lasts_longer_by_the_springs_time_constant() {
     // At fixed k_I, n -> infinity: contact T_I + 1.67835 tau, tau = T_I/(4 gamma n) (reference, section 5). A chain
     // disperses the returning front, so the ends part later, from n = 160 on at times a little earlier, in its ripple.
-    // Both ends of contact_duration are steps: it is at most two steps too long.
     let dt = 0.0001;
     let excess = |n: u32| {
         let solution = solve(&json!({"k_I": 100.0, "n": n, "dt": dt, "duration": 1.2}));

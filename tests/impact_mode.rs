@@ -125,7 +125,7 @@ fn crests_of_force_and_velocity_are_the_modes() {
 fn separations_begin_at_gamma_2_035() {
     // The first valley of F comes 3.41 h/C0 after the touch and reaches zero at gamma = 2.0348. Just above, r is
     // positive for a small part of a period only: dt = 0.001 T_I is 0.04 h/C0 at n = 20 and steps over it up to 2.038.
-    let separations = |gamma, n, dt| solve(gamma, n, dt).metrics[1].unwrap();
+    let separations = |gamma, n, dt| solve(gamma, n, dt).metrics[2].unwrap();
     for n in [20, 40] {
         assert_eq!(separations(2.0340, n, 0.0001), 0.0, "n = {n}");
         assert!(separations(2.0355, n, 0.0001) >= 1.0, "n = {n}");

@@ -76,8 +76,9 @@ impl Folder {
         self.written.extend(names);
     }
 
-    /// Removes what a former run wrote and this one did not, then writes the manifest.
-    pub fn close(mut self, study: &Study, file: &Path) -> Result<(), Error> {
+    /// Removes what a former run wrote and this one did not, then writes the manifest, with the number of cases in which
+    /// no contact happens.
+    pub fn close(mut self, study: &Study, file: &Path, untouched: u64) -> Result<(), Error> {
         self.written.sort();
         for name in self.former() {
             // Only names inside the folder: a manifest edited by hand must not reach further.
@@ -102,7 +103,7 @@ impl Folder {
                 }
             }
         }
-        let manifest = json!({
+        let mut manifest = json!({
             "study": file.file_name().map(|name| name.to_string_lossy()),
             "study_sha256": study.sha256,
             "program": env!("CARGO_PKG_NAME"),
@@ -111,6 +112,9 @@ impl Folder {
             "git_commit": commit_of(file),
             "files": self.written,
         });
+        if study.problem.contact().is_some() {
+            manifest["cases_without_contact"] = untouched.into();
+        }
         whole(&self.path.join(MANIFEST), |out| {
             writeln!(out, "{manifest:#}")
         })

@@ -93,8 +93,10 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
     };
     let mut solved = Vec::new();
     let mut designs = Gathered::new(study);
+    let mut untouched = 0;
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
+        untouched += done.found.untouched(study.problem);
         designs.add(&done);
         // Where nobody looks at cases one by one, they stay columns.
         if table.is_none()
@@ -136,12 +138,18 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
         name_unsolved(source, &failed);
         lines.push(folder.write(FAILURES, &results::failures(study, &failed)?)?);
     }
+    if untouched > 0 {
+        note(&format!(
+            "{}: {untouched} of {cases} cases never touch before `duration`: their contact metrics are undefined",
+            source.file.display()
+        ));
+    }
     if let Some(indices) = designs.table()? {
         lines.push(folder.write(INDICES, &indices)?);
     }
     drawn::figures(study, &mut shown, &mut folder, &mut lines)?;
     store.close(study)?;
-    folder.close(study, &source.file)?;
+    folder.close(study, &source.file, untouched)?;
     let text: String = lines
         .iter()
         .map(|path| format!("{}\n", path.display()))

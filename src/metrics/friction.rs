@@ -23,7 +23,8 @@ pub struct Sampled {
     at: Vec<f64>,
     /// Sum of their squares.
     squares: f64,
-    /// The steps with (k - 1/2) pi <= T <= (k + 1/2) pi, k = 1..=m; none at all where one of them has no step.
+    /// The steps with (k - 1/2) pi <= T <= (k + 1/2) pi, k = 1..=m; none at all where one of them has no step, or where
+    /// the run ends before the last of them does: its extreme would not be the peak.
     peaks: Option<Vec<Range<usize>>>,
     /// Steps from T = (m + 1) pi on.
     late: Range<usize>,
@@ -52,7 +53,9 @@ impl Sampled {
             scale,
             squares: at.iter().map(|e| e * e).sum(),
             at,
-            peaks: (1..=m as u64).map(|k| held(window(k))).collect(),
+            peaks: reached(duration, (m + 0.5) * PI)
+                .then(|| (1..=m as u64).map(|k| held(window(k))).collect())
+                .flatten(),
             late: from((m + 1.0) * PI)..count,
             rests: reached(duration, exact.rest_time()),
         }
@@ -153,7 +156,7 @@ pub fn work(c: &History, scale: f64) -> f64 {
 
 /// Largest error of the peaks k = 1..=m, each the extreme of s_k c over its window.
 ///
-/// Undefined where there is no peak, or where a peak's window holds no step.
+/// Undefined where there is no peak, where a peak's window holds no step, or where the run ends within one.
 #[inline(always)]
 fn peak_error<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let windows = exact.peaks.as_ref().filter(|peaks| !peaks.is_empty())?;
@@ -260,6 +263,31 @@ mod tests {
     }
 
     #[test]
+    fn peaks_need_the_end_of_the_last_ones_window() {
+        // x0 = 12 has m = 6 half-cycles: the last window ends at 6.5 pi, where the run may end by the slack.
+        let peak = |duration: f64| {
+            let step = 0.01 * PI;
+            let last = crate::metrics::steps(duration, step);
+            let exact = Sampled::new(12.0, step, last, duration);
+            let x: Vec<_> = exact.at.iter().map(|x| Lane([12.0 * x])).collect();
+            cells(evaluate(&x, Lane([0.0]), &exact))[2]
+        };
+        for (ends, defined) in [
+            (5.49, false),
+            (5.52, false),
+            (6.0, false),
+            (6.49, false),
+            (6.5, true),
+        ] {
+            assert_eq!(peak(ends * PI).is_some(), defined, "{ends} pi");
+        }
+        assert!(peak(6.5 * PI * (1.0 - 5e-13)).is_some());
+        assert!(peak(6.5 * PI * (1.0 - 2e-12)).is_none());
+        // The exact motion has its peaks at steps.
+        assert!(peak(6.5 * PI) < Some(1e-14));
+    }
+
+    #[test]
     fn cells_without_meaning_are_empty() {
         let rows = [(3.0, 0.0), (1.0, -1.0), (-1.5, -0.4), (-0.9, 1.0)];
         let defined = |x0: f64, rows: &[(f64, f64)]| {
@@ -268,8 +296,9 @@ mod tests {
         };
         // peak, rest, residual motion, work
         assert_eq!(defined(3.0, &rows), [true, true, false, true]);
-        // Before m pi, with a step in the peak's window and without.
-        assert_eq!(defined(3.0, &rows[..2]), [true, false, false, false]);
+        // At m pi, in the middle of the peak's window; before it, with a step in the window and without.
+        assert_eq!(defined(3.0, &rows[..3]), [false, true, false, true]);
+        assert_eq!(defined(3.0, &rows[..2]), [false, false, false, false]);
         assert_eq!(defined(3.0, &rows[..1]), [false, false, false, false]);
         // Never moves: m = 0, no peak, no work.
         assert_eq!(defined(0.5, &rows), [false, true, true, false]);

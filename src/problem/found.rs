@@ -1,5 +1,6 @@
 //! What was found of many cases.
 
+use super::Problem;
 use std::collections::BTreeMap;
 
 /// The metrics of many cases, row by row, and why some have none.
@@ -59,6 +60,18 @@ impl Found {
         self.failures
             .iter()
             .map(|(case, why)| (*case, why.as_str()))
+    }
+
+    /// Number of cases in which no contact happens: solved, and without the metric that [`Problem::contact`] names. Their
+    /// metrics of contact are undefined.
+    pub fn untouched(&self, problem: &dyn Problem) -> u64 {
+        let Some(metric) = problem.contact() else {
+            return 0;
+        };
+        let untouched = |(case, cell): &(usize, Option<f64>)| {
+            cell.is_none() && !self.failures.contains_key(case)
+        };
+        self.column(metric).enumerate().filter(untouched).count() as u64
     }
 
     /// Puts in the metrics of a case: as many as there are in a row, or fewer; those that are not finite are undefined.

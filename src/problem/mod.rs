@@ -86,6 +86,18 @@ pub struct Metric {
     pub default: bool,
 }
 
+/// The row of a table of metrics that has this name, for constants: a name that is not there does not compile.
+pub const fn metric_of(table: &[Metric], name: &str) -> usize {
+    let mut row = 0;
+    while row < table.len() {
+        if parameter::same(table[row].name, name) {
+            return row;
+        }
+        row += 1;
+    }
+    panic!("no such metric")
+}
+
 /// A quantity that history figures can draw.
 #[derive(Debug)]
 pub struct Quantity {
@@ -183,6 +195,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn parameters(&self) -> &'static [Parameter];
     /// The table of metrics.
     fn metrics(&self) -> &'static [Metric];
+    /// Row of a default metric that is empty exactly where no contact happens; none for a problem without impacts.
+    fn contact(&self) -> Option<usize> {
+        None
+    }
     /// What history figures can draw; the first is the response itself.
     fn quantities(&self) -> &'static [Quantity];
     /// What profile figures can draw; none for a problem without extent.

@@ -23,20 +23,24 @@ pub struct Parameter {
 
 /// The row of a table that has this name, for constants: a name that is not there does not compile.
 pub const fn row_of(table: &[Parameter], name: &str) -> usize {
-    let wanted = name.as_bytes();
     let mut row = 0;
     while row < table.len() {
-        let found = table[row].name.as_bytes();
-        let mut same = 0;
-        while same < found.len() && same < wanted.len() && found[same] == wanted[same] {
-            same += 1;
-        }
-        if same == found.len() && same == wanted.len() {
+        if same(table[row].name, name) {
             return row;
         }
         row += 1;
     }
     panic!("no such parameter")
+}
+
+/// Whether two names are the same, for constants.
+pub(super) const fn same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut same = 0;
+    while same < a.len() && same < b.len() && a[same] == b[same] {
+        same += 1;
+    }
+    same == a.len() && same == b.len()
 }
 
 /// The declared type of a parameter: decoding goes by this and by nothing else.

@@ -54,7 +54,7 @@ fn results_of_bars_fill_in_both_stiffnesses_and_the_right_bar() {
     let wall = bench.text("figures/wall/results.csv");
     assert!(two.starts_with(
         "case,gamma,k_I,n,dt,duration,gap,mass,E,A,rho,L,V0,right,right.E,right.A,right.rho,right.L,right.n,right.V0,\
-         contact_duration,separations,max_overlap,rdot_oscillation,peak_force,impulse_error,restitution,\
+         contact_duration,contact_steps,separations,max_overlap,rdot_oscillation,peak_force,impulse_error,restitution,\
          energy_drift_max,energy_drift_final,rms_error_r,rms_error_rdot\n"
     ));
     assert!(two.contains("\n0,5,100,2,0.1,1.5,0,lumped,100,1,0.01,10,0.1,,100,1,0.01,10,2,-0.1,"));

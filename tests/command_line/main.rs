@@ -12,6 +12,7 @@ mod files;
 mod interrupted;
 mod same_bytes;
 mod store;
+mod untouched;
 mod verbs;
 
 use std::fs;

@@ -70,9 +70,10 @@ class Setup:
         self.dt, self.duration = full["dt"], full["duration"]
         self.steps = math.floor(self.duration / self.dt * (1 + 1e-12))
 
-    def exact(self):
+    def exact(self, end=None):
+        """The exact solution up to `end` in T_I; without one, to a T_I beyond the run."""
         one, left, right = self.ar.number(1), self.left, self.right
-        end = self.ar.number(self.duration) + 1
+        end = self.ar.number(self.duration) + 1 if end is None else end
         if right is None:
             return Exact(self.gap, None, one, one * 0, end, one)
         total = left.Z + right.Z

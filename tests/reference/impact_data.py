@@ -42,6 +42,14 @@ def CASES():
         case(10, 0.01, 1.5, gamma=1.0, V0=-0.1, right={"V0": -0.3}),
         case(11, 0.007, 1.8, gamma=1.2, gap=0.0911, **steel),
         case(11, 0.007, 2.2, gamma=1.2, **steel, right={"E": 70.0, "rho": 0.0027, "n": 8}),
+        # Mirrored pairs: the same motion in units of the other bar. A run that the exact contact outlasts.
+        case(20, 0.0025, 1.25, gamma=1.0, L=20.0, right={"L": 10.0, "n": 10}),
+        case(10, 0.005, 4.0, gamma=6.0, gap=0.137, right={"L": 30.0, "n": 30}),
+        case(30, 0.005 / 3, 4.0 / 3, gamma=6.0, gap=0.137 / 3, L=30.0, right={"L": 10.0, "n": 10}),
+        case(10, 0.02, 1.5, gamma=1.0, right={"L": 20.0, "n": 20}),
+        case(10, 0.5, 2.0, gamma=1.0, gap=0.253),
+        # A free flight, and one that ends at the touch itself.
+        case(4, 0.1, 0.5, gamma=1.0, gap=7.3), case(4, 0.05, 0.3, gamma=1.0, gap=0.6),
     ]
 
 

@@ -5,6 +5,37 @@ from impact import Setup, dot, solve
 TOLERANCE = 1e-12  # for times that mean a multiple of the step but carry rounding
 
 
+# Metrics of contact, empty where there is none.
+CONTACT = ("contact_duration", "contact_steps", "separations", "max_overlap", "rdot_oscillation", "peak_force",
+           "impulse_error", "restitution")
+
+
+def contact_duration(setup):
+    """How long the exact contact lasts: at most the longer of the two times 2L/C."""
+    left, right = setup.left, setup.right
+    longest = setup.T if right is None else max(setup.T, 2 * right.L / right.C)
+    touch = setup.exact(setup.gap / 2 + longest / setup.T + 1).phases()[0]
+    return touch[0][1] - touch[0][0]
+
+
+def restitution(setup, exact, end):
+    """Relative velocity of the mass centres at `end` over c: means of the exact velocity along the bars, piece by piece
+    between fronts. The impulse is not used."""
+    means = []
+    for name, bar in (("left", setup.left), ("right", setup.right)):
+        if bar is None:
+            means.append(exact.at(end)[1] * 0)  # a wall stays
+            continue
+        half = bar.L / bar.C / setup.T
+        line = exact.left if name == "left" else exact.right
+        edges = {half * 0, half}
+        edges.update(at - end for at in [*line.times, *(at for at, _ in line.flying)] if 0 < at - end < half)
+        edges.update(end - at for at in [*line.times, *exact.times] if 0 < end - at < half)
+        edges = sorted(edges)
+        means.append(sum(exact.inside(name, (p + q) / 2, end)[0] * (q - p) for p, q in zip(edges, edges[1:])) / half)
+    return means[1] - means[0]
+
+
 def later(t, limit):
     """t >= limit, where both may carry rounding."""
     return t >= limit - TOLERANCE * max(1, abs(limit))
@@ -18,10 +49,14 @@ def metrics(setup, solution, exact):
     touch = setup.gap / 2
     out = {}
     inside = [i for i in range(n + 1) if r[i] < 0]
-    out["contact_duration"] = None
+    out["contact_duration"] = out["contact_steps"] = None
     if inside and inside[-1] < n:
-        out["contact_duration"] = t[inside[-1] + 1] - t[inside[0] - 1]
-    limit, opened, count = touch + setup.ar.number("0.9" if not isinstance(touch, float) else 0.9), None, 0
+        zeros = [t[i] + (t[i + 1] - t[i]) * r[i] / (r[i] - r[i + 1]) for i in (inside[0] - 1, inside[-1])]
+        out["contact_duration"] = zeros[1] - zeros[0]
+        out["contact_steps"] = t[inside[-1] + 1] - t[inside[0] - 1]
+    lasts = contact_duration(setup)
+    early, limit = touch + setup.ar.number("0.3") * lasts, touch + setup.ar.number("0.9") * lasts
+    opened, count = None, 0
     for i in range(1, n + 1):
         if r[i - 1] < 0 <= r[i] and later(limit, t[i]):
             opened = i
@@ -30,7 +65,7 @@ def metrics(setup, solution, exact):
             opened = None
     out["separations"] = count
     out["max_overlap"] = max(-x for x in r)
-    window = [rdot[i] for i in range(n + 1) if later(t[i], touch + 0.3) and later(touch + 0.9, t[i])]
+    window = [rdot[i] - exact.at(t[i], 1)[1] for i in range(n + 1) if later(t[i], early) and later(limit, t[i])]
     out["rdot_oscillation"] = setup.ar.sqrt(dot(window, window) / len(window)) if window else None
     out["peak_force"] = max(force)
     impulse = sum((force[i] + force[i + 1]) * dt / 2 for i in range(n))
@@ -40,6 +75,13 @@ def metrics(setup, solution, exact):
     if separation is not None and not later(separation, setup.duration):
         out["impulse_error"] = impulse / exact.impulse(t[-1]) - 1
     out["restitution"] = solution["restitution"]
+    reference = {"contact_duration_exact": lasts if later(t[-1], touch + lasts) else None,
+                 "peak_force_exact": max(p[3] for p in exact.pieces if p[0] < t[-1]),
+                 "restitution_exact": restitution(setup, exact, t[-1])}
+    out.update(reference)
+    if not inside or not touch < t[-1] * (1 - TOLERANCE):
+        # No contact, or one at the last step that is round-off: nothing that is a property of a contact.
+        out.update(dict.fromkeys(CONTACT + tuple(reference)))
     drift = [e / solution["energy"][0] - 1 for e in solution["energy"]]
     out["energy_drift_max"] = max(drift, key=abs)
     out["energy_drift_final"] = drift[-1]

@@ -90,9 +90,28 @@ impl Bars {
 
     /// The motion up to t = `end`.
     pub fn solve(&self, end: f64) -> Wave {
-        let (share, trip) = (self.share(), self.trip());
+        let trip = self.trip();
         // Profiles ask for fronts that are still to arrive: half a trip more.
         let end = end + 0.5 * trip[0].max(if self.wall() { 0.0 } else { trip[1] }) + INSTANT;
+        Wave {
+            bars: *self,
+            pieces: self.pieces(end, |_| false),
+        }
+    }
+
+    /// From the first touch until the ends part: the same for any gap; `None` where it is more than `most`.
+    ///
+    /// It can be longer than a force acts: equal bars of lengths 1 : 2 part a T_I after their force has ended.
+    pub fn contact_duration(&self, most: f64) -> Option<f64> {
+        let touching = Bars { gap: 0.0, ..*self };
+        let parts = |piece: &Piece| piece.velocity > 0.0;
+        let last = touching.pieces(most + INSTANT, parts).pop()?;
+        parts(&last).then_some(last.start)
+    }
+
+    /// The pieces up to t = `end`, or to the first that is the `last`.
+    fn pieces(&self, end: f64, last: impl Fn(&Piece) -> bool) -> Vec<Piece> {
+        let (share, trip) = (self.share(), self.trip());
         let mut fronts: [VecDeque<Front>; 2] = Default::default();
         let mut now = Piece {
             start: 0.0,
@@ -117,6 +136,9 @@ impl Bars {
                 }
             }
             pieces.push(now);
+            if last(&now) {
+                return pieces;
+            }
             let arrival = fronts
                 .iter()
                 .filter_map(|queue| queue.front())
@@ -129,7 +151,7 @@ impl Bars {
             };
             let next = arrival.min(touch);
             if next >= end {
-                break;
+                return pieces;
             }
             now.displacement = if touch <= arrival + INSTANT {
                 0.0
@@ -145,10 +167,6 @@ impl Bars {
                 }
                 now.free[i] += arrived[i];
             }
-        }
-        Wave {
-            bars: *self,
-            pieces,
         }
     }
 }
@@ -167,6 +185,11 @@ fn contact(r: f64, free: [f64; 2]) -> (f64, f64) {
 }
 
 impl Wave {
+    /// What decided the motion.
+    pub fn bars(&self) -> &Bars {
+        &self.bars
+    }
+
     /// The contact at `t`, at a jump its right-hand limit.
     pub fn at(&self, t: f64) -> State {
         self.piece(t).state(t)
@@ -269,6 +292,24 @@ impl Wave {
             .filter(|(piece, _)| piece.start < t)
             .map(|(piece, end)| piece.force * (end.min(t) - piece.start))
             .sum()
+    }
+
+    /// The largest contact force before `t` over F0.
+    pub fn peak_force(&self, t: f64) -> f64 {
+        let before = self.pieces.iter().take_while(|piece| piece.start < t);
+        before.map(|piece| piece.force).fold(0.0, f64::max)
+    }
+
+    /// Relative velocity of the mass centres at `t` over c, positive where they move apart: the impulse F0 T_I J takes
+    /// 2 d_1 J off the left bar's and gives 2 d_2 J/theta to the right one's, whose mass is theta d_1/d_2 of the left's.
+    pub fn restitution(&self, t: f64) -> f64 {
+        let [left, right] = self.bars.share();
+        let right = if self.bars.wall() {
+            0.0
+        } else {
+            right / self.bars.time_ratio
+        };
+        2.0 * (left + right) * self.impulse(t) - 1.0
     }
 }
 

@@ -1,50 +1,62 @@
 //! Metrics of the bar impact, of cases side by side that share their exact solution and their steps.
 
 mod budget;
+mod contact;
+mod reference;
 mod sampled;
 mod track;
 
 pub use budget::budget;
+pub use reference::reference;
 pub use sampled::Sampled;
 pub use track::{Row, Track};
 
 use super::or_undefined;
 use crate::lane::{Lane, largest, smallest};
+use contact::{durations, impulse, oscillation, separations};
 
 /// Number of the metrics here.
-pub const COUNT: usize = 11;
+pub const COUNT: usize = 12;
 
 /// The metrics in the order of the problem's table, for each lane; not a finite number where one is undefined.
 #[inline(always)]
 pub fn evaluate<const L: usize>(c: &Track<L>, exact: &Sampled) -> [Lane<L>; COUNT] {
     let zero = Lane::splat(0.0);
     // Beside longer runs a lane has steps that are not its own.
-    let steps = ..exact.count();
-    let (r, rdot) = (&c.displacement[steps], &c.velocity[steps]);
-    let (force, energy) = (&c.force[steps], &c.energy[steps]);
+    let own = ..exact.count();
+    let (r, rdot) = (&c.displacement[own], &c.velocity[own]);
+    let (force, energy) = (&c.force[own], &c.energy[own]);
     let start = energy.first().copied().unwrap_or(zero);
     let (lost, won) = (smallest(energy) - start, largest(energy) - start);
     let drift = lost.zip(won, |lost, won| if -lost > won { lost } else { won });
     let end = energy.last().copied().unwrap_or(zero) - start;
-    let (contact, separations) = (
-        contact_duration(r, exact.step),
-        separations(&r[..exact.openings]),
-    );
-    // Adding zero turns -0 into 0.
-    let overlap = zero - smallest(r);
-    let peak = largest(force);
-    let oscillation = oscillation(rdot, exact);
+    let deepest = smallest(r);
+    // Metrics of contact have no meaning without one. A touch at the last step would be one by round-off alone.
+    let in_contact = |metric: Lane<L>| {
+        deepest.zip(metric, |r, metric| {
+            if r < 0.0 && exact.touches {
+                metric
+            } else {
+                f64::NAN
+            }
+        })
+    };
+    let [duration, steps] = durations(r, exact.step);
+    let separations = separations(&r[..exact.openings]);
+    let oscillation = or_undefined(oscillation(rdot, exact));
     let impulse = impulse(force, exact.step);
+    let impulse = exact.impulse.map(|e| impulse.map(|i| i / e - 1.0));
     let norms = [rms(0, r, exact), rms(1, rdot, exact)];
     let of_start = |energy: Lane<L>| energy.zip(start, |energy, start| energy / start);
     [
-        contact,
-        separations,
-        overlap,
-        or_undefined(oscillation),
-        peak,
-        or_undefined(exact.impulse.map(|e| impulse.map(|i| i / e - 1.0))),
-        c.restitution,
+        in_contact(duration),
+        in_contact(steps),
+        in_contact(separations),
+        in_contact(-deepest),
+        in_contact(oscillation),
+        in_contact(largest(force)),
+        in_contact(or_undefined(impulse)),
+        in_contact(c.restitution),
         of_start(drift),
         of_start(end),
         norms[0],
@@ -64,75 +76,6 @@ fn rms<const L: usize>(of: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
         },
     );
     mean.map(f64::sqrt)
-}
-
-/// From the last step before the first overlap to the first step after the last one, where both are there.
-#[inline(always)]
-fn contact_duration<const L: usize>(r: &[Lane<L>], step: f64) -> Lane<L> {
-    // Step numbers as numbers: a lane is one comparison a step.
-    let mut last = Lane::splat(0.0);
-    for (i, r) in r.iter().enumerate() {
-        let i = i as f64;
-        last = last.zip(*r, |last, r| if r < 0.0 { i } else { last });
-    }
-    let mut contact = Lane::splat(f64::NAN);
-    for l in 0..L {
-        let first = r.iter().position(|r| r.0[l] < 0.0);
-        let after = last.0[l] as usize + 1;
-        if let Some(before) = first.and_then(|first| first.checked_sub(1))
-            && after < r.len()
-        {
-            contact.0[l] = after as f64 * step - before as f64 * step;
-        }
-    }
-    contact
-}
-
-/// Openings that close again, both within the steps `r`.
-#[inline(always)]
-fn separations<const L: usize>(r: &[Lane<L>]) -> Lane<L> {
-    let closed = |r: Lane<L>| r.map(|r| if r < 0.0 { 1.0 } else { 0.0 });
-    let Some(first) = r.first().map(|r| closed(*r)) else {
-        return Lane::splat(0.0);
-    };
-    let (mut closings, mut before) = (Lane::splat(0.0), first);
-    for r in &r[1..] {
-        let now = closed(*r);
-        closings = closings + now.zip(before, |now, before| now * (1.0 - before));
-        before = now;
-    }
-    // From open at the start the first closing is the first touch.
-    closings.zip(
-        first,
-        |n, first| if n > 0.0 { n - (1.0 - first) } else { n },
-    )
-}
-
-/// RMS of rdot over the watched steps, if there are any.
-#[inline(always)]
-fn oscillation<const L: usize>(rdot: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
-    let watched = rdot.get(exact.watched.clone())?;
-    let mut sum = Lane::splat(0.0);
-    for v in watched {
-        sum = sum + *v * *v;
-    }
-    let count = watched.len() as f64;
-    (count > 0.0).then(|| sum.map(|sum| (sum / count).sqrt()))
-}
-
-/// Integral of the force over the steps, by trapezoids.
-#[inline(always)]
-fn impulse<const L: usize>(force: &[Lane<L>], step: f64) -> Lane<L> {
-    match force {
-        [first, inner @ .., last] => {
-            let mut sum = (*first + *last) * 0.5;
-            for f in inner {
-                sum = sum + *f;
-            }
-            sum * step
-        }
-        _ => Lane::splat(0.0),
-    }
 }
 
 #[cfg(test)]
@@ -196,6 +139,8 @@ mod tests {
         let r: f64 = 0.25 * (0.1425 - 0.02) / 1.5;
         let rdot: f64 = 0.25 * 0.5 * 1.45 / 1.5;
         let wanted = [
+            // From r = 0 at t = 0 to a quarter of the way from r = -0.1 at t = 1 to 0.3 at 1.25.
+            1.0625,
             // From the step before the first overlap to the step after the last.
             1.25,
             // Open at 0.5, closed at 0.75.
@@ -215,9 +160,34 @@ mod tests {
     }
 
     #[test]
-    fn contact_ends_at_the_first_step_that_touches_without_overlap() {
-        for r in [[0.0, -0.1, 0.0, 0.0, 0.3], [0.2, 0.1, -0.1, 0.0, 0.3]] {
-            assert_eq!(contact_duration(&r.map(|r| Lane([r])), 0.25), Lane([0.5]));
+    fn contact_lasts_from_zero_to_zero_of_r() {
+        // Steps of 1/4, of binary fractions only: no sum rounds.
+        let (zero, large) = (-0.0, 1e308);
+        for (r, straight, whole) in [
+            // Zero at both steps; zero for longer before and after; from t = 0 on.
+            (&[0.5, 0.0, -0.5, 0.0, 0.5][..], 0.5, 0.5),
+            (&[0.5, 0.0, 0.0, -0.5, 0.0, 0.0, 0.5], 0.5, 0.5),
+            (&[0.0, -0.5, 0.0, 0.0, 0.5], 0.5, 0.5),
+            (&[zero, -0.5, zero], 0.5, 0.5),
+            // Half a step before 1/2 and a quarter of one after it.
+            (&[0.5, 0.125, -0.125, 0.375], 0.1875, 0.5),
+            // Touched without overlap, before and after.
+            (&[0.5, 0.0, 0.25, -0.25, 0.25, 0.0, 0.5], 0.25, 0.5),
+            // Open on the way; ends at the last step.
+            (&[0.0, -0.5, 0.5, 0.5, -0.25, 0.75], 1.0625, 1.25),
+            // A difference of two numbers that is past all numbers.
+            (&[large, -large, large], 0.25, 0.5),
+        ] {
+            let lanes: Vec<_> = r.iter().map(|r| Lane([*r])).collect();
+            assert_eq!(
+                durations(&lanes, 0.25),
+                [Lane([straight]), Lane([whole])],
+                "{r:?}"
+            );
+        }
+        for r in [&[0.5, 0.0, 0.5][..], &[0.5, -0.5, -0.25], &[0.0]] {
+            let lanes: Vec<_> = r.iter().map(|r| Lane([*r])).collect();
+            assert!(durations(&lanes, 0.25).iter().all(|d| d.0[0].is_nan()));
         }
     }
 
@@ -235,9 +205,10 @@ mod tests {
         let mut track = Track::<1>::default();
         track.resize(17);
         track.force.fill(Lane([0.3]));
+        track.displacement.fill(Lane([-0.1]));
         let metrics = cells(evaluate(&track, &Sampled::new(&wave, 0.25, 16, 4.0)));
         let wanted = 1.2 / exact - 1.0;
-        assert!((metrics[5].unwrap() - wanted).abs() < 1e-14, "{metrics:?}");
+        assert!((metrics[6].unwrap() - wanted).abs() < 1e-14, "{metrics:?}");
     }
 
     #[test]
@@ -265,16 +236,38 @@ mod tests {
     fn cells_without_meaning_are_empty() {
         let defined = |rows: &[(f64, f64, f64)], gap: f64| {
             let metrics = metrics(rows, gap, &[1.0], 0.0);
-            // contact duration, oscillation of rdot, impulse
-            [metrics[0], metrics[3], metrics[5]].map(|m| m.is_some())
+            // contact duration twice, oscillation of rdot, impulse
+            assert_eq!(metrics[0].is_some(), metrics[1].is_some());
+            [metrics[0], metrics[4], metrics[6]].map(|m| m.is_some())
         };
         assert_eq!(defined(&ROWS, 0.0), [true, true, true]);
         // Still in contact; exact contact ends with the run, which is not beyond it.
         assert_eq!(defined(&ROWS[..5], 0.0), [false, true, false]);
-        // Ends before 0.3 T_I; never in contact at all.
+        // Ends before 0.3 T_I.
         assert_eq!(defined(&ROWS[..2], 0.0), [false, false, false]);
-        let apart = [(9.0, -1.0, 0.0), (8.5, -1.0, 0.0)];
-        assert_eq!(defined(&apart, 9.0), [false, false, false]);
-        assert_eq!(metrics(&apart, 9.0, &[1.0], 0.0)[2], Some(-8.5));
+    }
+
+    #[test]
+    fn without_contact_its_metrics_are_empty() {
+        let without = |rows: &[(f64, f64, f64)], gap: f64| {
+            let metrics = metrics(rows, gap, &[2.0, 2.5], 0.5);
+            let empty = metrics[..8].iter().all(Option::is_none);
+            assert!(empty || metrics[..8].iter().any(Option::is_some));
+            assert!(metrics[8..].iter().all(Option::is_some), "{metrics:?}");
+            empty
+        };
+        assert!(without(&[(9.0, -1.0, 0.0), (8.5, -1.0, 0.0)], 9.0));
+        // Reached at the last step, where round-off says on which side of zero r is.
+        for r in [0.0, -1e-17, 1e-17] {
+            assert!(without(&[(0.5, -1.0, 0.0), (r, -1.0, -1e-16)], 0.5));
+        }
+        // A step later there is contact, however short.
+        let touching = [(0.25, -1.0, 0.0), (-0.1, -0.5, 1.0)];
+        assert!(!without(&touching, 0.25));
+        let found = metrics(&touching, 0.25, &[2.0], 0.5);
+        assert_eq!(
+            [found[2], found[3], found[5], found[7]],
+            [Some(0.0), Some(0.1), Some(1.0), Some(0.5)]
+        );
     }
 }

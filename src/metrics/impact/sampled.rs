@@ -7,11 +7,11 @@ use crate::lane::Lane;
 use crate::metrics::reached;
 use std::ops::Range;
 
-/// Openings are counted and rdot is watched up to this time after the exact first touch: then the returning front
+/// Openings are counted and rdot is watched up to this share of the exact contact: near its end the returning front
 /// parts the ends for good.
 const WATCHED: f64 = 0.9;
 
-/// From this time after the first touch on rdot is watched.
+/// From this share of the exact contact on rdot is watched.
 const SETTLED: f64 = 0.3;
 
 /// r and rdot are the two quantities that have norms.
@@ -26,6 +26,10 @@ pub struct Sampled {
     pub openings: usize,
     /// Steps over which the oscillation of rdot is taken.
     pub watched: Range<usize>,
+    /// How long the exact contact lasts; infinite where that is more than matters here.
+    pub lasts: f64,
+    /// Whether the ends touch before the last step.
+    pub touches: bool,
     /// Impulse up to the last step; `None` unless the run outlasts the exact contact.
     pub impulse: Option<f64>,
     duration: f64,
@@ -49,18 +53,22 @@ impl Sampled {
                 jumps.push((i, OF.map(|of| of(before))));
             }
         });
-        let touch = wave.first_touch();
+        let (touch, end) = (wave.first_touch(), last as f64 * step);
+        // A contact that is not over by then leaves no step from its share of 0.3 on.
+        let most = (duration - touch) / SETTLED + step;
+        let lasts = wave.bars().contact_duration(most).unwrap_or(f64::INFINITY);
+        let (settled, watched) = (touch + SETTLED * lasts, touch + WATCHED * lasts);
         // Times rise, so what has not been reached begins where the first is not.
         let time = |i: usize| i as f64 * step;
         let until = |mark: f64| first_step(count, mark / step, |i| !reached(mark, time(i)));
-        let settled = touch + SETTLED;
         let from = first_step(count, settled / step, |i| reached(time(i), settled));
-        let end = last as f64 * step;
         let [_, parted] = wave.durations();
         Sampled {
             step,
-            openings: until(touch + WATCHED),
-            watched: from..until(touch + WATCHED).max(from),
+            openings: until(watched),
+            watched: from..until(watched).max(from),
+            lasts,
+            touches: !reached(touch, end),
             impulse: parted
                 .filter(|parted| !reached(*parted, duration))
                 .map(|_| wave.impulse(end)),
@@ -73,6 +81,11 @@ impl Sampled {
     /// Number of steps, N + 1.
     pub fn count(&self) -> usize {
         self.at[0].len()
+    }
+
+    /// The exact rdot at the watched steps.
+    pub fn watched_velocity(&self) -> &[f64] {
+        &self.at[1][self.watched.clone()]
     }
 
     /// Mean over the duration of `what(i, e)`, e the exact r (`of` = 0) or rdot (`of` = 1) at step i: trapezoids over

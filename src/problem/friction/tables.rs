@@ -120,7 +120,7 @@ pub(super) static METRICS: [Metric; 13] = [
         name: "peak_error",
         symbol: "peak error",
         unit: "1",
-        meaning: "largest error of a peak over abs(x0), each taken half a period around its exact time",
+        meaning: "largest error of a peak over abs(x0), each taken from pi/2 before to pi/2 after its exact time k pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
         default: true,
     },
     Metric {

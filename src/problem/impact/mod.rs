@@ -21,7 +21,10 @@ use crate::history::History;
 use crate::metrics::impact::{Sampled, Track};
 use crate::metrics::{self, cells, steps};
 use scaled::Scaled;
-use tables::{BUDGETS, METRICS, PARAMETERS, PROFILES, QUANTITIES, rows};
+use std::ops::Range;
+use tables::{
+    BUDGET, BUDGETS, MAX_OVERLAP, METRICS, PARAMETERS, PROFILES, QUANTITIES, REFERENCE, rows,
+};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -42,6 +45,10 @@ impl Problem for BarImpact {
 
     fn metrics(&self) -> &'static [Metric] {
         &METRICS
+    }
+
+    fn contact(&self) -> Option<usize> {
+        Some(MAX_OVERLAP)
     }
 
     fn quantities(&self) -> &'static [Quantity] {
@@ -171,15 +178,16 @@ fn judged(given: &Given, track: Track<1>, wanted: &[usize]) -> Result<Solution, 
     let (wave, sampled) = given.exact_at_steps();
     let exact = wave.history(&computed.time);
     let own = metrics::impact::evaluate(&track, &sampled);
-    let budget = wanted
-        .iter()
-        .any(|&row| !METRICS[row].default)
+    let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
+    let budget = wants(BUDGET)
         .then(|| between::between(&given.scaled, &computed.time))
         .flatten()
         .map(|[spring, chain]| metrics::impact::budget(&track, &sampled, &spring, &chain));
+    let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
     let metrics = cells(own)
         .into_iter()
-        .chain(budget.unwrap_or([None; 12]))
+        .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
+        .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
         .collect();
     Ok(Solution {
         computed,

@@ -1,7 +1,8 @@
 //! The tables of the bar impact: parameters, metrics, quantities.
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Budget, Metric, Profile, Quantity, Source};
+use crate::problem::{self, Budget, Metric, Profile, Quantity, Source};
+use std::ops::Range as Rows;
 
 /// A row of the table of parameters that applies always.
 const fn row(
@@ -256,32 +257,43 @@ pub(super) mod rows {
     ];
 }
 
-pub(super) static METRICS: [Metric; 23] = [
+pub(super) static METRICS: [Metric; 27] = [
     metric(
         "contact_duration",
         "contact duration/*T*_I_",
         "T_I",
-        "first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0",
+        "from the first zero of r on its way down to the last on its way up, r straight between steps; undefined without contact, and where the bars still touch at the end",
+    ),
+    metric(
+        "contact_steps",
+        "contact in whole steps/*T*_I_",
+        "T_I",
+        "first step with r >= 0 after the last with r < 0, minus last step with r >= 0 before the first with r < 0; undefined without contact, and where the bars still touch at the end",
     ),
     metric(
         "separations",
         "separations",
         "1",
-        "openings that close again, both within 0.9 T_I after the exact first touch",
+        "openings that close again, both within 0.9 of the exact contact's own duration after the exact first touch; undefined without contact",
     ),
     metric(
         "max_overlap",
         "max. overlap/(*cT*_I_/2)",
         "c T_I/2",
-        "max(-r)",
+        "max(-r); undefined without contact",
     ),
     metric(
         "rdot_oscillation",
         "rms of *ṙ*/*c* in contact",
         "c",
-        "RMS of rdot over the steps from 0.3 to 0.9 T_I after the exact first touch",
+        "RMS of rdot - exact rdot over the steps from 0.3 to 0.9 of the exact contact's own duration after the exact first touch; undefined without contact",
     ),
-    metric("peak_force", "peak of *F*/*F*_0_", "F0", "max force"),
+    metric(
+        "peak_force",
+        "peak of *F*/*F*_0_",
+        "F0",
+        "max force; undefined without contact",
+    ),
     metric(
         "impulse_error",
         "impulse error",
@@ -292,7 +304,7 @@ pub(super) static METRICS: [Metric; 23] = [
         "restitution",
         "restitution",
         "1",
-        "relative velocity of the mass centres at the end over c",
+        "relative velocity of the mass centres at the end over c; undefined without contact",
     ),
     metric(
         "energy_drift_max",
@@ -390,6 +402,24 @@ pub(super) static METRICS: [Metric; 23] = [
         "1",
         "mean of (part) (c - e) over mean of (c - e)^2, of rdot; the three shares make 1, beyond 0..1 parts oppose each other",
     ),
+    part(
+        "contact_duration_exact",
+        "exact contact duration/*T*_I_",
+        "T_I",
+        "contact_duration of the exact motion; undefined without contact, and where the bars still touch at the end",
+    ),
+    part(
+        "peak_force_exact",
+        "exact peak of *F*/*F*_0_",
+        "F0",
+        "peak_force of the exact motion; undefined without contact",
+    ),
+    part(
+        "restitution_exact",
+        "exact restitution",
+        "1",
+        "restitution of the exact motion, from its impulse up to the last step; undefined without contact",
+    ),
 ];
 
 const fn quantity(name: &'static str, title: &'static str, source: Source) -> Quantity {
@@ -419,17 +449,40 @@ pub(super) static PROFILES: [Profile; 2] = [
     },
 ];
 
+const fn metric_of(name: &str) -> usize {
+    problem::metric_of(&METRICS, name)
+}
+
+/// Rows of what the errors are made of.
+pub(super) const BUDGET: Rows<usize> =
+    metric_of("regularisation_error_r")..metric_of("step_share_rdot") + 1;
+
+/// Rows of what the exact motion has.
+pub(super) const REFERENCE: Rows<usize> =
+    metric_of("contact_duration_exact")..metric_of("restitution_exact") + 1;
+
+/// Empty exactly where no contact happens.
+pub(super) const MAX_OVERLAP: usize = metric_of("max_overlap");
+
 pub(super) static BUDGETS: [Budget; 2] = [
     Budget {
         name: "r",
         title: "rms error of *r*/(*cT*_I_/2)",
-        total: 9,
-        parts: &[("regularisation", 11), ("mesh", 13), ("step", 15)],
+        total: metric_of("rms_error_r"),
+        parts: &[
+            ("regularisation", metric_of("regularisation_error_r")),
+            ("mesh", metric_of("mesh_error_r")),
+            ("step", metric_of("step_error_r")),
+        ],
     },
     Budget {
         name: "rdot",
         title: "rms error of *ṙ*/*c*",
-        total: 10,
-        parts: &[("regularisation", 12), ("mesh", 14), ("step", 16)],
+        total: metric_of("rms_error_rdot"),
+        parts: &[
+            ("regularisation", metric_of("regularisation_error_rdot")),
+            ("mesh", metric_of("mesh_error_rdot")),
+            ("step", metric_of("step_error_rdot")),
+        ],
     },
 ];
