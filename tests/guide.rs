@@ -73,7 +73,7 @@ fn the_numbers_of_the_guide_are_right() {
     assert!((time / 80.0 * 1e3 - 0.19).abs() < 0.005);
     assert!((force / 5e9 * 1e3 - 1.2).abs() < 0.05);
     // gamma = k_I L/(n E A): 0.4 with n = 20.
-    assert!((2.5e10 * 40.0 / (20.0 * 2.1e11 * 0.6) - 0.4).abs() < 0.005);
+    assert!((2.5e10_f64 * 40.0 / (20.0 * 2.1e11 * 0.6) - 0.4).abs() < 0.005);
 }
 
 /// The peak of the force over F0 in a bar's contact of these n, in the order of the cases.
