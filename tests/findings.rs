@@ -1,7 +1,6 @@
 //! Numbers of docs/findings.md, docs/findings-friction.md, docs/errata.md and the ledger, computed anew from the studies.
 //!
-//! The pages give two to four digits. Each limit here is half a unit of the last digit given, or a whole per cent where a
-//! page gives per cents.
+//! The pages give two to four digits. Each tolerance here is half a unit of the last digit given, rounded up.
 
 mod common;
 
@@ -254,7 +253,7 @@ fn away_from_fronts_the_difference_is_that_of_the_contact_nodes() {
             assert!((0.035..0.175).contains(&rest), "n = {n}, t = {t}: {rest}");
         }
     }
-    // A front far outside the bar is none: as it was where the free end's was not left out.
+    // A front at 9 is outside the bar, so nothing is left out, not even at the free end where the front stands.
     for (t, front, expected) in [(0.49, 0.98, 0.020), (0.5, 9.0, 0.183), (0.51, 0.98, 0.018)] {
         let (all, count, _) = away(problem, 0.25, 40, t, front);
         near((all / count).sqrt(), expected, 0.5e-3, "velocity");

@@ -217,7 +217,7 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
         Vec::new()
     }
-    /// What is told of an event that follows a case's own, for claims; nothing for a problem that has no such event.
+    /// Names of the numbers about the event that follows a case's own, for claims; none for a problem without such an event.
     fn later(&self) -> &'static [&'static str] {
         &[]
     }

@@ -45,7 +45,7 @@ impl Wave {
                 (t - piece.start, after[1] - before[1]),
             ] {
                 let s = way / half;
-                if jump.abs() > INSTANT && s >= -INSTANT && s <= 1.0 + INSTANT {
+                if jump.abs() > INSTANT && (-INSTANT..=1.0 + INSTANT).contains(&s) {
                     places.push(s.clamp(0.0, 1.0));
                 }
             }

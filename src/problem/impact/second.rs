@@ -10,7 +10,7 @@ use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::stepper::{Start, Stepper};
 
-/// What is told of the second impact, in the order of [`second`]: each is 1 in the exact solution.
+/// The numbers that [`second`] gives, in its order; each is 1 in the exact solution.
 pub const QUANTITIES: [&str; 2] = ["closing_speed", "rebound_speed"];
 
 /// T_I, the exact contact's duration in both impacts.
