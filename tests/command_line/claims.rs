@@ -152,7 +152,7 @@ fn a_profile_is_judged_where_it_is_further_from_every_front() {
     let records = data["profiles"].as_array().unwrap();
     let study = IMPACT.replace(", \"k_I\": 0", "");
     for times in [&[0.25][..], &[0.5], &[0.75], &[0.25, 0.5, 0.75]] {
-        for away in [0.05, 0.15, 0.25, 0.35] {
+        for away in [0.099, 0.101, 0.199, 0.201, 0.299, 0.301] {
             let (mut sum, mut count) = (0.0, 0);
             for &t in times {
                 let record = records.iter().find(|record| {
