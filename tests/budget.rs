@@ -207,3 +207,25 @@ fn a_kink_sharper_than_the_step_is_of_first_order() {
         assert!((1.7..2.5).contains(&mean(&ratios)), "{law}: {ratios:?}");
     }
 }
+
+#[test]
+fn beyond_the_range_of_the_continuous_motion_parts_are_empty() {
+    let parts = |law, width, x0, step, duration| {
+        let metrics = solve(law, width, x0, step, duration).metrics;
+        assert!(metrics[0].is_some());
+        let defined = metrics[9..].iter().filter(|m| m.is_some()).count();
+        assert!(defined == 0 || defined == 4, "{metrics:?}");
+        (defined == 4).then(|| metrics[9].unwrap())
+    };
+    // Runs of up to 1e7, however few their steps.
+    assert!(parts("velocity-control", 0.1, 12.0, 1e5, 1e7).is_some());
+    assert_eq!(parts("velocity-control", 0.1, 12.0, 1e5, 1.1e7), None);
+    assert_eq!(parts("displacement-control", 0.1, 12.0, 1e5, 1.1e7), None);
+    // At beta = 1e-200 it was 1.06 where it is 0.
+    for law in ["velocity-control", "displacement-control"] {
+        assert_eq!(parts(law, 1e-200, 12.0, 0.1, 25.0), None);
+        assert_eq!(parts(law, 1e200, 12.0, 0.1, 25.0), None);
+        let least = parts(law, 1e-99, 12.0, 0.1, 25.0).unwrap();
+        assert!(least < 1e-15, "{law}: {least:e}");
+    }
+}

@@ -21,11 +21,14 @@ const NAMES: [&str; 12] = [
     "step_share_rdot",
 ];
 
+/// Row of the first of them.
+const FIRST: usize = 12;
+
 /// Every metric of a case, the budget included.
 fn metrics(given: Json) -> Vec<Option<f64>> {
     let problem = find("bar-impact").unwrap();
     problem
-        .solve(&case(problem, &given), &[11])
+        .solve(&case(problem, &given), &[FIRST])
         .unwrap()
         .metrics
 }
@@ -34,20 +37,19 @@ fn metrics(given: Json) -> Vec<Option<f64>> {
 fn the_rows_are_the_budget_and_come_when_asked_for() {
     let problem = find("bar-impact").unwrap();
     for (row, name) in NAMES.into_iter().enumerate() {
-        let metric = &problem.metrics()[11 + row];
+        let metric = &problem.metrics()[FIRST + row];
         assert_eq!((metric.name, metric.default), (name, false));
     }
     let case = case(
         problem,
         &json!({"gamma": 1.0, "n": 10, "dt": 0.01, "duration": 1.5}),
     );
-    let unasked = problem.solve(&case, &[0, 10]).unwrap().metrics;
-    assert_eq!(unasked[11..], [None; 12]);
-    assert!(
-        problem.solve(&case, &[20]).unwrap().metrics[11..]
-            .iter()
-            .all(Option::is_some)
-    );
+    // The exact columns below them do not ask for them, nor they for those.
+    let unasked = problem.solve(&case, &[0, FIRST - 1, 24]).unwrap().metrics;
+    assert_eq!(unasked[FIRST..24], [None; 12]);
+    let asked = problem.solve(&case, &[20]).unwrap().metrics;
+    assert!(asked[FIRST..24].iter().all(Option::is_some));
+    assert_eq!(asked[24..], [None; 3]);
 }
 
 #[test]
@@ -59,12 +61,12 @@ fn parts_make_the_whole() {
         json!({"gamma": 2.1, "n": 20, "dt": 0.5, "duration": 3.0}),
         json!({"k_I": 1e4, "n": 10, "dt": 0.001, "duration": 1.5, "V0": 0.3, "right": {"V0": 0.1}}),
     ] {
-        let m: Vec<f64> = metrics(given.clone())
-            .into_iter()
+        let m: Vec<f64> = metrics(given.clone())[..24]
+            .iter()
             .map(|m| m.unwrap())
             .collect();
-        for (of, total) in [(0, m[9]), (1, m[10])] {
-            let part = |i: usize| [m[11 + of + 2 * i], m[17 + of + 2 * i]];
+        for (of, total) in [(0, m[FIRST - 2]), (1, m[FIRST - 1])] {
+            let part = |i: usize| [m[FIRST + of + 2 * i], m[FIRST + 6 + of + 2 * i]];
             let [[a, sa], [b, sb], [c, sc]] = [0, 1, 2].map(part);
             // Round-off of parts that may be larger than the whole.
             let tiny = 1e-13 * (1.0 + (a + b + c) / total);
@@ -80,7 +82,7 @@ fn parts_make_the_whole() {
 
 #[test]
 fn parts_without_a_reference_are_empty() {
-    let budget = |given: Json| metrics(given)[11..].to_vec();
+    let budget = |given: Json| metrics(given)[FIRST..24].to_vec();
     let base = |more: Json| {
         let mut given = json!({"gamma": 1.0, "n": 4, "dt": 0.01, "duration": 1.5});
         for (key, value) in more.as_object().unwrap() {
@@ -95,6 +97,9 @@ fn parts_without_a_reference_are_empty() {
         json!({"right": {"E": 200.0, "rho": 0.005}}),
         json!({"gamma": 0.1}),
         json!({"n": 1001, "dt": 0.5}),
+        json!({"gamma": 1e19}),
+        json!({"gamma": 1e200}),
+        json!({"gamma": 1e300}),
     ] {
         assert_eq!(base(without.clone()), [None; 12], "{without}");
     }
@@ -102,6 +107,7 @@ fn parts_without_a_reference_are_empty() {
     let twins = json!({"right": {"V0": -0.3, "L": 10.0}});
     assert!(base(twins).iter().all(Option::is_some));
     assert!(base(json!({"gamma": 0.1011})).iter().all(Option::is_some));
+    assert!(base(json!({"gamma": 6e18})).iter().all(Option::is_some));
 }
 
 #[test]
@@ -109,7 +115,7 @@ fn step_error_is_of_second_order_until_the_ends_part() {
     // gamma = 1: nothing happens between the first touch, which falls on a step, and 1.057 T_I.
     let errors = |dt: f64, duration: f64| {
         let m = metrics(json!({"gamma": 1.0, "n": 10, "dt": dt, "duration": duration}));
-        [m[15].unwrap(), m[16].unwrap()]
+        [m[FIRST + 4].unwrap(), m[FIRST + 5].unwrap()]
     };
     let steps = [0.002, 0.001, 0.0005];
     let ladder = steps.map(|dt| errors(dt, 1.0));

@@ -16,7 +16,7 @@ fn bar(n: u32, kind: Mass) -> Bar {
 }
 
 fn lumped(gamma: f64, n: u32) -> Chain {
-    Chain::new(&bar(n, Mass::Lumped), 2.0 * gamma * f64::from(n), 0.0)
+    Chain::new(&bar(n, Mass::Lumped), 2.0 * gamma * f64::from(n), 0.0).unwrap()
 }
 
 #[test]
@@ -32,7 +32,7 @@ fn agrees_with_all_degrees_of_freedom() {
             "lumped" => Mass::Lumped,
             _ => Mass::Consistent,
         };
-        let mut chain = Chain::new(&bar(n, kind), 2.0 * gamma * f64::from(n), gap);
+        let mut chain = Chain::new(&bar(n, kind), 2.0 * gamma * f64::from(n), gap).unwrap();
         let times: Vec<f64> = values(&case["events"]);
         let tolerance = 1e-11 * 1.6_f64.powi(times.len() as i32);
         for row in case["rows"].as_array().unwrap() {
@@ -148,7 +148,7 @@ fn tends_to_the_continuum_as_the_mesh_does() {
 fn flies_until_the_gap_is_closed_and_then_is_as_without_it() {
     // r' = -2 in c T_I/2 over T_I. The peak of the force at gamma = 1 is printed as 1.445 on the reference page.
     let (gap, mut touching) = (0.3, lumped(1.0, 40));
-    let mut chain = Chain::new(&bar(40, Mass::Lumped), 80.0, gap);
+    let mut chain = Chain::new(&bar(40, Mass::Lumped), 80.0, gap).unwrap();
     for (t, r) in [(0.0, 0.3), (0.05, 0.2), (0.15, 0.0)] {
         let state = chain.at(t).unwrap();
         assert!((state.displacement - r).abs() < 1e-16, "{t}: {state:?}");
@@ -172,5 +172,87 @@ fn flies_until_the_gap_is_closed_and_then_is_as_without_it() {
     assert_eq!(chain.events().len(), touching.events().len());
     for (there, here) in chain.events().iter().zip(touching.events()) {
         assert!((there - here - 0.15).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn stiff_springs_tend_to_a_rigid_contact() {
+    // n = 1: half a bar's mass at either end, which a rigid contact turns round at once. So r moves with 2 V0 cos(w t), w =
+    // 4/T_I, until the ends meet again at w t = pi and rebound for good: rdot = cos(4 t), r = sin(4 t)/2, then 1 and on.
+    // What is left falls with the spring's period, as gamma^(-1/2), to the round-off of 1e-13 T_I times its frequency.
+    let far = |gamma: f64| {
+        let mut chain = lumped(gamma, 1);
+        let mut worst = 0.0_f64;
+        for i in 1..=150 {
+            let t = 0.01 * f64::from(i);
+            let state = chain.at(t).unwrap();
+            let meet = 0.25 * std::f64::consts::PI;
+            let (r, rdot) = if t < meet {
+                (0.5 * (4.0 * t).sin(), (4.0 * t).cos())
+            } else {
+                (2.0 * (t - meet), 1.0)
+            };
+            let off = (state.displacement - r)
+                .abs()
+                .max((state.velocity - rdot).abs());
+            worst = worst.max(off);
+        }
+        assert_eq!(chain.events().len(), 3);
+        worst
+    };
+    for gamma in [1e6, 1e10, 1e14, 1e18, 1e20] {
+        let off = far(gamma);
+        assert!(
+            off < 4.0 / f64::sqrt(gamma) + 1e-10 * f64::sqrt(gamma / 1e20) + 1e-13,
+            "{gamma}: {off:e}"
+        );
+    }
+}
+
+#[test]
+fn a_spring_too_stiff_has_no_reference_and_none_takes_for_ever() {
+    let new =
+        |gamma: f64, n: u32| Chain::new(&bar(n, Mass::Lumped), 2.0 * gamma * f64::from(n), 0.0);
+    assert!(new(0.9e20, 1).is_some() && new(1.1e20, 1).is_none());
+    assert!(new(0.9e18, 10).is_some() && new(1.1e18, 10).is_none());
+    for gamma in [1e26, 1e200, 1e300] {
+        assert!(new(gamma, 1).is_none() && new(gamma, 10).is_none());
+    }
+    // At the edge of the range: the energy of the bars' last flight is no more than they had, most of it in their
+    // mass centres, and all instants to 1.5 T_I are found.
+    for (gamma, n) in [(1e18, 10), (2.7e16, 60)] {
+        let mut chain = lumped(gamma, n);
+        let late = [1.4, 1.5].map(|t| chain.at(t).unwrap().displacement);
+        assert!(late[0] > 0.0 && late[1] > 0.0, "{gamma}: {late:?}");
+        let events = chain.events();
+        // About three for each element: each node of the front rebounds by itself.
+        assert!(events.len() < 4 * n as usize, "{gamma}: {}", events.len());
+        let mut same = lumped(0.25 * gamma, n);
+        for i in 1..=30 {
+            let t = 0.05 * f64::from(i);
+            let mut again = lumped(gamma, n);
+            let [a, b] = [again.at(t).unwrap(), same.at(t).unwrap()];
+            assert!(
+                (a.displacement - b.displacement).abs() < 1e-5,
+                "{gamma} {t}: {a:?} {b:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn bars_that_have_parted_are_followed_for_any_time() {
+    // Once further apart than their vibrations reach they fly: r/(2 t) is the velocity of the mass centres over c, apart from
+    // a distance of order 1 over t. Any other end, or none, is a search without end.
+    for gamma in [0.25, 3.0, 1e4] {
+        let (mut chain, spring) = (lumped(gamma, 4), Spring::new(4.0 * gamma, 0.0).unwrap());
+        for of in [
+            [1e6, 1e9, 1e300].map(|t| chain.at(t).unwrap().displacement / (2.0 * t)),
+            [1e6, 1e9, 1e300].map(|t| spring.at(t).displacement / (2.0 * t)),
+        ] {
+            assert!(of[0] > 0.1 && of[0] <= 1.0, "{gamma}: {of:?}");
+            assert!((of[1] - of[0]).abs() < 1e-5, "{gamma}: {of:?}");
+            assert!((of[2] - of[1]).abs() < 1e-8, "{gamma}: {of:?}");
+        }
     }
 }

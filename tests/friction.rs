@@ -172,3 +172,28 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn steps_solved_once_start_from_the_slip_that_was_asked_for() {
+    // The first step by hand: at rest, A0 = -X0 - S0, and within the zone S1 = S0 + u/alpha, u = X1 - X0 = dT^2/4 (A0 + A1),
+    // A1 = -X1 - S1. So u (1 + dT^2/4 (1 + 1/alpha)) = dT^2/2 A0. It sticks: |u| < alpha.
+    let problem = find("friction-oscillator").unwrap();
+    let (alpha, step, x0) = (5.0, 0.1, -12.0);
+    for (slip, s0) in [("unloaded", 0.0), ("pulled", -1.0), ("sliding", 1.0)] {
+        let given = json!({"law": "displacement-control", "alpha": alpha, "dT": step, "duration": 0.2, "x0": x0,
+                           "initial_slip": slip});
+        let solution = problem.solve_once(&case(problem, &given), &[]).unwrap();
+        let quarter = 0.25 * step * step;
+        let u = 2.0 * quarter * (-x0 - s0) / (1.0 + quarter * (1.0 + 1.0 / alpha));
+        let c = &solution.computed;
+        // Forward of rest the force is at its limit if it started there.
+        let s1 = f64::clamp(s0 + u / alpha, -1.0, 1.0);
+        assert_eq!((c.displacement[0], c.force[0]), (x0, s0), "{slip}");
+        assert!(
+            (c.displacement[1] - (x0 + u)).abs() < 1e-14,
+            "{slip}: {:?}",
+            c.displacement
+        );
+        assert!((c.force[1] - s1).abs() < 1e-14, "{slip}: {:?}", c.force);
+    }
+}

@@ -216,3 +216,53 @@ fn cases_without_contact_are_counted_in_any_company() {
     assert_eq!(failed.untouched(problem()), 1);
     assert_eq!(failed.untouched(find("friction-oscillator").unwrap()), 0);
 }
+
+#[test]
+fn profiles_of_unequal_lengths_stand_where_the_bars_do() {
+    // Lengths of the left bar: it ends at -1, the right one at L_R/L; fronts have gone 2 t C0_i/C0 by t in T_I.
+    for (right, length, speed) in [
+        (json!({"L": 20.0, "n": 5}), 2.0, 1.0),
+        (json!({"L": 5.0, "n": 5}), 0.5, 1.0),
+        (json!({"L": 15.0, "n": 5, "E": 400.0}), 1.5, 2.0),
+    ] {
+        let t = 0.12;
+        let given = json!({"gamma": 1.0, "n": 4, "dt": 0.01, "duration": t, "right": right});
+        let snapshot = problem()
+            .snapshots(&case(problem(), &given), &[t])
+            .remove(0);
+        let places = |line: &[[f64; 2]]| -> Vec<f64> { line.iter().map(|p| p[0]).collect() };
+        let even = |n: u32, from: f64, to: f64| -> Vec<f64> {
+            let share = |i: u32| from + (to - from) * f64::from(i) / f64::from(n);
+            (0..=n).map(share).collect()
+        };
+        let near = |found: Vec<f64>, wanted: Vec<f64>| {
+            assert_eq!(found.len(), wanted.len());
+            let off = found.iter().zip(&wanted).map(|(a, b)| (a - b).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-14, "{found:?}, not {wanted:?}");
+        };
+        // Nodes for velocity, the middles of elements for stress, from the contact on.
+        let [velocity, stress] = &snapshot.profiles[..] else {
+            panic!("two profiles");
+        };
+        near(places(&velocity.computed[0]), even(4, 0.0, -1.0));
+        near(places(&velocity.computed[1]), even(5, 0.0, length));
+        near(places(&stress.computed[0]), even(3, -0.125, -0.875));
+        near(
+            places(&stress.computed[1]),
+            even(4, 0.1 * length, 0.9 * length),
+        );
+        // The exact lines end where the bars do, and jump at the front alone.
+        let jumps = |line: &[[f64; 2]]| -> Vec<f64> {
+            let ends = [line[0][0], line[line.len() - 1][0]];
+            let jumps = line
+                .windows(2)
+                .filter(|pair| (pair[0][1] - pair[1][1]).abs() > 1e-9);
+            jumps.map(|pair| pair[0][0]).chain(ends).collect()
+        };
+        for profile in [velocity, stress] {
+            let front = 2.0 * t;
+            near(jumps(&profile.exact[0]), vec![-front, 0.0, -1.0]);
+            near(jumps(&profile.exact[1]), vec![front * speed, 0.0, length]);
+        }
+    }
+}

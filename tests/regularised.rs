@@ -418,6 +418,71 @@ fn release_at_the_limit_stays_or_goes_once() {
     );
 }
 
+#[test]
+fn narrow_laws_are_coulombs_and_wide_ones_none_in_all_of_their_range() {
+    // x0 = 12.5 rests at 0.5. The force of a narrow law turns within sqrt(alpha) or beta, which moves X by about as much;
+    // a wide one is too weak for any. Round-off of X over 8 periods.
+    for k in [2, 8, 30, 60, 100] {
+        let small = f64::powi(10.0, -k);
+        let worst = |mut motion: Regularised, other: &dyn Fn(f64) -> f64| {
+            let times = (0..=400).map(|i| f64::from(i) * 0.0628);
+            times.fold(0.0, |worst: f64, t| {
+                let off = (motion.at(t).displacement - other(t)).abs();
+                // Not a number would pass as no error.
+                assert!(off.is_finite(), "{k} {t}");
+                worst.max(off)
+            })
+        };
+        let coulomb = Coulomb::new(12.5);
+        let rubs = |t: f64| coulomb.at(t).displacement;
+        let flies = |t: f64| 12.5 * t.cos();
+        for (motion, other, limit) in [
+            (
+                Regularised::displacement(12.5, small, 0.0),
+                &rubs as &dyn Fn(f64) -> f64,
+                4.0 * small.sqrt(),
+            ),
+            (Regularised::velocity(12.5, small), &rubs, 4.0 * small),
+            (
+                Regularised::displacement(12.5, 1.0 / small, 0.0),
+                &flies,
+                200.0 * small,
+            ),
+            (
+                Regularised::velocity(12.5, 1.0 / small),
+                &flies,
+                200.0 * small,
+            ),
+        ] {
+            let off = worst(motion, other);
+            assert!(off < limit + 1e-13, "{k}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn the_range_is_where_it_says() {
+    use slipgap::exact::regularised::holds;
+    for (x0, width, force, end, wanted) in [
+        (12.0, 1e-100, 0.0, 1e7, true),
+        (12.0, 1e-101, 0.0, 10.0, false),
+        (12.0, 1e100, 0.0, 10.0, true),
+        (12.0, 1e101, 0.0, 10.0, false),
+        (12.0, 0.1, 0.0, 1.0001e7, false),
+        (-1e100, 0.1, 1.0, 10.0, true),
+        (-1e101, 0.1, 1.0, 10.0, false),
+        (1e-200, 0.1, 0.0, 10.0, true),
+        (1e-6, 0.1, -1.0, 10.0, true),
+        (-0.9e-6, 0.1, 1.0, 10.0, false),
+    ] {
+        assert_eq!(
+            holds(x0, width, force, end),
+            wanted,
+            "{x0} {width} {force} {end}"
+        );
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 

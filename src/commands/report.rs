@@ -8,12 +8,10 @@ use super::{note, say};
 use indicatif::ProgressBar;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::Store;
-use slipgap::batch::{self, Outcome, Wishes};
-use slipgap::checks::{self, Verdict};
+use slipgap::batch::{self, Wishes};
 use slipgap::claims::compute;
 use slipgap::error::Error;
-use slipgap::figures;
-use slipgap::report::{MOST_ROWS, Section, Settled, page};
+use slipgap::report::{self, Checks, Counts, Drawing, MOST_BYTES, Results, Section, Settled};
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
@@ -24,14 +22,17 @@ const LEDGERS: &str = "claims";
 
 /// Runs the studies, by the stores in `out`, and writes the page there; gives the exit code.
 pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
-    let mut folder = Folder::open(out)?;
+    let folder = Folder::open(out)?;
     let mut settled = settled(sources)?;
     let mut sections = Vec::new();
+    let mut left = MOST_BYTES;
     for (i, source) in sources.iter().enumerate() {
         let claims = std::mem::take(&mut settled[i]);
-        sections.push(section(source, i, out, claims)?);
+        let section = section(source, i, out, left, claims)?;
+        left = left.saturating_sub(section.results.bytes());
+        sections.push(section);
     }
-    let path = folder.write(PAGE, page(&sections).as_bytes())?;
+    let path = folder.put(PAGE, |file| report::write(file, &sections))?;
     say(&format!("{}\n", path.display()))
 }
 
@@ -39,6 +40,7 @@ fn section<'a>(
     source: &'a Source,
     place: usize,
     out: &Path,
+    most: usize,
     claims: Vec<Settled>,
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
@@ -52,43 +54,29 @@ fn section<'a>(
         ..Wishes::METRICS
     };
     let mut tally = Tally::new(store.is_empty());
-    let (mut verdicts, mut shown): (Vec<(usize, Verdict)>, Vec<Outcome>) = Default::default();
-    let (mut outcomes, mut cases) = (Vec::new(), 0);
+    let mut results = Results::new(study, store.folder().to_owned(), most);
+    let (mut counts, mut checks) = (Counts::new(study), Checks::default());
+    let mut shown = Vec::new();
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
         for (number, outcome) in done.outcomes(study.problem) {
-            cases += 1;
-            checks::judge(study, number, &outcome, &mut verdicts);
-            if outcomes.len() < MOST_ROWS {
-                let solution = None;
-                outcomes.push((
-                    number,
-                    Outcome {
-                        solution,
-                        ..outcome.clone()
-                    },
-                ));
-            }
+            results.add(&outcome);
+            counts.add(number, &outcome);
+            checks.judge(study, number, &outcome);
             if drawn::anywhere(study, &outcome.case) {
                 shown.push(outcome);
             }
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &tally.told(cases));
-    verdicts.sort_by_key(|(check, verdict)| (*check, verdict.case));
+    progress::finish(&bar, &source.name, &tally.told(results.cases()));
     let mut drawings = Vec::new();
     drawn::solve(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {
         let prefix = format!("s{place}f{k}-");
-        let svg = drawn::with_shown(study, figure, &shown, |cases| {
-            let sheet = figures::sheet(study, figure, cases);
-            let svg = figures::svg(&sheet)?;
-            Ok(figures::with_hover(
-                study, figure, cases, &sheet, &svg, &prefix,
-            ))
-        })?;
-        drawings.push((figure.name.clone(), svg));
+        drawings.push(drawn::with_shown(study, figure, &shown, |cases| {
+            Drawing::new(study, figure, cases, &prefix)
+        })?);
     }
     Ok(Section {
         name: &source.name,
@@ -96,9 +84,9 @@ fn section<'a>(
         text,
         study,
         figures: drawings,
-        outcomes,
-        cases,
-        verdicts: verdicts.into_iter().map(|(_, verdict)| verdict).collect(),
+        results,
+        counts,
+        checks,
         claims,
     })
 }

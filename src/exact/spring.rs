@@ -77,8 +77,10 @@ impl Spring {
             };
         }
         let force = self.force(t);
-        let (mut returned, mut impulse) = (0.0, 0.0);
-        let mut since = t - 1.0;
+        // Of fronts that came back long ago the whole impulse, and no force any more.
+        let long = (t - 2.0 - self.contact).max(0.0).floor();
+        let (mut returned, mut impulse) = (0.0, long * self.impulse(self.contact));
+        let mut since = t - 1.0 - long;
         while since > 0.0 {
             returned += self.force(since);
             impulse += self.impulse(since);

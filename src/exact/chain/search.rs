@@ -12,6 +12,9 @@ use libm::{cos, hypot, sin};
 /// Length below which r has passed zero or touched it.
 const RESOLUTION: f64 = 1e-13;
 
+/// Most stretches of a piece.
+const MOST_STRETCHES: u32 = 1_000_000;
+
 /// r from the start of a piece on.
 #[derive(Debug, Clone)]
 pub(super) struct Wave {
@@ -42,6 +45,25 @@ impl Wave {
             .unzip()
     }
 
+    /// From when on r > 0 for good: the bars move apart and are further apart than all vibrations together reach.
+    fn apart(&self) -> f64 {
+        let mut reach = 0.0;
+        let (mut gap, mut rate) = (0.0, 0.0);
+        let starts = self.place.iter().zip(&self.rate);
+        for ((q, p), (omega, a)) in starts.zip(self.basis.omega.iter().zip(&self.basis.share)) {
+            if *omega == 0.0 {
+                (gap, rate) = (gap + a * q, rate + a * p);
+            } else {
+                reach += a * hypot(*q, p / omega);
+            }
+        }
+        if rate > 0.0 {
+            (reach - gap) / rate
+        } else {
+            f64::INFINITY
+        }
+    }
+
     /// No |r''''| is larger.
     fn fourth(&self) -> f64 {
         let starts = self.place.iter().zip(&self.rate);
@@ -59,6 +81,8 @@ pub(super) enum Found {
     Clear,
     /// The first zero, at this time from the start of the piece.
     Event(f64),
+    /// Too much to look through.
+    Lost,
 }
 
 /// The search through one piece.
@@ -71,8 +95,11 @@ pub(super) struct Search {
     /// No zero up to here, where r and r' are these.
     clear: f64,
     reached: [f64; 2],
-    /// Length of the next stretch to try.
+    /// Length of the next stretch to try, and how many were tried.
     stretch: f64,
+    tried: u32,
+    /// No zero from here on.
+    apart: f64,
 }
 
 impl Search {
@@ -90,13 +117,19 @@ impl Search {
             clear: 0.0,
             reached: [0.0, wave.at(0.0)[1]],
             stretch: 1.0 / highest,
+            tried: 0,
+            apart: wave.apart(),
             wave,
         }
     }
 
     /// Goes on until there is no zero up to `time`, or finds the first.
     pub fn reach(&mut self, time: f64) -> Found {
-        while self.clear < time {
+        while self.clear < time && self.clear <= self.apart {
+            self.tried += 1;
+            if self.tried > MOST_STRETCHES {
+                return Found::Lost;
+            }
             let h = self.stretch;
             let ahead = self.wave.at(self.clear + h);
             if self.proven(h, ahead) {

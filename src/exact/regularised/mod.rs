@@ -8,10 +8,25 @@ mod displacement;
 mod velocity;
 
 use super::coulomb::State;
+use std::ops::RangeInclusive;
 
 /// Latest time for which it is worth asking: a run has up to four events a period, and by then round-off of the time
 /// itself is 1e-9.
 pub const LATEST: f64 = 1e7;
+
+/// Widths alpha and beta, and largest |X|, for which no product of a piece leaves the range of numbers. From 1e-32 and
+/// 1e-16 on the motions are Coulomb's within round-off, as far as it goes.
+const WIDTHS: RangeInclusive<f64> = 1e-100..=1e100;
+
+/// Least |x0| of a release with a force: from there on the motion is round-off of that, which is 1 or less.
+const LEAST: f64 = 1e-6;
+
+/// Whether the motions here are right to 10 digits, released at `x0` with the force `force`, up to the time `end`.
+pub fn holds(x0: f64, width: f64, force: f64, end: f64) -> bool {
+    let far = x0.abs() <= *WIDTHS.end();
+    let near = force == 0.0 || x0.abs() >= LEAST;
+    far && near && WIDTHS.contains(&width) && end <= LATEST
+}
 
 /// A motion after release at rest, from piece to piece; in T = omega_n t, X = x/Delta, S in units of nu N.
 ///

@@ -212,6 +212,27 @@ mod tests {
     }
 
     #[test]
+    fn impulses_end_with_the_last_step_where_the_bars_part_after_it() {
+        // Steps of 0.3 to 0.9, the exact parting at 1, the end of the run at 1.1: both impulses are up to 0.9.
+        let wave = wave(0.0, 1.1);
+        let mut track = Track::<1>::default();
+        track.resize(4);
+        track.force.fill(Lane([0.7]));
+        track.displacement.fill(Lane([-0.1]));
+        let found = |duration: f64| {
+            let exact = Sampled::new(&wave, 0.3, 3, duration);
+            cells(evaluate(&track, &exact))[6]
+        };
+        assert!(
+            (found(1.1).unwrap() + 0.3).abs() < 1e-15,
+            "{:?}",
+            found(1.1)
+        );
+        // Not beyond the parting, by the duration and not by the last step.
+        assert_eq!([found(1.0), found(0.95)], [None; 2]);
+    }
+
+    #[test]
     fn separations_must_close_again_in_time() {
         let count = |touch: f64, r: &[f64]| {
             let last = r.len() as u64 - 1;

@@ -153,20 +153,21 @@ impl FrictionOscillator {
     }
 }
 
-/// The case's own model in continuous time, between the exact solution and the computed one; `None` where the run is
-/// too long for it.
+/// The case's own model in continuous time, between the exact solution and the computed one; `None` where that is not
+/// known, see [`regularised::holds`].
 fn between(case: &Case, times: &[f64]) -> Option<History> {
-    if *times.last()? > regularised::LATEST {
-        return None;
-    }
-    let x0 = case.number("x0")?;
+    let (x0, end) = (case.number("x0")?, *times.last()?);
     let mut motion = match case.number("alpha") {
         Some(alpha) => {
             let (_, force) = release(case.choice("initial_slip"), x0, alpha);
-            Regularised::displacement(x0, alpha, force)
+            regularised::holds(x0, alpha, force, end)
+                .then(|| Regularised::displacement(x0, alpha, force))
         }
-        None => Regularised::velocity(x0, case.number("beta")?),
-    };
+        None => {
+            let beta = case.number("beta")?;
+            regularised::holds(x0, beta, 0.0, end).then(|| Regularised::velocity(x0, beta))
+        }
+    }?;
     let mut history = History::with_capacity(times.len());
     for &time in times {
         let state = motion.at(time);

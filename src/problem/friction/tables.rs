@@ -169,14 +169,14 @@ pub(super) static METRICS: [Metric; 13] = [
         name: "regularisation_error",
         symbol: "regularisation error",
         unit: "1",
-        meaning: "rms_error of g instead of c: the model's own, g its motion in continuous time",
+        meaning: "rms_error of g instead of c: the model's own, g its motion in continuous time; g is known for alpha and beta of 1e-100 to 1e100, abs(x0) <= 1e100, and >= 1e-6 unless released unloaded, duration <= 1e7",
         default: false,
     },
     Metric {
         name: "step_error",
         symbol: "step error",
         unit: "1",
-        meaning: "rms_error of c against g instead of e: what the time step adds",
+        meaning: "rms_error of c against g instead of e: what the time step adds; g is known for alpha and beta of 1e-100 to 1e100, abs(x0) <= 1e100, and >= 1e-6 unless released unloaded, duration <= 1e7",
         default: false,
     },
     Metric {

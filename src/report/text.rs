@@ -1,0 +1,56 @@
+//! Text of a user on its way into the page.
+
+/// The text as HTML, in elements and in quoted attributes.
+pub fn escape(text: &str) -> String {
+    printable(text)
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+/// The text with a visible sign for every character that no page may hold: control characters other than tabs and line
+/// ends, and code points that are no characters.
+pub fn printable(text: &str) -> String {
+    let shown = |c: char| match c {
+        '\t' | '\n' => c,
+        // The pictures of control characters stand in Unicode in the same order.
+        '\0'..='\x1f' => {
+            char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
+        }
+        '\x7f' => '\u{2421}',
+        '\u{80}'..='\u{9f}' | '\u{fdd0}'..='\u{fdef}' => char::REPLACEMENT_CHARACTER,
+        _ if u32::from(c) & 0xfffe == 0xfffe => char::REPLACEMENT_CHARACTER,
+        _ => c,
+    };
+    text.replace("\r\n", "\n").chars().map(shown).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_that_html_forbids_is_left() {
+        let all: String = ('\0'..=char::MAX).collect();
+        let left = printable(&all);
+        assert_eq!(left.chars().count(), all.chars().count());
+        // "Control" and "noncharacter" of the Infra standard, which HTML forbids in its input, apart from white space.
+        let forbidden = |c: char| {
+            let code = u32::from(c);
+            (c.is_control() && c != '\n' && c != '\t')
+                || (0xfdd0..=0xfdef).contains(&code)
+                || [0xfffe, 0xffff].contains(&(code % 0x10000))
+        };
+        assert_eq!(left.chars().find(|c| forbidden(*c)), None);
+        let changed = all.chars().zip(left.chars()).filter(|(a, b)| a != b);
+        // 30 of C0, delete, 32 of C1, and the 66 noncharacters.
+        assert_eq!(changed.count(), 30 + 1 + 32 + 66);
+    }
+
+    #[test]
+    fn signs_show_what_they_replace() {
+        assert_eq!(printable("a\0b\x1b[2J\r\nc\x7f"), "a␀b␛[2J\nc␡");
+        assert_eq!(escape("\u{fffe}<\"&\x08>"), "\u{fffd}&lt;&quot;&amp;␈&gt;");
+    }
+}

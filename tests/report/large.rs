@@ -1,0 +1,199 @@
+//! 100 000 cases: all of them are in the page, and filter, sort and search look at all of them.
+
+use super::browser::{chromium, probe};
+use super::data::{Cell, bytes, data};
+use super::page_of;
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+/// 50 000 values of beta, the first axis, so that no beta over 0.1 is among the first 20 000 cases; from x0 = 0.5 nothing
+/// moves, and work_error is undefined.
+const STUDY: &str = r#"{ "problem": "friction-oscillator", "parameters": { "law": "velocity-control",
+  "beta": { "linspace": [0.001, 0.4, 50000] }, "x0": [3, 0.5], "dT": "pi/10", "duration": "2*pi" },
+  "figures": [ { "name": "curve", "title": "Every beta", "kind": "metric", "x": "beta", "y": "rms_error", "where": { "x0": 3 } } ],
+  "checks": [ { "metric": "rms_error", "max": 10 } ] }
+"#;
+
+/// beta = 0.001 + 0.399 i/49999 > 0.1 from i = 12406 on (0.099 49999/0.399 = 12405.9), for two x0.
+const OVER: usize = 2 * (50_000 - 12_406);
+
+/// The folder, the page, and results.csv of the same study.
+static REPORT: LazyLock<(TempDir, String, Table)> = LazyLock::new(|| {
+    let (folder, page) = page_of(STUDY, &["run", "report"]);
+    let table = table(&folder.path().join("out/s/results.csv"));
+    (folder, page, table)
+});
+
+/// Header and rows of a table of texts.
+type Table = (Vec<String>, Vec<Vec<String>>);
+
+fn table(file: &Path) -> Table {
+    let text = fs::read_to_string(file).unwrap();
+    let row = |line: &str| line.split(',').map(String::from).collect();
+    let mut lines = text.lines();
+    (row(lines.next().unwrap()), lines.map(row).collect())
+}
+
+#[test]
+fn every_cell_of_results_csv_is_in_the_page() {
+    let (_, page, (header, rows)) = &*REPORT;
+    let data = data(page);
+    assert_eq!((rows.len(), &data.head["rows"]), (100_000, &100_000.into()));
+    assert!(data.head["limit"].is_null());
+    let names = data.columns.iter().map(|column| &column.0);
+    assert!(header[1..].iter().eq(names));
+    for (place, (name, cells)) in data.columns.iter().enumerate() {
+        let same = |(cell, row): (&Option<Cell>, &Vec<String>)| match cell {
+            None => row[place + 1].is_empty(),
+            Some(Cell::Name(name)) => row[place + 1] == *name,
+            Some(Cell::Number(x)) => {
+                row[place + 1].parse::<f64>().unwrap().to_bits() == x.to_bits()
+            }
+        };
+        assert!(cells.iter().zip(rows).all(same), "{name}");
+        let varies = cells.iter().any(|cell| *cell != cells[0]);
+        assert_eq!(data.head["columns"][place]["varies"], varies, "{name}");
+    }
+}
+
+#[test]
+fn neither_points_nor_checks_make_the_page_grow_with_the_cases() {
+    let (_, page, (header, rows)) = &*REPORT;
+    // At most eight bytes a cell, four letters for three of them; a third of the columns have one value.
+    let cells = header.len() * rows.len() * 8 / 3 * 4;
+    assert!(page.len() < 2 * cells / 3, "{} bytes", page.len());
+    assert!(page.contains("Checks: 100000 of 100000 met") && !page.contains("limits</th>"));
+    assert!(page.contains("Every beta"));
+    let png = page.split_once("data:image/png;base64,").unwrap().1;
+    let png = bytes(png.split_once('"').unwrap().0);
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.ends_with(b"IEND\xaeB`\x82"));
+    assert!(!page.contains("<svg"));
+}
+
+const PROBE: &str = r#"
+probe.begun = count();
+probe.over = [typed("beta>0.1"), typed("beta > 0.1"), typed("beta>0.1 x0==3")];
+probe.undefined = [typed("work_error=undefined"), typed("work_error!=undefined")];
+probe.name = typed("velocity");
+probe.absent = typed("law=displacement-control");
+probe.faults = ["bta>0.1", "bta", "beta", "beta>", "beta>abc", "law>a", "law=velocity"].map(typed);
+probe.faulty = root.querySelector("[type=search]").getAttribute("aria-invalid");
+probe.rows = root.querySelectorAll("tbody tr").length;
+type("");
+sort("rms_error");
+probe.best = values("rms_error");
+probe.first = values("case")[0];
+sort("rms_error");
+probe.worst = values("rms_error");
+type("beta>0.1");
+probe.over_worst = values("rms_error")[0];
+type("case<4");
+sort("work_error");
+probe.last = [values("case"), values("work_error")];
+sort("work_error");
+probe.falling = [values("case"), values("work_error")];
+"#;
+
+#[test]
+fn in_a_browser_filter_and_sort_look_at_every_case() {
+    let Some(program) = chromium() else { return };
+    let (folder, page, (header, rows)) = &*REPORT;
+    let probe = probe(&program, folder.path(), page, PROBE);
+    let place = |name: &str| header.iter().position(|known| known == name).unwrap();
+    let number = |row: &[String], name: &str| row[place(name)].parse::<f64>().unwrap();
+    assert_eq!(
+        rows.iter().filter(|row| number(row, "beta") > 0.1).count(),
+        OVER
+    );
+    let found = |cases: usize| format!("1 to 100 of {cases} cases");
+    assert_eq!(probe["begun"], found(100_000));
+    assert_eq!(
+        probe["over"],
+        serde_json::json!([found(OVER), found(OVER), found(OVER / 2)])
+    );
+    assert_eq!(
+        probe["undefined"],
+        serde_json::json!([found(50_000), found(50_000)])
+    );
+    assert_eq!(probe["name"], found(100_000));
+    assert_eq!(probe["absent"], "no case");
+    // What is not understood is named, with what is allowed.
+    let said: Vec<&str> = probe["faults"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|said| said.as_str().unwrap())
+        .collect();
+    let columns = header.join(", ");
+    assert_eq!(
+        said[0],
+        format!("No column is called “bta”. The columns are {columns}")
+    );
+    assert_eq!(
+        said[1],
+        format!(
+            "“bta” is neither a name in this table nor a comparison. The columns are {columns}"
+        )
+    );
+    assert_eq!(
+        said[2..],
+        [
+            "beta is a column: compare it with a value, as in beta>0.1",
+            "“beta>” is no comparison: write column, sign, value, as in beta>0.1",
+            "“abc” is no number, and beta is one",
+            "law has names for values: compare it by = or !=",
+            "law is never “velocity”. Its values are displacement-control, velocity-control",
+        ]
+    );
+    assert_eq!(
+        (&probe["faulty"], &probe["rows"]),
+        (&"true".into(), &0.into())
+    );
+    // The best and the worst hundred of all.
+    let mut errors: Vec<(f64, usize)> = rows
+        .iter()
+        .map(|row| (number(row, "rms_error"), number(row, "case") as usize))
+        .collect();
+    errors.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    let values = |name: &str| -> Vec<f64> {
+        let list = probe[name].as_array().unwrap().iter();
+        list.map(|text| text.as_str().unwrap().parse().unwrap())
+            .collect()
+    };
+    assert!(
+        values("best")
+            .iter()
+            .eq(errors[..100].iter().map(|(error, _)| error))
+    );
+    assert_eq!(probe["first"], errors[0].1.to_string());
+    assert!(
+        values("worst")
+            .iter()
+            .eq(errors[99_900..].iter().rev().map(|(error, _)| error))
+    );
+    let over = rows.iter().filter(|row| number(row, "beta") > 0.1);
+    let worst = over.map(|row| number(row, "rms_error")).fold(0.0, f64::max);
+    assert_eq!(
+        probe["over_worst"]
+            .as_str()
+            .unwrap()
+            .parse::<f64>()
+            .unwrap(),
+        worst
+    );
+    // Cases 1 and 3 have no work_error: last both ways.
+    let work = |case: usize| rows[case][place("work_error")].clone();
+    let rising = number(&rows[0], "work_error") < number(&rows[2], "work_error");
+    for (name, zero_first) in [("last", rising), ("falling", !rising)] {
+        let [a, b] = if zero_first { [0, 2] } else { [2, 0] };
+        let cases = serde_json::json!([a.to_string(), b.to_string(), "1", "3"]);
+        assert_eq!(probe[name][0], cases, "{name}");
+        assert_eq!(
+            probe[name][1],
+            serde_json::json!([work(a), work(b), "", ""]),
+            "{name}"
+        );
+    }
+}

@@ -1,0 +1,157 @@
+//! What a page does not hold, and what it must not hold.
+
+use super::browser::{chromium, probe};
+use super::data::data;
+use slipgap::batch;
+use slipgap::batch::Outcome;
+use slipgap::report::{self, Checks, Counts, Results, Section};
+use slipgap::study::{self, Study};
+use std::path::PathBuf;
+
+const FRICTION: &str = r#"{ "problem": "friction-oscillator", "parameters": { "law": "velocity-control",
+  "beta": { "linspace": [0.001, 0.4, 1500] }, "x0": 3, "dT": "pi/10", "duration": "2*pi" } }"#;
+
+const BARS: &str = r#"{ "problem": "bar-impact", "metrics": ["max_overlap", "rms_error_r"],
+  "parameters": { "gamma": 1, "n": [2, 3, 4], "dt": 0.25, "duration": 1, "L": 10, "E": 100, "V0": 0.1 } }"#;
+
+fn outcomes(study: &Study) -> Vec<Outcome> {
+    batch::all(study, &indicatif::ProgressBar::hidden()).unwrap()
+}
+
+/// The page of one study whose results may take `most` bytes.
+fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String {
+    let mut results = Results::new(study, PathBuf::from("out/s/store"), most);
+    let mut counts = Counts::new(study);
+    for (number, outcome) in (0..).zip(outcomes) {
+        results.add(outcome);
+        counts.add(number, outcome);
+    }
+    let section = Section {
+        name: "s\u{1b}[31m",
+        file: "s\u{7}.json".into(),
+        text: text.into(),
+        study,
+        figures: Vec::new(),
+        results,
+        counts,
+        checks: Checks::default(),
+        claims: Vec::new(),
+    };
+    let mut page = Vec::new();
+    report::write(&mut page, &[section]).unwrap();
+    String::from_utf8(page).unwrap()
+}
+
+const LIMIT: &str = "This page holds the first 1000 of 1500 cases and can neither filter nor sort all of them; all are in out/s/store";
+
+#[test]
+fn a_table_too_large_for_the_page_says_what_it_holds_and_refuses() {
+    let study = study::parse("s.json", FRICTION).unwrap();
+    let outcomes = outcomes(&study);
+    let mut results = Results::new(&study, PathBuf::new(), usize::MAX);
+    outcomes.iter().for_each(|outcome| results.add(outcome));
+    // As many bytes as it takes, and one less.
+    let whole = page(&study, FRICTION, &outcomes, results.bytes());
+    assert!(data(&whole).head["limit"].is_null() && !whole.contains("holds the first"));
+    let part = page(&study, FRICTION, &outcomes, results.bytes() - 1);
+    let held = data(&part);
+    assert_eq!(
+        (&held.head["rows"], &held.head["cases"]),
+        (&1000.into(), &1500.into())
+    );
+    assert_eq!(held.head["limit"], LIMIT);
+    assert!(part.contains(&format!("<p>{LIMIT}.</p>")));
+    for ((name, cells), (_, all)) in held.columns.iter().zip(data(&whole).columns) {
+        assert!(cells.iter().eq(&all[..1000]), "{name}");
+    }
+    let Some(program) = chromium() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let script = r#"
+        probe.begun = count();
+        probe.filtered = [typed("beta>0.1"), root.querySelectorAll("tbody tr").length];
+        probe.misspelt = typed("bta>0.1");
+        type("");
+        probe.again = [count(), root.querySelectorAll("tbody tr").length];
+        sort("rms_error");
+        probe.sorted = [count(), heads()[column("rms_error")].getAttribute("aria-sort"), values("case").slice(0, 3)];"#;
+    let probe = probe(&program, folder.path(), &part, script);
+    let begun = "1 to 100 of the first 1000 of 1500 cases";
+    assert_eq!(probe["begun"], begun);
+    assert_eq!(probe["filtered"], serde_json::json!([LIMIT, 0]));
+    assert!(
+        probe["misspelt"]
+            .as_str()
+            .unwrap()
+            .starts_with("No column is called “bta”")
+    );
+    assert_eq!(probe["again"], serde_json::json!([begun, 100]));
+    assert_eq!(
+        probe["sorted"],
+        serde_json::json!([LIMIT, "none", ["0", "1", "2"]])
+    );
+}
+
+#[test]
+fn a_column_that_varies_beyond_the_rows_held_is_shown() {
+    let text = FRICTION
+        .replace(r#""x0": 3"#, r#""x0": [3, 4]"#)
+        .replace("0.4, 1500", "0.4, 1100");
+    // x0 first: the rows held have one x0.
+    let text = text.replace(
+        r#""beta": { "linspace": [0.001, 0.4, 1100] }, "x0": [3, 4]"#,
+        r#""x0": [3, 4], "beta": { "linspace": [0.001, 0.4, 1100] }"#,
+    );
+    let study = study::parse("s.json", &text).unwrap();
+    let held = data(&page(&study, &text, &outcomes(&study), 1000)).head;
+    let columns = held["columns"].as_array().unwrap();
+    let x0 = columns
+        .iter()
+        .find(|column| column["name"] == "x0")
+        .unwrap();
+    assert_eq!((&x0["width"], &x0["varies"]), (&0.into(), &true.into()));
+}
+
+#[test]
+fn no_control_character_of_a_study_is_in_the_page() {
+    let mut study = study::parse("s.json", FRICTION).unwrap();
+    study.title =
+        "bell\u{7} escape\u{1b}[2J next\u{85} none\u{fffe}\u{1ffff} nul\0 </script>".into();
+    let text = format!("{FRICTION}\r\n\u{7f}\u{9b}\u{ffff}\t</pre>");
+    let page = page(&study, &text, &outcomes(&study), usize::MAX);
+    let forbidden =
+        |c: char| (c.is_control() && c != '\n' && c != '\t') || u32::from(c) & 0xfffe == 0xfffe;
+    assert_eq!(page.chars().find(|c| forbidden(*c)), None);
+    assert!(
+        page.contains("bell␇ escape␛[2J next\u{fffd} none\u{fffd}\u{fffd} nul␀ &lt;/script&gt;")
+    );
+    assert!(page.contains("\n␡\u{fffd}\u{fffd}\t&lt;/pre&gt;</pre>"));
+    assert!(page.contains("s␇.json"));
+}
+
+#[test]
+fn cases_without_contact_or_solution_are_counted() {
+    let study = study::parse("s.json", BARS).unwrap();
+    let mut outcomes = outcomes(&study);
+    let page_of = |outcomes: &[Outcome]| page(&study, BARS, outcomes, usize::MAX);
+    let touching = page_of(&outcomes);
+    assert!(!touching.contains("never touch") && !touching.contains("could not be solved"));
+    let name = |metric: &usize| study.problem.metrics()[*metric].name;
+    let overlap = *study
+        .metrics
+        .iter()
+        .find(|m| name(m) == "max_overlap")
+        .unwrap();
+    for apart in &mut outcomes[1..] {
+        apart.metrics[overlap] = None;
+    }
+    let apart = page_of(&outcomes);
+    assert!(apart.contains(
+        "<p>2 of 3 cases never touch before <code>duration</code>; their contact metrics are undefined.</p>"
+    ));
+    // A case without a solution has no metric either, and is not one without contact.
+    outcomes[2].failure = Some("S <grows>".into());
+    outcomes[2].metrics.fill(None);
+    let failed = page_of(&outcomes);
+    assert!(failed.contains("<p>1 of 3 cases never touch"));
+    assert!(failed.contains("<p>1 of 3 cases could not be solved; case 2: S &lt;grows&gt;.</p>"));
+}

@@ -1,0 +1,32 @@
+//! The report: what stands on the page, and, where there is a Chromium, what the page does.
+
+mod browser;
+mod data;
+mod large;
+mod limits;
+mod small;
+
+use std::fs;
+use std::process::Command;
+use tempfile::TempDir;
+
+/// Writes the study `s.json` into a folder of its own, calls `slipgap VERB s.json --out out` there for each of the verbs,
+/// and gives the folder and the page.
+fn page_of(study: &str, verbs: &[&str]) -> (TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("s.json"), study).unwrap();
+    let mut printed = String::new();
+    for verb in verbs {
+        let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+            .args([verb, "s.json", "--out", "out"])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{said}");
+        printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    }
+    assert_eq!(printed, "out/report.html\n");
+    let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    (folder, page)
+}

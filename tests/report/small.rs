@@ -1,0 +1,128 @@
+//! A small study: what stands on its page, and what a reader can do there.
+
+use super::browser::{browse, chromium, probe};
+use super::data::data;
+use super::page_of;
+use serde_json::Value as Json;
+use std::fs;
+
+/// 108 cases with one that is stranger than the others, a figure of each kind of hover, and a check that is not met.
+const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact", "parameters": {
+  "gamma": { "linspace": [0.25, 3, 12] }, "n": [2, 4, 8], "mass": ["lumped", "consistent"], "gap": [0], "dt": "0.1/n", "duration": 1.5,
+  "right": "wall", "L": [10], "E": [100, 101, 102], "V0": 0.1 },
+  "zip": [], "when": "E == 100 or n > 2 and E < 102 or n == 8",
+  "figures": [
+    { "name": "map", "kind": "map", "x": "n", "y": "gamma", "z": "peak_force", "where": { "mass": "lumped", "E": 100 } },
+    { "name": "curves", "title": "Peaks & n", "kind": "metric", "x": "gamma", "y": "peak_force", "by": "n", "where": { "mass": "lumped", "E": 100 } } ],
+  "checks": [ { "metric": "peak_force", "where": { "n": 8, "mass": "lumped", "E": 100, "gamma": 0.25 }, "max": 0.5 } ] }
+"#;
+
+#[test]
+fn the_page_has_everything_in_it_and_asks_for_nothing() {
+    let (_folder, page) = page_of(STUDY, &["report"]);
+    // The name of the SVG namespace is no address that is asked.
+    let rest = page.replace("http://www.w3.org/2000/svg", "");
+    for beside in ["http:", "https:", "src=", "@import", "url(", "<link"] {
+        assert!(!rest.contains(beside), "{beside}");
+    }
+    assert!(page.contains("Springs &amp; &lt;meshes&gt;"));
+    assert!(
+        page.contains("&quot;when&quot;: &quot;E == 100"),
+        "the study as given"
+    );
+    assert!(page.contains("Checks: 0 of 1 met") && page.contains("not met</td>"));
+    assert!(page.contains(env!("CARGO_PKG_VERSION")));
+    assert_eq!(data(&page).head["rows"], cases());
+    // The title of a figure that has one, else its name.
+    assert!(
+        page.contains("<figcaption>Peaks &amp; n</figcaption>")
+            && page.contains("<figcaption>map</figcaption>")
+    );
+    // A point to point at for each case of the map and of the curves.
+    assert_eq!(page.matches("role=\"img\" aria-label=").count(), 2 * 36);
+    assert!(
+        page.contains("aria-label=\"n = 4, γ = 0.25: peak of F/F0 = "),
+        "what a point says"
+    );
+}
+
+/// 12 gammas, 2 mass matrices, and for n = 2, 4, 8 one, two and three values of E.
+fn cases() -> usize {
+    12 * 2 * (1 + 2 + 3)
+}
+
+/// What a reader does, and what comes of it.
+const PROBE: &str = r#"
+probe.begun = count();
+probe.hidden = column("L");
+root.querySelector(".next").click();
+probe.next = count();
+sort("peak_force");
+probe.rising = texts("peak_force");
+probe.sorted = heads()[column("peak_force")].getAttribute("aria-sort");
+sort("peak_force");
+probe.falling = texts("peak_force");
+type("n=8 gamma>=2.75 consistent");
+probe.filtered = [count(), texts("n"), texts("gamma"), texts("mass")];
+probe.none = typed("n=8 gamma>3");
+probe.named = typed("nothing-like-it");
+type("");
+root.querySelector("[type=checkbox]").click();
+probe.shown = column("L") >= 0;
+const point = document.querySelector(".hover circle");
+point.focus();
+probe.tip = document.getElementById("tip").textContent;
+point.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
+probe.moved = document.activeElement === point.nextElementSibling;
+"#;
+
+#[test]
+fn in_a_browser_it_loads_sorts_filters_and_prints() {
+    let Some(program) = chromium() else { return };
+    let (folder, page) = page_of(STUDY, &["report"]);
+    let probe = probe(&program, folder.path(), &page, PROBE);
+    let all = cases();
+    assert_eq!(probe["begun"], format!("1 to 100 of {all} cases"));
+    assert_eq!(probe["next"], format!("101 to {all} of {all} cases"));
+    assert_eq!(
+        (&probe["hidden"], &probe["shown"]),
+        (&Json::from(-1), &Json::from(true))
+    );
+    let numbers = |name: &str| -> Vec<f64> {
+        let list = probe[name].as_array().unwrap().iter();
+        list.map(|cell| cell.as_str().unwrap().parse().unwrap())
+            .collect()
+    };
+    let (rising, falling) = (numbers("rising"), numbers("falling"));
+    assert!(rising.is_sorted() && falling.iter().rev().is_sorted());
+    assert!(rising.len() > 40 && probe["sorted"] == "ascending");
+    // gamma = 2.75 and 3, three values of E.
+    assert_eq!(probe["filtered"][0], "1 to 6 of 6 cases");
+    for (column, allowed) in [(1, &["8"][..]), (2, &["2.75", "3"]), (3, &["consistent"])] {
+        let cells = probe["filtered"][column].as_array().unwrap();
+        assert!(
+            cells
+                .iter()
+                .all(|cell| allowed.contains(&cell.as_str().unwrap())),
+            "{cells:?}"
+        );
+    }
+    assert_eq!(probe["none"], "no case");
+    let named = probe["named"].as_str().unwrap();
+    assert!(named.starts_with("“nothing-like-it” is neither"), "{named}");
+    assert!(
+        probe["tip"]
+            .as_str()
+            .unwrap()
+            .starts_with("n = 2, γ = 0.25: peak of F/F0 = ")
+    );
+    assert_eq!(probe["moved"], true);
+    let address = format!("file://{}", folder.path().join("out/report.html").display());
+    browse(
+        &program,
+        folder.path(),
+        &["--print-to-pdf=page.pdf", &address],
+    );
+    let printed = fs::read(folder.path().join("page.pdf")).unwrap();
+    assert!(printed.starts_with(b"%PDF") && printed.len() > 10_000);
+}
