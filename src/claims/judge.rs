@@ -33,6 +33,14 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             let name = study.problem.profiles()[*row].name;
             within(errors.collect(), name, None, Some(*max))
         }
+        (Looked::Later(row), Demand::After { flights, min, max }) => {
+            let errors = cases
+                .iter()
+                .map(|o| off_by(study.problem, o, *row, flights));
+            let name = study.problem.later()[*row];
+            let (holds, found) = within(errors.collect(), name, *min, *max);
+            (holds, format!("{found} off"))
+        }
         (Looked::Metric(row), demand) => {
             let name = study.problem.metrics()[*row].name;
             let value = |o: &&Outcome| o.metrics[*row].filter(|x| x.is_finite());
@@ -70,10 +78,10 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
                         None => (false, format!("`{name}` undefined")),
                     }
                 }
-                Demand::Away { .. } => (false, String::new()),
+                Demand::Away { .. } | Demand::After { .. } => (false, String::new()),
             }
         }
-        (Looked::Profile(_), _) => (false, String::new()),
+        (Looked::Profile(_) | Looked::Later(_), _) => (false, String::new()),
     }
 }
 
@@ -151,9 +159,11 @@ fn away_from_fronts(
     away: f64,
 ) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0_u32);
-    for Snapshot { profiles, .. } in problem.snapshots(&outcome.case, times) {
+    for snapshot in problem.snapshots(&outcome.case, times) {
+        let Snapshot {
+            profiles, fronts, ..
+        } = snapshot;
         let Lines { computed, exact } = profiles.get(row)?;
-        let fronts: Vec<f64> = exact.iter().flat_map(|line| jumps(line)).collect();
         for (points, line) in computed.iter().zip(exact) {
             for [x, y] in points {
                 let far = fronts.iter().all(|front| (x - front).abs() > away);
@@ -167,10 +177,14 @@ fn away_from_fronts(
     (count > 0).then(|| (sum / f64::from(count)).sqrt())
 }
 
-/// Places where a line jumps.
-fn jumps(line: &[[f64; 2]]) -> impl Iterator<Item = f64> + '_ {
-    let jump = |pair: &&[[f64; 2]]| pair[0][0] == pair[1][0] && pair[0][1] != pair[1][1];
-    line.windows(2).filter(jump).map(|pair| pair[0][0])
+/// Root mean square over flights of what a later event's number, 1 in the exact solution, is off.
+fn off_by(problem: &dyn Problem, outcome: &Outcome, row: usize, flights: &[f64]) -> Option<f64> {
+    let mut sum = 0.0;
+    for flight in flights {
+        let x = (*problem.after(&outcome.case, *flight).get(row)?)?;
+        sum += (x - 1.0) * (x - 1.0);
+    }
+    Some((sum / flights.len() as f64).sqrt())
 }
 
 /// The value of a line at `x`.
@@ -204,9 +218,8 @@ mod tests {
     }
 
     #[test]
-    fn profiles_have_their_value_and_their_fronts() {
+    fn lines_have_a_value_on_each_side_of_a_jump() {
         let line = [[0.0, 1.0], [0.4, 1.0], [0.4, -1.0], [1.0, -1.0]];
-        assert_eq!(jumps(&line).collect::<Vec<_>>(), [0.4]);
         assert_eq!((at(&line, 0.2), at(&line, 0.7)), (Some(1.0), Some(-1.0)));
         assert_eq!(at(&line, 1.5), None);
         // From right to left as well.

@@ -35,8 +35,8 @@ pub fn page(all: &[Judged]) -> String {
     let mut page = String::from(
         "# The papers' sentences, judged by computation\n\n\
          Every sentence that a computation can settle, in our words, with the readings tried and the verdict computed by \
-         `slipgap claims`. A claim that fails is a finding: below it stands why. Where a \
-         sentence has no number, the threshold is ours and stands beside it; so does the value, to see how near it is. \
+         `slipgap claims`. Where a claim fails, the reason follows its table. Where a sentence has no number, the limit is \
+         ours: it is given with each value, so that one sees how near the value is. \
          Plain arithmetic (f_n, Delta, T_I) is in docs/errata.md.\n",
     );
     for judged in all {

@@ -187,6 +187,8 @@ pub struct Snapshot {
     pub time: f64,
     /// In the order of `problem.profiles()`.
     pub profiles: Vec<Lines>,
+    /// Where the exact solution's fronts stand, those at an end of a part included.
+    pub fronts: Vec<f64>,
 }
 
 /// One quantity along the structure, a line for each of its parts, as points (place, value).
@@ -239,6 +241,14 @@ pub trait Problem: Sync + std::fmt::Debug {
     }
     /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
     fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
+        Vec::new()
+    }
+    /// Names of the numbers about the event that follows a case's own, for claims; none for a problem without such an event.
+    fn later(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// The numbers of `later` for a completed case, the event after `flight` of free motion; `None` where undefined.
+    fn after(&self, _case: &Case, _flight: f64) -> Vec<Option<f64>> {
         Vec::new()
     }
     /// Title of the time axis.

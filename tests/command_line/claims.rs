@@ -126,3 +126,136 @@ fn faults_have_their_place_and_nothing_is_written() {
             .contains("missing: why it does not hold")
     );
 }
+
+const IMPACT: &str = r#"{ "problem": "bar-impact",
+  "parameters": { "gamma": 1, "n": 10, "dt": 0.05, "duration": 1, "k_I": 0 },
+  "figures": [{ "name": "history", "kind": "history" }] }"#;
+
+/// Whether a ledger with this expectation holds.
+fn holds(study: &str, expect: &str) -> bool {
+    let bench = bench(&[
+        ("studies/fig.json", study),
+        ("claims/a.json", &ledger(&reading(expect, true))),
+    ]);
+    let done = bench.run(&["claims"]);
+    assert!(matches!(done.code, Some(0 | 5)), "{expect}: {}", done.err);
+    done.code == Some(0)
+}
+
+#[test]
+fn a_profile_is_judged_where_it_is_further_from_every_front() {
+    // The profiles are those of an independent program (tests/data/impact.json, 50 digits): velocity at the nodes from the
+    // left bar's free end on. Exact: 1 ahead of the front in the left bar, 0 behind it, -1 once it has come back; the
+    // front is at |x| = 2 t, from the free end on at 2 - 2 t. At T_I/2 it is the free end itself.
+    let data: serde_json::Value =
+        serde_json::from_str(include_str!("../data/impact.json")).unwrap();
+    let records = data["profiles"].as_array().unwrap();
+    let study = IMPACT.replace(", \"k_I\": 0", "");
+    for times in [&[0.25][..], &[0.5], &[0.75], &[0.25, 0.5, 0.75]] {
+        for away in [0.099, 0.101, 0.199, 0.201, 0.299, 0.301] {
+            let (mut sum, mut count) = (0.0, 0);
+            for &t in times {
+                let record = records.iter().find(|record| {
+                    record["parameters"]["duration"] == t && record["parameters"]["dt"] == 0.05
+                });
+                let velocity = record.unwrap()["velocity"].as_array().unwrap();
+                let front = if t <= 0.5 { 2.0 * t } else { 2.0 - 2.0 * t };
+                for (i, v) in velocity.iter().enumerate() {
+                    let (bar, way) = if i <= 10 {
+                        (1.0, 10 - i)
+                    } else {
+                        (-1.0, i - 11)
+                    };
+                    let x = way as f64 / 10.0;
+                    if (x - front).abs() > away {
+                        let ahead = if t <= 0.5 { 1.0 } else { -1.0 };
+                        let exact = if x > front { bar * ahead } else { 0.0 };
+                        let error = v.as_f64().unwrap() - exact;
+                        sum += error * error;
+                        count += 1;
+                    }
+                }
+            }
+            let expected = (sum / f64::from(count)).sqrt();
+            // A double's round-off over some hundred sums.
+            for (factor, within) in [(1.0 + 1e-9, true), (1.0 - 1e-9, false)] {
+                let expect = format!(
+                    r#"{{ "profile": "velocity", "times": {times:?}, "away": {away}, "max": {} }}"#,
+                    expected * factor
+                );
+                assert_eq!(holds(&study, &expect), within, "{expect}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_later_impact_is_judged_by_what_it_is_off_over_the_flights() {
+    // tests/reference/claims.py, second_impacts: one bar between two walls, full matrices. Printed to 8 digits.
+    let study = IMPACT
+        .replace("\"gamma\": 1, ", "")
+        .replace("0.05", "0.001")
+        .replace("\"k_I\": 0", "\"k_I\": 100");
+    let flights: Vec<f64> = (0..22).map(|i| f64::from(50 + 7 * i) / 100.0).collect();
+    for (speed, off) in [("closing_speed", 0.18784602), ("rebound_speed", 0.03925153)] {
+        for (limits, within) in [
+            (format!(r#""max": {}"#, off + 2e-8), true),
+            (format!(r#""max": {}"#, off - 2e-8), false),
+            (format!(r#""min": {}"#, off - 2e-8), true),
+            (format!(r#""min": {}"#, off + 2e-8), false),
+        ] {
+            let expect = format!(r#"{{ "later": "{speed}", "flights": {flights:?}, {limits} }}"#);
+            assert_eq!(holds(&study, &expect), within, "{expect}");
+        }
+    }
+}
+
+#[test]
+fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
+    let study = IMPACT.replace(", \"k_I\": 0", "");
+    for (study, expect, told) in [
+        (
+            STUDY,
+            r#"{ "later": "closing_speed", "flights": [1], "max": 1 }"#,
+            "later event",
+        ),
+        (
+            &study,
+            r#"{ "later": "closing_sped", "flights": [1], "max": 1 }"#,
+            "closing_speed",
+        ),
+        (
+            &study,
+            r#"{ "later": "closing_speed", "max": 1 }"#,
+            "takes \"flights\"",
+        ),
+        (
+            &study,
+            r#"{ "later": "closing_speed", "flights": [1] }"#,
+            "takes \"flights\"",
+        ),
+        (
+            &study,
+            r#"{ "later": "closing_speed", "flights": [0], "max": 1 }"#,
+            "must be > 0",
+        ),
+        (
+            &study,
+            r#"{ "later": "closing_speed", "flights": [1e9], "max": 1 }"#,
+            "at most 100",
+        ),
+        (
+            &study,
+            r#"{ "later": "closing_speed", "profile": "velocity" }"#,
+            "takes a \"metric\"",
+        ),
+    ] {
+        let bench = bench(&[
+            ("studies/fig.json", study),
+            ("claims/a.json", &ledger(&reading(expect, true))),
+        ]);
+        let done = bench.run(&["claims"]);
+        assert_eq!(done.code, Some(2), "{expect}: {}", done.err);
+        assert!(done.err.contains(told), "{expect}: {}", done.err);
+    }
+}

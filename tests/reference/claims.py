@@ -182,6 +182,56 @@ def un_iterated():
               f"by increments alone {said[1]}")
 
 
+def second_impact(case, flight):
+    """A bar between two walls: the speed at which its far end meets the second wall, and its own speed after that.
+
+    Mirror images that strike on a spring k_I are bars on walls with 2 k_I each. Both contacts are there all the time;
+    of the four states of contact the one is taken whose answer has the signs it assumed.
+    """
+    setup = Setup({"right": "wall", "duration": 1.0, **case}, AR)
+    model, size = Model(setup), setup.left.n + 1
+    full = lambda t: np.diag(t.diagonal) + np.diag(t.off, 1) + np.diag(t.off, -1)
+    M, K = full(model.M), full(model.K)
+    dt, V = setup.dt * setup.T, setup.left.V
+    unit = V * setup.T / 2  # half of c T_I/2, c = 2 V0: the way of one bar of a pair
+    room = [setup.gap * unit, (2 * flight - setup.gap) * unit]  # right and left of the bar at t = 0
+    out = np.zeros((2, size))
+    out[0, -1], out[1, 0] = -1.0, 1.0
+    states = [(0, 0), (1, 0), (0, 1), (1, 1)]
+    stiff = {s: K + sum(2 * setup.k * on * np.outer(o, o) for on, o in zip(s, out)) for s in states}
+    solver = {s: np.linalg.inv(M + dt * dt / 4 * stiff[s]) for s in states}
+    u, v, a = np.zeros(size), np.full(size, V), np.zeros(size)
+    closing = None
+    for step in range(round((setup.gap / 2 + flight + 2.25) / setup.dt)):
+        p = u + dt * v + dt * dt / 4 * a
+        for s in states:
+            pull = sum(2 * setup.k * (o @ p + d) * o for on, o, d in zip(s, out, room) if on)
+            a1 = solver[s] @ (-K @ p - pull)
+            u1 = p + dt * dt / 4 * a1
+            if all((o @ u1 + d < 0) == bool(on) for on, o, d in zip(s, out, room)):
+                break
+        else:
+            raise ArithmeticError(f"step {step}: no state agrees with itself")
+        v1 = v + dt / 2 * (a + a1)
+        before, after = out[1] @ u + room[1], out[1] @ u1 + room[1]
+        if closing is None and after < 0:
+            closing = -(v[0] + before / (before - after) * (v1[0] - v[0])) / V
+        u, v, a = u1, v1, a1
+    return float(closing), float(np.ones(size) @ M @ v / setup.left.mass / V)
+
+
+def second_impacts():
+    lumped = {"n": 10, "dt": 0.001}
+    for case, flight in (({**lumped, "k_I": 100.0}, 0.83), ({**lumped, "k_I": 10000.0}, 0.83),
+                         ({"n": 7, "dt": 0.004, "gamma": 0.5, "mass": "consistent", "gap": 0.22}, 0.6)):
+        print(f"{case}, flight {flight}: closing and rebound speed {second_impact(case, flight)}")
+    flights = [0.5 + 0.07 * i for i in range(22)]
+    for k in (100.0, 10000.0):
+        speeds = np.array([second_impact({**lumped, "k_I": k}, flight) for flight in flights])
+        off = np.sqrt(np.mean((speeds - 1) ** 2, axis=0))
+        print(f"k_I = {k}, 22 flights: off by {off}, from {speeds.min(axis=0)} to {speeds.max(axis=0)}")
+
+
 if __name__ == "__main__":
     step_energy()
     period()
@@ -189,3 +239,4 @@ if __name__ == "__main__":
     contact_mode()
     continuum_spring()
     un_iterated()
+    second_impacts()

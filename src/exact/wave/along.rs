@@ -26,6 +26,34 @@ impl Wave {
         line
     }
 
+    /// Where fronts stand on bar `i` at `t`, as s from 0 at the contact to 1 at the free end, both ends included.
+    ///
+    /// A front at an end has no jump inside the bar at that instant, so the lines of [`Wave::profile`] do not show it.
+    pub fn fronts(&self, i: usize, t: f64) -> Vec<f64> {
+        let half = 0.5 * self.bars.trip()[i];
+        let share = self.bars.share()[i];
+        let sign = [-1.0, 1.0][i];
+        // What comes in and what leaves at the contact end, as in `inside`.
+        let start = 0.5 * self.bars.start()[i];
+        let mut before = [start, start];
+        let mut places = Vec::new();
+        for piece in &self.pieces {
+            let incoming = 0.5 * piece.free[i];
+            let after = [incoming, incoming + sign * share * piece.force];
+            for (way, jump) in [
+                (piece.start - t, after[0] - before[0]),
+                (t - piece.start, after[1] - before[1]),
+            ] {
+                let s = way / half;
+                if jump.abs() > INSTANT && (-INSTANT..=1.0 + INSTANT).contains(&s) {
+                    places.push(s.clamp(0.0, 1.0));
+                }
+            }
+            before = after;
+        }
+        places
+    }
+
     /// Velocity and stress of bar `i` at s and t, away from fronts.
     pub fn inside(&self, i: usize, s: f64, t: f64) -> [f64; 2] {
         let way = s * 0.5 * self.bars.trip()[i];

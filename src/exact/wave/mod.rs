@@ -532,4 +532,63 @@ mod tests {
             }
         });
     }
+
+    #[test]
+    fn fronts_stand_at_an_end_when_they_reach_it() {
+        // Like bars that touch at t = 0: one front in each, to the free end by T_I/2 and back by T_I, then none.
+        let like = Bars {
+            impedance_ratio: 1.0,
+            time_ratio: 1.0,
+            gap: 0.0,
+        };
+        let wave = like.solve(1.5);
+        for (t, place) in [
+            (0.0, Some(0.0)),
+            (0.125, Some(0.25)),
+            (0.49, Some(0.98)),
+            (0.5, Some(1.0)),
+            (0.51, Some(0.98)),
+            (0.75, Some(0.5)),
+            (1.0, Some(0.0)),
+            (1.2, None),
+        ] {
+            for i in [0, 1] {
+                let fronts = wave.fronts(i, t);
+                match place {
+                    Some(place) => assert!(
+                        !fronts.is_empty() && fronts.iter().all(|s| (s - place).abs() < ROUND_OFF),
+                        "t = {t}: {fronts:?}"
+                    ),
+                    None => assert!(fronts.is_empty(), "t = {t}: {fronts:?}"),
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_jump_of_a_profile_is_a_front_and_every_front_inside_is_a_jump() {
+        each(|wave, _, _, count| {
+            for (t, i) in times().flat_map(|t| (0..count).map(move |i| (t, i))) {
+                let line = wave.profile(i, t);
+                let inside = line[1..line.len() - 1].chunks(2);
+                let jumps: Vec<f64> = inside
+                    .filter(|pair| {
+                        (pair[0][1] - pair[1][1]).abs() + (pair[0][2] - pair[1][2]).abs() > 1e-9
+                    })
+                    .map(|pair| pair[0][0])
+                    .collect();
+                let fronts = wave.fronts(i, t);
+                let near = |all: &[f64], s: f64| all.iter().any(|x| (x - s).abs() < 1e-9);
+                for s in &jumps {
+                    assert!(near(&fronts, *s), "t = {t}, s = {s}: {fronts:?}");
+                }
+                for s in fronts
+                    .into_iter()
+                    .filter(|s| (1e-9..1.0 - 1e-9).contains(s))
+                {
+                    assert!(near(&jumps, s), "t = {t}, s = {s}: {jumps:?}");
+                }
+            }
+        });
+    }
 }

@@ -5,6 +5,7 @@ mod once;
 mod rules;
 pub mod run;
 pub mod scaled;
+mod second;
 mod snapshot;
 mod sweep;
 mod tables;
@@ -120,6 +121,17 @@ impl Problem for BarImpact {
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
         match (Scaled::new(case), case.at(rows::DT)) {
             (Some(scaled), Some(dt)) => snapshot::snapshots(&scaled, dt, self.steps(case), times),
+            _ => Vec::new(),
+        }
+    }
+
+    fn later(&self) -> &'static [&'static str] {
+        &second::QUANTITIES
+    }
+
+    fn after(&self, case: &Case, flight: f64) -> Vec<Option<f64>> {
+        match (Scaled::new(case), case.at(rows::DT)) {
+            (Some(scaled), Some(dt)) => second::second(&scaled, dt, flight).to_vec(),
             _ => Vec::new(),
         }
     }

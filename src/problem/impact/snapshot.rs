@@ -71,6 +71,7 @@ fn apart(scaled: &Scaled, time: f64, together: &[[f64; 2]]) -> Vec<[f64; 2]> {
 fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snapshot {
     let mut velocity = Lines::default();
     let mut stress = Lines::default();
+    let mut fronts = Vec::new();
     let mut modes = modes;
     // The frame of a wall is its own; the mean of the two V0 moves half as fast as the bar.
     let frame = if scaled.right.is_some() { 0.0 } else { 1.0 };
@@ -107,10 +108,13 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
         };
         velocity.exact.push(line(&|c| 2.0 * c[1] - frame));
         stress.exact.push(line(&|c| c[2]));
+        let places = wave.fronts(i, time).into_iter();
+        fronts.extend(places.map(|s| sign * length * s));
     }
     Snapshot {
         time,
         profiles: vec![velocity, stress],
+        fronts,
     }
 }
 

@@ -9,9 +9,13 @@ use crate::study::scope::Scope;
 use crate::study::tree::Node;
 use crate::study::value::{name, number};
 
-const EXPECT: [&str; 11] = [
-    "metric", "profile", "where", "min", "max", "along", "trend", "least_at", "times", "away", "//",
+const EXPECT: [&str; 13] = [
+    "metric", "profile", "later", "where", "min", "max", "along", "trend", "least_at", "times",
+    "away", "flights", "//",
 ];
+
+/// Longest free motion before a later event, in the problem's unit of time.
+const LONGEST: f64 = 100.0;
 
 /// Decodes one expectation; `columns` are the metrics that the study has.
 pub(super) fn expect(
@@ -27,8 +31,8 @@ pub(super) fn expect(
         Some(node) => scope.filter(node, &object.path("where"), faults),
         None => Some(Filter::default()),
     };
-    let of = match (object.get("metric"), object.get("profile")) {
-        (Some(node), None) => {
+    let of = match ["metric", "profile", "later"].map(|key| object.get(key)) {
+        [Some(node), None, None] => {
             let all = scope.metrics();
             let row = name(node, &object.path("metric"), "metric", &all, faults)?;
             if !columns.contains(&row) {
@@ -40,15 +44,22 @@ pub(super) fn expect(
             }
             Looked::Metric(row)
         }
-        (None, Some(node)) => Looked::Profile(name(
+        [None, Some(node), None] => Looked::Profile(name(
             node,
             &object.path("profile"),
             "profile",
             &scope.profiles(),
             faults,
         )?),
+        [None, None, Some(node)] => Looked::Later(name(
+            node,
+            &object.path("later"),
+            "later event",
+            scope.problem.later(),
+            faults,
+        )?),
         _ => {
-            object.fault("takes a \"metric\" or a \"profile\"", faults);
+            object.fault("takes a \"metric\", a \"profile\" or a \"later\"", faults);
             return None;
         }
     };
@@ -77,6 +88,21 @@ pub(super) fn expect(
                 return None;
             }
         }
+    } else if let Looked::Later(_) = of {
+        let range = Range::Positive;
+        let flights = object.items("flights", faults, |node, path, faults| {
+            let flight = number(node, path, range, faults)?;
+            if flight > LONGEST {
+                faults.must_be(node, path, &format!("at most {LONGEST}"));
+            }
+            Some(flight)
+        });
+        if flights.is_empty() || (min, max) == (None, None) {
+            let message = "\"later\" takes \"flights\" with \"min\", \"max\" or both";
+            object.fault(message, faults);
+            return None;
+        }
+        Demand::After { flights, min, max }
     } else if let Some(along) = along {
         sequence(&object, along, filter.as_ref()?, scope, faults)?
     } else if min.is_some() || max.is_some() {

@@ -80,6 +80,8 @@ pub enum Looked {
     Metric(usize),
     /// Row of `problem.profiles()`: the root mean square of its error away from fronts.
     Profile(usize),
+    /// Row of `problem.later()`: the root mean square of its error over flights.
+    Later(usize),
 }
 
 /// What must be so.
@@ -114,5 +116,14 @@ pub enum Demand {
         away: f64,
         /// Largest value allowed.
         max: f64,
+    },
+    /// The error of a later event after these times of free motion, within limits.
+    After {
+        /// Times in the problem's unit.
+        flights: Vec<f64>,
+        /// Smallest value allowed.
+        min: Option<f64>,
+        /// Largest value allowed.
+        max: Option<f64>,
     },
 }
