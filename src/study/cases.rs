@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::{Block, Filter, Group, Study};
 use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;
-use crate::problem::{Case, Problem};
+use crate::problem::{Case, Problem, Violation};
 
 impl Block {
     /// The cases that `filter` chooses, as combination and case number of the block, rising. Axes are sieved before cases
@@ -137,6 +137,15 @@ impl Study {
         case(self.problem, &self.blocks, index)
     }
 
+    /// The rules that case `index` breaks, which only a case of a large study does.
+    pub fn violations(&self, index: u64) -> Vec<Violation> {
+        let found = place(self.problem, &self.blocks, index);
+        found.map_or_else(Vec::new, |(block, raw)| {
+            let mut case = block.raw_case(self.problem, raw);
+            block.complete(self.problem, &mut case)
+        })
+    }
+
     /// Number of the first case of a block.
     pub fn first_of(&self, block: usize) -> u64 {
         let before = self.blocks.iter().take(block);
@@ -173,9 +182,12 @@ impl Study {
             first.get_or_insert(number);
             for raw in raws.filter(|raw| block.keeps(self.problem, *raw)) {
                 block.put(self.problem, raw, &mut case);
-                // What it may violate was reported when the study was read.
-                let _ = block.complete(self.problem, &mut case);
-                cases.push(&case);
+                // A large block was not checked case by case when the study was read.
+                let violations = block.complete(self.problem, &mut case);
+                match Violation::all(&violations) {
+                    None => cases.push(&case),
+                    Some(why) => cases.push_refused(&case, why),
+                }
             }
         }
         (first.unwrap_or(0), cases)
@@ -224,11 +236,21 @@ pub(super) fn select<'a>(
 
 /// Case `index` of all `blocks`, complete; `None` beyond the last.
 pub(super) fn case(problem: &dyn Problem, blocks: &[Block], index: u64) -> Option<Case> {
+    let (block, raw) = place(problem, blocks, index)?;
+    Some(block.completed(problem, raw))
+}
+
+/// The block of case `index` of all `blocks`, and which combination of it the case is; `None` beyond the last.
+fn place<'a>(
+    problem: &dyn Problem,
+    blocks: &'a [Block],
+    index: u64,
+) -> Option<(&'a Block, u64)> {
     let mut rest = index;
     for block in blocks {
         let len = block.len(problem);
         if rest < len {
-            return Some(block.completed(problem, block.raw_of(problem, rest)?));
+            return Some((block, block.raw_of(problem, rest)?));
         }
         rest -= len;
     }

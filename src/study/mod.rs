@@ -16,6 +16,7 @@ pub mod expression;
 mod figure;
 mod finish;
 mod interval;
+mod kept;
 pub mod ledger;
 mod object;
 mod parameters;
