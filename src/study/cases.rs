@@ -16,6 +16,16 @@ impl Block {
         problem: &'static dyn Problem,
         filter: &'a Filter,
     ) -> impl Iterator<Item = (u64, u64)> + 'a {
+        self.select_among(u64::MAX, problem, filter)
+    }
+
+    /// The same among the first `most` combinations that the axes allow.
+    pub(super) fn select_among<'a>(
+        &'a self,
+        most: u64,
+        problem: &'static dyn Problem,
+        filter: &'a Filter,
+    ) -> impl Iterator<Item = (u64, u64)> + 'a {
         let kept: Vec<Vec<u64>> = self
             .groups
             .iter()
@@ -24,7 +34,7 @@ impl Block {
         let on_axis = |row: usize| self.axes().any(|axis| axis.parameter == row);
         let settled = filter.0.iter().all(|(row, _)| on_axis(*row));
         let count: u64 = kept.iter().map(|kept| kept.len() as u64).product();
-        let combinations = (0..count).map(move |number| {
+        let combinations = (0..count.min(most)).map(move |number| {
             let (mut rest, mut raw, mut stride) = (number, 0, 1);
             for (group, kept) in self.groups.iter().zip(&kept).rev() {
                 let len = kept.len() as u64;
@@ -51,6 +61,14 @@ impl Block {
             last = raw;
             (raw, number)
         })
+    }
+
+    /// Number of combinations that `select` goes through.
+    pub(super) fn candidates(&self, filter: &Filter) -> u64 {
+        let groups = self.groups.iter();
+        groups
+            .map(|group| group.sieve(filter).len() as u64)
+            .product()
     }
 
     /// The different values of a parameter among the cases that `filter` may choose; none where it does not apply, or
@@ -174,6 +192,19 @@ impl Study {
         })
     }
 
+    /// Raw combination `raw` where it is a case, complete.
+    pub fn combination(&self, raw: u64) -> Option<Case> {
+        let mut rest = raw;
+        for block in &self.blocks {
+            if rest < block.raw_len() {
+                let kept = block.keeps(self.problem, rest);
+                return kept.then(|| block.completed(self.problem, rest));
+            }
+            rest -= block.raw_len();
+        }
+        None
+    }
+
     /// The same as columns, with the number of the first.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
         let mut cases = Cases::new(self.problem.parameters());
@@ -241,11 +272,7 @@ pub(super) fn case(problem: &dyn Problem, blocks: &[Block], index: u64) -> Optio
 }
 
 /// The block of case `index` of all `blocks`, and which combination of it the case is; `None` beyond the last.
-fn place<'a>(
-    problem: &dyn Problem,
-    blocks: &'a [Block],
-    index: u64,
-) -> Option<(&'a Block, u64)> {
+fn place<'a>(problem: &dyn Problem, blocks: &'a [Block], index: u64) -> Option<(&'a Block, u64)> {
     let mut rest = index;
     for block in blocks {
         let len = block.len(problem);

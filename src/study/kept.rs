@@ -95,8 +95,11 @@ impl Block {
 
     /// The combination that is case `index` of the block.
     pub(super) fn raw_of(&self, problem: &dyn Problem, index: u64) -> Option<u64> {
-        if self.when.is_none() || index >= self.len(problem) {
-            return (index < self.len(problem)).then_some(index);
+        if index >= self.len(problem) {
+            return None;
+        }
+        if self.when.is_none() {
+            return Some(index);
         }
         match self.kept(problem) {
             Kept::Known(before) => Some(self.at_place(before, index)),

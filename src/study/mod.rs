@@ -21,6 +21,7 @@ pub mod ledger;
 mod object;
 mod parameters;
 mod place;
+mod plain;
 mod report;
 mod rules;
 mod scope;
@@ -35,6 +36,7 @@ pub use block::{Axis, Block, Group};
 pub use decode::{parse, read, read_up_to};
 pub use describe::{reference, schema, start};
 pub use design::{Design, Sampling};
+pub use plain::{printable, unprintable};
 pub use rules::MOST_CASES;
 
 use crate::problem::Problem;
