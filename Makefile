@@ -3,7 +3,7 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants
+.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
@@ -45,6 +45,10 @@ peers: ## the same sweeps by slipgap, numba, numpy and OpenSees, in one table
 maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/
 	cargo run --release --locked -- run docs/maps/*.json --out target/maps
 	for map in target/maps/*/*.png; do cp $$map docs/maps/$$(basename $$(dirname $$map))-$$(basename $$map); done
+
+# A short form is among the tests. SLIPGAP_FUZZ_SECONDS sets how long (300), SLIPGAP_FUZZ_SEED repeats a run.
+fuzz: ## read, list, solve and draw studies changed and made up at random, for minutes
+	cargo test --locked --test fuzz -- --ignored --nocapture
 
 # Hours on two cores, and not part of CI. What survives is explained in tests/mutants.md.
 mutants: ## change law, stepper, exact and metrics in every small way, and see that a test notices

@@ -44,6 +44,160 @@ fn assert_parameter(given: &str, expected: &str) {
 }
 
 #[test]
+fn expressions_of_parameters_stand_alone() {
+    let alone =
+        "names n; an expression that names parameters stands alone as the value of a parameter";
+    let bars = |dt: &str| {
+        format!(
+            "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{\n\"dt\": {dt}, \"gamma\": 1, \"n\": 4, \"duration\": 2\n}}\n}}"
+        )
+    };
+    for (dt, at) in [
+        ("[\"0.3/n\"]", "4:8: parameters.dt[0]: \"0.3/n\": "),
+        ("[0.1, \"0.3/n\"]", "4:13: parameters.dt[1]: \"0.3/n\": "),
+        (
+            "{\"linspace\": [0.1, \"0.3/n\", 3]}",
+            "4:26: parameters.dt.linspace[1]: \"0.3/n\": ",
+        ),
+    ] {
+        assert_faults(&bars(dt), &[&format!("{at}{alone}")]);
+    }
+    assert_faults(&bars("\"0.3/n\""), &[]);
+    // A slip stays a slip.
+    let found = faults(&bars("[\"0.3/ll\"]"));
+    assert!(
+        found[0].contains("unknown name \"ll\", did you mean"),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn characters_that_would_not_be_shown_are_refused() {
+    let refused = [
+        ("\\u0000", "U+0000"),
+        ("\\u0007", "U+0007"),
+        ("\\u001b[31m", "U+001B"),
+        ("a\\nb", "U+000A"),
+        ("\u{7f}", "U+007F"),
+        ("\u{9b}31m", "U+009B"),
+        ("\u{fffe}", "U+FFFE"),
+        ("\u{ffff}", "U+FFFF"),
+        ("\u{fdd0}", "U+FDD0"),
+        ("\u{10ffff}", "U+10FFFF"),
+        ("\u{2028}", "U+2028"),
+        ("\u{202e}evil", "U+202E"),
+        ("\u{2066}", "U+2066"),
+    ];
+    for (text, name) in refused {
+        let what = format!("must be a string of characters that are shown, got {name}");
+        let title = with(GOOD, &format!(",\n\"title\": \"{text}\""));
+        assert_faults(&title, &[&format!("6:10: title: {what}")]);
+        let figure = |key: &str| {
+            with(
+                GOOD,
+                &format!(
+                    ",\n\"figures\": [{{\"name\": \"f\", \"kind\": \"law\",\n\"{key}\": \"{text}\"}}]"
+                ),
+            )
+        };
+        for key in ["title", "note"] {
+            let at = if key == "title" { "7:10" } else { "7:9" };
+            assert_faults(&figure(key), &[&format!("{at}: figures[0].{key}: {what}")]);
+        }
+        // As a key, or where a name is wanted, it is told in a message that shows it written out.
+        for found in faults(&with(
+            &format!("{GOOD}, \"{text}\": 1"),
+            &format!(", \"problem\": \"{text}\""),
+        )) {
+            assert_eq!(slipgap::study::unprintable(&found), None, "{found:?}");
+        }
+    }
+    for text in [
+        "漢字 αβ é",
+        "\u{200f}עברית",
+        "👩\u{200d}🔬",
+        "*k*_I_ < & > '",
+    ] {
+        assert_faults(&with(GOOD, &format!(", \"title\": \"{text}\"")), &[]);
+    }
+}
+
+#[test]
+fn a_condition_is_tried_for_every_combination() {
+    // 1100 x 1000 combinations, more than are tabulated: one of them, in the middle, has no root.
+    let axes = "\"law\": \"velocity-control\", \"beta\": {\"range\": [1, 1100, 1]}, \"x0\": {\"linspace\": [1, 1000, 1000]}, \"dT\": 0.1, \"duration\": 1";
+    let when = "sqrt(abs(beta - 500) + abs(x0 - 500) - 0.5) > 1490";
+    let text = with(axes, &format!(",\n\"when\": \"{when}\""));
+    assert_faults(
+        &text,
+        &[
+            "6:9: when: \"sqrt(abs(beta - 500) + abs(x0 - 500) - 0.5) > 1490\" with beta = 500, x0 = 500: must be finite",
+        ],
+    );
+    // Of 10^12 combinations none is tried.
+    let text = text
+        .replace("\"range\": [1, 1100, 1]", "\"linspace\": [1, 1e6, 1000000]")
+        .replace("1000, 1000]", "1e6, 1000000]");
+    let file = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(file.path(), text).unwrap();
+    let told = slipgap::study::read_up_to(file.path(), u64::MAX)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        told.contains(
+            "would have to be tried for 1000000000000 combinations; allowed: at most 1000000000"
+        ),
+        "{told}"
+    );
+}
+
+#[test]
+fn ends_that_no_double_lies_between_are_refused() {
+    let sampled = |kind: &str, ends: &str| {
+        with(
+            &format!(
+                "\"law\": \"velocity-control\", \"dT\": 0.1, \"duration\": 9, \"beta\": 1,\n\"x0\": {{\"{kind}\": {ends}}}"
+            ),
+            ", \"design\": {\"kind\": \"sobol\", \"n\": 4}",
+        )
+    };
+    for (kind, ends, message) in [
+        (
+            "loguniform",
+            "[1e-200, 1e200]",
+            "must be a multiple of a in double precision",
+        ),
+        (
+            "uniform",
+            "[-1e308, 1e308]",
+            "must differ from a by a number in double precision",
+        ),
+    ] {
+        let at = 5 + 8 + kind.len() + ends.find(' ').unwrap();
+        let expected = format!("5:{at}: parameters.x0.{kind}[1]: {message}");
+        assert_faults(&sampled(kind, ends), &[&expected]);
+    }
+}
+
+#[test]
+fn many_faults_are_counted_and_not_all_told() {
+    let many = vec!["-1"; 10_100].join(", ");
+    let text = with(
+        &format!(
+            "\"law\": \"displacement-control\", \"alpha\": [{many}], \"dT\": 0.1, \"duration\": 9"
+        ),
+        "",
+    );
+    let found = faults(&text);
+    assert_eq!(found.len(), 10_001);
+    assert!(
+        found[10_000].ends_with(": and 100 more faults"),
+        "{}",
+        found[10_000]
+    );
+}
+
+#[test]
 fn numbers() {
     let number = "4:10: parameters.alpha: must be a number or an expression in quotes";
     for (alpha, expected) in [
@@ -310,7 +464,7 @@ fn expressions_of_parameters() {
         ),
         (
             r#""n": [5, §"2*gamma"], "dt": 0.1"#,
-            r#"parameters.n[1]: "2*gamma": unknown name "gamma""#,
+            r#"parameters.n[1]: "2*gamma": names gamma; an expression that names parameters stands alone"#,
         ),
         (
             r#""n": 10, "dt": 0.1, "k_I": §"50 * gamma""#,

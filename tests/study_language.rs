@@ -212,3 +212,68 @@ fn a_stiffness_may_be_said_beside_the_one_it_follows_from() {
     );
     assert_eq!(numbers(&turned, &["gamma"]), [[0.3], [1.0]]);
 }
+
+#[test]
+fn a_rule_ends_on_the_number_given_to_the_bit() {
+    // a (b/a) is not always b: for these ends it is off by a bit.
+    let mut off = 0;
+    for (a, b) in [
+        (0.3, 0.7),
+        (0.3, 0.9),
+        (0.3, 47.0),
+        (0.7, 47.0),
+        (1e-3, 2.3),
+        (1.3, 11.7),
+        (1e-200, 3e-190),
+    ] {
+        off += usize::from(a * libm::pow(b / a, 1.0) != b);
+        for count in [2, 3, 7] {
+            for rule in ["geomspace", "linspace"] {
+                let axis = format!(
+                    r#""gamma": 1, "n": 2, "dt": 1, "E": {{"{rule}": [{a}, {b}, {count}]}}"#
+                );
+                let study = study(&axis, "");
+                let ends = [0, count - 1].map(|i| study.case(i).and_then(|c| c.number("E")));
+                assert_eq!(ends, [Some(a), Some(b)], "{axis}");
+            }
+        }
+    }
+    assert!(off >= 5, "{off} ends would not notice");
+    // Ten steps of 0.1 are not 1 in doubles (0.1 added up, or 10 * 0.1 - 1e-16 and so on), nor three from 0.7 to 1.
+    for (a, step) in [(0.1, 0.1), (0.7, 0.1), (0.3, 0.07)] {
+        let axis = format!(r#""gamma": 1, "n": 2, "dt": 0.01, "E": {{"range": [{a}, 1, {step}]}}"#);
+        let study = study(&axis, "");
+        let last = study.case(study.len() - 1).and_then(|c| c.number("E"));
+        assert_eq!(last, Some(1.0), "{axis}");
+    }
+}
+
+#[test]
+fn cases_under_a_condition_are_numbered_without_making_the_others() {
+    // Axes that the condition names, between others that it does not: against all combinations one after the other.
+    let axes = r#""E": [1, 2, 3], "gamma": [1, 2, 3, 4], "A": [1, 2], "n": [2, 4, 8], "dt": 0.1, "gap": [0, 0.1, 0.2]"#;
+    for when in [
+        "gamma > 2 or n == 4",
+        "n != 4",
+        "E + gap > 1.15 and gamma < 4",
+        "gap > 0.1",
+        "gamma*n > 31",
+    ] {
+        let study = study(axes, &format!(r#", "when": "{when}""#));
+        let all: Vec<Vec<f64>> = numbers(&study, &["E", "gamma", "A", "n", "gap"]);
+        assert_eq!(all.len() as u64, study.len(), "{when}");
+        assert!(all.len() < 216 && all.is_sorted_by(|a, b| a < b), "{when}");
+        for from in [0, 5, 40, 107, 108, 215] {
+            let mut numbered = study.range(from, 216);
+            let skipped = (0..from).filter_map(|raw| study.combination(raw)).count() as u64;
+            let first = numbered.next().map_or(skipped, |(number, _)| number);
+            assert_eq!(first, skipped, "{when}");
+        }
+        for (number, values) in (0..).zip(&all) {
+            let case = study.case(number).unwrap();
+            let found = ["E", "gamma", "A", "n", "gap"].map(|name| case.number(name).unwrap());
+            assert_eq!(&found[..], &values[..], "{when}");
+        }
+        assert!(study.case(study.len()).is_none());
+    }
+}

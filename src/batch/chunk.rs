@@ -81,6 +81,10 @@ impl Key {
             hasher.write(&bytes);
             bytes.clear();
         }
+        for (row, why) in cases.refused() {
+            hasher.write(&row.to_le_bytes());
+            hasher.write(why.as_bytes());
+        }
         let metrics = study.problem.metrics();
         let names: Vec<&str> = study.metrics.iter().map(|m| metrics[*m].name).collect();
         let once = if study.once { "once" } else { "converged" };

@@ -27,8 +27,9 @@ pub(super) fn computed(
         && !study.once
         && study.metrics.iter().all(|row| table[*row].default);
     let mut shown = cases.shown();
+    let sound = (0..cases.len() as u32).filter(|row| cases.may_be_solved(*row as usize));
     let (together, alone): (Vec<u32>, Vec<u32>) =
-        (0..cases.len() as u32).partition(|row| beside && !(wishes.keep)(shown.at(*row as usize)));
+        sound.partition(|row| beside && !(wishes.keep)(shown.at(*row as usize)));
     let size = match rayon::current_num_threads() {
         1 => cases.len().max(1),
         _ => SLICE,
@@ -39,7 +40,7 @@ pub(super) fn computed(
     };
     let swept: Vec<Found> = together.par_chunks(size).map(sweep).collect();
     let swept = swept.into_iter().reduce(Found::followed_by);
-    if alone.is_empty() {
+    if together.len() == cases.len() {
         return Ok((swept.unwrap_or_default(), Solutions::new()));
     }
     let mut shown = cases.shown();
@@ -55,6 +56,10 @@ pub(super) fn computed(
         if let Some(swept) = &swept {
             found.copy(row as usize, swept, place);
         }
+    }
+    for (row, why) in cases.refused() {
+        bar.inc(1);
+        found.fail(row, why.to_owned());
     }
     for (row, (metrics, solution)) in solved {
         found.put(row, metrics);

@@ -15,12 +15,15 @@ pub const RESULTS: &str = "results.csv";
 
 const MANIFEST: &str = "manifest.json";
 
-/// Whether a file is the manifest of a folder of results, and so no study.
+/// Whether a file is the manifest of a folder of results, and so no study: by what it holds, since a study may have its
+/// name.
 pub fn is_manifest(file: &Path) -> bool {
-    let results = || {
-        file.with_file_name(RESULTS).is_file() || file.with_file_name(super::store::STORE).is_dir()
+    let ours = || {
+        let manifest: Value = serde_json::from_slice(&fs::read(file).ok()?).ok()?;
+        let own = manifest["program"] == env!("CARGO_PKG_NAME");
+        Some(own && manifest["study_sha256"].is_string())
     };
-    file.file_name().is_some_and(|name| name == MANIFEST) && results()
+    file.file_name().is_some_and(|name| name == MANIFEST) && ours().unwrap_or(false)
 }
 
 /// A folder that results go to, and what this run has put there.

@@ -103,8 +103,8 @@ fn release(text: &str) -> Result<f64, String> {
 
 #[derive(Args)]
 pub struct Jobs {
-    /// Number of threads; all cores where it is not given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Number of threads, at most 1024; all cores where it is not given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
 }
 

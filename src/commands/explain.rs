@@ -1,11 +1,11 @@
 //! `slipgap explain`: one case of a study, what it would compute and what that costs.
 
 use super::sources::Source;
-use super::{columns, say};
+use super::{UNSOLVED, columns, say};
 use slipgap::batch::chunk::Cut;
 use slipgap::error::Error;
-use slipgap::problem::Case;
 use slipgap::problem::parameter::{Default, Parameter};
+use slipgap::problem::{Case, Violation};
 use slipgap::study::Study;
 
 /// Steps times modes that a core does in a second, in round numbers.
@@ -49,6 +49,10 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         ]);
     }
     text += &columns(&rows);
+    let broken = Violation::all(&study.violations(number));
+    if let Some(why) = &broken {
+        text += &format!("\ncannot be solved: {why}\n");
+    }
     text += &format!("\n{}", cost(study, &case));
     let metrics: Vec<&str> = study
         .metrics
@@ -69,7 +73,8 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         "checks",
         checks.map(|check| study.problem.metrics()[check.metric].name),
     );
-    say(&text)
+    let code = say(&text)?;
+    Ok(broken.map_or(code, |_| UNSOLVED))
 }
 
 /// Where a parameter's value comes from.
@@ -118,8 +123,8 @@ fn total(study: &Study) -> f64 {
     let apart = raw.div_ceil(MOST_SUMMED);
     let sampled = (0..raw)
         .step_by(apart as usize)
-        .flat_map(|from| study.range(from, from + 1));
-    let work = sampled.map(|(_, case)| study.problem.work(&case) as f64);
+        .filter_map(|raw| study.combination(raw));
+    let work = sampled.map(|case| study.problem.work(&case) as f64);
     work.sum::<f64>() * apart as f64
 }
 

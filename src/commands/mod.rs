@@ -18,7 +18,9 @@ pub mod sources;
 
 use slipgap::batch::whole::no_more_writing;
 use slipgap::error::Error;
+use slipgap::study::printable;
 use std::io::{ErrorKind, Write, stderr, stdout};
+use std::iter::repeat_n;
 
 /// Exit code where a case could not be solved.
 pub const UNSOLVED: u8 = 3;
@@ -27,10 +29,13 @@ pub const NOT_MET: u8 = 5;
 /// Exit code after Ctrl-C.
 const INTERRUPTED: i32 = 130;
 
-/// Writes what was asked for to stdout; a reader that has gone away is no failure.
+/// Writes what was asked for to stdout, characters that command a terminal written out; a reader that has gone away is no failure.
 pub fn say(text: &str) -> Result<u8, Error> {
     let mut out = stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out
+        .write_all(printable(text).as_bytes())
+        .and_then(|()| out.flush())
+    {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Error::io("cannot write", "stdout")(e)),
         _ => Ok(0),
     }
@@ -38,7 +43,7 @@ pub fn say(text: &str) -> Result<u8, Error> {
 
 /// Writes a line about the run to stderr; that nobody reads it stops nothing.
 pub fn note(line: &str) {
-    let _ = writeln!(stderr(), "{line}");
+    let _ = writeln!(stderr(), "{}", printable(line));
 }
 
 /// Says on stderr what went wrong; each fault of a study with its line and a caret.
@@ -72,7 +77,7 @@ pub fn end_on_interrupt() -> Result<(), Error> {
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))
 }
 
-/// Rows of text in columns, the first row being the header; what would move a terminal's cursor becomes a space.
+/// Rows of text in columns, the first row being the header; control characters become spaces.
 pub fn columns(rows: &[Vec<String>]) -> String {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
@@ -87,7 +92,9 @@ pub fn columns(rows: &[Vec<String>]) -> String {
         let mut line = String::new();
         for (cell, width) in row.iter().zip(&widths) {
             let cell = cell.replace(char::is_control, " ");
-            line.push_str(&format!("{cell:<width$}  "));
+            // Not by a format's width, which ends at 65 535.
+            line.push_str(&cell);
+            line.extend(repeat_n(' ', width - cell.chars().count() + 2));
         }
         text.push_str(line.trim_end());
         text.push('\n');

@@ -33,6 +33,22 @@ pub fn read(named: &[PathBuf], limit: u64) -> Result<Vec<Source>, Error> {
 
 /// The study files under `path`, by name, each with its path relative to it and without `.json`.
 fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
+    let found = named(path)?;
+    // Names go into messages, tables, pictures and pages.
+    for (file, _) in &found {
+        let shown = file.to_string_lossy();
+        if let Some(c) = study::unprintable(&shown) {
+            let name = study::printable(&shown)
+                .replace('\n', "\\n")
+                .replace('\t', "\\t");
+            let what = format!("{name}: {c} cannot stand in the name of a study; rename it");
+            return Err(Error::Usage(what));
+        }
+    }
+    Ok(found)
+}
+
+fn named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
     if !path.is_dir() {
         let stem = path.file_stem().unwrap_or(path.as_os_str());
         // `...json` without its ending is a way out of the output folder.

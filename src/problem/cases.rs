@@ -2,6 +2,7 @@
 
 use super::Case;
 use super::parameter::{Parameter, Value};
+use std::collections::BTreeMap;
 
 /// Cases of one problem, as columns.
 #[derive(Debug, Clone)]
@@ -9,6 +10,7 @@ pub struct Cases {
     table: &'static [Parameter],
     len: usize,
     columns: Vec<Column>,
+    refused: BTreeMap<usize, String>,
 }
 
 /// The values of one parameter over many cases; `None` where it does not apply.
@@ -27,7 +29,24 @@ impl Cases {
             table,
             len: 0,
             columns: vec![Column::Same(None); table.len()],
+            refused: BTreeMap::new(),
         }
+    }
+
+    /// Adds a case that is not to be solved, and why.
+    pub fn push_refused(&mut self, case: &Case, why: String) {
+        self.refused.insert(self.len, why);
+        self.push(case);
+    }
+
+    /// The cases that are not to be solved, rising, and why.
+    pub fn refused(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.refused.iter().map(|(case, why)| (*case, why.as_str()))
+    }
+
+    /// Whether a case may be solved.
+    pub fn may_be_solved(&self, case: usize) -> bool {
+        !self.refused.contains_key(&case)
     }
 
     /// Adds a case of the same table.

@@ -97,6 +97,15 @@ pub struct Violation {
     pub message: String,
 }
 
+impl Violation {
+    /// All rules that a case breaks, in one line; `None` where it breaks none.
+    pub fn all(violations: &[Violation]) -> Option<String> {
+        let one = |violation: &Violation| format!("{}: {}", violation.parameter, violation.message);
+        let all: Vec<String> = violations.iter().map(one).collect();
+        (!all.is_empty()).then(|| all.join("; "))
+    }
+}
+
 /// One column of results.csv beyond the parameters.
 #[derive(Debug)]
 pub struct Metric {

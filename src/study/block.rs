@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use super::derived::{Condition, Derived};
 use super::design::Design;
+use super::kept::Kept;
 use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
 
@@ -19,8 +20,8 @@ pub struct Block {
     pub when: Option<Condition>,
     /// Where the values of one group come from, if from a design.
     pub design: Option<Design>,
-    /// Number of cases before every `STRIDE`-th combination, and at the end; counted when first asked for.
-    pub(super) kept: OnceLock<Vec<u64>>,
+    /// Which combinations are cases; counted when first asked for.
+    pub(super) kept: OnceLock<Kept>,
     /// What all raw combinations share; found when the first is made.
     pub(super) shared: OnceLock<Option<Shared>>,
 }
@@ -47,9 +48,6 @@ pub struct Axis {
     /// At least one value.
     pub values: Vec<Value>,
 }
-
-/// Combinations between two counts of cases.
-const STRIDE: u64 = 4096;
 
 impl Group {
     /// Number of values.
@@ -155,69 +153,11 @@ impl Block {
         }
     }
 
-    /// The same as `raw_case`, with the values that follow from others.
+    /// The same as `raw_case`, with the values that follow from others. The rules that it breaks are named where it is
+    /// solved, see `Study::columns`.
     pub(super) fn completed(&self, problem: &dyn Problem, raw: u64) -> Case {
         let mut case = self.raw_case(problem, raw);
-        // What it may violate was reported when the study was read.
         let _ = self.complete(problem, &mut case);
         case
-    }
-
-    /// Whether combination `raw` is a case.
-    pub(super) fn keeps(&self, problem: &dyn Problem, raw: u64) -> bool {
-        let Some(when) = &self.when else {
-            return true;
-        };
-        let digits = self.digits(raw);
-        when.tabled(self, &digits)
-            .unwrap_or_else(|| when.holds(self, &self.raw_case(problem, raw), &digits))
-    }
-
-    fn kept(&self, problem: &dyn Problem) -> &[u64] {
-        self.kept.get_or_init(|| {
-            let mut counts = vec![0];
-            let mut count = 0;
-            for raw in 0..self.raw_len() {
-                count += u64::from(self.keeps(problem, raw));
-                if (raw + 1) % STRIDE == 0 {
-                    counts.push(count);
-                }
-            }
-            counts.push(count);
-            counts
-        })
-    }
-
-    /// Number of cases.
-    pub(super) fn len(&self, problem: &dyn Problem) -> u64 {
-        match self.when {
-            Some(_) => self.kept(problem).last().copied().unwrap_or(0),
-            None => self.raw_len(),
-        }
-    }
-
-    /// Number of cases before combination `raw`.
-    pub(super) fn rank(&self, problem: &dyn Problem, raw: u64) -> u64 {
-        if self.when.is_none() {
-            return raw;
-        }
-        let start = raw / STRIDE;
-        let before = self.kept(problem)[start as usize];
-        let between = (start * STRIDE..raw).filter(|raw| self.keeps(problem, *raw));
-        before + between.count() as u64
-    }
-
-    /// The combination that is case `index` of the block.
-    pub(super) fn raw_of(&self, problem: &dyn Problem, index: u64) -> Option<u64> {
-        if self.when.is_none() {
-            return Some(index);
-        }
-        let kept = self.kept(problem);
-        let start = kept
-            .partition_point(|count| *count <= index)
-            .checked_sub(1)? as u64;
-        let skip = (index - kept[start as usize]) as usize;
-        let mut within = (start * STRIDE..self.raw_len()).filter(|raw| self.keeps(problem, *raw));
-        within.nth(skip)
     }
 }

@@ -6,13 +6,23 @@ use std::ops::Range;
 use super::{Block, Filter, Group, Study};
 use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;
-use crate::problem::{Case, Problem};
+use crate::problem::{Case, Problem, Violation};
 
 impl Block {
     /// The cases that `filter` chooses, as combination and case number of the block, rising. Axes are sieved before cases
     /// are made.
     pub(super) fn select<'a>(
         &'a self,
+        problem: &'static dyn Problem,
+        filter: &'a Filter,
+    ) -> impl Iterator<Item = (u64, u64)> + 'a {
+        self.select_among(u64::MAX, problem, filter)
+    }
+
+    /// The same among the first `most` combinations that the axes allow.
+    pub(super) fn select_among<'a>(
+        &'a self,
+        most: u64,
         problem: &'static dyn Problem,
         filter: &'a Filter,
     ) -> impl Iterator<Item = (u64, u64)> + 'a {
@@ -24,7 +34,7 @@ impl Block {
         let on_axis = |row: usize| self.axes().any(|axis| axis.parameter == row);
         let settled = filter.0.iter().all(|(row, _)| on_axis(*row));
         let count: u64 = kept.iter().map(|kept| kept.len() as u64).product();
-        let combinations = (0..count).map(move |number| {
+        let combinations = (0..count.min(most)).map(move |number| {
             let (mut rest, mut raw, mut stride) = (number, 0, 1);
             for (group, kept) in self.groups.iter().zip(&kept).rev() {
                 let len = kept.len() as u64;
@@ -51,6 +61,14 @@ impl Block {
             last = raw;
             (raw, number)
         })
+    }
+
+    /// Number of combinations that `select` goes through.
+    pub(super) fn candidates(&self, filter: &Filter) -> u64 {
+        let groups = self.groups.iter();
+        groups
+            .map(|group| group.sieve(filter).len() as u64)
+            .product()
     }
 
     /// The different values of a parameter among the cases that `filter` may choose; none where it does not apply, or
@@ -137,6 +155,15 @@ impl Study {
         case(self.problem, &self.blocks, index)
     }
 
+    /// The rules that case `index` breaks, which only a case of a large study does.
+    pub fn violations(&self, index: u64) -> Vec<Violation> {
+        let found = place(self.problem, &self.blocks, index);
+        found.map_or_else(Vec::new, |(block, raw)| {
+            let mut case = block.raw_case(self.problem, raw);
+            block.complete(self.problem, &mut case)
+        })
+    }
+
     /// Number of the first case of a block.
     pub fn first_of(&self, block: usize) -> u64 {
         let before = self.blocks.iter().take(block);
@@ -165,6 +192,19 @@ impl Study {
         })
     }
 
+    /// Raw combination `raw` where it is a case, complete.
+    pub fn combination(&self, raw: u64) -> Option<Case> {
+        let mut rest = raw;
+        for block in &self.blocks {
+            if rest < block.raw_len() {
+                let kept = block.keeps(self.problem, rest);
+                return kept.then(|| block.completed(self.problem, rest));
+            }
+            rest -= block.raw_len();
+        }
+        None
+    }
+
     /// The same as columns, with the number of the first.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
         let mut cases = Cases::new(self.problem.parameters());
@@ -173,9 +213,12 @@ impl Study {
             first.get_or_insert(number);
             for raw in raws.filter(|raw| block.keeps(self.problem, *raw)) {
                 block.put(self.problem, raw, &mut case);
-                // What it may violate was reported when the study was read.
-                let _ = block.complete(self.problem, &mut case);
-                cases.push(&case);
+                // A large block was not checked case by case when the study was read.
+                let violations = block.complete(self.problem, &mut case);
+                match Violation::all(&violations) {
+                    None => cases.push(&case),
+                    Some(why) => cases.push_refused(&case, why),
+                }
             }
         }
         (first.unwrap_or(0), cases)
@@ -224,11 +267,17 @@ pub(super) fn select<'a>(
 
 /// Case `index` of all `blocks`, complete; `None` beyond the last.
 pub(super) fn case(problem: &dyn Problem, blocks: &[Block], index: u64) -> Option<Case> {
+    let (block, raw) = place(problem, blocks, index)?;
+    Some(block.completed(problem, raw))
+}
+
+/// The block of case `index` of all `blocks`, and which combination of it the case is; `None` beyond the last.
+fn place<'a>(problem: &dyn Problem, blocks: &'a [Block], index: u64) -> Option<(&'a Block, u64)> {
     let mut rest = index;
     for block in blocks {
         let len = block.len(problem);
         if rest < len {
-            return Some(block.completed(problem, block.raw_of(problem, rest)?));
+            return Some((block, block.raw_of(problem, rest)?));
         }
         rest -= len;
     }

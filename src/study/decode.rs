@@ -1,5 +1,7 @@
 //! From the tree of a study file to a validated study, or to all its faults.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use sha2::{Digest, Sha256};
@@ -59,9 +61,19 @@ pub fn read_up_to(file: &Path, limit: u64) -> Result<Study, Error> {
     parse_up_to(&file.display().to_string(), &text_of(file)?, limit)
 }
 
-/// The text of a file; other encodings than UTF-8 are refused.
+/// Most bytes of a file: lists of 10^6 values for several axes fit in.
+const LARGEST: u64 = 64 << 20;
+
+/// The text of a file of bounded size; other encodings than UTF-8 are refused.
 pub(super) fn text_of(file: &Path) -> Result<String, Error> {
-    let bytes = std::fs::read(file).map_err(Error::io("cannot read", file))?;
+    let mut bytes = Vec::new();
+    File::open(file)
+        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
+        .map_err(Error::io("cannot read", file))?;
+    if bytes.len() as u64 > LARGEST {
+        let message = format!("larger than {} MiB; no study is", LARGEST >> 20);
+        return Err(refused(&file.display().to_string(), "", 0, message));
+    }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         let (good, bad) = error.as_bytes().split_at(at);

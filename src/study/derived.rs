@@ -2,7 +2,8 @@
 
 use super::block::Block;
 use super::expression::{ExpressionFault, Formula};
-use crate::problem::parameter::{Kind, Parameter, Value};
+use super::report::quoted;
+use crate::problem::parameter::{Kind, Parameter, Value, shortest};
 use crate::problem::{Case, Problem, Violation};
 
 /// Most values that are kept; beyond, an expression depends on so much that hardly any two cases share a value.
@@ -126,6 +127,55 @@ impl Derived {
         let x = self.rule.value(block, case, digits)?;
         fitted(x, &case.table[self.parameter]).ok()
     }
+
+    /// The rule that a case breaks for which the expression gives no value of its parameter.
+    fn violation(&self, case: &Case) -> Option<Violation> {
+        if case.values[self.parameter].is_some() {
+            return None;
+        }
+        let parameter = &case.table[self.parameter];
+        let message = refused(&self.rule.formula, &self.text, case, parameter)?;
+        Some(Violation {
+            parameter: parameter.name,
+            message,
+        })
+    }
+}
+
+/// Why an expression gives no value of a parameter, if it gives none.
+pub(super) fn refused(
+    formula: &Formula,
+    text: &str,
+    case: &Case,
+    parameter: &Parameter,
+) -> Option<String> {
+    let x = match formula.value(&|row| case.values[row]) {
+        Ok(x) => x,
+        Err(fault) => return Some(worked_out(formula, text, case, &fault)),
+    };
+    let allowed = fitted(x, parameter).err()?;
+    let (x, with) = (shortest(x), with(formula, case));
+    let text = quoted(text);
+    Some(format!("must be {allowed}, got {text} = {x}{with}"))
+}
+
+/// What is wrong with an expression for a case.
+pub(super) fn worked_out(
+    formula: &Formula,
+    text: &str,
+    case: &Case,
+    fault: &ExpressionFault,
+) -> String {
+    format!("{}{}: {}", quoted(text), with(formula, case), fault.message)
+}
+
+/// The values that a formula worked with, as ` with n = 3, L = 10`.
+fn with(formula: &Formula, case: &Case) -> String {
+    let told = formula.uses().iter().filter_map(|row| {
+        let value: Value = case.values[*row]?;
+        Some(format!("{} = {value}", case.table[*row].name))
+    });
+    format!(" with {}", told.collect::<Vec<_>>().join(", "))
 }
 
 impl Condition {
@@ -134,14 +184,21 @@ impl Condition {
         self.rule.kept(block, digits).map(|x| x != 0.0)
     }
 
-    pub(super) fn holds(&self, block: &Block, case: &Case, digits: &[u64]) -> bool {
-        self.rule.value(block, case, digits) == Some(1.0)
+    /// Whether a case meets it; `None` where it has no value.
+    pub(super) fn holds(&self, block: &Block, case: &Case, digits: &[u64]) -> Option<bool> {
+        self.rule.value(block, case, digits).map(|x| x == 1.0)
     }
 }
 
 impl Block {
     /// Fills in what follows from a case's parameters, and names every rule that it breaks.
     pub(super) fn complete(&self, problem: &dyn Problem, case: &mut Case) -> Vec<Violation> {
+        let without = self.derived.iter().filter_map(|d| d.violation(case));
+        let without: Vec<Violation> = without.collect();
+        if !without.is_empty() {
+            // What the problem fills in for a missing value is not what the study gives.
+            return without;
+        }
         let restated = self.derived.iter().filter(|derived| derived.restates);
         let aside = restated.map(|derived| (derived, case.values[derived.parameter].take()));
         let aside: Vec<(&Derived, Option<Value>)> = aside.collect();

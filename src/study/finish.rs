@@ -1,14 +1,15 @@
 //! From the draft of a block to the block: its design's points, and parameters in the order in which they follow from others.
 
 use super::Block;
-use super::derived::{Condition, Derived, Rule, fitted};
+use super::derived::{Condition, Derived, Rule, fitted, refused, worked_out};
 use super::design::{self, Sampling};
 use super::expression::Formula;
 use super::object::Object;
 use super::parameters::{Draft, Given};
 use super::report::{Faults, quoted};
-use crate::problem::parameter::{Default, Parameter, Value, shortest};
-use crate::problem::{Case, Problem};
+use super::rules::MOST_CASES;
+use crate::problem::Problem;
+use crate::problem::parameter::{Default, Parameter};
 
 impl Draft {
     /// Decodes the design beside the parameters, and what it samples.
@@ -119,22 +120,8 @@ impl Draft {
             if !self.all_known(formula, text, *at, &path, table, faults) {
                 return None;
             }
-            let mut rule = Rule::new(formula.clone(), &block);
-            if let Err((case, fault)) = rule.tabulate(&block, table) {
-                let with = with(formula, &case);
-                faults.add(
-                    *at,
-                    &path,
-                    format!("{}{with}: {}", quoted(text), fault.message),
-                );
-            }
-            block.when = Some(Condition { rule });
-            if faults.count() == before && block.len(problem) == 0 {
-                faults.add(
-                    *at,
-                    &path,
-                    format!("{}: no combination meets it", quoted(text)),
-                );
+            if let Some(message) = condition(&mut block, formula, text, problem) {
+                faults.add(*at, &path, message);
             }
         }
         (faults.count() == before).then_some(block)
@@ -228,6 +215,34 @@ impl Draft {
     }
 }
 
+/// Adds a condition; gives what is wrong with it.
+fn condition(
+    block: &mut Block,
+    formula: &Formula,
+    text: &str,
+    problem: &dyn Problem,
+) -> Option<String> {
+    let mut rule = Rule::new(formula.clone(), block);
+    if let Err((case, fault)) = rule.tabulate(block, problem.parameters()) {
+        return Some(worked_out(formula, text, &case, &fault));
+    }
+    let (known, count) = (rule.table.is_some(), block.raw_len());
+    block.when = Some(Condition { rule });
+    if !known && count > MOST_CASES {
+        return Some(format!(
+            "{}: would have to be tried for {count} combinations; allowed: at most {MOST_CASES}",
+            quoted(text)
+        ));
+    }
+    if let Some(raw) = block.undecided(problem) {
+        let case = block.raw_case(problem, raw);
+        let fault = formula.value(&|row| case.values[row]).err()?;
+        return Some(worked_out(formula, text, &case, &fault));
+    }
+    let none = block.len(problem) == 0;
+    none.then(|| format!("{}: no combination meets it", quoted(text)))
+}
+
 /// Adds a parameter that follows from others; its first bad value is a fault.
 fn derive(
     block: &mut Block,
@@ -239,27 +254,16 @@ fn derive(
 ) {
     let mut rule = Rule::new(formula.clone(), block);
     let parameter = &table[given.parameter];
-    let mut fault = |message: String| faults.add(given.at, &given.path, message);
-    if let Err((case, bad)) = rule.tabulate(block, table) {
-        fault(format!(
-            "{}{}: {}",
-            quoted(text),
-            with(formula, &case),
-            bad.message
-        ));
-    }
-    let values = rule.table.iter().flatten();
-    if let Some((set, x, allowed)) = values
-        .enumerate()
-        .find_map(|(set, x)| Some((set, *x, fitted(*x, parameter).err()?)))
-    {
-        let case = rule.case(block, set as u64, table);
-        let with = with(formula, &case);
-        let x = shortest(x);
-        fault(format!(
-            "must be {allowed}, got {} = {x}{with}",
-            quoted(text)
-        ));
+    let bad = match rule.tabulate(block, table) {
+        Err((case, _)) => Some(case),
+        Ok(()) => {
+            let mut values = rule.table.iter().flatten();
+            let unfit = values.position(|x| fitted(*x, parameter).is_err());
+            unfit.map(|set| rule.case(block, set as u64, table))
+        }
+    };
+    if let Some(message) = bad.and_then(|case| refused(formula, text, &case, parameter)) {
+        faults.add(given.at, &given.path, message);
     }
     block.derived.push(Derived {
         parameter: given.parameter,
@@ -267,13 +271,4 @@ fn derive(
         restates,
         rule,
     });
-}
-
-/// The values that a formula worked with, as ` with n = 3, L = 10`.
-fn with(formula: &Formula, case: &Case) -> String {
-    let told = formula.uses().iter().filter_map(|row| {
-        let value: Value = case.values[*row]?;
-        Some(format!("{} = {value}", case.table[*row].name))
-    });
-    format!(" with {}", told.collect::<Vec<_>>().join(", "))
 }

@@ -81,6 +81,10 @@ impl Interval {
         let message = match log {
             _ if low >= high => "must be greater than a",
             true if low <= 0.0 => "takes ends > 0",
+            true if !(high / low).is_finite() => "must be a multiple of a in double precision",
+            false if !(high - low).is_finite() => {
+                "must differ from a by a number in double precision"
+            }
             _ => return Some(Interval { low, high, log }),
         };
         faults.add(ends[1].at, &format!("{path}[1]"), message);

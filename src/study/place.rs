@@ -1,5 +1,7 @@
 //! Byte offsets of a text as line and column.
 
+use super::plain::is_plain;
+
 /// Walks forward through a text and tells where it stands; visiting offsets in rising order costs one pass in all.
 pub(super) struct Place<'a> {
     text: &'a str,
@@ -53,7 +55,7 @@ pub(super) fn shown(text: &str, line: usize, column: usize) -> String {
         false => 0,
     };
     // What would move the cursor becomes a space.
-    let plain = |c: char| if c.is_control() { ' ' } else { c };
+    let plain = |c: char| if is_plain(c) { c } else { ' ' };
     let part: String = full.chars().skip(start).take(WIDEST).map(plain).collect();
     let (before, after) = (
         if start > 0 { "…" } else { "" },

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::place::{self, Place};
+use super::plain::printable;
 use super::tree::{Node, Tree};
 use crate::error::Fault;
 
@@ -11,12 +12,23 @@ const LONGEST_QUOTE: usize = 60;
 
 /// The faults found so far, in any order.
 #[derive(Default)]
-pub(super) struct Faults(Vec<(usize, String, String)>);
+pub(super) struct Faults {
+    first: Vec<(usize, String, String)>,
+    /// Those beyond [`MOST_REPORTED`], which are only counted.
+    more: usize,
+}
+
+/// Most faults of a file that are reported: nobody reads more, and a large file may have millions.
+const MOST_REPORTED: usize = 10_000;
 
 impl Faults {
     /// Adds a fault of the key `path` at byte `at`.
     pub fn add(&mut self, at: usize, path: &str, message: impl Into<String>) {
-        self.0.push((at, path.to_owned(), message.into()));
+        if self.first.len() < MOST_REPORTED {
+            self.first.push((at, path.to_owned(), message.into()));
+        } else {
+            self.more += 1;
+        }
     }
 
     /// Adds that a value is not what it must be.
@@ -30,16 +42,20 @@ impl Faults {
 
     /// How many there are; the same before and after means that nothing was wrong in between.
     pub fn count(&self) -> usize {
-        self.0.len()
+        self.first.len() + self.more
     }
 
     /// All of them with line and column, in file order, each once.
     pub fn in_file_order(mut self, file: &str, text: &str) -> Vec<Fault> {
-        self.0.sort_by_key(|(at, ..)| *at);
-        self.0.dedup();
+        self.first.sort_by_key(|(at, ..)| *at);
+        self.first.dedup();
+        if let (Some((at, ..)), 1..) = (self.first.last(), self.more) {
+            let message = format!("and {} more faults", self.more);
+            self.first.push((*at, String::new(), message));
+        }
         let mut place = Place::start(text);
         let told = self
-            .0
+            .first
             .into_iter()
             .enumerate()
             .map(|(i, (at, path, message))| {
@@ -98,7 +114,9 @@ fn shortened(text: &str) -> String {
     if short.len() < text.len() {
         short.push('…');
     }
-    short.escape_debug().to_string().replace("\\'", "'")
+    let written = short.escape_debug().to_string().replace("\\'", "'");
+    // What escape_debug leaves as it is.
+    printable(&written)
 }
 
 /// Says that `name` is no `what`, with the nearest right name and all that is allowed.

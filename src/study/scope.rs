@@ -1,12 +1,16 @@
 //! What names a figure or check may use: the problem's tables, and its cases as far as they are known.
 
 use super::object::Object;
-use super::report::{Faults, quoted};
+use super::report::{Faults, join, quoted};
 use super::tree::{Member, Node, Tree};
 use super::value::{name, value};
 use super::{Block, Filter};
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
+
+/// Most combinations that are gone through to see what a filter chooses: some seconds, and the cases that a figure shows
+/// are held at once.
+const MOST_TRIED: u64 = 10_000_000;
 
 /// The problem of a study and its blocks.
 pub(super) struct Scope {
@@ -57,16 +61,41 @@ impl Scope {
             return None;
         }
         let filter = Filter(terms);
-        if !self.blocks.is_empty() && self.select(&filter).next().is_none() {
-            object.fault(self.no_case(&filter), faults);
-            return None;
+        let chooses = |block: &Block| {
+            let mut chosen = block.select_among(MOST_TRIED, self.problem, &filter);
+            chosen.next().is_some()
+        };
+        if self.blocks.is_empty() || self.blocks.iter().any(chooses) {
+            return Some(filter);
         }
-        Some(filter)
+        object.fault(self.no_case(&filter), faults);
+        None
+    }
+
+    /// Reports a figure of so many cases that finding out what it draws would take very long.
+    pub fn countable(&self, filter: &Filter, at: usize, path: &str, faults: &mut Faults) -> bool {
+        let blocks = self.blocks.iter();
+        let count = blocks.fold(0u64, |sum, block| {
+            sum.saturating_add(block.candidates(filter))
+        });
+        if count > MOST_TRIED {
+            let message = format!(
+                "chooses among {count} combinations; allowed: at most {MOST_TRIED}; narrow the cases with \"where\""
+            );
+            faults.add(at, &join(path, "where"), message);
+        }
+        count <= MOST_TRIED
     }
 
     /// Says that no case meets a filter, and which of its values no case has, if that is the reason.
     fn no_case(&self, filter: &Filter) -> String {
         let all = Filter::default();
+        let count = |block: &Block| block.candidates(&all);
+        if self.blocks.iter().any(|block| count(block) > MOST_TRIED) {
+            return format!(
+                "no case has all these values among the first {MOST_TRIED} combinations that may"
+            );
+        }
         for (row, wanted) in &filter.0 {
             let levels = self.levels(&all, *row);
             if levels.is_empty() || levels.iter().any(|level| level.matches(*wanted)) {

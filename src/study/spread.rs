@@ -66,7 +66,8 @@ pub(super) fn values(
             return refuse(2, "must be a step that leads from a to b");
         }
         "range" => ((b - a) / c * (1.0 + SLACK)).floor() + 1.0,
-        "geomspace" if a * b <= 0.0 => {
+        // Not by their product, which is 0 for two very small numbers.
+        "geomspace" if a == 0.0 || b == 0.0 || (a < 0.0) != (b < 0.0) => {
             return refuse(1, "must have the sign of a, and neither may be 0");
         }
         _ if c.fract() != 0.0 || c < 2.0 => return refuse(2, "must be a whole number >= 2"),

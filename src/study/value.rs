@@ -1,8 +1,10 @@
 //! One value of the study file as a number, a string or a value of a parameter.
 
 use super::expression::Formula;
+use super::plain::unprintable;
 use super::report::{Faults, quoted, shown, unknown};
 use super::tree::{Node, Tree};
+use crate::problem::PROBLEMS;
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 
 /// What may stand for a number.
@@ -11,7 +13,14 @@ const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 /// A string.
 pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
     match &node.tree {
-        Tree::Text(text) => Some(text.clone()),
+        Tree::Text(text) => match unprintable(text) {
+            None => Some(text.clone()),
+            Some(c) => {
+                let message = format!("must be a string of characters that are shown, got {c}");
+                faults.add(node.at, path, message);
+                None
+            }
+        },
         _ => {
             faults.must_be(node, path, "a string");
             None
@@ -85,13 +94,29 @@ fn finite(node: &Node, path: &str, faults: &mut Faults) -> Option<f64> {
         {
             Ok(x) => return Some(x),
             Err(fault) => {
-                let message = format!("{}: {}", quoted(formula), fault.message);
-                faults.add(node.at, path, message);
+                let what = parameters_in(formula).unwrap_or(fault.message);
+                faults.add(node.at, path, format!("{}: {what}", quoted(formula)));
             }
         },
         _ => faults.must_be(node, path, NUMBER),
     }
     None
+}
+
+/// Where an expression of parameters belongs, if the text is one.
+fn parameters_in(text: &str) -> Option<String> {
+    PROBLEMS.iter().find_map(|problem| {
+        let table = problem.parameters();
+        let formula = Formula::number(text, table).ok()?;
+        let names: Vec<&str> = formula.uses().iter().map(|row| table[*row].name).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "names {}; an expression that names parameters stands alone as the value of a parameter, not in a \
+                 list or rule, and nowhere else",
+                names.join(", ")
+            )
+        })
+    })
 }
 
 /// Says what a number must be; of an expression, both its text and its value.

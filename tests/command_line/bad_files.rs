@@ -240,3 +240,124 @@ fn a_name_that_leads_out_of_the_output_folder() {
     }
     assert_eq!(bench.tree("."), ["...json", "..json"]);
 }
+
+/// Whether a text has characters that command a terminal.
+fn raw(text: &str) -> bool {
+    text.chars().any(|c| c.is_control() && c != '\n')
+}
+
+#[test]
+fn a_file_without_end_is_refused() {
+    let bench = Bench::new();
+    // 64 MiB are read of it.
+    if cfg!(unix) {
+        let done = bench.expect(2, &["list", "/dev/zero"]);
+        assert_eq!(
+            done.err.lines().next(),
+            Some("/dev/zero:1:1: larger than 64 MiB; no study is")
+        );
+    }
+    let study = friction(ONE, "");
+    bench.file(
+        "s.json",
+        study.clone() + &" ".repeat((64 << 20) - study.len()),
+    );
+    bench.expect(0, &["list", "s.json"]);
+    bench.file(
+        "s.json",
+        study.clone() + &" ".repeat((64 << 20) - study.len() + 1),
+    );
+    bench.expect(2, &["list", "s.json"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn no_name_of_a_file_commands_the_terminal() {
+    let bench = Bench::new();
+    for (name, told, character) in [
+        ("a\u{1b}[31mb.json", "a\\u{1b}[31mb.json", "U+001B"),
+        ("a\nb.json", "a\\nb.json", "U+000A"),
+        ("a\u{202e}b.json", "a\\u{202e}b.json", "U+202E"),
+    ] {
+        bench.file(&format!("f/{name}"), friction(ONE, ""));
+        for asked in ["f", &format!("f/{name}")] {
+            for verb in ["list", "run", "check"] {
+                let done = bench.expect(2, &[verb, asked]);
+                let what = format!(
+                    "slipgap: f/{told}: {character} cannot stand in the name of a study; rename it\n"
+                );
+                assert_eq!(done.err, what);
+            }
+        }
+        std::fs::remove_file(bench.path(&format!("f/{name}"))).unwrap();
+    }
+    // Other names that are only repeated.
+    for words in [
+        &["list", "no\u{1b}[2Jthing"][..],
+        &["compare", "no\u{9b}2J", "there\u{7}"],
+        &["run", "f\u{1b}c"],
+    ] {
+        let done = bench.run(words);
+        assert!(!raw(&done.err) && !raw(&done.out), "{done:?}");
+        assert_ne!(done.code, Some(0));
+    }
+}
+
+#[test]
+fn long_titles_and_names_are_listed_whole() {
+    let bench = Bench::new();
+    let title = "x".repeat(70_000);
+    let when = format!("\"1{}\"", " + 0".repeat(20_000));
+    bench.file(
+        "s.json",
+        friction(
+            &ONE.replace(
+                "\"beta\": 1",
+                &format!("\"beta\": {}", when.replace("1 + 0", "1 + 0*dT")),
+            ),
+            &format!(", \"title\": \"{title}\""),
+        ),
+    );
+    let done = bench.expect(0, &["list", "s.json"]);
+    assert!(done.out.contains(&title));
+    let done = bench.expect(0, &["explain", "s.json"]);
+    assert!(done.out.contains(" + 0 + 0"));
+}
+
+#[test]
+fn more_threads_than_any_machine_has_are_refused() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    for (jobs, code) in [("0", 2), ("1025", 2), ("65535", 2), ("3", 0)] {
+        bench.expect(code, &["run", "s.json", "--jobs", jobs]);
+    }
+}
+
+#[test]
+fn a_million_million_combinations_are_explained() {
+    let bench = Bench::new();
+    let many = r#""law": "velocity-control", "beta": {"linspace": [1, 2, 1000000]}, "x0": {"linspace": [1, 2, 1000000]},
+        "dT": 0.1, "duration": 9"#;
+    // The condition is known by beta alone: of 10^6 values those from the 500 000th on, counted from 0, are cases.
+    let when = ", \"when\": \"beta > 1.5\"";
+    bench.file(
+        "s.json",
+        format!("{{\"problem\": \"friction-oscillator\", \"parameters\": {{{many}}}{when}}}"),
+    );
+    let done = bench.expect(0, &["explain", "s.json", "499999999999"]);
+    assert!(
+        done.out.contains("case 499999999999 of 500000000000"),
+        "{done:?}"
+    );
+    bench.expect(2, &["explain", "s.json", "500000000000"]);
+    // What a figure would draw is not to be found out.
+    let figure = r#", "figures": [{"name": "f", "kind": "metric", "x": "beta", "y": "rms_error"}]"#;
+    bench.file("s.json", friction(many, figure));
+    let done = bench.expect(2, &["explain", "s.json"]);
+    assert!(
+        done.err.contains(
+            "figures[0].where: chooses among 1000000000000 combinations; allowed: at most 10000000"
+        ),
+        "{done:?}"
+    );
+}

@@ -217,8 +217,11 @@ fn results_in_the_folder_that_is_read_are_no_studies() {
         let done = bench.expect(0, &["run", "."]);
         assert_eq!(done.out, "figures/s/results.csv\n");
     }
-    // A study may have that name all the same.
+    // A study may have that name all the same, whatever stands beside it.
     bench.file("studies/manifest.json", friction(ONE, ""));
-    let done = bench.expect(0, &["run", "studies"]);
-    assert_eq!(done.out, "figures/manifest/results.csv\n");
+    for beside in ["studies/store/part", "studies/results.csv"] {
+        bench.file(beside, "");
+        let done = bench.expect(0, &["run", "studies"]);
+        assert_eq!(done.out, "figures/manifest/results.csv\n");
+    }
 }

@@ -75,7 +75,8 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         filter: values.filter(),
         kind: assembled(kind?.name, &values, scope)?,
     };
-    if !scope.blocks.is_empty() {
+    let at = values.at("where");
+    if !scope.blocks.is_empty() && scope.countable(&figure.filter, at, path, faults) {
         fitness::check(&figure, &values, scope, faults);
     }
     (faults.count() == before).then(|| (figure, values.at("name")))
