@@ -873,7 +873,7 @@ const LANGUAGE: &str = r#"{ "problem": "bar-impact", "blocks": [
   { "parameters": { "gamma": {"uniform": [1, 2]}, "n": 2, "dt": 0.1, "duration": 1, "V0": [0.1, 0.2] },
     "design": {"kind": "latin-hypercube", "n": 3} } ],
   "figures": [ { "name": "a", "kind": "sobol", "y": "peak_force", "where": {"right.L": 20} },
-    { "name": "b", "kind": "metric", "x": "n", "y": "max_overlap", "by": "mass", "where": {"gap": 0} } ] }
+    { "name": "b", "kind": "metric", "x": "n", "y": "max_overlap", "by": "mass", "where": {"gap": 0.5} } ] }
 "#;
 
 #[test]

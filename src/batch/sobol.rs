@@ -7,7 +7,7 @@ use crate::problem::parameter::shortest;
 use crate::study::{Block, Sampling, Study};
 
 /// The table's columns.
-const COLUMNS: [&str; 9] = [
+const COLUMNS: [&str; 10] = [
     "block",
     "metric",
     "parameter",
@@ -17,6 +17,7 @@ const COLUMNS: [&str; 9] = [
     "total",
     "total_low",
     "total_high",
+    "empty_cases",
 ];
 
 /// Gathers the metrics of saltelli designs, chunk by chunk.
@@ -24,6 +25,15 @@ const COLUMNS: [&str; 9] = [
 pub struct Gathered<'a> {
     study: &'a Study,
     designs: Vec<Columns>,
+}
+
+/// sobol.csv.
+#[derive(Debug)]
+pub struct Table {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Each metric that has no indices, and why.
+    pub without: Vec<String>,
 }
 
 /// First case of a design, its block, and the values of each of the study's metrics.
@@ -59,11 +69,12 @@ impl<'a> Gathered<'a> {
         }
     }
 
-    /// The table, if there is any saltelli design. Where a metric is undefined in a case, its cells are empty.
-    pub fn table(&self) -> Result<Option<Vec<u8>>, Error> {
+    /// The table, if there is any saltelli design, and the metrics without indices. Those have empty cells.
+    pub fn table(&self) -> Result<Option<Table>, Error> {
         if self.designs.is_empty() {
             return Ok(None);
         }
+        let mut without = Vec::new();
         let failed = |e: csv::Error| Error::Internal(e.to_string());
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(COLUMNS).map_err(failed)?;
@@ -74,13 +85,18 @@ impl<'a> Gathered<'a> {
             };
             for (values, metric) in columns.iter().zip(&self.study.metrics) {
                 let found = indices(values, design.parameters.len(), design.seed);
+                if let Err(lack) = &found {
+                    let name = problem.metrics()[*metric].name;
+                    without.push(format!("{name} of block {block} is {lack}"));
+                }
+                let empty = found.as_ref().err().map_or(0, |lack| lack.empty_cases());
                 for (place, parameter) in design.parameters.iter().enumerate() {
                     let row = [
                         block.to_string(),
                         problem.metrics()[*metric].name.to_owned(),
                         problem.parameters()[*parameter].name.to_owned(),
                     ];
-                    let of = found.as_ref().map(|found| found[place]);
+                    let of = found.as_ref().ok().map(|found| found[place]);
                     let cells = |index: Option<Index>| match index {
                         Some(Index { value, interval }) => {
                             [value, interval[0], interval[1]].map(shortest)
@@ -90,11 +106,13 @@ impl<'a> Gathered<'a> {
                     let first = cells(of.map(|of| of.first));
                     let total = cells(of.map(|of| of.total));
                     let row = row.into_iter().chain(first).chain(total);
+                    let row = row.chain([empty.to_string()]);
                     writer.write_record(row).map_err(failed)?;
                 }
             }
         }
         let bytes = writer.into_inner();
-        bytes.map(Some).map_err(|e| Error::Internal(e.to_string()))
+        let bytes = bytes.map_err(|e| Error::Internal(e.to_string()))?;
+        Ok(Some(Table { bytes, without }))
     }
 }

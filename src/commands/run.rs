@@ -145,7 +145,13 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
         ));
     }
     if let Some(indices) = designs.table()? {
-        lines.push(folder.write(INDICES, &indices)?);
+        for metric in &indices.without {
+            note(&format!(
+                "{}: no Sobol' indices: {metric}",
+                source.file.display()
+            ));
+        }
+        lines.push(folder.write(INDICES, &indices.bytes)?);
     }
     drawn::figures(study, &mut shown, &mut folder, &mut lines)?;
     store.close(study)?;

@@ -1,4 +1,4 @@
-//! A map as filled contours: the field over its axes, the levels between bands, the valley along it.
+//! A map as filled contours: the field over its axes, and the levels between bands.
 
 use super::contours::{Field, Ring};
 use super::number;
@@ -117,7 +117,7 @@ impl Values {
     }
 
     /// Whether there are so many places that each is a dot of the picture.
-    pub fn is_fine(&self) -> bool {
+    fn is_fine(&self) -> bool {
         self.places.iter().all(|places| places.len() >= FINE)
     }
 
@@ -135,20 +135,6 @@ impl Values {
         }
         blank
     }
-
-    /// The place of the least value in each column; where that lies at the edge, the valley is out of sight.
-    pub fn valley(&self) -> Vec<[f64; 2]> {
-        let [x, y] = &self.places;
-        let column = |i: usize| &self.z[i * y.len()..(i + 1) * y.len()];
-        let least = |i: usize| {
-            let known = column(i).iter().enumerate().filter(|(_, z)| z.is_finite());
-            let j = known.min_by(|a, b| a.1.total_cmp(b.1))?.0;
-            (j > 0 && j + 1 < y.len()).then_some(y[j])
-        };
-        (0..x.len())
-            .map(|i| [x[i], least(i).unwrap_or(f64::NAN)])
-            .collect()
-    }
 }
 
 /// A ring as a line, broken where it only closes along the edge of what is known.
@@ -159,22 +145,6 @@ fn line(ring: &Ring) -> Vec<[f64; 2]> {
         .collect();
     line.extend(line.first().copied());
     line
-}
-
-/// The line along the valley; on a fine map a stroke for each column, since it may leap from one to the next.
-pub fn ridge(points: Vec<[f64; 2]>, label: String, fine: bool) -> Series {
-    let stroke = |pair: &[[f64; 2]]| [pair[0], [pair[1][0], pair[0][1]], [f64::NAN; 2]];
-    Series {
-        label,
-        points: match fine {
-            true => points.windows(2).flat_map(stroke).collect(),
-            false => points,
-        },
-        stroke: if fine { Stroke::Solid } else { Stroke::Dashed },
-        width: style::RIDGE_LINE,
-        marker: None,
-        marked: Vec::new(),
-    }
 }
 
 /// Markers without a line.

@@ -3,7 +3,9 @@
 use super::Shown;
 use super::number;
 use crate::problem::Case;
-use crate::problem::parameter::{Kind, Parameter, Value};
+use crate::problem::parameter::{Default, Kind, Parameter, Value};
+use crate::study::Study;
+use std::collections::HashMap;
 
 /// Whether two values are the same, or both do not apply.
 pub fn same(a: Option<Value>, b: Option<Value>) -> bool {
@@ -46,6 +48,39 @@ pub fn all_said(table: &[Parameter], cases: &[Shown], rows: &[usize], case: &Cas
     let telling = rows.iter().filter(|row| !echoes(cases, **row));
     let parts = telling.filter_map(|row| case.values[*row].map(|value| said(&table[*row], value)));
     parts.collect::<Vec<_>>().join(", ")
+}
+
+/// The parameters that tell no curves over `x` apart: `x`, what follows from it, and what the problem works out from it
+/// and others.
+pub fn along(study: &Study, cases: &[Shown], x: usize) -> Vec<usize> {
+    let table = study.problem.parameters();
+    let given = |row: usize| study.blocks.iter().any(|block| block.gives(row));
+    let worked_out =
+        |row: &usize| matches!(table[*row].default, Default::Follows(_)) && !given(*row);
+    let follows = |row: &usize| study.blocks.iter().all(|block| block.follows(*row, &[x]));
+    let (mut along, mut telling) = (vec![x], Vec::new());
+    for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
+        match !worked_out(&row) && !study.blocks.is_empty() && follows(&row) {
+            true => along.push(row),
+            false if !worked_out(&row) => telling.push(row),
+            false => {}
+        }
+    }
+    // A value that the problem works out tells a curve apart if all cases of one have it.
+    let curve = |shown: &Shown| -> Vec<Option<(u64, &str)>> {
+        let its = telling.iter().map(|row| shown.case.values[*row]);
+        its.map(|value| value.map(Value::identity)).collect()
+    };
+    let settled = |row: &usize| {
+        let mut found = HashMap::new();
+        cases.iter().all(|shown| {
+            let its = shown.case.values[*row];
+            same(*found.entry(curve(shown)).or_insert(its), its)
+        })
+    };
+    let unsettled = (0..table.len()).filter(|row| worked_out(row) && !settled(row));
+    along.extend(unsettled);
+    along
 }
 
 fn varies(cases: &[Shown], row: usize) -> bool {

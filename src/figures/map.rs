@@ -4,6 +4,7 @@ use super::Shown;
 use super::bands;
 use super::layout;
 use super::legend::Key;
+use super::ridge;
 use super::sheet::{Axis, Cell, FilledMap, Panel, Rect, Sheet};
 use super::style;
 use super::text;
@@ -24,6 +25,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         z,
         scales,
         marks,
+        ridge,
     } = &figure.kind
     else {
         return Sheet::default();
@@ -86,19 +88,24 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             places: [xs, ys],
             z: values,
         };
-        let (valley, fine) = (values.valley(), values.is_fine());
-        let marked: Vec<[f64; 2]> = marks.iter().flat_map(|m| m.at.clone()).collect();
-        let busy: Vec<[f64; 2]> = marked.iter().chain(&valley).copied().collect();
+        let along = ridge.map(|which| {
+            let [xs, ys] = values.places.each_ref().map(Vec::as_slice);
+            let label = ridge::label(which, parameters[*x].symbol);
+            ridge::line(&panel, [xs, ys], &ridge::rows(&values, which), label)
+        });
+        let along = along.filter(|line| !line.points.is_empty());
+        let marked = marks.iter().flat_map(|m| &m.at);
+        let busy: Vec<[f64; 2]> = marked
+            .chain(along.iter().flat_map(|line| &line.points))
+            .copied()
+            .collect();
         values.fill(
             &mut panel,
             FilledMap::of_cells(Vec::new(), colours, bar),
             &busy,
         );
-        if valley.iter().any(|p| p[1].is_finite()) {
-            let label = format!("least {} at each {}", metric.symbol, parameters[*x].symbol);
-            panel.series.push(bands::ridge(valley, label, fine));
-            keys.extend(panel.series.last().map(Key::of));
-        }
+        keys.extend(along.iter().map(Key::of));
+        panel.series.extend(along);
     } else {
         panel.map = Some(FilledMap::of_cells(cells, colours, bar));
     }
@@ -167,9 +174,14 @@ fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
         _ => {
             let n = at.len();
             let mut edges = vec![back(1.5 * at[0] - 0.5 * at[1])];
-            edges.extend(at.windows(2).map(|pair| back((pair[0] + pair[1]) / 2.0)));
+            edges.extend(
+                at.windows(2)
+                    .map(|pair| back(pair[0] / 2.0 + pair[1] / 2.0)),
+            );
             edges.push(back(1.5 * at[n - 1] - 0.5 * at[n - 2]));
-            edges
+            // Beyond the range of double precision the axis ends too.
+            let finite = |x: f64| x.clamp(-f64::MAX, f64::MAX);
+            edges.into_iter().map(finite).collect()
         }
     }
 }

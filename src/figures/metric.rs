@@ -6,6 +6,7 @@ use super::label;
 use super::layout;
 use super::legend::Key;
 use super::number;
+use super::reference;
 use super::sheet::{Anchor, Axis, Panel, Series, Sheet, Words};
 use super::slope;
 use super::style::{self, Marker, Stroke};
@@ -28,7 +29,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let parameter = &study.problem.parameters()[*x];
     let at = |shown: &Shown| shown.case.values[*x].and_then(|value| value.as_f64());
     let cases: Vec<Shown> = cases.iter().copied().filter(|c| at(c).is_some()).collect();
-    let labels = label::labels(study.problem.parameters(), &cases, *by, &[*x]);
+    let along = label::along(study, &cases, *x);
+    let labels = label::labels(study.problem.parameters(), &cases, *by, &along);
     let (looks, mut labels) = label::numbered(&labels);
     let all = labels.len();
     labels.truncate(style::MOST_LOOKS);
@@ -55,7 +57,14 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         };
         labels.iter().enumerate().map(curve).collect()
     };
-    let panels: Vec<Vec<Series>> = y.iter().map(|metric| curves(*metric)).collect();
+    // The exact values below them.
+    let exact = |metric: usize| {
+        let table = study.problem.metrics();
+        let row = reference::row(table, &study.metrics, metric).filter(|_| !orders);
+        row.map_or(Vec::new(), |row| reference::lines(&cases, &looks, at, row))
+    };
+    let panel = |metric: &usize| [exact(*metric), curves(*metric)].concat();
+    let panels: Vec<Vec<Series>> = y.iter().map(panel).collect();
     let height = if y.len() == 1 { 190.0 } else { 130.0 };
     let axes: Vec<Axis> = y
         .iter()
@@ -119,11 +128,13 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         width: style::CASE_LINE,
         marker: Some(Marker::of_case(look)),
     });
+    let series = sheet.panels.iter().flat_map(|panel| &panel.series);
+    let named = series.filter(|series| series.label == reference::LABEL);
+    let exact = named.map(Key::of).next();
     // A curve alone needs no name.
-    let keys = if labels.len() > 1 {
-        keys.collect()
-    } else {
-        Vec::new()
+    let keys = match labels.len() > 1 || exact.is_some() {
+        true => exact.into_iter().chain(keys).collect(),
+        false => Vec::new(),
     };
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet

@@ -25,6 +25,8 @@ mod outline;
 mod pen;
 mod profile;
 mod raster;
+mod reference;
+mod ridge;
 pub mod sheet;
 mod slope;
 mod sobol;
@@ -32,6 +34,8 @@ pub mod style;
 mod tags;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_contents;
 #[cfg(test)]
 mod tests_extent;
 mod text;

@@ -120,8 +120,16 @@ impl Axis {
     pub fn fraction(&self, value: f64) -> f64 {
         let [a, b] = self.range;
         match self.scale {
-            Scale::Linear => (value - a) / (b - a),
-            Scale::Log if value > 0.0 => libm::log10(value / a) / libm::log10(b / a),
+            Scale::Linear if (b - a).is_finite() => (value - a) / (b - a),
+            // Ends that lie further apart, or in a larger ratio, than the largest number.
+            Scale::Linear => (value / 2.0 - a / 2.0) / (b / 2.0 - a / 2.0),
+            Scale::Log if value > 0.0 && (b / a).is_finite() => {
+                libm::log10(value / a) / libm::log10(b / a)
+            }
+            Scale::Log if value > 0.0 => {
+                let over = |x: f64| libm::log10(x) - libm::log10(a);
+                over(value) / over(b)
+            }
             Scale::Log => f64::NAN,
         }
     }

@@ -3,7 +3,7 @@
 use super::Shown;
 use super::layout;
 use super::legend::Key;
-use super::sheet::{Axis, Bar, Panel, Series, Sheet, Tick};
+use super::sheet::{Anchor, Axis, Bar, Panel, Rect, Series, Sheet, Tick, Words};
 use super::style::{self, Marker, Stroke};
 use super::ticks;
 use crate::indices::{Index, indices};
@@ -12,6 +12,10 @@ use crate::study::{Figure, FigureKind, Scale, Study};
 /// Half the width of a bar, and of the cap of its interval, where parameters are 1 apart.
 const HALF: f64 = 0.17;
 const CAP: f64 = 0.06;
+
+/// What the intervals are.
+const WHISKERS: &str = "Intervals: the middle 95 % of bootstrap samples, as if the points were random. \
+                        Those of a Sobol\u{2019} sequence err less.";
 
 /// The sheet of a `sobol` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
@@ -37,14 +41,14 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
                 .iter()
                 .map(|c| c.metrics.get(metric).copied().flatten());
             let values: Vec<Option<f64>> = values.collect();
-            indices(&values, design.parameters.len(), design.seed).unwrap_or_default()
+            indices(&values, design.parameters.len(), design.seed)
         })
         .collect();
     let axes: Vec<Axis> = y
         .iter()
         .zip(&found)
         .map(|(&metric, found)| {
-            let both = found.iter().flat_map(|i| [i.first, i.total]);
+            let both = found.iter().flatten().flat_map(|i| [i.first, i.total]);
             let ends = both.flat_map(|i| [i.interval[0], i.interval[1], i.value]);
             let title = format!("indices of {}", metrics[metric].symbol);
             ticks::around(&title, ends.chain([0.0, 1.0]), height / 24.0)
@@ -77,7 +81,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             named("first order", Marker::Dark),
             named("total", Marker::Light),
         ];
-        for (k, of) in found.iter().enumerate() {
+        if let Err(lack) = found {
+            panel.notes.push(Words {
+                at: middle(&panel.frame),
+                anchor: Anchor::Middle,
+                text: format!("no indices: {lack}"),
+                size: style::LABEL,
+            });
+        }
+        for (k, of) in found.iter().flatten().enumerate() {
             for (index, at, marker) in [
                 (of.first, k as f64 - 1.1 * HALF, Marker::Dark),
                 (of.total, k as f64 + 1.1 * HALF, Marker::Light),
@@ -97,7 +109,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         keys.extend(named.map(Key::of));
     }
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+    layout::small_print(&mut sheet, WHISKERS);
     sheet
+}
+
+fn middle(frame: &Rect) -> [f64; 2] {
+    [
+        frame.left + frame.width / 2.0,
+        frame.top + frame.height / 2.0,
+    ]
 }
 
 fn named(label: &str, marker: Marker) -> Series {

@@ -221,6 +221,7 @@ fn a_map_has_a_cell_for_every_case() {
         z: 0,
         scales: [Scale::Log; 3],
         marks: None,
+        ridge: None,
     });
     let map = sheet.panels[0].map.as_ref().unwrap();
     assert_eq!(map.cells.len(), 6);
@@ -265,6 +266,7 @@ fn nothing_to_draw_is_drawn_all_the_same() {
         z: 0,
         scales: [Scale::Log, Scale::Linear, Scale::Log],
         marks: None,
+        ridge: None,
     };
     let profile = FigureKind::Profile {
         y: vec![],

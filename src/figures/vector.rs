@@ -90,7 +90,14 @@ impl Vector {
     }
 }
 
+/// Text as XML 1.0 has it: what it cannot hold at all becomes the replacement character.
 pub(super) fn escape(text: &str) -> String {
+    // Of the control characters tab and line ends; of the rest all but the two noncharacters (section 2.2, Char).
+    let held = |c: char| match c {
+        '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'.. => c,
+        _ => char::REPLACEMENT_CHARACTER,
+    };
+    let text: String = text.chars().map(held).collect();
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
@@ -237,5 +244,25 @@ impl DrawingBackend for Vector {
         }
         self.write(format_args!("</g>"));
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_text_is_well_formed_xml() {
+        // XML 1.0, section 2.2: Char ::= #x9 | #xA | #xD | [#x20-#xD7FF] | [#xE000-#xFFFD] | [#x10000-#x10FFFF].
+        let all: String = ('\0'..=char::MAX).collect();
+        let escaped = escape(&all);
+        let is_char = |c: char| matches!(u32::from(c), 0x9 | 0xa | 0xd | 0x20..=0xd7ff | 0xe000..=0xfffd | 0x1_0000..=0x10_ffff);
+        assert!(escaped.chars().all(is_char));
+        assert!(!escaped.contains(['<', '>', '"']));
+        // All 29 control characters but three, and U+FFFE and U+FFFF; U+FFFD is there itself.
+        assert_eq!(escaped.matches('\u{fffd}').count(), 29 + 2 + 1);
+        assert_eq!(escape("\u{1b}[1m & \u{ffff}"), "\u{fffd}[1m &amp; \u{fffd}");
+        let drawn = Vector::new(10.0, 10.0, "a\0b", "\u{fffe}").svg();
+        assert!(drawn.contains("<title>a\u{fffd}b</title>") && drawn.chars().all(is_char));
     }
 }

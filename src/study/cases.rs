@@ -98,6 +98,29 @@ impl Block {
     }
 }
 
+impl Block {
+    /// Whether a parameter follows from others: by advancing together with one of them, or by an expression.
+    pub fn follows(&self, parameter: usize, from: &[usize]) -> bool {
+        let has = |group: usize, row: usize| {
+            let axes = &self.groups[group].axes;
+            axes.iter().any(|axis| axis.parameter == row)
+        };
+        let settled =
+            |group: usize| self.groups[group].len() == 1 || from.iter().any(|row| has(group, *row));
+        let mut groups = 0..self.groups.len();
+        match self.derived.iter().find(|d| d.parameter == parameter) {
+            Some(derived) => derived.rule.on.iter().all(|group| settled(*group)),
+            None => groups.any(|group| has(group, parameter) && settled(group)),
+        }
+    }
+
+    /// Whether the study gives a parameter's values, by a list or an expression.
+    pub fn gives(&self, parameter: usize) -> bool {
+        self.axes().any(|axis| axis.parameter == parameter)
+            || self.derived.iter().any(|d| d.parameter == parameter)
+    }
+}
+
 impl Group {
     /// Places whose values a filter lets through.
     fn sieve(&self, filter: &Filter) -> Vec<u64> {

@@ -165,6 +165,8 @@ pub enum FigureKind {
         scales: [Scale; 3],
         /// Places to mark, if any.
         marks: Option<Marks>,
+        /// What the line along it follows, if there is one.
+        ridge: Option<Ridge>,
     },
     /// Sobol' indices of metrics, from a saltelli design.
     Sobol {
@@ -203,6 +205,17 @@ pub struct Marks {
     pub label: String,
     /// Their values of the two axes' parameters.
     pub at: Vec<[f64; 2]>,
+}
+
+/// The value that a line along a map follows from column to column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ridge {
+    /// The smallest.
+    Least,
+    /// The largest.
+    Greatest,
+    /// The one nearest to 1.
+    NearestToOne,
 }
 
 /// How numbers are laid along an axis.

@@ -116,22 +116,11 @@ impl Scope {
         super::cases::select(self.problem, &self.blocks, filter)
     }
 
-    /// Whether a parameter follows from others in every block: by advancing together with one of them, or by an expression.
-    pub fn follows(&self, parameter: usize, from: &[usize]) -> bool {
-        self.blocks.iter().all(|block| {
-            let has = |group: usize, row: usize| {
-                let axes = &block.groups[group].axes;
-                axes.iter().any(|axis| axis.parameter == row)
-            };
-            let settled = |group: usize| {
-                block.groups[group].len() == 1 || from.iter().any(|row| has(group, *row))
-            };
-            let mut groups = 0..block.groups.len();
-            match block.derived.iter().find(|d| d.parameter == parameter) {
-                Some(derived) => derived.rule.on.iter().all(|group| settled(*group)),
-                None => groups.any(|group| has(group, parameter) && settled(group)),
-            }
-        })
+    /// Whether a parameter follows from others in every block of the cases that a filter chooses.
+    pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
+        let chosen = |block: &&Block| block.select(self.problem, filter).next().is_some();
+        let mut blocks = self.blocks.iter().filter(chosen);
+        blocks.all(|block| block.follows(parameter, from))
     }
 
     /// The different values of a parameter among the cases a filter chooses.

@@ -20,7 +20,7 @@ fn indices_of_a_saltelli_design_are_a_table_and_a_figure() {
         .collect();
     assert_eq!(
         rows[0].join(","),
-        "block,metric,parameter,first_order,first_order_low,first_order_high,total,total_low,total_high"
+        "block,metric,parameter,first_order,first_order_low,first_order_high,total,total_low,total_high,empty_cases"
     );
     let row = |metric: &str, parameter: &str| -> Vec<f64> {
         let row = rows
@@ -41,7 +41,11 @@ fn indices_of_a_saltelli_design_are_a_table_and_a_figure() {
     }
     // An undefined metric has no indices: the exact bars do not part by then.
     let empty = rows.iter().find(|row| row[1] == "impulse_error").unwrap();
-    assert!(empty[3..].iter().all(|cell| cell.is_empty()));
+    assert!(empty[3..9].iter().all(|cell| cell.is_empty()));
+    assert_eq!(empty[9], "320");
+    let named = "no Sobol' indices: impulse_error of block 0 is empty in 320 of 320 cases";
+    assert!(done.err.contains(named), "{}", done.err);
+    assert_eq!(row("peak_force", "gamma")[6], 0.0);
     assert!(bench.path("figures/s/bars.png").is_file());
     // The same from the store and on one thread; other points with another seed.
     bench.expect(0, &["run", "s.json", "--jobs", "1"]);

@@ -11,7 +11,7 @@ use super::values::{
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{PROBLEMS, Problem};
 use crate::study::blocks::BESIDE;
-use crate::study::figure::keys::{COMMON, Key, SCALES, Takes};
+use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::taken::MARKS;
 use crate::study::{checks, decode, design};
@@ -162,6 +162,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Budgets => several(names(problem.budgets().iter().map(|b| (b.name, b.title)))),
         Takes::Marks => marks(),
+        Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
     }
 }

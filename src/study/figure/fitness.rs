@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::taken::Values;
+use super::vary;
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::study::report::{Faults, join};
 use crate::study::scope::Scope;
@@ -33,6 +34,10 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             for axis in by.iter().chain(&panel) {
                 axis.has_values(figure, values, scope, faults);
             }
+            if let Some(by) = by {
+                let told: Vec<usize> = panel.iter().map(|axis| axis.row).chain([by.row]).collect();
+                vary::check(figure, &told, values, scope, faults);
+            }
             curves(figure, *panels, values, scope, faults);
         }
         FigureKind::Metric { x, by, x_scale, .. } => {
@@ -41,6 +46,7 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             x.fits(*x_scale, figure, values, scope, faults);
             if let Some(by) = by {
                 on("by", *by).has_values(figure, values, scope, faults);
+                vary::check(figure, &[x.row, *by], values, scope, faults);
             }
         }
         FigureKind::Convergence { x, by, .. } => {
@@ -49,6 +55,7 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             x.fits(Scale::Log, figure, values, scope, faults);
             if let Some(by) = by {
                 on("by", *by).has_values(figure, values, scope, faults);
+                vary::check(figure, &[x.row, *by], values, scope, faults);
             }
         }
         FigureKind::Budget { x, y, panels } => {
@@ -61,7 +68,7 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
                 panel_count(figure, *row, y.len(), values, scope, faults);
                 axes.push(*row);
             }
-            one_case_a_place(figure, &axes, values, scope, faults);
+            vary::check(figure, &axes, values, scope, faults);
         }
         FigureKind::Map {
             x,
@@ -79,7 +86,7 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
                 let path = join(values.path, "y");
                 faults.add(values.at("y"), &path, "must be another parameter than x");
             }
-            one_case_a_place(figure, &[*x, *y], values, scope, faults);
+            vary::check(figure, &[*x, *y], values, scope, faults);
             for (i, at) in marks.iter().flat_map(|marks| &marks.at).enumerate() {
                 for (axis, place) in axes.iter().zip(at) {
                     axis.reaches(*place, i, figure, values, scope, faults);
@@ -266,32 +273,6 @@ fn saltelli(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults
 fn one_case(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
     if scope.select(&figure.filter).nth(1).is_some() {
         let message = format!("a wave figure shows one case, and more are chosen; {NARROW}");
-        faults.add(values.at("where"), &join(values.path, "where"), message);
-    }
-}
-
-/// Reports parameters that vary beside the axes of a figure that shows one case a place.
-fn one_case_a_place(
-    figure: &Figure,
-    axes: &[usize],
-    values: &Values,
-    scope: &Scope,
-    faults: &mut Faults,
-) {
-    let rows = 0..scope.problem.parameters().len();
-    let varies = |row: &usize| scope.levels(&figure.filter, *row).len() > 1;
-    let free = |row: &usize| !axes.contains(row) && !scope.follows(*row, axes);
-    let others = rows.filter(free).filter(varies);
-    let names: Vec<&str> = others
-        .map(|row| scope.problem.parameters()[row].name)
-        .collect();
-    if !names.is_empty() {
-        let names = names.join(", ");
-        let kind = match figure.kind {
-            FigureKind::Map { .. } => "map",
-            _ => "budget",
-        };
-        let message = format!("a {kind} shows one case a place, and {names} varies; fix it here");
         faults.add(values.at("where"), &join(values.path, "where"), message);
     }
 }

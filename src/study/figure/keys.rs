@@ -41,10 +41,15 @@ pub(in crate::study) enum Takes {
     Marks,
     /// `linear` or `log`.
     Scale,
+    /// Which value a line follows.
+    Ridge,
 }
 
 /// Names of the scales, as `Scale` has them.
 pub(in crate::study) const SCALES: [&str; 2] = ["linear", "log"];
+
+/// Names of the lines along a map, as `Ridge` has them.
+pub(in crate::study) const RIDGES: [&str; 3] = ["least", "greatest", "nearest to 1"];
 
 pub(super) const fn key(
     name: &'static str,

@@ -94,7 +94,7 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
     },
     Kind {
         name: "map",
-        meaning: "one metric over two parameters, as filled contours with a colour bar and a line where it is least for each x",
+        meaning: "one metric over two parameters, as filled contours with a colour bar",
         keys: &[
             X,
             key(
@@ -118,11 +118,17 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
                 false,
                 "places to mark: { \"label\": words, \"at\": [[x, y], ...] }",
             ),
+            key(
+                "ridge",
+                Takes::Ridge,
+                false,
+                "a line through the place of the least or greatest metric at each x, or of that nearest to 1, where it is not at the edge; none if left out",
+            ),
         ],
     },
     Kind {
         name: "sobol",
-        meaning: "Sobol' indices from a saltelli design, as bars with their 95 % intervals",
+        meaning: "Sobol' indices from a saltelli design, as bars with the middle 95 % of bootstrap samples",
         keys: &[METRICS],
     },
     Kind {

@@ -4,6 +4,7 @@ mod fitness;
 pub(super) mod keys;
 pub(super) mod kinds;
 pub(super) mod taken;
+mod vary;
 
 use std::collections::HashSet;
 
@@ -162,6 +163,7 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
             z: values.row("z")?,
             scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
             marks: values.marks("marks"),
+            ridge: values.ridge("ridge"),
         },
         "sobol" => FigureKind::Sobol {
             y: values.rows("y")?,

@@ -1,13 +1,13 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
-use super::keys::{Key, SCALES, Takes};
+use super::keys::{Key, RIDGES, SCALES, Takes};
 use crate::problem::parameter::{self, Range};
 use crate::study::object::Object;
 use crate::study::report::{Faults, join};
 use crate::study::scope::{Scope, names};
 use crate::study::tree::{Node, Tree};
 use crate::study::value::{name, number, text};
-use crate::study::{Filter, Marks, Scale};
+use crate::study::{Filter, Marks, Ridge, Scale};
 
 /// Longest file name of a figure, well within what file systems take with an ending.
 const LONGEST_NAME: usize = 100;
@@ -19,6 +19,7 @@ pub(in crate::study) enum Taken {
     Rows(Vec<usize>),
     Times(Vec<f64>),
     Scale(Scale),
+    Ridge(Ridge),
     Marks(Marks),
 }
 
@@ -52,6 +53,13 @@ impl Values<'_> {
         match self.get(key) {
             Some(Taken::Scale(scale)) => *scale,
             _ => Scale::Linear,
+        }
+    }
+
+    pub fn ridge(&self, key: &str) -> Option<Ridge> {
+        match self.get(key)? {
+            Taken::Ridge(ridge) => Some(*ridge),
+            _ => None,
         }
     }
 
@@ -128,6 +136,10 @@ pub(in crate::study) fn take(
                 0 => Taken::Scale(Scale::Linear),
                 _ => Taken::Scale(Scale::Log),
             });
+        }
+        Takes::Ridge => {
+            let all = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];
+            return name(node, path, "ridge", &RIDGES, faults).map(|row| Taken::Ridge(all[row]));
         }
         Takes::Parameter => {
             name(node, path, "parameter", &scope.parameters(), faults).map(|row| vec![row])

@@ -1,0 +1,110 @@
+//! The exact value of a metric, where the study lists it, as a thin line below the curves.
+
+use super::Shown;
+use super::sheet::Series;
+use super::style::{self, Stroke};
+use crate::problem::Metric;
+
+/// What the legend calls it.
+pub const LABEL: &str = "exact";
+
+/// Row of the metric that is the exact value of another, called `NAME_exact`, if it is among the `listed`.
+pub fn row(table: &[Metric], listed: &[usize], metric: usize) -> Option<usize> {
+    let name = format!("{}_exact", table[metric].name);
+    let row = table.iter().position(|metric| metric.name == name)?;
+    listed.contains(&row).then_some(row)
+}
+
+/// The lines of an exact value over a parameter: for the cases of each look its own, those that are the same once.
+pub fn lines(
+    cases: &[Shown],
+    looks: &[usize],
+    at: impl Fn(&Shown) -> Option<f64>,
+    row: usize,
+) -> Vec<Series> {
+    let mut lines: Vec<Series> = Vec::new();
+    for look in 0..looks.iter().max().map_or(0, |last| last + 1) {
+        let its = cases.iter().zip(looks).filter(|(_, its)| **its == look);
+        let mut points: Vec<[f64; 2]> = its
+            .filter_map(|(shown, _)| Some([at(shown)?, shown.metrics.get(row).copied().flatten()?]))
+            .collect();
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        if !points.is_empty() && lines.iter().all(|line| line.points != points) {
+            lines.push(Series {
+                label: LABEL.into(),
+                points,
+                stroke: Stroke::Solid,
+                width: style::EXACT_LINE,
+                marker: None,
+                marked: Vec::new(),
+            });
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem;
+    use crate::problem::Case;
+
+    const fn metric(name: &'static str) -> Metric {
+        Metric {
+            name,
+            symbol: name,
+            unit: "1",
+            default: true,
+            meaning: "a test",
+        }
+    }
+
+    #[test]
+    fn an_exact_value_is_found_by_name_and_only_where_it_is_listed() {
+        let table = ["drop", "drop_exact", "rise", "drop_exact_exact_"].map(metric);
+        assert_eq!(row(&table, &[0, 1, 2], 0), Some(1));
+        assert_eq!(row(&table, &[0, 2], 0), None);
+        assert_eq!(row(&table, &[0, 1, 2, 3], 1), None);
+        assert_eq!(row(&table, &[0, 1, 2, 3], 2), None);
+    }
+
+    #[test]
+    fn an_exact_line_follows_x_and_is_drawn_once() {
+        let table = problem::find("friction-oscillator").unwrap().parameters();
+        let x = table.iter().position(|p| p.name == "x0").unwrap();
+        let places = [3.0, 1.0, 2.0];
+        let case = |place: &f64| {
+            let mut case = Case::new(table);
+            case.values[x] = Some(crate::problem::parameter::Value::Number(*place));
+            case
+        };
+        let cases: Vec<Case> = places.iter().cycle().take(9).map(case).collect();
+        // Looks 0 and 1 have one exact value, 2 another; it is unknown in one case.
+        let metrics: Vec<[Option<f64>; 2]> = (0..9)
+            .map(|i| {
+                let off = if i < 6 { 0.0 } else { 5.0 };
+                let exact = 10.0 * places[i % 3] + off;
+                [Some(-1.0), (i != 8).then_some(exact)]
+            })
+            .collect();
+        let looks = [0, 0, 0, 1, 1, 1, 2, 2, 2];
+        let shown: Vec<Shown> = (0..9)
+            .map(|i| Shown {
+                case: &cases[i],
+                metrics: &metrics[i],
+                solution: None,
+                snapshots: &[],
+            })
+            .collect();
+        let at = |shown: &Shown| shown.case.values[x].and_then(|v| v.as_f64());
+        let lines = lines(&shown, &looks, at, 1);
+        let points: Vec<_> = lines.iter().map(|line| line.points.clone()).collect();
+        let all = vec![[1.0, 10.0], [2.0, 20.0], [3.0, 30.0]];
+        assert_eq!(points, [all, vec![[1.0, 15.0], [3.0, 35.0]]]);
+        assert!(
+            lines
+                .iter()
+                .all(|line| line.label == LABEL && line.marker.is_none())
+        );
+    }
+}

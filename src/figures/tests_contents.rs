@@ -1,0 +1,207 @@
+//! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
+
+use super::sheet::Sheet;
+use super::style::{self, Marker};
+use super::{Shown, sheet};
+use crate::problem::Case;
+use crate::study::{self, Study};
+
+const FRICTION: &str = r#""problem": "friction-oscillator""#;
+const LAW: &str = r#""law": "displacement-control", "duration": "8*pi""#;
+
+fn parsed(problem: &str, rest: &str) -> Study {
+    study::parse("s", &format!("{{{problem}, {rest}}}")).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The first figure of a study whose cases have these values of metrics, by name; all others are empty.
+fn drawn(study: &Study, value: impl Fn(&Case, &str) -> Option<f64>) -> Sheet {
+    let figure = &study.figures[0];
+    let cases: Vec<Case> = study.cases().filter(|c| figure.filter.matches(c)).collect();
+    let row = |case: &Case| -> Vec<Option<f64>> {
+        let table = study.problem.metrics().iter();
+        table.map(|metric| value(case, metric.name)).collect()
+    };
+    let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
+    let shown: Vec<Shown> = cases
+        .iter()
+        .zip(&metrics)
+        .map(|(case, metrics)| Shown {
+            case,
+            metrics,
+            solution: None,
+            snapshots: &[],
+        })
+        .collect();
+    sheet(study, figure, &shown)
+}
+
+fn number(case: &Case, name: &str) -> f64 {
+    case.number(name).unwrap()
+}
+
+#[test]
+fn a_map_rises_along_the_axis_that_its_metric_rises_along() {
+    let map = |ridge: &str| {
+        let figure = format!(
+            r#"{{"name": "m", "kind": "map", "x": "dT", "y": "x0", "z": "rms_error"{ridge}}}"#
+        );
+        let study = parsed(
+            FRICTION,
+            &format!(
+                r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.1, 0.2, 0.3], "x0": [8, 9, 10]}}, "figures": [{figure}]"#
+            ),
+        );
+        drawn(&study, |case, name| {
+            let (x, y) = (number(case, "dT"), number(case, "x0"));
+            (name == "rms_error").then_some(10.0 * x + 0.01 * (y - 9.0).powi(2))
+        })
+    };
+    let sheet = map("");
+    let panel = &sheet.panels[0];
+    // From 1 to 3 along dT and next to nothing along x0: level 2 leans by 0.01/10 about dT = 0.2.
+    let filled = panel.map.as_ref().unwrap();
+    let level = filled.levels.iter().position(|z| *z == 2.0).unwrap();
+    let lines = panel.series.iter().flat_map(|s| &s.points);
+    let on_it: Vec<_> = lines.filter(|p| (p[0] - 0.2).abs() < 0.011).collect();
+    assert!(on_it.iter().any(|p| p[1] == 8.0) && on_it.iter().any(|p| p[1] == 10.0));
+    // The area above the level lies right of it, from the lowest x0 to the highest.
+    let above = filled
+        .areas
+        .iter()
+        .find(|area| area.0 == level + 1)
+        .unwrap();
+    let ends = |k: usize| {
+        let all = above.1.iter().map(|p| p[k]);
+        [
+            all.clone().fold(f64::MAX, f64::min),
+            all.fold(f64::MIN, f64::max),
+        ]
+    };
+    assert!(
+        (ends(0)[0] - 0.2).abs() < 0.0011 && ends(0)[1] == 0.3,
+        "{:?}",
+        ends(0)
+    );
+    assert_eq!(ends(1), [8.0, 10.0]);
+    // No ridge unless one is asked for; then at x0 = 9 in every column.
+    assert!(sheet.legend.is_empty());
+    let asked = map(r#", "ridge": "least""#);
+    assert_eq!(asked.legend[0].label, "least at each Δ*T*");
+    let line = asked.panels[0]
+        .series
+        .iter()
+        .find(|s| s.width == style::RIDGE_LINE);
+    assert_eq!(
+        line.unwrap().points[..3],
+        [[0.1, 9.0], [0.2, 9.0], [0.3, 9.0]]
+    );
+}
+
+#[test]
+fn a_budget_has_each_part_under_its_name() {
+    let study = parsed(
+        FRICTION,
+        &format!(
+            r#""parameters": {{{LAW}, "alpha": 0.1, "x0": 12, "dT": [0.1, 0.2, 0.3]}},
+            "figures": [{{"name": "b", "kind": "budget", "x": "dT"}}]"#
+        ),
+    );
+    let value = |case: &Case, name: &str| {
+        let x = number(case, "dT");
+        match name {
+            "rms_error" => Some(x),
+            "regularisation_error" => Some(2.0 * x),
+            "step_error" => Some(3.0 * x),
+            _ => None,
+        }
+    };
+    let sheet = drawn(&study, value);
+    let series = &sheet.panels[0].series;
+    let named = |label: &str| {
+        let found = series.iter().find(|s| s.label.contains(label));
+        found.unwrap_or_else(|| panic!("{label}")).points.clone()
+    };
+    for (label, times) in [("total", 1.0), ("law", 2.0), ("step", 3.0)] {
+        let expected = [0.1, 0.2, 0.3].map(|x| [x, times * x]);
+        assert_eq!(named(label), expected, "{label}");
+    }
+}
+
+const DESIGN: &str = r#""parameters": {"gamma": {"uniform": [1, 2]}, "gap": {"uniform": [1, 2]}, "n": 4, "dt": 0.01,
+    "duration": 1}, "design": {"kind": "saltelli", "n": 256, "seed": 2},
+    "figures": [{"name": "s", "kind": "sobol", "y": ["peak_force", "max_overlap"]}]"#;
+
+#[test]
+fn a_sobol_figure_has_first_order_left_and_total_right_of_each_parameter() {
+    let study = parsed(r#""problem": "bar-impact""#, DESIGN);
+    // u + sqrt(12) u v over two squares round 0: the variances of u and of u v are both 1/12, so that u explains one
+    // half by itself and all with v, and v nothing by itself and one half with u.
+    let sheet = drawn(&study, |case, name| {
+        let [u, v] = ["gamma", "gap"].map(|p| number(case, p) - 1.5);
+        (name == "peak_force").then_some(u + 12.0_f64.sqrt() * u * v)
+    });
+    let panel = &sheet.panels[0];
+    let middle = |k: usize| (panel.bars[k].x[0] + panel.bars[k].x[1]) / 2.0;
+    let expected = [
+        (-0.5..0.0, Marker::Dark, 0.5),
+        (0.0..0.5, Marker::Light, 1.0),
+        (0.5..1.0, Marker::Dark, 0.0),
+        (1.0..1.5, Marker::Light, 0.5),
+    ];
+    assert_eq!(panel.bars.len(), 4);
+    for (k, (place, marker, height)) in expected.into_iter().enumerate() {
+        let bar = &panel.bars[k];
+        assert!(place.contains(&middle(k)), "{k}");
+        assert_eq!(bar.shade, marker.shade());
+        // 256 points; random ones would err by 0.06.
+        let found = bar.y[0] + bar.y[1];
+        assert!((found - height).abs() < 0.06, "{k}: {found}");
+    }
+    let keys: Vec<_> = sheet
+        .legend
+        .iter()
+        .map(|e| (e.label.as_str(), e.marker))
+        .collect();
+    assert_eq!(
+        keys,
+        [
+            ("first order", Some(Marker::Dark)),
+            ("total", Some(Marker::Light))
+        ]
+    );
+    let labels: Vec<_> = panel.x.ticks.iter().map(|t| t.label.as_str()).collect();
+    assert_eq!(labels.len(), 2);
+    let table = study.problem.parameters();
+    let symbol = |name: &str| table.iter().find(|p| p.name == name).unwrap().symbol;
+    assert_eq!(labels, [symbol("gamma"), symbol("gap")]);
+    // The metric that is nowhere defined has no bars, and the panel says so.
+    let bare = &sheet.panels[1];
+    assert!(bare.bars.is_empty());
+    assert_eq!(
+        bare.notes[0].text,
+        "no indices: empty in 1024 of 1024 cases"
+    );
+}
+
+#[test]
+fn a_curve_goes_through_cases_whose_other_parameters_follow_from_x() {
+    let curves = |parameters: &str| {
+        let study = parsed(
+            r#""problem": "bar-impact""#,
+            &format!(
+                r#"{parameters}, "figures": [{{"name": "f", "kind": "metric", "x": "n", "y": "peak_force"}}]"#
+            ),
+        );
+        let sheet = drawn(&study, |case, name| {
+            (name == "peak_force").then(|| number(case, "n"))
+        });
+        let series = sheet.panels[0].series.iter();
+        series.map(|s| s.points.len()).collect::<Vec<_>>()
+    };
+    // The step advances with n; gamma follows from k_I and n.
+    let zipped = r#""parameters": {"k_I": 100, "n": [4, 8, 16], "dt": [0.04, 0.02, 0.01], "duration": 1},
+        "zip": [["n", "dt"]]"#;
+    assert_eq!(curves(zipped), [3]);
+    let two = r#""parameters": {"k_I": [10, 100], "n": [4, 8, 16], "dt": "0.1/n", "duration": 1}"#;
+    assert_eq!(curves(two), [3, 3]);
+}
