@@ -19,15 +19,16 @@ const COLUMNS: [&str; 9] = [
     "total_high",
 ];
 
-/// Gathers the metrics of saltelli designs, chunk by chunk.
+/// Gathers the metrics of saltelli designs, part by part.
 #[derive(Debug)]
 pub struct Gathered<'a> {
     study: &'a Study,
     designs: Vec<Columns>,
 }
 
-/// First case of a design, its block, and the values of each of the study's metrics.
-type Columns = (u64, usize, Vec<Vec<Option<f64>>>);
+/// First case of a design, its block, and the values of each of the study's metrics: not a number where one is undefined,
+/// half the memory of an option.
+type Columns = (u64, usize, Vec<Vec<f64>>);
 
 impl<'a> Gathered<'a> {
     /// Nothing yet.
@@ -38,15 +39,18 @@ impl<'a> Gathered<'a> {
         };
         let blocks = study.blocks.iter().enumerate();
         let chosen = blocks.filter(|(_, block)| saltelli(block));
-        let columns = vec![Vec::new(); study.metrics.len()];
-        let begun = |(i, _): (usize, &Block)| (study.first_of(i), i, columns.clone());
+        let begun = |(i, block): (usize, &Block)| {
+            let column = |_| Vec::with_capacity(block.raw_len() as usize);
+            let columns = study.metrics.iter().map(column).collect();
+            (study.first_of(i), i, columns)
+        };
         Gathered {
             study,
             designs: chosen.map(begun).collect(),
         }
     }
 
-    /// Takes note of a chunk.
+    /// Takes note of a part.
     pub fn add(&mut self, done: &Done) {
         for (first, block, columns) in &mut self.designs {
             let end = *first + self.study.blocks[*block].raw_len();
@@ -54,13 +58,20 @@ impl<'a> Gathered<'a> {
             let of_design = of_design.map(|number| (*first..end).contains(&number));
             for (column, metric) in columns.iter_mut().zip(&self.study.metrics) {
                 let rows = done.found.column(*metric).zip(of_design.clone());
-                column.extend(rows.filter_map(|(value, of_design)| of_design.then_some(value)));
+                let rows = rows.filter(|(_, of_design)| *of_design);
+                column.extend(rows.map(|(value, _)| value.unwrap_or(f64::NAN)));
             }
         }
     }
 
-    /// The table, if there is any saltelli design. Where a metric is undefined in a case, its cells are empty.
-    pub fn table(&self) -> Result<Option<Vec<u8>>, Error> {
+    /// How many times a metric's indices are estimated.
+    pub fn estimates(&self) -> usize {
+        self.designs.iter().map(|(_, _, columns)| columns.len()).sum()
+    }
+
+    /// The table, if there is any saltelli design. Where a metric is undefined in a case, its cells are empty. `estimated`
+    /// is called after each metric: with many cases they take long.
+    pub fn table(&self, estimated: impl Fn()) -> Result<Option<Vec<u8>>, Error> {
         if self.designs.is_empty() {
             return Ok(None);
         }
@@ -73,7 +84,10 @@ impl<'a> Gathered<'a> {
                 continue;
             };
             for (values, metric) in columns.iter().zip(&self.study.metrics) {
-                let found = indices(values, design.parameters.len(), design.seed);
+                let values: Vec<Option<f64>> =
+                    values.iter().map(|x| (!x.is_nan()).then_some(*x)).collect();
+                let found = indices(&values, design.parameters.len(), design.seed);
+                estimated();
                 for (place, parameter) in design.parameters.iter().enumerate() {
                     let row = [
                         block.to_string(),

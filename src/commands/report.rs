@@ -76,6 +76,7 @@ fn section<'a>(
         Ok(())
     })?;
     progress::finish(&bar, &source.name, &tally.told(cases));
+    store.close()?;
     verdicts.sort_by_key(|(check, verdict)| (*check, verdict.case));
     let mut drawings = Vec::new();
     drawn::solve(study, &mut shown);
