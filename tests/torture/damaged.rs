@@ -11,7 +11,7 @@ use twox_hash::XxHash3_128;
 
 #[test]
 fn damaged_stores() {
-    damaged(16);
+    damaged(10);
 }
 
 #[test]

@@ -9,7 +9,7 @@ const PAGE: u64 = 4096;
 
 #[test]
 fn files_that_may_not_grow() {
-    limited(&[Scene::run(), Scene::report()], 7);
+    limited(&[Scene::run(), Scene::report()], 9);
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn judged(scene: &Scene, done: &Done, what: &str) -> bool {
 
 #[test]
 fn a_full_disk() {
-    full(&[Scene::run()], 8);
+    full(&[Scene::run()], 12);
 }
 
 #[test]

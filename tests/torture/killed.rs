@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 #[test]
 fn killed_at_random_times() {
-    killed(3);
+    killed(2);
 }
 
 #[test]

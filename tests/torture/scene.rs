@@ -1,6 +1,7 @@
 //! What is disturbed: a command in a folder with the results of a former study, and what it leaves undisturbed.
 
 use crate::{Bench, Done, Tree, differences};
+use serde_json::Value as Json;
 
 /// A command, what stands in its output folder before, and what it leaves there when nothing disturbs it.
 pub(crate) struct Scene {
@@ -15,6 +16,9 @@ pub(crate) struct Scene {
 
 /// The output folder of every scene.
 pub(crate) const OUT: &str = "figures";
+
+/// Says which files are a run's own, and changes as it goes on.
+const MANIFEST: &str = "s/manifest.json";
 
 /// A sweep in three chunks of a few cases each and a saltelli design, with a figure: all kinds of files in few writes.
 fn study(betas: &str, figure: &str) -> String {
@@ -100,17 +104,44 @@ impl Scene {
     }
 
     /// Every file whose name is that of a result is one that the former or the undisturbed run wrote, to the byte. Under
-    /// other names there may be something only if `temporary`: what was written last when the run was killed.
+    /// other names there may be something only if `temporary`: what was written last when the run was killed. What a later
+    /// run may have to remove is in the manifest.
     #[track_caller]
     pub(crate) fn whole(&self, temporary: bool, what: &str) {
-        for (name, bytes) in self.bench.tree(OUT) {
-            let known = [&self.former, &self.wanted].map(|tree| tree.get(&name));
-            let ending = [".csv", ".png", ".svg", ".json", ".html", ".md", ".parquet"];
+        let tree = self.bench.tree(OUT);
+        for (name, bytes) in &tree {
+            if name == MANIFEST {
+                continue;
+            }
+            let known = [&self.former, &self.wanted].map(|tree| tree.get(name));
+            let ending = [".csv", ".png", ".svg", ".html", ".md", ".parquet"];
             let result = ending.iter().any(|ending| name.ends_with(ending));
             match known.iter().any(Option::is_some) {
-                true => assert!(known.contains(&Some(&bytes)), "{what}: {name} is not whole"),
+                true => assert!(known.contains(&Some(bytes)), "{what}: {name} is not whole"),
                 false => assert!(temporary && !result, "{what}: {name} is left"),
             }
+        }
+        let Some(manifest) = tree.get(MANIFEST) else {
+            return;
+        };
+        let manifest = serde_json::from_slice(manifest);
+        let manifest: Json = manifest.unwrap_or_else(|e| panic!("{what}: the manifest: {e}"));
+        let files = manifest["files"].as_array().unwrap();
+        let unfinished = manifest["unfinished"]["cases"].as_u64().unwrap_or(0);
+        let own = tree.keys().filter_map(|name| name.strip_prefix("s/"));
+        let other = |name: &str| {
+            name.is_empty()
+                || name.ends_with('/')
+                || name.ends_with(".partial")
+                || name.starts_with("store/")
+        };
+        for name in own.filter(|name| !other(name) && *name != "manifest.json") {
+            let case = name
+                .strip_prefix("histories/")
+                .and_then(|name| name.strip_suffix(".csv"));
+            let listed = files.iter().any(|file| file == name)
+                || case.is_some_and(|case| case.parse().is_ok_and(|case: u64| case < unfinished));
+            assert!(listed, "{what}: the manifest does not name {name}");
         }
     }
 

@@ -46,7 +46,12 @@ fn results_of_another_solver_do_not_serve() {
     assert_eq!(told.unwrap(), "made by another version of the solver");
     let same = store.find(&study, 0, &other, cases.len()).unwrap();
     for metric in &study.metrics {
-        let bits = |found: &Found| found.column(*metric).map(|x| x.map(f64::to_bits)).collect::<Vec<_>>();
+        let bits = |found: &Found| {
+            found
+                .column(*metric)
+                .map(|x| x.map(f64::to_bits))
+                .collect::<Vec<_>>()
+        };
         // A case without a solution has no metrics, and those that were not asked for are not kept.
         assert_eq!(bits(&same), bits(&found));
     }
@@ -66,7 +71,10 @@ fn splitmix(state: &mut u64) -> u64 {
 fn a_forged_part_with_the_right_sum_is_damaged_and_no_panic() {
     let (folder, study) = (tempfile::tempdir().unwrap(), study());
     let (key, cases, found) = part(&study);
-    Store::open(folder.path()).unwrap().put(&study, 0, &key, (0, &cases), &found).unwrap();
+    Store::open(folder.path())
+        .unwrap()
+        .put(&study, 0, &key, (0, &cases), &found)
+        .unwrap();
     let path = kept(folder.path());
     let good = fs::read(&path).unwrap();
     fs::remove_file(&path).unwrap();
@@ -92,7 +100,10 @@ fn a_forged_part_with_the_right_sum_is_damaged_and_no_panic() {
             Err(why) => damaged += u64::from(why == Some(format!("{} is damaged", path.display()))),
         }
         let read = || reading::read(&study, forged.clone(), &key, cases.len()).map(drop);
-        if caught(read).is_none() { panics += 1; eprintln!("PANIC round {round} state {begun:#x}"); }
+        if caught(read).is_none() {
+            panics += 1;
+            eprintln!("PANIC round {round} state {begun:#x}");
+        }
         // Read as text by `slipgap compare`: rows or an error.
         let _ = rows(folder.path());
         fs::remove_file(&path).unwrap();
@@ -112,8 +123,14 @@ fn a_panic_is_an_answer() {
 fn only_names_that_a_run_gives_are_parts() {
     let sum = "0123456789abcdef0123456789abcdef";
     let start = |name: String| named(Path::new(&name)).map(|(start, _)| start);
-    assert_eq!(start(format!("part-000000016384-{sum}.parquet")), Some(16_384));
-    assert_eq!(start(format!("part-1000000000000-{sum}.parquet")), Some(1_000_000_000_000));
+    assert_eq!(
+        start(format!("part-000000016384-{sum}.parquet")),
+        Some(16_384)
+    );
+    assert_eq!(
+        start(format!("part-1000000000000-{sum}.parquet")),
+        Some(1_000_000_000_000)
+    );
     for other in [
         format!("part-+00000016384-{sum}.parquet"),
         format!("part-000000016384-{}.parquet", &sum[1..]),
