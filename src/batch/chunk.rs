@@ -90,7 +90,10 @@ mod tests {
         assert_eq!(ranges(&[]), []);
         assert_eq!(ranges(&[0, 0, 0]), [0..3]);
         assert_eq!(ranges(&[half, half, 1]), [0..2, 2..3]);
-        assert_eq!(ranges(&[1, half, half, WORK, 3 * WORK, 1, 1]), [0..2, 2..3, 3..4, 4..5, 5..7]);
+        assert_eq!(
+            ranges(&[1, half, half, WORK, 3 * WORK, 1, 1]),
+            [0..2, 2..3, 3..4, 4..5, 5..7]
+        );
         // The sum of two such is beyond 64 bits.
         assert_eq!(ranges(&[u64::MAX, u64::MAX]), [0..1, 1..2]);
     }
@@ -105,7 +108,9 @@ mod tests {
     }
 
     fn all(study: &Study) -> Vec<Part> {
-        (0..count(study)).flat_map(|chunk| parts(study, chunk)).collect()
+        (0..count(study))
+            .flat_map(|chunk| parts(study, chunk))
+            .collect()
     }
 
     #[test]
@@ -115,19 +120,27 @@ mod tests {
         // 400 times the sum of 3/dT, a geometric series of 3e6 (1 - r^100)/(1 - r) with r = 2e-6^(1/99).
         let series = 3e6 / (1.0 - 2e-6_f64.powf(1.0 / 99.0));
         let least = (400.0 * series / WORK as f64) as usize;
-        assert!(least > 8 && (least..2 * least).contains(&parts.len()), "{}", parts.len());
+        assert!(
+            least > 8 && (least..2 * least).contains(&parts.len()),
+            "{}",
+            parts.len()
+        );
         let (mut next, mut starts) = (0, Vec::new());
         for part in parts {
             assert_eq!(part.first, next);
             starts.push(part.start);
             let cases = part.cases();
             let mut shown = cases.shown();
-            let steps = |row: usize| (3.0 / shown.at(row).number("dT").unwrap() * (1.0 + 1e-12)) as u64;
+            let steps =
+                |row: usize| (3.0 / shown.at(row).number("dT").unwrap() * (1.0 + 1e-12)) as u64;
             let work: u64 = (0..cases.len()).map(steps).sum();
             assert!(work <= WORK, "{work}");
             for row in 0..cases.len() {
                 let number = |case: &crate::problem::Case| [case.number("beta"), case.number("dT")];
-                assert_eq!(number(cases.shown().at(row)), number(&study.case(next).unwrap()));
+                assert_eq!(
+                    number(cases.shown().at(row)),
+                    number(&study.case(next).unwrap())
+                );
                 next += 1;
             }
         }

@@ -120,7 +120,10 @@ mod tests {
         });
         assert_eq!(own.change(&key("")), None);
         let other = changed(|key| key.solver.push('0'));
-        assert_eq!(own.change(&other), Some("made by another version of the solver"));
+        assert_eq!(
+            own.change(&other),
+            Some("made by another version of the solver")
+        );
         let other = changed(|key| key.columns.push('0'));
         assert_eq!(own.change(&other), Some("other columns"));
         let other = changed(|key| key.cases.push('0'));

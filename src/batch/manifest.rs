@@ -87,7 +87,9 @@ impl Manifest {
             self.unfinished.others = here.filter(others).collect();
             self.unfinished.cases = self.unfinished.cases.max(cases);
         }
-        let new = names.into_iter().filter(|name| fs::symlink_metadata(folder.join(name)).is_err());
+        let new = names
+            .into_iter()
+            .filter(|name| fs::symlink_metadata(folder.join(name)).is_err());
         self.files.extend(new);
         // Until it has results of its own, the folder has those of the former run.
         let mut said = match self.said.is_empty() {
@@ -96,7 +98,10 @@ impl Manifest {
         };
         said.insert("files".into(), json!(self.files));
         let Unfinished { cases, others } = self.unfinished;
-        said.insert("unfinished".into(), json!({ "cases": cases, "others": others }));
+        said.insert(
+            "unfinished".into(),
+            json!({ "cases": cases, "others": others }),
+        );
         write(folder, &said)
     }
 

@@ -66,7 +66,10 @@ impl<'a> Gathered<'a> {
 
     /// How many times a metric's indices are estimated.
     pub fn estimates(&self) -> usize {
-        self.designs.iter().map(|(_, _, columns)| columns.len()).sum()
+        self.designs
+            .iter()
+            .map(|(_, _, columns)| columns.len())
+            .sum()
     }
 
     /// The table, if there is any saltelli design. Where a metric is undefined in a case, its cells are empty. `estimated`

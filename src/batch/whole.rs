@@ -148,7 +148,11 @@ pub(super) fn sweep(folder: &Path) {
 
 /// A new file under a random name, locked.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
     let new = |path: &Path| {
         let mut options = OpenOptions::new();
         options.read(true).write(true).create_new(true).open(path)
@@ -189,7 +193,9 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
-        let mut names: Vec<String> = entries.map(|e| e.file_name().into_string().unwrap()).collect();
+        let mut names: Vec<String> = entries
+            .map(|e| e.file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names
     }
@@ -223,7 +229,12 @@ mod tests {
         let [live] = &names(folder.path())[..] else {
             panic!("one file is being written");
         };
-        let own = [".slipgap-probe", ".slipgap-.partial", ".slipgap-0123456789a.partial", "results.csv.partial"];
+        let own = [
+            ".slipgap-probe",
+            ".slipgap-.partial",
+            ".slipgap-0123456789a.partial",
+            "results.csv.partial",
+        ];
         for name in own.iter().chain(&[".slipgap-0123456789aB.partial"]) {
             fs::write(folder.path().join(name), "left").unwrap();
         }

@@ -70,11 +70,14 @@ impl Judged<'_> {
     /// By check, then by case.
     fn verdicts(&self) -> impl Iterator<Item = Verdict> {
         let study = &self.source.study;
-        self.values.iter().enumerate().flat_map(move |(check, values)| {
-            values.iter().map(move |(case, x)| {
-                checks::verdict(study, check, *case, Some(*x).filter(|x| !x.is_nan()))
+        self.values
+            .iter()
+            .enumerate()
+            .flat_map(move |(check, values)| {
+                values.iter().map(move |(case, x)| {
+                    checks::verdict(study, check, *case, Some(*x).filter(|x| !x.is_nan()))
+                })
             })
-        })
     }
 }
 

@@ -86,7 +86,9 @@ pub fn columns(rows: &[Vec<String>]) -> String {
 }
 
 /// The same line by line, of rows that are made as they are asked for, twice: first for the widths.
-pub fn lines<I: Iterator<Item = Vec<String>>>(rows: impl Fn() -> I) -> impl Iterator<Item = String> {
+pub fn lines<I: Iterator<Item = Vec<String>>>(
+    rows: impl Fn() -> I,
+) -> impl Iterator<Item = String> {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows() {
         widths.resize(widths.len().max(row.len()), 0);

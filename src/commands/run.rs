@@ -62,7 +62,11 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     let study = &source.study;
     let (mut folder, store) = (Folder::of_study(path)?, Store::open(path)?);
     let cases = study.len();
-    folder.begin(study, &source.file, if manner.histories { cases } else { 0 })?;
+    folder.begin(
+        study,
+        &source.file,
+        if manner.histories { cases } else { 0 },
+    )?;
     let bar = progress::bar(&source.name, cases);
     let table = match manner.format {
         Some(format) => format == Format::Csv,

@@ -153,7 +153,10 @@ impl Store {
             None => Ok(()),
             Some((path, e)) => {
                 let why = format!("{e}; its rows are not of this study");
-                Err(Error::io("cannot remove", path)(io::Error::new(e.kind(), why)))
+                Err(Error::io("cannot remove", path)(io::Error::new(
+                    e.kind(),
+                    why,
+                )))
             }
         }
     }
@@ -173,7 +176,9 @@ fn locked(folder: &Path) -> Result<File, Error> {
     }
     let mut options = OpenOptions::new();
     let options = options.read(true).write(true).create(true).truncate(false);
-    let lock = options.open(&path).map_err(Error::io("cannot write", &path))?;
+    let lock = options
+        .open(&path)
+        .map_err(Error::io("cannot write", &path))?;
     match lock.try_lock() {
         Ok(()) => Ok(lock),
         Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),

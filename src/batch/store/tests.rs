@@ -46,7 +46,12 @@ fn results_of_another_solver_do_not_serve() {
     assert_eq!(told.unwrap(), "made by another version of the solver");
     let same = store.find(&study, 0, &other, cases.len()).unwrap();
     for metric in &study.metrics {
-        let bits = |found: &Found| found.column(*metric).map(|x| x.map(f64::to_bits)).collect::<Vec<_>>();
+        let bits = |found: &Found| {
+            found
+                .column(*metric)
+                .map(|x| x.map(f64::to_bits))
+                .collect::<Vec<_>>()
+        };
         // A case without a solution has no metrics, and those that were not asked for are not kept.
         assert_eq!(bits(&same), bits(&found));
     }
@@ -66,15 +71,17 @@ fn splitmix(state: &mut u64) -> u64 {
 fn a_forged_part_with_the_right_sum_is_damaged_and_no_panic() {
     let (folder, study) = (tempfile::tempdir().unwrap(), study());
     let (key, cases, found) = part(&study);
-    Store::open(folder.path()).unwrap().put(&study, 0, &key, (0, &cases), &found).unwrap();
+    Store::open(folder.path())
+        .unwrap()
+        .put(&study, 0, &key, (0, &cases), &found)
+        .unwrap();
     let path = kept(folder.path());
     let good = fs::read(&path).unwrap();
     fs::remove_file(&path).unwrap();
-    // Where the library is known to go wrong: the footer, and the headers of pages.
-    let rounds: u64 = std::env::var("SLIPGAP_FORGED").map_or(2000, |n| n.parse().unwrap());
-    let (mut random, mut damaged, mut panics) = (1, 0, 0);
+    // Of 20 000 rounds 9 make the library panic, one of them among these; SLIPGAP_FORGED asks for more.
+    let rounds: u64 = std::env::var("SLIPGAP_FORGED").map_or(700, |n| n.parse().unwrap());
+    let (mut random, mut damaged) = (1, 0);
     for round in 0..rounds {
-        let begun = random;
         let mut forged = good.clone();
         for _ in 0..1 + splitmix(&mut random) % 4 {
             let footer = round % 2 == 0;
@@ -91,14 +98,11 @@ fn a_forged_part_with_the_right_sum_is_damaged_and_no_panic() {
             Ok(found) => assert_eq!(found.len(), cases.len()),
             Err(why) => damaged += u64::from(why == Some(format!("{} is damaged", path.display()))),
         }
-        let read = || reading::read(&study, forged.clone(), &key, cases.len()).map(drop);
-        if caught(read).is_none() { panics += 1; eprintln!("PANIC round {round} state {begun:#x}"); }
         // Read as text by `slipgap compare`: rows or an error.
         let _ = rows(folder.path());
         fs::remove_file(&path).unwrap();
     }
     assert!(damaged > rounds / 20, "{damaged} of {rounds}");
-    eprintln!("{damaged} of {rounds} damaged, {panics} panics caught");
 }
 
 #[test]
@@ -112,8 +116,14 @@ fn a_panic_is_an_answer() {
 fn only_names_that_a_run_gives_are_parts() {
     let sum = "0123456789abcdef0123456789abcdef";
     let start = |name: String| named(Path::new(&name)).map(|(start, _)| start);
-    assert_eq!(start(format!("part-000000016384-{sum}.parquet")), Some(16_384));
-    assert_eq!(start(format!("part-1000000000000-{sum}.parquet")), Some(1_000_000_000_000));
+    assert_eq!(
+        start(format!("part-000000016384-{sum}.parquet")),
+        Some(16_384)
+    );
+    assert_eq!(
+        start(format!("part-1000000000000-{sum}.parquet")),
+        Some(1_000_000_000_000)
+    );
     for other in [
         format!("part-+00000016384-{sum}.parquet"),
         format!("part-000000016384-{}.parquet", &sum[1..]),
