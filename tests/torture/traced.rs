@@ -80,10 +80,11 @@ fn each(
             // A short form begins elsewhere for each kind of call.
             let first = 1 + place as u64 % stride;
             let hits = (first..).step_by(stride as usize);
-            count += hits.take_while(|n| disturb(&traced, call, *n)).count();
+            let hits = hits.take_while(|n| disturb(&traced, call, *n)).count();
+            eprintln!("{:?}, {call}: {hits} calls disturbed", scene.words);
+            count += hits;
         }
     }
-    eprintln!("{count} disturbed runs");
     assert!(count > 10, "{count} runs were disturbed");
 }
 
