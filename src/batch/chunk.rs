@@ -86,16 +86,26 @@ mod tests {
     #[test]
     fn a_part_is_full_before_the_next_begins_and_holds_no_more() {
         let half = WORK / 2;
-        let ranges = |work: &[u64]| cut(work.iter().copied());
-        assert_eq!(ranges(&[]), []);
-        assert_eq!(ranges(&[0, 0, 0]), [0..3]);
-        assert_eq!(ranges(&[half, half, 1]), [0..2, 2..3]);
+        let ends = |work: &[u64]| -> Vec<usize> {
+            let cuts = cut(work.iter().copied());
+            let starts = cuts.iter().map(|rows| rows.start);
+            assert!(
+                starts.eq([0]
+                    .into_iter()
+                    .chain(cuts.iter().map(|rows| rows.end))
+                    .take(cuts.len()))
+            );
+            cuts.iter().map(|rows| rows.end).collect()
+        };
+        assert_eq!(ends(&[]), [0; 0]);
+        assert_eq!(ends(&[0, 0, 0]), [3]);
+        assert_eq!(ends(&[half, half, 1]), [2, 3]);
         assert_eq!(
-            ranges(&[1, half, half, WORK, 3 * WORK, 1, 1]),
-            [0..2, 2..3, 3..4, 4..5, 5..7]
+            ends(&[1, half, half, WORK, 3 * WORK, 1, 1]),
+            [2, 3, 4, 5, 7]
         );
         // The sum of two such is beyond 64 bits.
-        assert_eq!(ranges(&[u64::MAX, u64::MAX]), [0..1, 1..2]);
+        assert_eq!(ends(&[u64::MAX, u64::MAX]), [1, 2]);
     }
 
     /// From coarse to fine, for each of so many values of beta: steps are what their quotient says, 3/dT.
