@@ -3,7 +3,7 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz
+.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
@@ -50,10 +50,37 @@ maps: ## the sensitivity maps with a thousand cases along each axis, in docs/map
 fuzz: ## read, list, solve and draw studies changed and made up at random, for minutes
 	cargo test --locked --test fuzz -- --ignored --nocapture
 
-# Hours on two cores, and not part of CI. What survives is explained in tests/mutants.md.
-mutants: ## change law, stepper, exact and metrics in every small way, and see that a test notices
+# Random kills, kills and errors at every system call (with strace), full disks, damaged stores, processes together,
+# 1 to 16 threads. Minutes, and not part of CI, which runs the short forms; TORTURE=10 takes ten times as long.
+torture: ## kill, starve and disturb runs in every way, and see that the next run leaves the same bytes
+	cargo test --locked --test torture -- --ignored --nocapture --test-threads 2
+
+# A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
+# `make mutants PART=study ONLY=spread` those of its lines as `cargo mutants --list` names them that match a pattern.
+# What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
+PART = numbers batch study figures claims recommend
+ONLY = .
+changed_numbers = -f src/law.rs -f src/stepper.rs -f 'src/exact/**' -f 'src/metrics/**'
+noticed_numbers = --test budget --test budget_impact --test chain --test friction --test friction_work --test impact \
+  --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
+  --test sweep --test two_forms --test two_forms_impact
+changed_batch = -f 'src/batch/**' -f src/indices.rs -f src/compare.rs
+noticed_batch = --test command_line
+changed_study = -f 'src/study/**' -e 'src/study/ledger/**' -e 'src/study/describe/**'
+noticed_study = --test bad_studies --test study_language --test command_line
+changed_figures = -f 'src/figures/**'
+noticed_figures = --test report
+changed_claims = -f 'src/claims/**' -f 'src/study/ledger/**' -f src/checks.rs
+noticed_claims = --test command_line
+changed_recommend = -f 'src/recommend/**'
+noticed_recommend = --test recommend
+changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' -- --lib $(noticed_$(1))
+
+# 2: something survived, 3: something ran into its time limit; the next part all the same.
+mutants: ## change numbers, batch, study, figures, claims and recommend in every small way: a test must notice
 	cargo mutants --version || cargo install --locked cargo-mutants
-	cargo mutants
+	mkdir -p $(PART:%=target/mutants/%)
+	@set -x; $(foreach part,$(PART),$(call changes,$(part)) || test $$? -le 3 || exit 1;)
 
 # Built first: a build that fails must not leave an empty schema behind.
 schema: ## write schema/study.json, which editors read, and docs/study-files.md

@@ -1,6 +1,7 @@
 //! Tolerances: each check of a study held against every case it names.
 
 use crate::batch::Outcome;
+use crate::problem::Case;
 use crate::problem::parameter::shortest;
 use crate::study::Study;
 
@@ -40,18 +41,31 @@ impl Verdict {
     }
 }
 
+/// The checks of the study that name a case, by their place in the file, each with the value that it judges.
+pub fn judged(
+    study: &Study,
+    case: &Case,
+    value: impl Fn(usize) -> Option<f64>,
+) -> impl Iterator<Item = (usize, Option<f64>)> {
+    let named = study.checks.iter().enumerate();
+    let named = named.filter(|(_, check)| check.filter.matches(case));
+    named.map(move |(i, check)| (i, value(check.metric).filter(|x| !x.is_nan())))
+}
+
+/// The verdict of a check of the study on a case.
+pub fn verdict(study: &Study, check: usize, case: u64, value: Option<f64>) -> Verdict {
+    let check = &study.checks[check];
+    Verdict {
+        case,
+        metric: study.problem.metrics()[check.metric].name,
+        value,
+        min: check.min,
+        max: check.max,
+    }
+}
+
 /// Holds every check of the study that names a case against it, each with its place in the file.
 pub fn judge(study: &Study, number: u64, outcome: &Outcome, verdicts: &mut Vec<(usize, Verdict)>) {
-    for (i, check) in study.checks.iter().enumerate() {
-        if check.filter.matches(&outcome.case) {
-            let verdict = Verdict {
-                case: number,
-                metric: study.problem.metrics()[check.metric].name,
-                value: outcome.metrics[check.metric].filter(|x| !x.is_nan()),
-                min: check.min,
-                max: check.max,
-            };
-            verdicts.push((i, verdict));
-        }
-    }
+    let values = judged(study, &outcome.case, |metric| outcome.metrics[metric]);
+    verdicts.extend(values.map(|(check, value)| (check, verdict(study, check, number, value))));
 }

@@ -13,6 +13,14 @@ pub struct Rows {
     pub rows: Vec<Vec<String>>,
 }
 
+impl Rows {
+    /// Adds rows of the same columns.
+    pub fn extend(&mut self, more: Rows) {
+        self.columns = more.columns;
+        self.rows.extend(more.rows);
+    }
+}
+
 /// What became of one metric.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {

@@ -1,130 +1,171 @@
-//! Chunks: fixed ranges of raw combinations, the unit that is computed, kept and found again.
+//! Chunks: fixed ranges of raw combinations, and the parts that they are cut into by work.
+//!
+//! The parts of a chunk follow from its own cases alone, without computing any: every process finds the same ones, chunk by
+//! chunk, and a study with more values on its first axis keeps the chunks that it had.
 
-use crate::problem::cases::{Cases, Column};
-use crate::problem::parameter::Value;
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::problem::cases::Cases;
 use crate::study::Study;
-use twox_hash::XxHash3_128;
 
-/// Version of everything that decides a number; it changes when any result may change.
-pub const SOLVER_VERSION: u32 = 1;
+/// Raw combinations of a chunk.
+const RAW: u64 = MOST_ROWS as u64;
 
-/// Sum of the sources that decide results: a change there makes stores stale, noted in the version or not.
-const SOLVER_SOURCES: &str = env!("SLIPGAP_SOLVER");
+/// Most cases of a part.
+pub const MOST_ROWS: usize = 16_384;
 
-/// Most combinations of a chunk.
-const LARGEST: u64 = 16_384;
+/// Steps times modes of a part: some seconds, the most that a killed run loses for each thread.
+pub const WORK: u64 = 1 << 30;
 
-/// Steps times modes of a chunk: some seconds, the most that a killed run loses for each thread.
-const WORK: u64 = 1 << 32;
-
-/// How a study is cut into chunks.
-#[derive(Debug, Clone, Copy)]
-pub struct Cut {
-    size: u64,
-    raw: u64,
+/// Number of chunks of a study.
+pub fn count(study: &Study) -> u64 {
+    study.raw_len().div_ceil(RAW)
 }
 
-impl Cut {
-    /// Chunks of a power of two, by what the first case costs: an extended study keeps its first case.
-    pub fn new(study: &Study) -> Cut {
-        let first = study.case(0);
-        let work = first.map_or(1, |case| study.problem.work(&case).max(1));
-        let fitting = (WORK / work).clamp(1, LARGEST);
-        Cut {
-            size: 1 << fitting.ilog2(),
-            raw: study.raw_len(),
-        }
-    }
-
-    /// Number of chunks.
-    pub fn count(&self) -> u64 {
-        self.raw.div_ceil(self.size)
-    }
-
-    /// The cases of chunk `index`, with the number of the first.
-    pub fn cases(&self, study: &Study, index: u64) -> (u64, Cases) {
-        let from = index * self.size;
-        study.columns(from, (from + self.size).min(self.raw))
-    }
+/// Cases that are computed, kept and found together: those of a chunk, or some of them where they are much work.
+#[derive(Debug)]
+pub struct Part {
+    /// What names it: the first raw combination of its chunk, and on from there by the cases of the chunk before it.
+    pub start: u64,
+    /// Number of its first case.
+    pub first: u64,
+    chunk: Arc<Cases>,
+    rows: Range<usize>,
 }
 
-/// What decides a chunk's results, taken apart so that a change can be named.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Key {
-    /// Version of the solver.
-    pub solver: String,
-    /// Problem, way of solving and columns.
-    pub columns: String,
-    /// Numbers and parameters of all cases, bit by bit.
-    pub cases: String,
-}
-
-impl Key {
-    /// The key of these cases, the first of which has the number `first`.
-    pub fn new(study: &Study, first: u64, cases: &Cases) -> Key {
-        let mut hasher = XxHash3_128::new();
-        // A column at a time: the hasher takes long pieces much faster than short ones.
-        let mut bytes = Vec::new();
-        bytes.extend(first.to_le_bytes());
-        bytes.extend(cases.len().to_le_bytes());
-        for column in cases.columns() {
-            match column {
-                Column::Same(value) => {
-                    bytes.push(0);
-                    note(&mut bytes, *value);
-                }
-                Column::Each(values) => {
-                    bytes.push(1);
-                    values.iter().for_each(|value| note(&mut bytes, *value));
-                }
-            }
-            hasher.write(&bytes);
-            bytes.clear();
-        }
-        for (row, why) in cases.refused() {
-            hasher.write(&row.to_le_bytes());
-            hasher.write(why.as_bytes());
-        }
-        let metrics = study.problem.metrics();
-        let names: Vec<&str> = study.metrics.iter().map(|m| metrics[*m].name).collect();
-        let once = if study.once { "once" } else { "converged" };
-        Key {
-            solver: format!("{SOLVER_VERSION} {SOLVER_SOURCES}"),
-            columns: format!("{} {once} {}", study.problem.name(), names.join(" ")),
-            cases: format!("{:032x}", hasher.finish_128()),
-        }
-    }
-
-    /// What differs from the key of a chunk that was kept.
-    pub fn change(&self, kept: &Key) -> Option<&'static str> {
-        if self.solver != kept.solver {
-            Some("made by another version of the solver")
-        } else if self.columns != kept.columns {
-            Some("other columns")
-        } else if self.cases != kept.cases {
-            Some("other parameters")
-        } else {
-            None
+impl Part {
+    /// Its cases.
+    pub fn cases(self) -> Cases {
+        match self.rows.len() == self.chunk.len() {
+            true => Arc::unwrap_or_clone(self.chunk),
+            false => self.chunk.only(self.rows),
         }
     }
 }
 
-/// Adds what tells a value from all others.
-fn note(bytes: &mut Vec<u8>, value: Option<Value>) {
-    let tag: u8 = match value {
-        None => 0,
-        Some(Value::Number(_)) => 1,
-        Some(Value::Whole(_)) => 2,
-        Some(Value::Name(_)) => 3,
+/// The parts of chunk `index`; none where a condition dropped all its combinations.
+pub fn parts(study: &Study, index: u64) -> Vec<Part> {
+    let from = index * RAW;
+    let (first, cases) = study.columns(from, (from + RAW).min(study.raw_len()));
+    let mut shown = cases.shown();
+    let work = (0..cases.len()).map(|row| study.problem.work(shown.at(row)));
+    let cuts = cut(work);
+    let chunk = Arc::new(cases);
+    let part = |rows: Range<usize>| Part {
+        start: from + rows.start as u64,
+        first: first + rows.start as u64,
+        chunk: chunk.clone(),
+        rows,
     };
-    bytes.push(tag);
-    if let Some((bits, name)) = value.map(Value::identity) {
-        bytes.extend((bits ^ name.len() as u64).to_le_bytes());
-        bytes.extend(name.as_bytes());
-    }
+    cuts.into_iter().map(part).collect()
 }
 
-/// The checksum of some bytes, as 32 hexadecimal digits.
-pub fn checksum(bytes: &[u8]) -> String {
-    format!("{:032x}", XxHash3_128::oneshot(bytes))
+/// Rows in their order, as many together as stay within `WORK`; one that alone is more is by itself.
+fn cut(work: impl Iterator<Item = u64>) -> Vec<Range<usize>> {
+    let mut cuts: Vec<Range<usize>> = Vec::new();
+    let mut sum: u64 = 0;
+    for (row, work) in work.enumerate() {
+        sum = sum.saturating_add(work);
+        match cuts.last_mut() {
+            Some(last) if sum <= WORK => last.end = row + 1,
+            _ => {
+                cuts.push(row..row + 1);
+                sum = work;
+            }
+        }
+    }
+    cuts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::parse;
+
+    #[test]
+    fn a_part_is_full_before_the_next_begins_and_holds_no_more() {
+        let half = WORK / 2;
+        let ends = |work: &[u64]| -> Vec<usize> {
+            let cuts = cut(work.iter().copied());
+            let starts = cuts.iter().map(|rows| rows.start);
+            assert!(
+                starts.eq([0]
+                    .into_iter()
+                    .chain(cuts.iter().map(|rows| rows.end))
+                    .take(cuts.len()))
+            );
+            cuts.iter().map(|rows| rows.end).collect()
+        };
+        assert_eq!(ends(&[]), [0; 0]);
+        assert_eq!(ends(&[0, 0, 0]), [3]);
+        assert_eq!(ends(&[half, half, 1]), [2, 3]);
+        assert_eq!(
+            ends(&[1, half, half, WORK, 3 * WORK, 1, 1]),
+            [2, 3, 4, 5, 7]
+        );
+        // The sum of two such is beyond 64 bits.
+        assert_eq!(ends(&[u64::MAX, u64::MAX]), [1, 2]);
+    }
+
+    /// From coarse to fine, for each of so many values of beta: steps are what their quotient says, 3/dT.
+    fn study(betas: usize) -> Study {
+        let text = format!(
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control", "duration": 3,
+            "beta": {{"linspace": [1, {betas}, {betas}]}}, "dT": {{"geomspace": [0.5, 1e-6, 100]}}}}}}"#
+        );
+        parse("s.json", &text).unwrap()
+    }
+
+    fn all(study: &Study) -> Vec<Part> {
+        (0..count(study))
+            .flat_map(|chunk| parts(study, chunk))
+            .collect()
+    }
+
+    #[test]
+    fn parts_hold_every_case_once_in_order_and_bounded_work() {
+        let study = study(400);
+        let parts = all(&study);
+        // 400 times the sum of 3/dT, a geometric series of 3e6 (1 - r^100)/(1 - r) with r = 2e-6^(1/99).
+        let series = 3e6 / (1.0 - 2e-6_f64.powf(1.0 / 99.0));
+        let least = (400.0 * series / WORK as f64) as usize;
+        assert!(
+            least > 8 && (least..2 * least).contains(&parts.len()),
+            "{}",
+            parts.len()
+        );
+        let (mut next, mut starts) = (0, Vec::new());
+        for part in parts {
+            assert_eq!(part.first, next);
+            starts.push(part.start);
+            let cases = part.cases();
+            let mut shown = cases.shown();
+            let steps =
+                |row: usize| (3.0 / shown.at(row).number("dT").unwrap() * (1.0 + 1e-12)) as u64;
+            let work: u64 = (0..cases.len()).map(steps).sum();
+            assert!(work <= WORK, "{work}");
+            for row in 0..cases.len() {
+                let number = |case: &crate::problem::Case| [case.number("beta"), case.number("dT")];
+                assert_eq!(
+                    number(cases.shown().at(row)),
+                    number(&study.case(next).unwrap())
+                );
+                next += 1;
+            }
+        }
+        assert_eq!(next, study.len());
+        assert!(starts.is_sorted_by(|a, b| a < b));
+    }
+
+    #[test]
+    fn an_extended_study_keeps_all_parts_but_the_last() {
+        let (short, long) = (all(&study(300)), all(&study(500)));
+        let cut = |part: &Part| (part.start, part.first, part.rows.clone());
+        let kept = short.len() - 1;
+        assert!(kept > 5);
+        for (short, long) in short.iter().zip(&long).take(kept) {
+            assert_eq!(cut(short), cut(long));
+        }
+    }
 }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 /// Cases that move side by side on one of several threads.
 const SLICE: usize = 4096;
 
-/// What a chunk comes to, and the histories that are kept of it.
+/// What a part comes to, and the histories that are kept of it.
 pub(super) fn computed(
     study: &Study,
     first: u64,

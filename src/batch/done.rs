@@ -1,4 +1,4 @@
-//! What became of cases: a chunk as columns, or case by case.
+//! What became of cases: a part as columns, or case by case.
 
 use crate::problem::cases::Cases;
 use crate::problem::found::Found;
@@ -19,10 +19,10 @@ pub struct Outcome {
     pub failure: Option<String>,
 }
 
-/// Histories of some of a chunk's cases.
+/// Histories of some of a part's cases.
 pub(super) type Solutions = BTreeMap<usize, Box<Solution>>;
 
-/// The outcomes of a chunk and where they came from.
+/// The outcomes of a part and where they came from.
 #[derive(Debug)]
 pub struct Done {
     /// Number of the first case; the others follow.
@@ -42,7 +42,7 @@ impl Done {
         self.cases.len()
     }
 
-    /// Whether a condition dropped them all.
+    /// Whether there are none, which no run hands over.
     pub fn is_empty(&self) -> bool {
         self.cases.is_empty()
     }

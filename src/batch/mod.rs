@@ -3,6 +3,8 @@
 pub mod chunk;
 mod computed;
 mod done;
+pub mod key;
+mod manifest;
 pub mod output;
 pub mod results;
 pub mod sobol;
@@ -13,13 +15,15 @@ pub use computed::solution;
 pub use done::{Done, Outcome};
 
 use crate::error::Error;
-use crate::problem::cases::Cases;
 use crate::problem::{Case, Solution};
 use crate::study::Study;
-use chunk::{Cut, Key};
+use chunk::Part;
 use done::Solutions;
 use indicatif::ProgressBar;
+use key::Key;
 use rayon::prelude::*;
+use std::collections::VecDeque;
+use std::ops::Range;
 use store::Store;
 
 /// Is shown a case's number and its solution.
@@ -27,7 +31,7 @@ pub type Visit<'a> = dyn Fn(u64, &Solution) -> Result<(), Error> + Sync + 'a;
 
 /// What is done with cases while they are run.
 pub struct Wishes<'a> {
-    /// Where finished chunks are kept and looked for, if anywhere.
+    /// Where finished parts are kept and looked for, if anywhere.
     pub store: Option<&'a Store>,
     /// Whether every case is computed, whatever the store has.
     pub anew: bool,
@@ -47,7 +51,7 @@ impl Wishes<'_> {
     };
 }
 
-/// Runs every case, chunk by chunk; hands the chunks to `take` in order, as soon as they and those before them are done.
+/// Runs every case, part by part; hands the parts to `take` in order, as soon as they and those before them are done.
 /// `take` may end the run by an error.
 ///
 /// # Errors
@@ -59,37 +63,67 @@ pub fn run(
     mut take: impl FnMut(Done) -> Result<(), Error> + Send,
 ) -> Result<(), Error> {
     keep_memory();
-    let cut = Cut::new(study);
-    let compute = |from: u64, count: u64| -> Vec<Result<Done, Error>> {
-        (from..(from + count).min(cut.count()))
-            .into_par_iter()
-            .map(|chunk| one(study, chunk, cut.cases(study, chunk), bar, wishes))
-            .collect()
+    let mut queue = Queue::new(study);
+    let mut compute = |count: usize| -> Vec<Result<Done, Error>> {
+        let parts = queue.next(count).into_par_iter();
+        parts.map(|part| one(study, part, bar, wishes)).collect()
     };
-    // More and more chunks at a time, so that the first are seen soon and no thread waits often for the others; memory
+    // More and more parts at a time, so that the first are seen soon and no thread waits often for the others; memory
     // does not grow with the number of cases.
-    let threads = rayon::current_num_threads() as u64;
-    let (mut from, mut window, most) = (0, threads, (4 * threads).max(16));
+    let threads = rayon::current_num_threads();
+    let (mut window, most) = (threads, (4 * threads).max(16));
     let mut done = Vec::new();
     loop {
         // What is done is taken while the next is computed.
         let (taken, next) = rayon::join(
             || done.into_iter().try_for_each(|done| take(done?)),
-            || compute(from, window),
+            || compute(window),
         );
         taken?;
         if next.is_empty() {
             return Ok(());
         }
-        (from, window, done) = (from + window, most.min(2 * window), next);
+        (window, done) = (most.min(2 * window), next);
+    }
+}
+
+/// The parts of a study, made from its chunks as they are asked for.
+struct Queue<'a> {
+    study: &'a Study,
+    chunks: Range<u64>,
+    waiting: VecDeque<Part>,
+}
+
+impl<'a> Queue<'a> {
+    fn new(study: &'a Study) -> Queue<'a> {
+        Queue {
+            study,
+            chunks: 0..chunk::count(study),
+            waiting: VecDeque::new(),
+        }
+    }
+
+    /// The next `count`, fewer at the end.
+    fn next(&mut self, count: usize) -> Vec<Part> {
+        while self.waiting.len() < count && !self.chunks.is_empty() {
+            let missing = (count - self.waiting.len()) as u64;
+            let end = self.chunks.end.min(self.chunks.start + missing);
+            let chunks = (self.chunks.start..end).into_par_iter();
+            let parts = |chunk| chunk::parts(self.study, chunk);
+            let new: Vec<Vec<Part>> = chunks.map(parts).collect();
+            self.waiting.extend(new.into_iter().flatten());
+            self.chunks.start = end;
+        }
+        let count = count.min(self.waiting.len());
+        self.waiting.drain(..count).collect()
     }
 }
 
 /// Bytes, just below the most for which the C library lets its threshold rise.
 const MAPPED: usize = 31 << 20;
 
-/// Has the allocator keep the memory of one chunk for the next. glibc gives freed memory back to the system, which clears
-/// it anew for every chunk, until a block as large as this was freed once; elsewhere nothing happens.
+/// Has the allocator keep the memory of one part for the next. glibc gives freed memory back to the system, which clears
+/// it anew for every part, until a block as large as this was freed once; elsewhere nothing happens.
 pub fn keep_memory() {
     drop(std::hint::black_box(Vec::<u8>::with_capacity(MAPPED)));
 }
@@ -105,19 +139,14 @@ pub fn all(study: &Study, bar: &ProgressBar) -> Result<Vec<Outcome>, Error> {
     Ok(outcomes)
 }
 
-/// A chunk from the store, or computed and kept.
-fn one(
-    study: &Study,
-    chunk: u64,
-    (first, cases): (u64, Cases),
-    bar: &ProgressBar,
-    wishes: &Wishes,
-) -> Result<Done, Error> {
-    // Without cases, where a condition dropped them all, there is nothing to keep.
-    let store = wishes.store.filter(|_| !cases.is_empty());
+/// A part from the store, or computed and kept.
+fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<Done, Error> {
+    let (start, first) = (part.start, part.first);
+    let cases = part.cases();
+    let store = wishes.store;
     let store = store.map(|store| (store, Key::new(study, first, &cases)));
     let found = match &store {
-        Some((store, key)) if !wishes.anew => store.find(study, chunk, key, cases.len()),
+        Some((store, key)) if !wishes.anew => store.find(study, start, key, cases.len()),
         _ => Err(None),
     };
     let (found, solutions, kept) = match found {
@@ -128,7 +157,7 @@ fn one(
         Err(why) => {
             let (found, solutions) = computed::computed(study, first, &cases, bar, wishes)?;
             if let Some((store, key)) = store {
-                store.put(study, chunk, &key, (first, &cases), &found)?;
+                store.put(study, start, &key, (first, &cases), &found)?;
             }
             (found, solutions, Err(why))
         }

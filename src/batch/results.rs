@@ -1,9 +1,8 @@
 //! Tables for people and programs: results.csv and the histories.
 
 use super::Outcome;
-use crate::error::Error;
 use crate::problem::parameter::{Value, shortest};
-use crate::problem::{Problem, Solution};
+use crate::problem::{Case, Problem, Solution};
 use crate::study::Study;
 use std::io::{self, Write};
 
@@ -30,7 +29,7 @@ impl<'a, W: Write> Table<'a, W> {
     /// Writes one case.
     pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
         let metrics = self.study.metrics.iter().map(|&m| cell(outcome.metrics[m]));
-        let row = parameters(number, outcome).chain(metrics);
+        let row = parameters(number, &outcome.case).chain(metrics);
         Ok(self.writer.write_record(row)?)
     }
 
@@ -40,24 +39,35 @@ impl<'a, W: Write> Table<'a, W> {
     }
 }
 
-/// failures.csv: the cases that could not be solved, with their parameters and the reason.
-pub fn failures(study: &Study, failed: &[(u64, Outcome)]) -> Result<Vec<u8>, Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = study.problem.parameters().iter().map(|p| p.name);
-    let header = ["case"].into_iter().chain(names).chain(["reason"]);
-    writer.write_record(header).map_err(internal)?;
-    for (number, outcome) in failed {
-        let reason = outcome.failure.clone().into_iter();
-        let row = parameters(*number, outcome).chain(reason);
-        writer.write_record(row).map_err(internal)?;
+/// failures.csv, row by row: the cases that could not be solved, with their parameters and the reason.
+pub struct Failures<W: Write>(csv::Writer<W>);
+
+impl<W: Write> Failures<W> {
+    /// Writes the header.
+    pub fn new(study: &Study, out: W) -> io::Result<Failures<W>> {
+        let mut writer = csv::Writer::from_writer(out);
+        let names = study.problem.parameters().iter().map(|p| p.name);
+        let header = ["case"].into_iter().chain(names).chain(["reason"]);
+        writer.write_record(header)?;
+        Ok(Failures(writer))
     }
-    writer.into_inner().map_err(internal)
+
+    /// Writes one case.
+    pub fn row(&mut self, number: u64, case: &Case, why: &str) -> io::Result<()> {
+        let row = parameters(number, case).chain([why.to_owned()]);
+        Ok(self.0.write_record(row)?)
+    }
+
+    /// What it was written to, with all rows.
+    pub fn finish(self) -> io::Result<W> {
+        self.0.into_inner().map_err(|e| e.into_error())
+    }
 }
 
 /// The number and parameters of a case, as cells.
-fn parameters(number: u64, outcome: &Outcome) -> impl Iterator<Item = String> {
+fn parameters(number: u64, case: &Case) -> impl Iterator<Item = String> {
     let value = |value: &Option<Value>| value.map(|v| v.to_string()).unwrap_or_default();
-    std::iter::once(number.to_string()).chain(outcome.case.values.iter().map(value))
+    std::iter::once(number.to_string()).chain(case.values.iter().map(value))
 }
 
 /// Writes a case's history: the problem's six columns, one row a step.
@@ -81,9 +91,4 @@ pub fn history(problem: &dyn Problem, solution: &Solution, out: impl Write) -> i
 
 fn cell(value: Option<f64>) -> String {
     value.map(shortest).unwrap_or_default()
-}
-
-/// Writing to memory fails for no reason a user could mend.
-fn internal(error: impl std::fmt::Display) -> Error {
-    Error::Internal(error.to_string())
 }

@@ -20,7 +20,7 @@ const COLUMNS: [&str; 10] = [
     "empty_cases",
 ];
 
-/// Gathers the metrics of saltelli designs, chunk by chunk.
+/// Gathers the metrics of saltelli designs, part by part.
 #[derive(Debug)]
 pub struct Gathered<'a> {
     study: &'a Study,
@@ -36,8 +36,9 @@ pub struct Table {
     pub without: Vec<String>,
 }
 
-/// First case of a design, its block, and the values of each of the study's metrics.
-type Columns = (u64, usize, Vec<Vec<Option<f64>>>);
+/// First case of a design, its block, and the values of each of the study's metrics: not a number where one is undefined,
+/// half the memory of an option.
+type Columns = (u64, usize, Vec<Vec<f64>>);
 
 impl<'a> Gathered<'a> {
     /// Nothing yet.
@@ -48,15 +49,18 @@ impl<'a> Gathered<'a> {
         };
         let blocks = study.blocks.iter().enumerate();
         let chosen = blocks.filter(|(_, block)| saltelli(block));
-        let columns = vec![Vec::new(); study.metrics.len()];
-        let begun = |(i, _): (usize, &Block)| (study.first_of(i), i, columns.clone());
+        let begun = |(i, block): (usize, &Block)| {
+            let column = |_| Vec::with_capacity(block.raw_len() as usize);
+            let columns = study.metrics.iter().map(column).collect();
+            (study.first_of(i), i, columns)
+        };
         Gathered {
             study,
             designs: chosen.map(begun).collect(),
         }
     }
 
-    /// Takes note of a chunk.
+    /// Takes note of a part.
     pub fn add(&mut self, done: &Done) {
         for (first, block, columns) in &mut self.designs {
             let end = *first + self.study.blocks[*block].raw_len();
@@ -64,13 +68,23 @@ impl<'a> Gathered<'a> {
             let of_design = of_design.map(|number| (*first..end).contains(&number));
             for (column, metric) in columns.iter_mut().zip(&self.study.metrics) {
                 let rows = done.found.column(*metric).zip(of_design.clone());
-                column.extend(rows.filter_map(|(value, of_design)| of_design.then_some(value)));
+                let rows = rows.filter(|(_, of_design)| *of_design);
+                column.extend(rows.map(|(value, _)| value.unwrap_or(f64::NAN)));
             }
         }
     }
 
-    /// The table, if there is any saltelli design, and the metrics without indices. Those have empty cells.
-    pub fn table(&self) -> Result<Option<Table>, Error> {
+    /// How many times a metric's indices are estimated.
+    pub fn estimates(&self) -> usize {
+        self.designs
+            .iter()
+            .map(|(_, _, columns)| columns.len())
+            .sum()
+    }
+
+    /// The table, if there is any saltelli design, and the metrics without indices. Those have empty cells. `estimated`
+    /// is called after each metric: with many cases they take long.
+    pub fn table(&self, estimated: impl Fn()) -> Result<Option<Table>, Error> {
         if self.designs.is_empty() {
             return Ok(None);
         }
@@ -84,7 +98,10 @@ impl<'a> Gathered<'a> {
                 continue;
             };
             for (values, metric) in columns.iter().zip(&self.study.metrics) {
-                let found = indices(values, design.parameters.len(), design.seed);
+                let values: Vec<Option<f64>> =
+                    values.iter().map(|x| (!x.is_nan()).then_some(*x)).collect();
+                let found = indices(&values, design.parameters.len(), design.seed);
+                estimated();
                 if let Err(lack) = &found {
                     let name = problem.metrics()[*metric].name;
                     without.push(format!("{name} of block {block} is {lack}"));

@@ -2,7 +2,7 @@
 
 use super::sources::Source;
 use super::{UNSOLVED, columns, say};
-use slipgap::batch::chunk::Cut;
+use slipgap::batch::chunk;
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
@@ -108,13 +108,23 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
 fn cost(study: &Study, case: &Case) -> String {
     let (steps, work) = (study.problem.steps(case), study.problem.work(case));
     let all = total(study);
-    let chunks = Cut::new(study).count();
     format!(
-        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases, some {:.1e} s on one core, kept in {chunks} \
-         part{}\n",
+        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases, some {:.1e} s on one core, kept in {}\n",
         all / RATE,
-        if chunks == 1 { "" } else { "s" },
+        parts(study, all)
     )
+}
+
+/// How many parts of a store hold all cases, whose cost is `all`: one for each chunk, or more where work cuts them.
+fn parts(study: &Study, all: f64) -> String {
+    match (chunk::count(study), all <= chunk::WORK as f64) {
+        (1, true) => "1 part".into(),
+        (chunks, true) => format!("{chunks} parts"),
+        (chunks, false) => {
+            let least = (all / chunk::WORK as f64).ceil().max(chunks as f64);
+            format!("at least {least} parts")
+        }
+    }
 }
 
 /// Steps times modes of all cases; of very many, as many times the mean of some as there are.

@@ -15,11 +15,13 @@ pub mod recommend;
 pub mod report;
 pub mod run;
 pub mod sources;
+pub mod tables;
+pub mod unsolved;
 
 use slipgap::batch::whole::no_more_writing;
 use slipgap::error::Error;
 use slipgap::study::printable;
-use std::io::{ErrorKind, Write, stderr, stdout};
+use std::io::{BufWriter, ErrorKind, Write, stderr, stdout};
 use std::iter::repeat_n;
 
 /// Exit code where a case could not be solved.
@@ -31,11 +33,15 @@ const INTERRUPTED: i32 = 130;
 
 /// Writes what was asked for to stdout, characters that command a terminal written out; a reader that has gone away is no failure.
 pub fn say(text: &str) -> Result<u8, Error> {
-    let mut out = stdout().lock();
-    match out
-        .write_all(printable(text).as_bytes())
-        .and_then(|()| out.flush())
-    {
+    say_all([text])
+}
+
+/// The same piece by piece.
+pub fn say_all(pieces: impl IntoIterator<Item = impl AsRef<str>>) -> Result<u8, Error> {
+    let mut out = BufWriter::new(stdout().lock());
+    let mut pieces = pieces.into_iter();
+    let written = pieces.try_for_each(|piece| out.write_all(printable(piece.as_ref()).as_bytes()));
+    match written.and_then(|()| out.flush()) {
         Err(e) if e.kind() != ErrorKind::BrokenPipe => Err(Error::io("cannot write", "stdout")(e)),
         _ => Ok(0),
     }
@@ -71,7 +77,7 @@ pub fn pool(jobs: Option<u16>) -> Result<rayon::ThreadPool, Error> {
 pub fn end_on_interrupt() -> Result<(), Error> {
     ctrlc::set_handler(|| {
         let _guard = no_more_writing();
-        note("slipgap: interrupted; every file written is whole and finished cases are kept, run the same again to go on");
+        note("slipgap: interrupted; every file written is whole and finished parts are kept, run the same again to go on");
         std::process::exit(INTERRUPTED);
     })
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))
@@ -79,16 +85,21 @@ pub fn end_on_interrupt() -> Result<(), Error> {
 
 /// Rows of text in columns, the first row being the header; control characters become spaces.
 pub fn columns(rows: &[Vec<String>]) -> String {
-    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |column: usize| {
-        rows.iter()
-            .filter_map(|row| Some(row.get(column)?.chars().count()))
-            .max()
-            .unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..count).map(width).collect();
-    let mut text = String::new();
-    for row in rows {
+    lines(|| rows.iter().cloned()).collect()
+}
+
+/// The same line by line, of rows that are made as they are asked for, twice: first for the widths.
+pub fn lines<I: Iterator<Item = Vec<String>>>(
+    rows: impl Fn() -> I,
+) -> impl Iterator<Item = String> {
+    let mut widths: Vec<usize> = Vec::new();
+    for row in rows() {
+        widths.resize(widths.len().max(row.len()), 0);
+        for (width, cell) in widths.iter_mut().zip(&row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    rows().map(move |row| {
         let mut line = String::new();
         for (cell, width) in row.iter().zip(&widths) {
             let cell = cell.replace(char::is_control, " ");
@@ -96,8 +107,8 @@ pub fn columns(rows: &[Vec<String>]) -> String {
             line.push_str(&cell);
             line.extend(repeat_n(' ', width - cell.chars().count() + 2));
         }
-        text.push_str(line.trim_end());
-        text.push('\n');
-    }
-    text
+        line.truncate(line.trim_end().len());
+        line.push('\n');
+        line
+    })
 }

@@ -4,9 +4,13 @@ use super::note;
 use indicatif::{ProgressBar, ProgressStyle};
 use slipgap::batch::Done;
 use std::io::{IsTerminal, stderr};
+use std::time::Duration;
 
 /// Most reasons that one line gives.
 const MOST_REASONS: usize = 3;
+
+/// Time between two pictures of a spinner.
+const TICK: Duration = Duration::from_millis(100);
 
 /// A progress bar with rate and time left for a terminal, nothing otherwise.
 pub fn bar(name: &str, cases: u64) -> ProgressBar {
@@ -20,6 +24,25 @@ pub fn bar(name: &str, cases: u64) -> ProgressBar {
     ProgressBar::new(cases)
         .with_style(style)
         .with_prefix(name.to_owned())
+}
+
+/// A bar of so many steps for what takes long after the last case; where no terminal shows it, a line says what is done.
+pub fn steps(name: &str, what: &str, steps: usize, long: bool) -> ProgressBar {
+    if !stderr().is_terminal() {
+        if long {
+            note(&format!("{name}: {what}"));
+        }
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{prefix} {spinner} {msg} {wide_bar} {pos}/{len}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    let bar = ProgressBar::new(steps as u64)
+        .with_style(style)
+        .with_prefix(name.to_owned())
+        .with_message(what.to_owned());
+    // A step may take many seconds: the spinner shows that the program is at work.
+    bar.enable_steady_tick(TICK);
+    bar
 }
 
 /// Takes the bar away and says in one plain line what is done.
@@ -42,7 +65,7 @@ pub struct Tally {
     /// Whether there was no store to find anything in.
     new: bool,
     kept: u64,
-    /// Reasons, with the number of chunks that had them.
+    /// Reasons, with the number of parts that had them.
     reasons: Vec<(String, u64)>,
 }
 
@@ -56,7 +79,7 @@ impl Tally {
         }
     }
 
-    /// Counts a chunk.
+    /// Counts a part.
     pub fn add(&mut self, done: &Done) {
         let why = match &done.kept {
             Ok(()) => {
@@ -82,7 +105,7 @@ impl Tally {
         }
         let told = |(reason, count): &(String, u64)| match count {
             1 => reason.clone(),
-            _ => format!("{reason} ({count} chunks)"),
+            _ => format!("{reason} ({count} parts)"),
         };
         let mut reasons: Vec<String> = self.reasons.iter().take(MOST_REASONS).map(told).collect();
         if self.reasons.len() > MOST_REASONS {

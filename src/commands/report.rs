@@ -70,6 +70,7 @@ fn section<'a>(
         Ok(())
     })?;
     progress::finish(&bar, &source.name, &tally.told(results.cases()));
+    store.close()?;
     let mut drawings = Vec::new();
     drawn::solve(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {

@@ -3,30 +3,23 @@
 use super::drawn;
 use super::progress::{self, Tally};
 use super::sources::Source;
-use super::{UNSOLVED, note, say};
+use super::tables::Tables;
+use super::{UNSOLVED, note, say, unsolved};
 use clap::ValueEnum;
-use slipgap::batch::output::{Folder, RESULTS};
-use slipgap::batch::results::{self, Table};
+use slipgap::batch::output::{Folder, INDICES, history};
+use slipgap::batch::results;
 use slipgap::batch::sobol::Gathered;
 use slipgap::batch::store::Store;
-use slipgap::batch::{self, Outcome, Wishes};
+use slipgap::batch::{self, Wishes};
 use slipgap::error::Error;
 use slipgap::problem::Solution;
-use std::fs::File;
-use std::io::BufWriter;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Most cases of a results.csv that nobody asked for.
 const MOST_ROWS: u64 = 100_000;
 
-/// Table of the cases that could not be solved.
-const FAILURES: &str = "failures.csv";
-
-/// Table of the indices of saltelli designs.
-const INDICES: &str = "sobol.csv";
-
-/// Most of them that are named on stderr.
-const MOST_NAMED: usize = 20;
+/// Cases from which on the indices of a design take seconds.
+const MANY: u64 = 100_000;
 
 /// What a run writes beside figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -49,36 +42,39 @@ pub struct Manner {
 
 /// Runs the studies into `out`; gives the exit code.
 pub fn run(sources: &[Source], out: &Path, manner: &Manner) -> Result<u8, Error> {
-    // Folders first: what cannot be written is said before anything is computed.
-    let places = sources
-        .iter()
-        .map(|source| {
-            let path = out.join(&source.name);
-            Ok((Folder::open(&path)?, Store::open(&path)?))
-        })
-        .collect::<Result<Vec<_>, Error>>()?;
+    // Folders first: what cannot be written, or is in use, is said before anything is computed.
+    for source in sources {
+        let path = out.join(&source.name);
+        Folder::of_study(&path)?;
+        Store::open(&path)?;
+    }
     let mut code = 0;
-    for (source, (folder, store)) in sources.iter().zip(places) {
-        if !one(source, folder, store, manner)? {
+    for source in sources {
+        if !one(source, &out.join(&source.name), manner)? {
             code = UNSOLVED;
         }
     }
     Ok(code)
 }
 
-/// Runs one study; whether every case was solved.
-fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Result<bool, Error> {
+/// Runs one study into a folder, which is locked as long; whether every case was solved.
+fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     let study = &source.study;
-    let history = |case: u64| format!("histories/{case}.csv");
+    let (mut folder, store) = (Folder::of_study(path)?, Store::open(path)?);
     let cases = study.len();
+    folder.begin(
+        study,
+        &source.file,
+        if manner.histories { cases } else { 0 },
+    )?;
     let bar = progress::bar(&source.name, cases);
-    let mut table = match manner.format {
-        Some(Format::Parquet) => None,
-        None if cases > MOST_ROWS => None,
-        _ => Some(Rows::begin(source, &store)?),
+    let table = match manner.format {
+        Some(format) => format == Format::Csv,
+        None => cases <= MOST_ROWS,
     };
+    let mut tables = Tables::begin(source, &folder, table)?;
     let mut tally = Tally::new(store.is_empty());
-    let (mut shown, mut failed) = (Vec::new(), Vec::new());
+    let mut shown = Vec::new();
     let visit = |case: u64, solution: &Solution| {
         let name = history(case);
         folder.put(&name, |out| results::history(study.problem, solution, out))?;
@@ -99,7 +95,7 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
         untouched += done.found.untouched(study.problem);
         designs.add(&done);
         // Where nobody looks at cases one by one, they stay columns.
-        if table.is_none()
+        if !tables.has_results()
             && study.figures.is_empty()
             && !manner.histories
             && done.found.failures().next().is_none()
@@ -107,19 +103,14 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
             return Ok(());
         }
         for (number, outcome) in done.outcomes(study.problem) {
-            if let Some(table) = &mut table {
-                table.row(number, &outcome)?;
-            }
-            if manner.histories && outcome.failure.is_none() {
-                solved.push(history(number));
-            }
-            let fails = outcome.failure.is_some();
-            if fails && manner.fail_fast {
-                bar.finish_and_clear();
-                return Err(Error::Unsolved(unsolved(source, number, &outcome)));
-            }
-            if fails {
-                failed.push((number, outcome.clone()));
+            tables.row(&folder, number, &outcome)?;
+            match &outcome.failure {
+                Some(why) if manner.fail_fast => {
+                    bar.finish_and_clear();
+                    return Err(Error::Unsolved(unsolved::line(source, number, why)));
+                }
+                None if manner.histories => solved.push(history(number)),
+                _ => {}
             }
             if drawn::anywhere(study, &outcome.case) {
                 shown.push(outcome);
@@ -130,83 +121,47 @@ fn one(source: &Source, mut folder: Folder, store: Store, manner: &Manner) -> Re
     progress::finish(&bar, &source.name, &tally.told(cases));
     folder.note(solved.into_iter());
     let mut lines = Vec::new();
-    match table {
-        Some(table) => lines.push(folder.take(&table.finish()?, RESULTS)?),
-        None => lines.push(store.folder().to_owned()),
-    }
-    if !failed.is_empty() {
-        name_unsolved(source, &failed);
-        lines.push(folder.write(FAILURES, &results::failures(study, &failed)?)?);
-    }
+    let every = tables.finish(&mut folder, &store, &mut lines)?;
     if untouched > 0 {
         note(&format!(
             "{}: {untouched} of {cases} cases never touch before `duration`: their contact metrics are undefined",
             source.file.display()
         ));
     }
-    if let Some(indices) = designs.table()? {
-        for metric in &indices.without {
-            note(&format!(
-                "{}: no Sobol' indices: {metric}",
-                source.file.display()
-            ));
-        }
-        lines.push(folder.write(INDICES, &indices.bytes)?);
+    if let Some(indices) = indices(source, &designs)? {
+        lines.push(folder.write(INDICES, &indices)?);
     }
     drawn::figures(study, &mut shown, &mut folder, &mut lines)?;
-    store.close(study)?;
+    // A part of a former study that stays is told last: the results are there all the same.
+    let store = store.close();
     folder.close(study, &source.file, untouched)?;
+    store?;
     let text: String = lines
         .iter()
         .map(|path| format!("{}\n", path.display()))
         .collect();
     say(&text)?;
-    Ok(failed.is_empty())
+    Ok(every)
 }
 
-/// results.csv as it grows, in the store until it is whole.
-struct Rows<'a> {
-    path: PathBuf,
-    table: Table<'a, BufWriter<File>>,
-}
-
-impl<'a> Rows<'a> {
-    fn begin(source: &'a Source, store: &Store) -> Result<Rows<'a>, Error> {
-        let path = store.folder().join(format!("{RESULTS}.partial"));
-        let table = File::create(&path)
-            .and_then(|file| Table::new(&source.study, BufWriter::new(file)))
-            .map_err(Error::io("cannot write", &path))?;
-        Ok(Rows { path, table })
+/// The table of indices, if a block has a saltelli design.
+fn indices(source: &Source, designs: &Gathered) -> Result<Option<Vec<u8>>, Error> {
+    let estimates = designs.estimates();
+    if estimates == 0 {
+        return Ok(None);
     }
-
-    fn row(&mut self, number: u64, outcome: &Outcome) -> Result<(), Error> {
-        let failed = Error::io("cannot write", &self.path);
-        self.table.row(number, outcome).map_err(failed)
+    let long = source.study.len() >= MANY;
+    let bar = progress::steps(&source.name, "estimating Sobol' indices", estimates, long);
+    let table = designs.table(|| bar.inc(1));
+    bar.finish_and_clear();
+    let Some(table) = table? else {
+        return Ok(None);
+    };
+    for metric in &table.without {
+        note(&format!(
+            "{}: no Sobol' indices: {metric}",
+            source.file.display()
+        ));
     }
-
-    fn finish(self) -> Result<PathBuf, Error> {
-        let failed = Error::io("cannot write", &self.path);
-        let file = self.table.finish().and_then(|out| Ok(out.into_inner()?));
-        file.map_err(failed)?;
-        Ok(self.path)
-    }
-}
-
-/// Names cases that could not be solved, the first of many.
-pub fn name_unsolved(source: &Source, failed: &[(u64, Outcome)]) {
-    for (number, outcome) in failed.iter().take(MOST_NAMED) {
-        note(&unsolved(source, *number, outcome));
-    }
-    if failed.len() > MOST_NAMED {
-        let more = failed.len() - MOST_NAMED;
-        note(&format!("{}: and {more} more", source.file.display()));
-    }
-}
-
-fn unsolved(source: &Source, number: u64, outcome: &Outcome) -> String {
-    let why = outcome.failure.as_deref().unwrap_or_default();
-    format!(
-        "{}: case {number} could not be solved: {why}",
-        source.file.display()
-    )
+    Ok(Some(table.bytes))
 }

@@ -1,5 +1,7 @@
 //! Many cases, parameter by parameter: what all of them share stands once.
 
+use std::ops::Range;
+
 use super::Case;
 use super::parameter::{Parameter, Value};
 use std::collections::BTreeMap;
@@ -64,6 +66,13 @@ impl Cases {
             }
         }
         self.len += 1;
+    }
+
+    /// Some of the cases by themselves.
+    pub fn only(&self, rows: Range<usize>) -> Cases {
+        let (mut some, mut shown) = (Cases::new(self.table), self.shown());
+        rows.for_each(|row| some.push(shown.at(row)));
+        some
     }
 
     /// Number of cases.

@@ -7,9 +7,12 @@ mod checks;
 mod claims;
 mod compare;
 mod designs;
+#[cfg(unix)]
+mod ended;
 mod files;
 #[cfg(unix)]
 mod interrupted;
+mod kept;
 mod same_bytes;
 mod store;
 mod untouched;

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-/// 40 000 cases in three chunks of 16 384, slowest by beta, and a map of some of them.
+/// 40 000 cases in three parts of 16 384, slowest by beta, and a map of some of them.
 fn sweep(betas: u32, last: &str) -> String {
     let parameters = format!(
         r#""law": "velocity-control", "beta": {{"range": [0.01, {}, 0.01]}}, "dT": "pi/8", "duration": "8*pi",
@@ -55,14 +55,14 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", sweep(100, "20"));
     assert_eq!(said(&bench), "s: 40000 cases run\n");
     assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
-    // The last chunk, which was not full, and two new ones.
+    // The last part, which was not full, and two new ones.
     bench.file("s.json", sweep(200, "20"));
     assert_eq!(
         said(&bench),
-        "s: 32768 of 80000 cases from the store, 47232 cases run: other parameters, not in the store yet (2 chunks)\n"
+        "s: 32768 of 80000 cases from the store, 47232 cases run: other parameters, not in the store yet (2 parts)\n"
     );
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(200, "20")));
-    // Shorter again: the chunks beyond go.
+    // Shorter again: the parts beyond go.
     bench.file("s.json", sweep(100, "20"));
     assert_eq!(
         said(&bench),
@@ -73,7 +73,7 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", sweep(100, "21"));
     assert_eq!(
         said(&bench),
-        "s: 40000 cases run: other parameters (3 chunks)\n"
+        "s: 40000 cases run: other parameters (3 parts)\n"
     );
     let columns = sweep(100, "21").replace(
         ", \"figures\"",
@@ -82,7 +82,7 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", columns);
     assert_eq!(
         said(&bench),
-        "s: 40000 cases run: other columns (3 chunks)\n"
+        "s: 40000 cases run: other columns (3 parts)\n"
     );
 }
 
@@ -117,7 +117,7 @@ fn a_damaged_part_is_named_and_computed_anew() {
 
 #[test]
 fn a_killed_run_goes_on_to_the_same_bytes() {
-    // Three chunks of 16 384 cases of 640 steps, killed once two are there.
+    // Three parts of 16 384 cases of 640 steps, killed once two are there.
     let parameters = r#""law": "velocity-control", "beta": {"geomspace": [0.01, 1, 400]}, "dT": "pi/80", "duration": "8*pi",
         "x0": {"linspace": [1, 20, 120]}"#;
     let study = friction(parameters, "");
@@ -137,7 +137,7 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     child.wait().unwrap();
     assert!(!bench.path("figures/s/results.csv").exists());
     let told = said(&bench);
-    // Whether all chunks were done before the signal came is a matter of the machine.
+    // Whether all parts were done before the signal came is a matter of the machine.
     let kept: u64 = told.split_whitespace().nth(1).unwrap().parse().unwrap();
     assert!(kept >= 2 * 16_384, "{told}");
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&study));
@@ -248,6 +248,12 @@ fn a_full_disk_is_told_and_what_is_there_stays() {
     assert!(err.contains("slipgap: cannot write figures/s/"), "{err}");
     let names: Vec<String> = whole.iter().map(|(name, _)| name.clone()).collect();
     let left = bytes(&bench, "figures/s");
+    // What was not whole went: a full disk is not kept full.
+    assert!(
+        left.iter().all(|(name, _)| !name.ends_with(".partial")),
+        "{:?}",
+        left.iter().map(|l| &l.0).collect::<Vec<_>>()
+    );
     let results = |all: &[(String, Vec<u8>)]| all.iter().find(|(n, _)| n == "results.csv").cloned();
     assert_eq!(results(&left), results(&whole));
     assert!(

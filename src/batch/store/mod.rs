@@ -1,24 +1,29 @@
-//! The store of one study: a folder of Parquet parts, one a chunk, each checked by the sum in its name.
+//! The store of one study: a folder of Parquet parts, each checked by the sum in its name.
 //!
-//! `part-00000012-<checksum>.parquet` is written under another name and renamed, so that it is there whole or not at all;
-//! what is damaged later shows by its sum. Any tool that reads Parquet reads the folder as one table.
+//! `part-000000016384-<checksum>.parquet` is written under another name and renamed, so that it is there whole or not at
+//! all; what is damaged later shows by its sum. Any tool that reads Parquet reads the folder as one table.
 
+mod caught;
 mod reading;
+#[cfg(test)]
+mod tests;
 mod uniform;
 mod writing;
 
-use std::collections::BTreeMap;
-use std::fs::{self, File, TryLockError};
-use std::io::Write;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::chunk::{Cut, Key, checksum};
-use super::whole::whole;
+use super::key::{Key, checksum};
+use super::whole::{sweep, whole};
 use crate::compare::Rows;
 use crate::error::Error;
 use crate::problem::cases::Cases;
 use crate::problem::found::Found;
 use crate::study::Study;
+use caught::caught;
 use parquet::errors::ParquetError;
 use uniform::Uniform;
 
@@ -35,8 +40,10 @@ const LOCK: &str = "lock";
 #[derive(Debug)]
 pub struct Store {
     folder: PathBuf,
-    /// Parts by the number of their chunk.
+    /// Parts that were there, by the start in their names.
     parts: BTreeMap<u64, Vec<PathBuf>>,
+    /// Parts of this run: found or written.
+    own: Mutex<BTreeSet<PathBuf>>,
     uniform: Uniform,
     _lock: File,
 }
@@ -49,27 +56,16 @@ impl Store {
     pub fn open(results: &Path) -> Result<Store, Error> {
         let folder = results.join(STORE);
         fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
-        let path = folder.join(LOCK);
-        let lock = File::create(&path).map_err(Error::io("cannot write", &path))?;
-        match lock.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(Error::Busy(folder)),
-            Err(TryLockError::Error(e)) => return Err(Error::io("cannot lock", path)(e)),
-        }
+        let lock = locked(&folder)?;
+        sweep(&folder);
         let mut parts: BTreeMap<u64, Vec<PathBuf>> = BTreeMap::new();
-        let entries = fs::read_dir(&folder).map_err(Error::io("cannot read", &folder))?;
-        for entry in entries {
-            let path = entry.map_err(Error::io("cannot read", &folder))?.path();
-            if let Some((chunk, _)) = named(&path) {
-                parts.entry(chunk).or_default().push(path);
-            } else if path.extension().is_some_and(|e| e == "partial") {
-                // Left by a run that was killed in writing it.
-                let _ = fs::remove_file(&path);
-            }
+        for (start, path) in there(&folder)? {
+            parts.entry(start).or_default().push(path);
         }
         Ok(Store {
             folder,
             parts,
+            own: Mutex::default(),
             uniform: Uniform::default(),
             _lock: lock,
         })
@@ -85,39 +81,39 @@ impl Store {
         self.parts.is_empty()
     }
 
-    /// What was found of a chunk, if it is there whole and nothing has changed; else why not, if something is there.
+    /// What was found of the cases of a part, if it is there whole and nothing has changed; else why not, if something is
+    /// there.
     pub fn find(
         &self,
         study: &Study,
-        chunk: u64,
+        start: u64,
         key: &Key,
         cases: usize,
     ) -> Result<Found, Option<String>> {
         let mut why = None;
-        for path in self.parts.get(&chunk).into_iter().flatten() {
-            let damaged = || Some(format!("{} is damaged", path.display()));
+        for path in self.parts.get(&start).into_iter().flatten() {
             let whole = fs::read(path)
                 .ok()
                 .filter(|bytes| named(path).is_some_and(|(_, sum)| checksum(bytes) == sum));
-            let Some((kept, found)) = whole.and_then(|bytes| reading::read(study, bytes).ok())
-            else {
-                why = damaged();
-                continue;
-            };
-            match key.change(&kept) {
-                Some(change) => why = why.or(Some(change.to_owned())),
-                None if found.len() == cases => return Ok(found),
-                None => why = damaged(),
+            // A sum is no signature: what a forged part holds may be anything.
+            let read = |bytes| caught(|| reading::read(study, bytes, key, cases).ok()).flatten();
+            match whole.and_then(read) {
+                Some(Ok(found)) => {
+                    self.own().insert(path.clone());
+                    return Ok(found);
+                }
+                Some(Err(change)) => why = why.or(Some(change.to_owned())),
+                None => why = Some(format!("{} is damaged", path.display())),
             }
         }
         Err(why)
     }
 
-    /// Keeps what was found of a chunk, in place of what was there.
+    /// Keeps what was found of a part, in place of what was there.
     pub fn put(
         &self,
         study: &Study,
-        chunk: u64,
+        start: u64,
         key: &Key,
         cases: (u64, &Cases),
         found: &Found,
@@ -126,29 +122,85 @@ impl Store {
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
         let path = self
             .folder
-            .join(format!("part-{chunk:08}-{}.parquet", checksum(&bytes)));
+            .join(format!("part-{start:012}-{}.parquet", checksum(&bytes)));
         // Not waited for until it is on the disk: what a power cut takes away shows by its sum.
         whole(&path, |out| out.write_all(&bytes))?;
-        for old in self
-            .parts
-            .get(&chunk)
-            .into_iter()
-            .flatten()
-            .filter(|old| **old != path)
-        {
+        let former = self.parts.get(&start).into_iter().flatten();
+        for old in former.filter(|old| **old != path) {
+            // If it stays, `close` says so.
             let _ = fs::remove_file(old);
         }
+        self.own().insert(path);
         Ok(())
     }
 
-    /// Removes parts of chunks that the study no longer has.
-    pub fn close(self, study: &Study) -> Result<(), Error> {
-        let chunks = Cut::new(study).count();
-        for path in self.parts.range(chunks..).flat_map(|(_, paths)| paths) {
-            fs::remove_file(path).map_err(Error::io("cannot remove", path))?;
+    /// Removes every part that is not of this run, which has handed over all its cases: the store then holds these.
+    ///
+    /// # Errors
+    /// A part that cannot be removed.
+    pub fn close(self) -> Result<(), Error> {
+        let own = self.own();
+        let mut failed = None;
+        for (_, path) in there(&self.folder)? {
+            if !own.contains(&path)
+                && let Err(e) = fs::remove_file(&path)
+                && e.kind() != ErrorKind::NotFound
+            {
+                failed = failed.or(Some((path, e)));
+            }
         }
-        Ok(())
+        match failed {
+            None => Ok(()),
+            Some((path, e)) => {
+                let why = format!("{e}; its rows are not of this study");
+                Err(Error::io("cannot remove", path)(io::Error::new(
+                    e.kind(),
+                    why,
+                )))
+            }
+        }
     }
+
+    fn own(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
+        self.own.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Opens and locks the file that a run holds.
+fn locked(folder: &Path) -> Result<File, Error> {
+    let path = folder.join(LOCK);
+    // A link could lead to a file of the user's.
+    if fs::symlink_metadata(&path).is_ok_and(|there| !there.is_file()) {
+        let why = io::Error::other("it is not a file; remove it");
+        return Err(Error::io("cannot lock", path)(why));
+    }
+    let mut options = OpenOptions::new();
+    let options = options.read(true).write(true).create(true).truncate(false);
+    let lock = options
+        .open(&path)
+        .map_err(Error::io("cannot write", &path))?;
+    match lock.try_lock() {
+        Ok(()) => Ok(lock),
+        Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),
+        Err(TryLockError::Error(e)) => Err(Error::io("cannot lock", path)(e)),
+    }
+}
+
+/// The parts in a folder, with the start in their names.
+fn there(folder: &Path) -> Result<Vec<(u64, PathBuf)>, Error> {
+    let mut parts = Vec::new();
+    let unread = |e| Error::io("cannot read", folder)(e);
+    for entry in fs::read_dir(folder).map_err(unread)? {
+        let entry = entry.map_err(unread)?;
+        let path = entry.path();
+        if let Some((start, _)) = named(&path)
+            && !entry.file_type().map_err(unread)?.is_dir()
+        {
+            parts.push((start, path));
+        }
+    }
+    parts.sort();
+    Ok(parts)
 }
 
 /// The results in the store of a folder, as text.
@@ -157,32 +209,32 @@ impl Store {
 /// A part that cannot be read, or is damaged.
 pub fn rows(results: &Path) -> Result<Rows, Error> {
     let folder = results.join(STORE);
-    let entries = fs::read_dir(&folder).map_err(Error::io("cannot read", &folder))?;
-    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
-    let mut parts: Vec<PathBuf> = paths.filter(|path| named(path).is_some()).collect();
-    parts.sort();
     let mut rows = Rows::default();
-    for path in parts {
+    for (_, path) in there(&folder)? {
         let bytes = fs::read(&path).map_err(Error::io("cannot read", &path))?;
         let good = named(&path).is_some_and(|(_, sum)| checksum(&bytes) == sum);
         let damaged = || {
-            let source = std::io::Error::other("damaged; run the study again");
+            let source = io::Error::other("damaged; run the study again");
             Error::io("cannot read", &path)(source)
         };
         if !good {
             return Err(damaged());
         }
-        reading::text(bytes, &mut rows).map_err(|_| damaged())?;
+        let read = caught(|| reading::text(bytes));
+        rows.extend(read.and_then(Result::ok).ok_or_else(damaged)?);
     }
     Ok(rows)
 }
 
-/// Number of the chunk and checksum in the name of a part.
-fn named(path: &Path) -> Option<(u64, String)> {
+/// Start and checksum in the name of a part; a name that no run gives is not a part's.
+fn named(path: &Path) -> Option<(u64, &str)> {
     let name = path.file_name()?.to_str()?;
     let rest = name.strip_prefix("part-")?.strip_suffix(".parquet")?;
-    let (chunk, sum) = rest.split_once('-')?;
-    Some((chunk.parse().ok()?, sum.to_owned()))
+    let (start, sum) = rest.split_once('-')?;
+    let digits = start.len() >= 8 && start.bytes().all(|b| b.is_ascii_digit());
+    let hexadecimal = |b: u8| matches!(b, b'0'..=b'9' | b'a'..=b'f');
+    let own = digits && sum.len() == 32 && sum.bytes().all(hexadecimal);
+    Some((start.parse().ok().filter(|_| own)?, sum))
 }
 
 fn general(what: &str) -> ParquetError {

@@ -1,4 +1,4 @@
-//! Chunks read back from their files.
+//! Parts read back from their files.
 
 use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
@@ -7,14 +7,20 @@ use parquet::errors::Result;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use super::{FAILURE, general};
-use crate::batch::chunk::Key;
+use crate::batch::chunk::MOST_ROWS;
+use crate::batch::key::Key;
 use crate::compare::Rows;
 use crate::problem::found::Found;
 use crate::problem::parameter::shortest;
 use crate::study::Study;
 
-/// The key of a chunk and what was found of its cases.
-pub fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Found)> {
+/// What was found of the cases of a part, as many as there are; or what differs from its key.
+pub fn read(
+    study: &Study,
+    bytes: Vec<u8>,
+    key: &Key,
+    cases: usize,
+) -> Result<std::result::Result<Found, &'static str>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let metadata = file.metadata().file_metadata();
     let pairs = metadata
@@ -26,12 +32,18 @@ pub fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Found)> {
         let pair = pairs.iter().find(|pair| pair.key == key);
         pair.and_then(|pair| pair.value.clone()).unwrap_or_default()
     };
-    let key = Key {
+    let kept = Key {
         solver: value("solver"),
         columns: value("columns"),
         cases: value("cases"),
     };
-    let count = usize::try_from(metadata.num_rows()).unwrap_or(0);
+    if let Some(change) = key.change(&kept) {
+        return Ok(Err(change));
+    }
+    let count = rows(&file)?;
+    if count != cases {
+        return Err(general("another number of rows"));
+    }
     let names: Vec<String> = metadata
         .schema_descr()
         .columns()
@@ -43,10 +55,7 @@ pub fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Found)> {
     let table = study.problem.metrics();
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
-        // Without one of the columns the key says so.
-        let Some(place) = place(table[metric].name) else {
-            return Ok((key, Found::default()));
-        };
+        let place = place(table[metric].name).ok_or_else(|| general("a metric is missing"))?;
         let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
             return Err(general("a metric that is no number"));
         };
@@ -68,23 +77,23 @@ pub fn read(study: &Study, bytes: Vec<u8>) -> Result<(Key, Found)> {
             found.fail(case, why.as_utf8()?.to_owned());
         }
     }
-    Ok((key, found))
+    Ok(Ok(found))
 }
 
-/// Adds the rows of a part as text, but for the column of failures.
-pub fn text(bytes: Vec<u8>, rows: &mut Rows) -> Result<()> {
+/// The rows of a part as text, but for the column of failures.
+pub fn text(bytes: Vec<u8>) -> Result<Rows> {
+    let mut text = Rows::default();
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
-    let count = usize::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
+    let count = rows(&file)?;
     let schema = file.metadata().file_metadata().schema_descr();
     let names = schema
         .columns()
         .iter()
         .map(|column| column.name().to_owned());
-    rows.columns = names.filter(|name| name != FAILURE).collect();
+    text.columns = names.filter(|name| name != FAILURE).collect();
     let group = file.get_row_group(0)?;
-    let start = rows.rows.len();
-    rows.rows.resize(start + count, Vec::new());
-    for place in 0..rows.columns.len() {
+    text.rows.resize(count, Vec::new());
+    for place in 0..text.columns.len() {
         let told: Vec<Option<String>> = match group.get_column_reader(place)? {
             ColumnReader::DoubleColumnReader(reader) => {
                 let numbers = cells(reader, count)?.into_iter();
@@ -100,11 +109,19 @@ pub fn text(bytes: Vec<u8>, rows: &mut Rows) -> Result<()> {
             }
             _ => return Err(general("a column of an unknown type")),
         };
-        for (row, cell) in rows.rows[start..].iter_mut().zip(told) {
+        for (row, cell) in text.rows.iter_mut().zip(told) {
             row.push(cell.unwrap_or_default());
         }
     }
-    Ok(())
+    Ok(text)
+}
+
+/// Number of rows, where a part can have as many: memory is made for them before they are read.
+fn rows(file: &SerializedFileReader<Bytes>) -> Result<usize> {
+    let rows = usize::try_from(file.metadata().file_metadata().num_rows()).ok();
+    let one = file.num_row_groups() == 1;
+    let rows = rows.filter(|rows| one && *rows <= MOST_ROWS);
+    rows.ok_or_else(|| general("a number of rows that no part has"))
 }
 
 /// The cells of a column of `count` rows: a value or none for each.
@@ -113,5 +130,9 @@ fn cells<D: DataType>(mut reader: ColumnReaderImpl<D>, count: usize) -> Result<V
     reader.read_records(count, Some(&mut levels), None, &mut values)?;
     let mut values = values.into_iter();
     let cell = |level: &i16| (*level > 0).then(|| values.next()).flatten();
-    Ok(levels.iter().map(cell).collect())
+    let cells: Vec<Option<D::T>> = levels.iter().map(cell).collect();
+    match cells.len() == count {
+        true => Ok(cells),
+        false => Err(general("a column that is too short")),
+    }
 }

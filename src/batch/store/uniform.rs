@@ -1,4 +1,4 @@
-//! Columns in which all cases of a chunk have one value: made once, and put into one part after the other as they are.
+//! Columns in which all cases of a part have one value: made once, and put into one part after the other as they are.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};

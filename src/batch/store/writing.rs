@@ -1,4 +1,4 @@
-//! One chunk as a Parquet file: `case`, the parameters, the metrics, and `failure` where a case could not be solved.
+//! One part as a Parquet file: `case`, the parameters, the metrics, and `failure` where a case could not be solved.
 
 use std::iter::repeat_n;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ use serde_json::json;
 
 use super::uniform::{Made, Uniform};
 use super::{FAILURE, general};
-use crate::batch::chunk::Key;
+use crate::batch::key::Key;
 use crate::problem::cases::{Cases, Column};
 use crate::problem::found::Found;
 use crate::problem::parameter::{Kind, Value};
@@ -27,7 +27,7 @@ use crate::study::Study;
 /// Bytes of the different values of a column from which on it has no dictionary.
 const DICTIONARY: usize = 1 << 14;
 
-/// The bytes of a chunk, its cases with the number of the first.
+/// The bytes of a part, its cases with the number of the first.
 pub fn written(
     study: &Study,
     key: &Key,
@@ -73,7 +73,7 @@ pub fn written(
     Ok(bytes)
 }
 
-/// How a chunk is laid out: values that many cases share go to a dictionary, as far as there are few; metrics differ
+/// How a part is laid out: values that many cases share go to a dictionary, as far as there are few; metrics differ
 /// from case to case, in all their bits, so that nothing makes them smaller.
 fn properties(study: &Study, key: &Key) -> WriterProperties {
     let mut properties = WriterProperties::builder()
@@ -196,7 +196,7 @@ fn schema(study: &Study) -> Result<Type> {
         .build()
 }
 
-/// The chunk's key, and unit and meaning of every column.
+/// The part's key, and unit and meaning of every column.
 fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
     let parameters = study.problem.parameters().iter();
     let parameters = parameters.map(|p| (p.name, p.unit, p.meaning));

@@ -1,0 +1,211 @@
+//! Runs that end before they are done, and what is in their way: the next run goes on, and nothing stays that is not whole.
+
+use crate::{Bench, ONE, friction};
+use std::fs;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+/// Cases whose histories take many seconds.
+const LONG: &str =
+    r#""law": "velocity-control", "beta": {"linspace": [1, 2, 1000]}, "dT": 0.01, "duration": 100"#;
+
+/// Begins a run and waits until it has written a file.
+fn begun(bench: &Bench, words: &[&str], file: impl Fn(&str) -> bool) -> Child {
+    let mut command = bench.command();
+    command
+        .args(words)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    let mut child = command.spawn().unwrap();
+    let there = |bench: &Bench| {
+        bench.path("figures/s").exists()
+            && bench.everything("figures/s").iter().any(|name| file(name))
+    };
+    while !there(bench) {
+        assert!(
+            child.try_wait().unwrap().is_none(),
+            "it ended before it wrote"
+        );
+        sleep(Duration::from_millis(5));
+    }
+    child
+}
+
+fn partial(bench: &Bench) -> Vec<String> {
+    let mut names = bench.everything("figures");
+    names.retain(|name| name.ends_with(".partial"));
+    names
+}
+
+#[test]
+fn histories_of_a_killed_run_go_with_the_next_and_files_of_the_user_stay() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(LONG, ""));
+    for name in ["mine.csv", "7.csv.txt", "0999.csv", "999.csv"] {
+        bench.file(&format!("figures/s/histories/{name}"), "mine");
+    }
+    let mut child = begun(
+        &bench,
+        &["run", "s.json", "--histories", "--jobs", "1"],
+        |name| name == "histories/3.csv",
+    );
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(!partial(&bench).is_empty(), "results.csv was growing");
+    bench.file("s.json", friction(ONE, ""));
+    bench.expect(0, &["run", "s.json"]);
+    assert_eq!(
+        bench.tree("figures/s"),
+        [
+            "histories/0999.csv",
+            "histories/7.csv.txt",
+            "histories/999.csv",
+            "histories/mine.csv",
+            "manifest.json",
+            "results.csv"
+        ]
+    );
+    let manifest = bench.text("figures/s/manifest.json");
+    assert!(!manifest.contains("unfinished"), "{manifest}");
+}
+
+#[test]
+fn an_interrupted_run_keeps_its_parts_and_leaves_no_partial_file() {
+    // From coarse to fine: 3 steps of 4002 modes, then 1.5 million.
+    let study = |steps: &str| {
+        format!(
+            r#"{{"problem": "bar-impact", "parameters": {{"gamma": 1, "n": 2000, "dt": [{steps}], "duration": 1.5}}}}"#
+        )
+    };
+    let bench = Bench::new();
+    bench.file("s.json", study("0.5, 1e-6"));
+    let mut child = begun(&bench, &["run", "s.json"], |name| {
+        name.ends_with(".parquet")
+    });
+    assert!(!partial(&bench).is_empty(), "results.csv is growing");
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &id]).status();
+    assert!(sent.unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(partial(&bench), [""; 0]);
+    bench.file("s.json", study("0.5"));
+    let done = bench.expect(0, &["run", "s.json"]);
+    assert_eq!(done.err, "s: 1 of 1 cases from the store\n");
+}
+
+#[test]
+fn a_manifest_that_says_nothing_is_told_before_anything_is_computed() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    bench.expect(0, &["run", "s.json"]);
+    let whole = bench.text("figures/s/manifest.json");
+    for unread in [
+        "",
+        "{",
+        "[]",
+        "{}",
+        r#"{"files": 1}"#,
+        r#"{"files": [1]}"#,
+        &whole[..whole.len() / 2],
+    ] {
+        bench.file("figures/s/manifest.json", unread);
+        let done = bench.expect(1, &["run", "s.json"]);
+        assert!(
+            done.err.starts_with(
+                "slipgap: cannot read figures/s/manifest.json: it does not list the files"
+            ),
+            "{}",
+            done.err
+        );
+    }
+    fs::remove_file(bench.path("figures/s/manifest.json")).unwrap();
+    bench.expect(0, &["run", "s.json"]);
+    assert_eq!(bench.text("figures/s/manifest.json"), whole);
+}
+
+#[cfg(unix)]
+#[test]
+fn names_of_the_user_are_left_alone_and_links_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    bench.file("mine", "mine");
+    let own = [
+        ".slipgap-probe",
+        "results.csv.partial",
+        "manifest.json.partial",
+        "store/results.csv.partial",
+    ];
+    for name in own {
+        bench.file(&format!("figures/s/{name}"), "mine");
+    }
+    for name in ["results.csv", "failures.csv.partial"] {
+        symlink(bench.path("mine"), bench.path(&format!("figures/s/{name}"))).unwrap();
+    }
+    bench.expect(0, &["run", "s.json"]);
+    assert_eq!(bench.text("mine"), "mine");
+    for name in own {
+        assert_eq!(bench.text(&format!("figures/s/{name}")), "mine");
+    }
+    assert!(bench.text("figures/s/results.csv").starts_with("case,"));
+    // A lock that leads elsewhere would be opened there.
+    let lock = bench.path("figures/s/store/lock");
+    fs::remove_file(&lock).unwrap();
+    symlink(bench.path("mine"), &lock).unwrap();
+    let done = bench.expect(1, &["run", "s.json"]);
+    assert_eq!(
+        done.err,
+        "slipgap: cannot lock figures/s/store/lock: it is not a file; remove it\n"
+    );
+    assert_eq!(bench.text("mine"), "mine");
+}
+
+#[cfg(unix)]
+#[test]
+fn more_studies_than_files_may_be_open() {
+    let bench = Bench::new();
+    for study in 0..60 {
+        bench.file(&format!("studies/{study}.json"), friction(ONE, ""));
+    }
+    let run = format!(
+        "ulimit -n 40; exec {} run --jobs 1",
+        env!("CARGO_BIN_EXE_slipgap")
+    );
+    let done = Command::new("bash")
+        .args(["-c", &run])
+        .current_dir(bench.path(""))
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{done:?}");
+    assert_eq!(bench.tree("figures").len(), 2 * 60);
+}
+
+#[test]
+fn many_cases_without_a_solution_are_all_in_their_table_and_the_first_are_named() {
+    let bench = Bench::new();
+    // Steps of 10^300 and more take the velocity beyond the largest double.
+    let parameters = r#""law": "displacement-control", "alpha": 1, "dT": {"linspace": [1e300, 2e300, 25]}, "duration": "10*dT""#;
+    bench.file("s.json", friction(parameters, ""));
+    let done = bench.expect(3, &["run", "s.json"]);
+    let named = done
+        .err
+        .lines()
+        .filter(|line| line.contains("could not be solved: "));
+    assert_eq!(named.count(), 20);
+    assert!(done.err.ends_with("s.json: and 5 more\n"), "{}", done.err);
+    let table = bench.text("figures/s/failures.csv");
+    let numbers: Vec<&str> = table
+        .lines()
+        .skip(1)
+        .filter_map(|row| row.split(',').next())
+        .collect();
+    let all: Vec<String> = (0..25).map(|case| case.to_string()).collect();
+    assert_eq!(numbers, all);
+    let checked = bench.expect(3, &["check", "s.json"]);
+    assert!(
+        checked.err.contains("s.json: and 5 more\n"),
+        "{}",
+        checked.err
+    );
+}

@@ -1,0 +1,248 @@
+//! Stores that hold the rows of their study and no others, and results that serve again only where nothing has changed.
+
+use crate::{Bench, friction};
+use slipgap::batch::store;
+use std::fs;
+
+/// What a run of `s.json` says on stderr.
+#[track_caller]
+fn run(bench: &Bench) -> String {
+    bench.expect(0, &["run", "s.json"]).err
+}
+
+/// The rows of the store and of results.csv, as sorted text.
+fn rows(bench: &Bench) -> [Vec<String>; 2] {
+    let stored = store::rows(&bench.path("figures/s")).unwrap();
+    let stored = stored.rows.iter().map(|row| row.join(","));
+    let csv = bench.text("figures/s/results.csv");
+    let csv = csv.lines().skip(1).map(String::from);
+    let sorted = |mut rows: Vec<String>| {
+        rows.sort();
+        rows
+    };
+    [sorted(stored.collect()), sorted(csv.collect())]
+}
+
+#[track_caller]
+fn same_rows(bench: &Bench, cases: usize) {
+    let [stored, csv] = rows(bench);
+    assert_eq!((stored.len(), csv.len()), (cases, cases));
+    assert!(stored == csv);
+}
+
+fn parts(bench: &Bench) -> Vec<String> {
+    let names = bench.everything("figures/s/store").into_iter();
+    names.filter(|name| name.ends_with(".parquet")).collect()
+}
+
+/// 50 000 cases in four chunks, slowest by beta from 0.02 to 1.
+fn sweep(more: &str) -> String {
+    let parameters = r#""law": "velocity-control", "beta": {"range": [0.02, 1, 0.02]}, "dT": 1, "duration": 4,
+        "x0": {"linspace": [1, 20, 1000]}"#;
+    friction(parameters, more)
+}
+
+#[test]
+fn a_condition_that_is_added_leaves_no_rows_of_the_former_study() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(""));
+    run(&bench);
+    same_rows(&bench, 50_000);
+    // The chunk from beta 0.34 to 0.66 loses all its cases, and its neighbours some.
+    bench.file(
+        "s.json",
+        sweep(r#", "when": "beta <= 0.31 or beta >= 0.89""#),
+    );
+    run(&bench);
+    // 15 and 6 values of beta.
+    same_rows(&bench, 21_000);
+    assert_eq!(parts(&bench).len(), 3);
+}
+
+#[test]
+fn parts_brought_along_go_and_files_of_the_user_stay() {
+    let bench = Bench::new();
+    bench.file("s.json", sweep(""));
+    run(&bench);
+    let names = parts(&bench);
+    let bytes = fs::read(bench.path(&format!("figures/s/store/{}", names[1]))).unwrap();
+    // A second part of a chunk as a killed run leaves it, whole but under another start, and damaged.
+    let sum = |name: &str| name.rsplit('-').next().unwrap().to_owned();
+    let zeros = "0".repeat(32);
+    for name in [
+        format!("part-000000049152-{}", sum(&names[0])),
+        format!("part-000000000000-{}", sum(&names[1])),
+        format!("part-000000016384-{zeros}.parquet"),
+        format!("part-00000003-{zeros}.parquet"),
+        format!("part-000099999999-{zeros}.parquet"),
+    ] {
+        bench.file(&format!("figures/s/store/{name}"), &bytes);
+    }
+    for name in ["part-000000000000-mine.parquet", "notes.txt", "x.partial"] {
+        bench.file(&format!("figures/s/store/{name}"), "mine");
+    }
+    assert_eq!(run(&bench), "s: 50000 of 50000 cases from the store\n");
+    let mut kept = names;
+    kept.push("part-000000000000-mine.parquet".into());
+    kept.sort();
+    assert_eq!(parts(&bench), kept);
+    same_rows(&bench, 50_000);
+    for name in ["notes.txt", "x.partial"] {
+        assert_eq!(bench.text(&format!("figures/s/store/{name}")), "mine");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_part_that_cannot_be_removed_is_told() {
+    use std::os::unix::fs::PermissionsExt;
+    let bench = Bench::new();
+    bench.file("s.json", sweep(""));
+    run(&bench);
+    let extra = format!(
+        "figures/s/store/part-000099999999-{}.parquet",
+        "0".repeat(32)
+    );
+    bench.file(&extra, "no part of this study");
+    // Parts are found in such a folder, and nothing in it can be removed.
+    let folder = bench.path("figures/s/store");
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o555)).unwrap();
+    let root = fs::write(folder.join("probe"), "").is_ok();
+    if !root {
+        let done = bench.expect(1, &["run", "s.json"]);
+        assert!(
+            done.err
+                .contains(&format!("slipgap: cannot remove {extra}: ")),
+            "{}",
+            done.err
+        );
+    }
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o755)).unwrap();
+    if root {
+        eprintln!("this user may remove from read-only folders: not looked at");
+    }
+}
+
+#[test]
+fn converged_results_do_not_serve_a_study_that_is_not_iterated() {
+    let bench = Bench::new();
+    let parameters =
+        r#""law": "displacement-control", "alpha": [0.1, 1], "dT": 0.5, "duration": 30"#;
+    let once = r#", "iteration": "once""#;
+    bench.file("s.json", friction(parameters, ""));
+    run(&bench);
+    let converged = bench.text("figures/s/results.csv");
+    bench.file("s.json", friction(parameters, once));
+    assert_eq!(run(&bench), "s: 2 cases run: other columns\n");
+    let served = bench.text("figures/s/results.csv");
+    assert_ne!(served, converged);
+    let new = Bench::new();
+    new.file("s.json", friction(parameters, once));
+    run(&new);
+    assert_eq!(served, new.text("figures/s/results.csv"));
+}
+
+#[test]
+fn cases_have_their_new_numbers_where_a_block_before_them_grows() {
+    // The first block fills the first chunk, so that the second's cases stay where they are among raw combinations;
+    // with a weaker condition they have other numbers.
+    let bench = Bench::new();
+    let study = |when: &str| {
+        format!(
+            r#"{{"problem": "friction-oscillator", "blocks": [
+            {{"parameters": {{"law": "velocity-control", "beta": {{"linspace": [1, 16384, 16384]}}, "dT": 1, "duration": 2}},
+              "when": "{when}"}},
+            {{"parameters": {{"law": "displacement-control", "alpha": [0.1, 0.2, 0.3], "dT": 1, "duration": 2}}}}]}}"#
+        )
+    };
+    bench.file("s.json", study("beta <= 10"));
+    run(&bench);
+    same_rows(&bench, 13);
+    bench.file("s.json", study("beta <= 20"));
+    assert_eq!(run(&bench), "s: 23 cases run: other parameters (2 parts)\n");
+    same_rows(&bench, 23);
+    let [stored, _] = rows(&bench);
+    let second = stored
+        .iter()
+        .filter(|row| row.contains("displacement-control"));
+    let mut numbers: Vec<u64> = second
+        .map(|row| row.split(',').next().unwrap().parse().unwrap())
+        .collect();
+    numbers.sort_unstable();
+    assert_eq!(numbers, [20, 21, 22]);
+}
+
+#[test]
+fn histories_are_written_where_results_are_there_already() {
+    let bench = Bench::new();
+    let parameters =
+        r#""law": "displacement-control", "alpha": [0.1, 1], "dT": 0.5, "duration": 3"#;
+    bench.file("s.json", friction(parameters, ""));
+    run(&bench);
+    bench.expect(0, &["run", "s.json", "--histories"]);
+    for case in [0, 1] {
+        // The header and steps 0 to 6.
+        assert_eq!(
+            bench
+                .text(&format!("figures/s/histories/{case}.csv"))
+                .lines()
+                .count(),
+            8
+        );
+    }
+}
+
+#[test]
+fn blocks_about_a_saltelli_design_leave_its_indices_alone() {
+    let bench = Bench::new();
+    let block = r#"{"parameters": {"law": "velocity-control", "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]},
+        "dT": 0.5, "duration": 10}, "design": {"kind": "saltelli", "n": 32}}"#;
+    let other = r#"{"parameters": {"law": "displacement-control", "alpha": [0.1, 0.5, 1], "dT": 0.5, "duration": 10}}"#;
+    let mut tables = Vec::new();
+    for (place, blocks) in [
+        (0, vec![block]),
+        (0, vec![block, other]),
+        (1, vec![other, block, other]),
+    ] {
+        let blocks = blocks.join(",");
+        bench.file(
+            "s.json",
+            format!(r#"{{"problem": "friction-oscillator", "blocks": [{blocks}]}}"#),
+        );
+        run(&bench);
+        let table = bench.text("figures/s/sobol.csv");
+        let rows = table
+            .lines()
+            .skip(1)
+            .map(|row| row.split_once(',').unwrap());
+        let rows: Vec<String> = rows
+            .map(|(block, rest)| {
+                assert_eq!(block, place.to_string());
+                rest.to_owned()
+            })
+            .collect();
+        assert!(
+            rows.iter()
+                .any(|row| row.starts_with("rms_error,beta,") && !row.ends_with(',')),
+            "{table}"
+        );
+        tables.push(rows);
+    }
+    assert_eq!(tables[0], tables[1]);
+    assert_eq!(tables[0], tables[2]);
+}
+
+#[test]
+fn the_estimate_of_many_indices_is_announced() {
+    // 10^5 cases of one step: what takes long comes after them.
+    let bench = Bench::new();
+    let study = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
+        "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]}, "dT": 1, "duration": 1},
+        "design": {"kind": "saltelli", "n": 25000}}"#;
+    bench.file("s.json", study);
+    let announced = "s: 100000 cases run\ns: estimating Sobol' indices\n";
+    assert!(run(&bench).starts_with(announced));
+    // A thousand cases take no time worth a line.
+    bench.file("s.json", study.replace("25000", "250"));
+    assert!(!run(&bench).contains("estimating"));
+}

@@ -1,0 +1,38 @@
+//! Runs that are killed, starved and disturbed. Whatever happens, every file with its final name is whole, and the next
+//! run leaves exactly what an undisturbed run leaves: the same files, the same bytes, nothing left over.
+//!
+//! Each loop has a short form among the tests and a long one, which `make torture` runs. TORTURE=N makes the long ones N
+//! times as long.
+#![cfg(unix)]
+
+mod bench;
+mod damaged;
+mod full;
+mod killed;
+mod scene;
+mod threads;
+mod together;
+mod traced;
+
+pub(crate) use bench::{Bench, Done, Tree, differences, program};
+pub(crate) use scene::Scene;
+
+/// Rounds of a long form.
+pub(crate) fn long(rounds: u64) -> u64 {
+    let factor = std::env::var("TORTURE").ok().and_then(|n| n.parse().ok());
+    rounds * factor.unwrap_or(1)
+}
+
+/// Numbers that look random and are the same in every run (splitmix64).
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    /// A number below `end`.
+    pub(crate) fn below(&mut self, end: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % end.max(1)
+    }
+}

@@ -1,0 +1,163 @@
+//! What is disturbed: a command in a folder with the results of a former study, and what it leaves undisturbed.
+
+use crate::{Bench, Done, Tree, differences};
+use serde_json::Value as Json;
+
+/// A command, what stands in its output folder before, and what it leaves there when nothing disturbs it.
+pub(crate) struct Scene {
+    pub(crate) bench: Bench,
+    /// The command's words.
+    pub(crate) words: &'static [&'static str],
+    /// The output folder as the former study left it.
+    pub(crate) former: Tree,
+    /// The output folder after an undisturbed run in an empty folder.
+    pub(crate) wanted: Tree,
+}
+
+/// The output folder of every scene.
+pub(crate) const OUT: &str = "figures";
+
+/// Says which files are a run's own, and changes as it goes on.
+const MANIFEST: &str = "s/manifest.json";
+
+/// A sweep in three chunks of a few cases each and a saltelli design, with a figure: all kinds of files in few writes.
+fn study(betas: &str, figure: &str) -> String {
+    format!(
+        r#"{{ "problem": "friction-oscillator", "blocks": [
+  {{ "parameters": {{ "law": "velocity-control", "beta": {{"range": {betas}}}, "dT": "pi/8", "duration": "8*pi",
+      "x0": {{"linspace": [1, 20, 4000]}} }}, "when": "x0 > 19.99" }},
+  {{ "parameters": {{ "law": "displacement-control", "alpha": {{"uniform": [0.1, 1]}}, "x0": {{"uniform": [8, 20]}},
+      "dT": "pi/8", "duration": "8*pi" }}, "design": {{"kind": "saltelli", "n": 4, "seed": 1}} }}],
+  "figures": [{{ "name": "{figure}", "kind": "metric", "x": "beta", "y": "rms_error",
+      "where": {{"law": "velocity-control"}} }}] }}"#
+    )
+}
+
+const LEDGER: &str = r#"{ "paper": "A paper", "studies": "studies", "claims": [
+  { "id": "A1", "where": "section 1", "says": "It rises.", "quantity": "the error", "because": "It depends.",
+    "readings": [{ "reading": "as printed", "study": "s", "figure": "new", "holds": true,
+      "expect": [{ "metric": "rms_error", "min": 0, "max": 1 }] }] }] }"#;
+
+impl Scene {
+    /// A sweep over another one's results.
+    pub(crate) fn run() -> Scene {
+        Scene::of(&["run", "--jobs", "1"])
+    }
+
+    /// The same with histories.
+    pub(crate) fn histories() -> Scene {
+        Scene::of(&["run", "--jobs", "1", "--histories"])
+    }
+
+    /// A page about it.
+    pub(crate) fn report() -> Scene {
+        Scene::of(&["report", "--jobs", "1"])
+    }
+
+    /// Claims about it.
+    pub(crate) fn claims() -> Scene {
+        Scene::of(&["claims", "ledger.json", "--jobs", "1"])
+    }
+
+    /// All of them.
+    pub(crate) fn all() -> [Scene; 4] {
+        [
+            Scene::run(),
+            Scene::histories(),
+            Scene::report(),
+            Scene::claims(),
+        ]
+    }
+
+    fn of(words: &'static [&'static str]) -> Scene {
+        let with = |study: String| {
+            let bench = Bench::new();
+            bench.file("studies/s.json", study);
+            bench.file("ledger.json", LEDGER);
+            let done = bench.run(words);
+            assert_eq!(done.code, Some(0), "{words:?}: {done:?}");
+            bench
+        };
+        let former = study("[0.1, 1.3, 0.1]", "new").replace(
+            "\"name\": \"new\"",
+            "\"name\": \"new\", \"title\": \"Former\"",
+        );
+        let former = match words[0] {
+            // A claim names the figure; a run has a figure that is no longer made.
+            "claims" => former,
+            _ => study("[0.1, 1.3, 0.1]", "old"),
+        };
+        let former = with(former).tree(OUT);
+        let bench = with(study("[0.2, 1.1, 0.1]", "new"));
+        let wanted = bench.tree(OUT);
+        Scene {
+            bench,
+            words,
+            former,
+            wanted,
+        }
+    }
+
+    /// Puts the former results in place.
+    pub(crate) fn reset(&self) {
+        self.bench.put(OUT, &self.former);
+    }
+
+    /// Every file whose name is that of a result is one that the former or the undisturbed run wrote, to the byte. Under
+    /// other names there may be something only if `temporary`: what was written last when the run was killed. What a later
+    /// run may have to remove is in the manifest.
+    #[track_caller]
+    pub(crate) fn whole(&self, temporary: bool, what: &str) {
+        let tree = self.bench.tree(OUT);
+        for (name, bytes) in &tree {
+            if name == MANIFEST {
+                continue;
+            }
+            let known = [&self.former, &self.wanted].map(|tree| tree.get(name));
+            let ending = [".csv", ".png", ".svg", ".html", ".md", ".parquet"];
+            let result = ending.iter().any(|ending| name.ends_with(ending));
+            match known.iter().any(Option::is_some) {
+                true => assert!(known.contains(&Some(bytes)), "{what}: {name} is not whole"),
+                false => assert!(temporary && !result, "{what}: {name} is left"),
+            }
+        }
+        let Some(manifest) = tree.get(MANIFEST) else {
+            return;
+        };
+        let manifest = serde_json::from_slice(manifest);
+        let manifest: Json = manifest.unwrap_or_else(|e| panic!("{what}: the manifest: {e}"));
+        let files = manifest["files"].as_array().unwrap();
+        let unfinished = manifest["unfinished"]["cases"].as_u64().unwrap_or(0);
+        let own = tree.keys().filter_map(|name| name.strip_prefix("s/"));
+        let other = |name: &str| {
+            name.is_empty()
+                || name.ends_with('/')
+                || name.ends_with(".partial")
+                || name.starts_with("store/")
+        };
+        for name in own.filter(|name| !other(name) && *name != "manifest.json") {
+            let case = name
+                .strip_prefix("histories/")
+                .and_then(|name| name.strip_suffix(".csv"));
+            let listed = files.iter().any(|file| file == name)
+                || case.is_some_and(|case| case.parse().is_ok_and(|case: u64| case < unfinished));
+            assert!(listed, "{what}: the manifest does not name {name}");
+        }
+    }
+
+    /// An undisturbed run now leaves what it always leaves.
+    #[track_caller]
+    pub(crate) fn repaired(&self, what: &str) -> Done {
+        let done = self.bench.run(self.words);
+        assert_eq!(done.code, Some(0), "{what}: {done:?}");
+        self.complete(what);
+        done
+    }
+
+    /// The output folder is as an undisturbed run leaves it.
+    #[track_caller]
+    pub(crate) fn complete(&self, what: &str) {
+        let differ = differences(&self.bench.tree(OUT), &self.wanted);
+        assert_eq!(differ, "", "{what}");
+    }
+}

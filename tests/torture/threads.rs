@@ -1,0 +1,47 @@
+//! The same bytes for any number of threads, on the shipped studies.
+
+use crate::{Bench, differences};
+use std::fs;
+
+/// Studies that take a second or more each time: one chunk of many small cases serves as well.
+const DEAR: [&str; 3] = ["impact-map-gamma-n", "impact-sobol", "impact-budget"];
+
+#[test]
+fn as_many_threads_as_you_like() {
+    threads(&["2"], &|name| {
+        ["friction-map-beta", "friction-fig5", "impact-fig4"].contains(&name)
+    });
+}
+
+#[test]
+#[ignore = "minutes; make torture"]
+fn from_1_to_16_threads() {
+    let jobs: Vec<String> = (2..=16).map(|jobs: u32| jobs.to_string()).collect();
+    let jobs: Vec<&str> = jobs.iter().map(String::as_str).collect();
+    threads(&jobs, &|name| !DEAR.contains(&name));
+    threads(&["16"], &|name| DEAR.contains(&name));
+}
+
+/// Runs the shipped studies that are wanted with one thread and with each of these numbers.
+fn threads(jobs: &[&str], wanted: &dyn Fn(&str) -> bool) {
+    let bench = Bench::new();
+    let mut count = 0;
+    for entry in fs::read_dir(format!("{}/studies", env!("CARGO_MANIFEST_DIR"))).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        if path.is_file() && wanted(name) {
+            bench.file(&format!("studies/{name}.json"), fs::read(&path).unwrap());
+            count += 1;
+        }
+    }
+    assert!(count > 2, "{count} studies");
+    let run = |jobs: &str| {
+        let done = bench.run(&["run", "--out", jobs, "--jobs", jobs]);
+        assert_eq!(done.code, Some(0), "{done:?}");
+        bench.tree(jobs)
+    };
+    let one = run("1");
+    for jobs in jobs {
+        assert_eq!(differences(&run(jobs), &one), "", "{jobs} threads");
+    }
+}
