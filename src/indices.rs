@@ -240,8 +240,8 @@ mod tests {
             for (i, found) in found.iter().enumerate() {
                 let first = |row: &[f64]| row[k + 1] * (row[1 + i] - row[0]);
                 let total = |row: &[f64]| (row[0] - row[1 + i]).powi(2) / 2.0;
-                let parts: [(&dyn Fn(&[f64]) -> f64, Index); 2] =
-                    [(&first, found.first), (&total, found.total)];
+                type Part<'a> = &'a dyn Fn(&[f64]) -> f64;
+                let parts: [(Part, Index); 2] = [(&first, found.first), (&total, found.total)];
                 for (part, index) in parts {
                     let share = average(part) / variance;
                     let influence = |row: &[f64]| {

@@ -1,6 +1,9 @@
 //! Parameters that vary among the cases of a figure that could not show it.
 
+use std::collections::HashSet;
+
 use super::taken::Values;
+use crate::problem::parameter::{Default, Value};
 use crate::study::report::{Faults, join};
 use crate::study::scope::Scope;
 use crate::study::{Figure, FigureKind};
@@ -22,8 +25,23 @@ pub(super) fn check(
         .filter(free)
         .map(|row| table[row].name)
         .collect();
+    if names.is_empty() {
+        return;
+    }
+    // What the problem works out has no values of its own: it takes the place of one that it follows from, where each
+    // of its values belongs to one case.
+    let empty = |row: &&usize| scope.levels(&figure.filter, **row).is_empty();
+    let (worked_out, lacking): (Vec<usize>, Vec<usize>) = told
+        .iter()
+        .filter(empty)
+        .partition(|row| matches!(table[**row].default, Default::Follows(_)));
+    // A parameter that no case has was reported as such.
+    if !lacking.is_empty()
+        || names.len() <= worked_out.len() && one_case_a_place(figure, told, scope)
+    {
+        return;
+    }
     let vary = match names.as_slice() {
-        [] => return,
         [one] => format!("{one} varies"),
         several => format!("{} vary", several.join(", ")),
     };
@@ -46,6 +64,19 @@ pub(super) fn check(
     faults.add(values.at("where"), &join(values.path, "where"), message);
 }
 
+/// Whether no two cases have the same values of the parameters told apart.
+fn one_case_a_place(figure: &Figure, told: &[usize], scope: &Scope) -> bool {
+    let mut places = HashSet::new();
+    let case = |index| crate::study::cases::case(scope.problem, &scope.blocks, index);
+    let mut cases = scope.select(&figure.filter).filter_map(case);
+    cases.all(|case| {
+        let its = told
+            .iter()
+            .map(|row| case.values[*row].map(Value::identity));
+        places.insert(its.collect::<Vec<_>>())
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use crate::study::parse;
@@ -63,6 +94,23 @@ mod tests {
         parse("s", &study)
             .err()
             .map_or(String::new(), |e| e.to_string())
+    }
+
+    #[test]
+    fn a_value_that_the_problem_works_out_takes_the_place_of_one_given() {
+        let wrong = |dt: &str, x: &str, by: &str| {
+            let study = format!(
+                r#"{{"problem": "bar-impact", "parameters": {{"k_I": [10, 100], "n": [4, 8], "dt": {dt}, "duration": 1}},
+                  "figures": [{{"name": "f", "kind": "metric", "y": "peak_force", "x": "{x}", "by": "{by}"}}]}}"#
+            );
+            parse("s", &study)
+                .err()
+                .map_or(String::new(), |e| e.to_string())
+        };
+        assert_eq!(wrong("0.01", "gamma", "n"), "");
+        assert_eq!(wrong("0.01", "n", "gamma"), "");
+        let also = wrong("[0.01, 0.02]", "gamma", "n");
+        assert!(also.contains("k_I, dt vary"), "{also}");
     }
 
     #[test]
@@ -93,10 +141,7 @@ mod tests {
             "{mixed}"
         );
         let both = wrong(&format!(r#"{history}, "where": {{{law}}}"#));
-        assert!(
-            both.contains("x0, dT vary") || both.contains("dT, x0 vary"),
-            "{both}"
-        );
+        assert!(both.contains("dT, duration, x0 vary"), "{both}");
         let panels = wrong(&format!(
             r#"{history}, "panels": "x0", "where": {{{law}, "dT": "pi/10"}}"#
         ));
