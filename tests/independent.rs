@@ -4,7 +4,7 @@ mod common;
 
 use common::case;
 use serde_json::Value as Json;
-use slipgap::problem::{Solution, find};
+use slipgap::problem::{Metric, Solution, find};
 
 fn data(file: &str) -> Json {
     let path = format!("{}/tests/data/{file}", env!("CARGO_MANIFEST_DIR"));
@@ -53,7 +53,16 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
             record["steps"].as_u64().unwrap(),
             "{parameters}"
         );
-        let solution = problem.solve(&case, &[]).unwrap();
+        let known = |(row, metric): (usize, &Metric)| {
+            record["metrics"].get(metric.name).is_some().then_some(row)
+        };
+        let known: Vec<usize> = problem
+            .metrics()
+            .iter()
+            .enumerate()
+            .filter_map(known)
+            .collect();
+        let solution = problem.solve(&case, &known).unwrap();
         let tolerance = tolerance(record);
         let difference = history_difference(&solution, &record["history"]);
         if difference.is_nan() || difference > tolerance {

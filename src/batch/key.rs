@@ -112,7 +112,7 @@ mod tests {
         // What build.rs sums up; without it results of other sources would serve.
         let sources = env!("SLIPGAP_SOLVER");
         assert_eq!(sources.len(), 16);
-        assert_eq!(key("").solver, format!("1 {sources}"));
+        assert_eq!(key("").solver, format!("{SOLVER_VERSION} {sources}"));
     }
 
     #[test]

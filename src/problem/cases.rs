@@ -71,7 +71,12 @@ impl Cases {
     /// Some of the cases by themselves.
     pub fn only(&self, rows: Range<usize>) -> Cases {
         let (mut some, mut shown) = (Cases::new(self.table), self.shown());
-        rows.for_each(|row| some.push(shown.at(row)));
+        for row in rows {
+            match self.refused.get(&row) {
+                Some(why) => some.push_refused(shown.at(row), why.clone()),
+                None => some.push(shown.at(row)),
+            }
+        }
         some
     }
 
