@@ -663,8 +663,16 @@ fn figures() {
             &["6:43: figures[0].where: no case has alpha 3; there are 0.1, 1"],
         ),
         (
-            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": [1]}",
-            &["6:53: figures[0].where.alpha: must be a number"],
+            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": [1, 3, -1, []]}",
+            &[
+                "6:57: figures[0].where.alpha[1]: no case has alpha 3; there are 0.1, 1",
+                "6:60: figures[0].where.alpha[2]: must be > 0, got -1",
+                "6:64: figures[0].where.alpha[3]: must be a number",
+            ],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": []}",
+            &["6:53: figures[0].where.alpha: must be a value or a list of at least one, got []"],
         ),
         (
             "\"name\": \"a\", \"kind\": \"metric\"",

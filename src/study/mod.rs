@@ -63,9 +63,9 @@ pub struct Study {
     pub sha256: String,
 }
 
-/// Which cases are meant: those that have all these values.
+/// Which cases are chosen: those that have, of each parameter named by its row, one of the values.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Filter(pub Vec<(usize, Value)>);
+pub struct Filter(pub Vec<(usize, Vec<Value>)>);
 
 /// A tolerance: every case of the filter has the metric within the limits.
 #[derive(Debug)]
