@@ -140,9 +140,8 @@ fn a_condition_is_tried_for_every_combination() {
         .replace("1000, 1000]", "1e6, 1000000]");
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), text).unwrap();
-    let told = slipgap::study::read_up_to(file.path(), u64::MAX)
-        .unwrap_err()
-        .to_string();
+    let input = slipgap::study::Input::of_file(file.path()).unwrap();
+    let told = input.study(u64::MAX).unwrap_err().to_string();
     assert!(
         told.contains(
             "would have to be tried for 1000000000000 combinations; allowed: at most 1000000000"

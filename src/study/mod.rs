@@ -15,6 +15,7 @@ mod design;
 pub mod expression;
 mod figure;
 mod finish;
+mod input;
 mod interval;
 mod kept;
 pub mod ledger;
@@ -25,6 +26,7 @@ mod plain;
 mod report;
 mod rules;
 mod scope;
+mod setting;
 mod spread;
 #[cfg(test)]
 mod tests;
@@ -33,11 +35,13 @@ mod value;
 mod zip;
 
 pub use block::{Axis, Block, Group};
-pub use decode::{parse, read, read_up_to};
+pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
 pub use design::{Design, Sampling};
+pub use input::{Input, STDIN};
 pub use plain::{printable, unprintable};
 pub use rules::MOST_CASES;
+pub use setting::Setting;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
@@ -59,7 +63,9 @@ pub struct Study {
     pub figures: Vec<Figure>,
     /// Tolerances to hold.
     pub checks: Vec<Check>,
-    /// SHA-256 of the file's bytes, in hexadecimal digits.
+    /// Parameters that the command line set.
+    pub settings: Vec<Setting>,
+    /// SHA-256 of the file's bytes, and of the settings where there are any, in hexadecimal digits.
     pub sha256: String,
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::place::{self, Place};
+use super::place::{self, Texts};
 use super::plain::printable;
 use super::tree::{Node, Tree};
 use crate::error::Fault;
@@ -46,20 +46,19 @@ impl Faults {
     }
 
     /// All of them with line and column, in file order, each once.
-    pub fn in_file_order(mut self, file: &str, text: &str) -> Vec<Fault> {
+    pub fn in_file_order(mut self, mut texts: Texts) -> Vec<Fault> {
         self.first.sort_by_key(|(at, ..)| *at);
         self.first.dedup();
         if let (Some((at, ..)), 1..) = (self.first.last(), self.more) {
             let message = format!("and {} more faults", self.more);
             self.first.push((*at, String::new(), message));
         }
-        let mut place = Place::start(text);
         let told = self
             .first
             .into_iter()
             .enumerate()
             .map(|(i, (at, path, message))| {
-                let (line, column) = place.at(at);
+                let (file, text, line, column) = texts.at(at);
                 let file = file.to_owned();
                 let shown = match i < MOST_SHOWN {
                     true => place::shown(text, line, column),
@@ -109,7 +108,7 @@ pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", shortened(text))
 }
 
-fn shortened(text: &str) -> String {
+pub(super) fn shortened(text: &str) -> String {
     let mut short: String = text.chars().take(LONGEST_QUOTE).collect();
     if short.len() < text.len() {
         short.push('…');
@@ -180,7 +179,7 @@ mod tests {
         faults.add(0, "a", "early");
         faults.add(3, "b", "late");
         let told: Vec<String> = faults
-            .in_file_order("f", "x\ny\n")
+            .in_file_order(Texts::new("f", "x\ny\n"))
             .iter()
             .map(ToString::to_string)
             .collect();

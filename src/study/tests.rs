@@ -2,6 +2,7 @@
 
 use super::cases::select;
 use super::parameters::{Draft, parameters};
+use super::place::Texts;
 use super::report::Faults;
 use super::{Axis, Block, Filter, Group, rules, tree};
 use crate::problem::cases::Cases;
@@ -135,7 +136,7 @@ fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
     {
         rules::check(&Bars, draft, &block, &mut faults);
     }
-    let told = faults.in_file_order("s", text);
+    let told = faults.in_file_order(Texts::new("s", text));
     (draft, told.iter().map(ToString::to_string).collect())
 }
 

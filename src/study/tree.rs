@@ -11,14 +11,14 @@ use super::place::offset_of;
 const DEEPEST: usize = 32;
 
 /// A value and the byte offset of its first character.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Node {
     pub at: usize,
     pub tree: Tree,
 }
 
 /// A JSON value; numbers stay as they are written.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Tree {
     Object(Vec<Member>),
     List(Vec<Node>),
@@ -29,11 +29,39 @@ pub(super) enum Tree {
 }
 
 /// One key of an object, with its own offset, and its value.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Member {
     pub key: String,
     pub at: usize,
     pub node: Node,
+}
+
+impl Node {
+    /// Moves it `by` bytes further on, with all that it holds.
+    pub fn move_by(&mut self, by: usize) {
+        self.at += by;
+        match &mut self.tree {
+            Tree::Object(members) => {
+                for member in members {
+                    member.at += by;
+                    member.node.move_by(by);
+                }
+            }
+            Tree::List(items) => items.iter_mut().for_each(|item| item.move_by(by)),
+            _ => {}
+        }
+    }
+
+    /// The first value of an object under `key`.
+    pub fn member(&mut self, key: &str) -> Option<&mut Node> {
+        match &mut self.tree {
+            Tree::Object(members) => members
+                .iter_mut()
+                .find(|member| member.key == key)
+                .map(|member| &mut member.node),
+            _ => None,
+        }
+    }
 }
 
 /// The first thing that is not JSON: byte offset, and what is wrong.

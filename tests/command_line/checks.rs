@@ -52,8 +52,12 @@ fn a_list_in_where_checks_every_case_with_one_of_its_values() {
     let three = TWO.replace("[0.1, 1]", "[0.1, 1, 5]");
     // An error is >= 0, so that every case checked is not met.
     let check = |values: &str| {
-        let check = format!(r#"{{ "metric": "rms_error", "where": {{ "alpha": {values} }}, "max": -1 }}"#);
-        bench.file("s.json", friction(&three, &format!(r#", "checks": [{check}]"#)));
+        let check =
+            format!(r#"{{ "metric": "rms_error", "where": {{ "alpha": {values} }}, "max": -1 }}"#);
+        bench.file(
+            "s.json",
+            friction(&three, &format!(r#", "checks": [{check}]"#)),
+        );
         let done = bench.expect(5, &["check", "s.json"]);
         let rows = done.out.lines().filter(|line| line.ends_with("NOT MET"));
         let case = |line: &str| line.split_whitespace().nth(1).map(str::to_owned);
