@@ -68,8 +68,8 @@ impl Studies {
 
 #[derive(Args)]
 struct Settings {
-    /// Set a parameter in every block that gives it, or in all blocks if none does, as in dT=0.1, 'dT=pi/10' or
-    /// 'alpha=[0.1, 1]'; may be repeated
+    /// Set a parameter in every block that gives it, or in all blocks if none does; VALUE is JSON, a name or an
+    /// expression, as in dT=pi/10 or 'alpha=[0.1, 1]'; may be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = Setting::new)]
     set: Vec<Setting>,
 }

@@ -15,6 +15,7 @@ mod design;
 pub mod expression;
 mod figure;
 mod finish;
+mod hint;
 mod input;
 mod interval;
 mod kept;

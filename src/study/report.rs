@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::hint::{nearest, outside};
 use super::place::{self, Texts};
 use super::plain::printable;
 use super::tree::{Node, Tree};
@@ -118,53 +119,21 @@ pub(super) fn shortened(text: &str) -> String {
     printable(&written)
 }
 
-/// Says that `name` is no `what`, with the nearest right name and all that is allowed.
+/// Says that `name` is no `what`, with what was probably meant and all that is allowed.
 pub(super) fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
     let mut message = format!("unknown {what} {}", quoted(name));
     if let Some(nearest) = nearest(name, allowed) {
         let _ = write!(message, ", did you mean \"{nearest}\"?");
+    } else if let Some(sentence) = outside(name, allowed) {
+        let _ = write!(message, ": {sentence}");
     }
     let _ = write!(message, "; allowed: {}", allowed.join(", "));
     message
 }
 
-/// The name that was probably meant: alike but for a slip or two, or one the beginning of the other.
-pub(super) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    // Longer than any right name: comparing would only cost time.
-    if name.len() > 100 {
-        return None;
-    }
-    let name = name.to_lowercase();
-    let likeness = |right: &str| {
-        let right = right.to_lowercase();
-        let begins = name.len() > 2 && (right.starts_with(&name) || name.starts_with(&right));
-        let alike = strsim::normalized_damerau_levenshtein(&name, &right);
-        if begins { alike.max(0.6) } else { alike }
-    };
-    let scored = allowed.iter().map(|right| (likeness(right), *right));
-    let (score, right) = scored.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (score >= 0.5).then_some(right)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_nearest_name_is_found_or_none() {
-        let names = ["displacement-control", "velocity-control"];
-        for (slip, meant) in [
-            ("displacment-control", Some("displacement-control")),
-            ("Velocity_Control", Some("velocity-control")),
-            ("displacement", Some("displacement-control")),
-            ("coulomb", None),
-            ("", None),
-        ] {
-            assert_eq!(nearest(slip, &names), meant, "{slip}");
-        }
-        assert_eq!(nearest("x_0", &["dT", "x0"]), Some("x0"));
-        assert_eq!(nearest("dt", &["duration", "dT"]), Some("dT"));
-    }
 
     #[test]
     fn a_message_stays_on_one_line() {

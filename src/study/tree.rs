@@ -5,6 +5,7 @@
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
+use super::hint::unit;
 use super::place::offset_of;
 
 /// Deeper than any study, shallow enough for a small stack.
@@ -207,8 +208,17 @@ fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
         (_, '/' | '#') => "there are no comments, a remark stands under a \"//\" key",
         (_, '\n' | '\r') => "a string ends on the line it began",
         ("expected `,` or `}`" | "expected `,` or `]`", '"') => "a comma is missing before it",
+        ("expected `,` or `}`" | "expected `,` or `]`", _) if has_unit(before, rest) => {
+            "a number is written without a unit"
+        }
         _ => return None,
     })
+}
+
+/// Whether a number stands before the fault and a unit at it.
+fn has_unit(before: &str, rest: &str) -> bool {
+    let word = rest.split([',', '}', ']', '\n']).next().unwrap_or_default();
+    before.ends_with(|c: char| c.is_ascii_digit()) && unit(&format!("1 {word}")).is_some()
 }
 
 #[cfg(test)]
@@ -262,6 +272,9 @@ mod tests {
             ("[1.]", 3, "numbers are written"),
             ("[.5]", 1, "numbers are written"),
             ("[+5]", 1, "numbers are written"),
+            ("{\"a\": 0.05 s}", 11, "without a unit"),
+            ("[1, 7850kg/m^3 , 2]", 8, "without a unit"),
+            ("[2 pi]", 3, "expected `,`"),
             ("[0x1F]", 2, "expected `,`"),
             ("[\"α\u{1}b\"]", 4, "control character"),
             ("[\"a\nb\"]", 3, "on the line"),
