@@ -8,6 +8,7 @@ use commands::run::{Format, Manner};
 use commands::sources::Source;
 use slipgap::error::Error;
 use slipgap::problem::Problem;
+use slipgap::study::Setting;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -49,18 +50,28 @@ enum Verb {
 
 #[derive(Args)]
 struct Studies {
-    /// Study files, or folders that are read with their sub-folders
+    /// Study files, or folders that are read with their sub-folders; `-` is standard input, its results go to folder stdin
     #[arg(value_name = "STUDY|FOLDER", default_value = "studies")]
     studies: Vec<PathBuf>,
     /// Most raw combinations of a study
     #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES)]
     limit: u64,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 impl Studies {
     fn read(&self) -> Result<Vec<Source>, Error> {
-        commands::sources::read(&self.studies, self.limit)
+        commands::sources::read(&self.studies, &self.settings.set, self.limit)
     }
+}
+
+#[derive(Args)]
+struct Settings {
+    /// Set a parameter in every block that gives it, or in all blocks if none does; VALUE is JSON, a name or an
+    /// expression, as in dT=pi/10 or 'alpha=[0.1, 1]'; may be given several times
+    #[arg(long, value_name = "NAME=VALUE", value_parser = Setting::new)]
+    set: Vec<Setting>,
 }
 
 #[derive(Args)]
@@ -114,11 +125,13 @@ struct Init {
 
 #[derive(Args)]
 struct Explain {
-    /// Study file
+    /// Study file; `-` is standard input
     study: PathBuf,
     /// Number of the case, from 0
     #[arg(default_value_t = 0)]
     case: u64,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 #[derive(Args)]
@@ -199,7 +212,7 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
                 let what = format!("{} is a folder; name one study", of.study.display());
                 return Err(Error::Usage(what));
             }
-            let sources = commands::sources::read(&[of.study], u64::MAX)?;
+            let sources = commands::sources::read(&[of.study], &of.settings.set, u64::MAX)?;
             let source = sources.first();
             source.map_or(Ok(0), |source| commands::explain::explain(source, of.case))
         }

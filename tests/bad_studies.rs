@@ -64,9 +64,9 @@ fn expressions_of_parameters_stand_alone() {
     }
     assert_faults(&bars("\"0.3/n\""), &[]);
     // A slip stays a slip.
-    let found = faults(&bars("[\"0.3/ll\"]"));
+    let found = faults(&bars("[\"0.3/sqr(2)\"]"));
     assert!(
-        found[0].contains("unknown name \"ll\", did you mean"),
+        found[0].contains("unknown name \"sqr\", did you mean \"sqrt\"?"),
         "{found:?}"
     );
 }
@@ -140,9 +140,8 @@ fn a_condition_is_tried_for_every_combination() {
         .replace("1000, 1000]", "1e6, 1000000]");
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), text).unwrap();
-    let told = slipgap::study::read_up_to(file.path(), u64::MAX)
-        .unwrap_err()
-        .to_string();
+    let input = slipgap::study::Input::of_file(file.path()).unwrap();
+    let told = input.study(u64::MAX).unwrap_err().to_string();
     assert!(
         told.contains(
             "would have to be tried for 1000000000000 combinations; allowed: at most 1000000000"
@@ -336,6 +335,71 @@ fn names_and_keys() {
     assert_faults(
         &with(GOOD, "").replace("\"friction-oscillator\"", "7"),
         &["2:12: problem: must be a name in quotes, one of friction-oscillator"],
+    );
+}
+
+#[test]
+fn numbers_with_units() {
+    let unit = "a number is written without a unit; alpha is dimensionless: elastic displacement";
+    for (given, at) in [
+        ("\"0.05 s\"", "4:10: parameters.alpha: \"0.05 s\": "),
+        ("[1, \"2mm\"]", "4:14: parameters.alpha[1]: \"2mm\": "),
+        (
+            "{\"linspace\": [1, \"2 m/s^2\", 3]}",
+            "4:27: parameters.alpha.linspace[1]: \"2 m/s^2\": ",
+        ),
+    ] {
+        assert_parameter(&format!("\"alpha\": {given}"), &format!("{at}{unit}"));
+    }
+    let bars = "\"dt\": \"1 ms\", \"gamma\": 1, \"n\": \"4 m\", \"duration\": 2, \"right\": {\"E\": \"210 GPa\"}";
+    let bars = format!("{{\n\"problem\": \"bar-impact\", \"parameters\": {{\n{bars}\n}}\n}}");
+    assert_faults(
+        &bars,
+        &[
+            "3:7: parameters.dt: \"1 ms\": a number is written without a unit; dt is in T_I: time step over the contact duration",
+            "3:32: parameters.n: \"4 m\": a number is written without a unit; n is dimensionless: number of elements of a bar",
+            "3:69: parameters.right.E: \"210 GPa\": a number is written without a unit; right.E is in force/length^2: ",
+        ],
+    );
+    // Of no parameter, but a number all the same.
+    assert_faults(
+        &with(
+            GOOD,
+            ",\n\"checks\": [{\"metric\": \"rms_error\", \"max\": \"5 %\"}]",
+        ),
+        &["6:43: checks[0].max: \"5 %\": a number is written without a unit"],
+    );
+}
+
+#[test]
+fn names_of_what_is_not_modelled() {
+    let rest = "\"law\": \"displacement-control\", \"alpha\": 1, \"dT\": 0.1, \"duration\": 9";
+    for (name, says) in [
+        (
+            "zeta",
+            ": slipgap does not model damping; docs/scope.md says what it does; allowed: law, alpha",
+        ),
+        (
+            "ground_motion",
+            ": slipgap does not model ground motion; docs/scope.md",
+        ),
+        (
+            "mu",
+            ": the equations are scaled: lengths are over Delta = nu N/k, times over 1/omega_n; see docs/scope.md; allowed",
+        ),
+        ("integrator", "; allowed: law, alpha"),
+        ("time_step", ", did you mean \"dT\"?; allowed: law, alpha"),
+    ] {
+        let place = 4 + name.len();
+        let expected = format!(
+            "4:{}: parameters.{name}: unknown key \"{name}\"{says}",
+            place + 1
+        );
+        assert_faults(&with(&format!("\"{name}\": 1, {rest}"), ""), &[&expected]);
+    }
+    assert_parameter(
+        "\"alpha\": {\"logspace\": [1, 2, 3]}",
+        "4:23: parameters.alpha.logspace: unknown key \"logspace\", did you mean \"geomspace\"?; allowed: linspace, geomspace, range",
     );
 }
 
@@ -663,8 +727,16 @@ fn figures() {
             &["6:43: figures[0].where: no case has alpha 3; there are 0.1, 1"],
         ),
         (
-            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": [1]}",
-            &["6:53: figures[0].where.alpha: must be a number"],
+            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": [1, 3, -1, []]}",
+            &[
+                "6:57: figures[0].where.alpha[1]: no case has alpha 3; there are 0.1, 1",
+                "6:60: figures[0].where.alpha[2]: must be > 0, got -1",
+                "6:64: figures[0].where.alpha[3]: must be a number",
+            ],
+        ),
+        (
+            "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": []}",
+            &["6:53: figures[0].where.alpha: must be a value or a list of at least one, got []"],
         ),
         (
             "\"name\": \"a\", \"kind\": \"metric\"",

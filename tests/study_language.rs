@@ -105,7 +105,7 @@ fn a_condition_drops_combinations_and_numbers_those_left() {
         .iter()
         .position(|p| p.name == "gamma")
         .unwrap();
-    let filter = Filter(vec![(gamma, Value::Number(2.0))]);
+    let filter = Filter(vec![(gamma, vec![Value::Number(2.0)])]);
     let chosen: Vec<u64> = study.select(&filter).collect();
     let looked: Vec<u64> = (0..study.len())
         .filter(|i| filter.matches(&study.case(*i).unwrap()))

@@ -5,7 +5,7 @@
 use super::key::SOLVER_VERSION;
 use super::whole::whole;
 use crate::error::Error;
-use crate::study::Study;
+use crate::study::{STDIN, Setting, Study};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fs;
@@ -167,7 +167,7 @@ fn histories(folder: &Path, cases: u64) -> impl Iterator<Item = String> {
 
 /// Where results come from.
 fn about(study: &Study, file: &Path) -> Map<String, Value> {
-    let about = json!({
+    let mut about = json!({
         "study": file.file_name().map(|name| name.to_string_lossy()),
         "study_sha256": study.sha256,
         "program": env!("CARGO_PKG_NAME"),
@@ -175,6 +175,10 @@ fn about(study: &Study, file: &Path) -> Map<String, Value> {
         "solver_version": SOLVER_VERSION,
         "git_commit": commit_of(file),
     });
+    if !study.settings.is_empty() {
+        let settings = study.settings.iter().map(Setting::text);
+        about["set"] = settings.collect();
+    }
     match about {
         Value::Object(about) => about,
         _ => Map::new(),
@@ -192,6 +196,9 @@ fn write(folder: &Path, said: &Map<String, Value>) -> Result<(), Error> {
 
 /// The commit of the repository that holds the study, if it stands in one and git is there to ask.
 fn commit_of(file: &Path) -> Option<String> {
+    if file == Path::new(STDIN) {
+        return None;
+    }
     let folder = file
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty())

@@ -44,8 +44,6 @@ fn section<'a>(
     claims: Vec<Settled>,
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
-    let text =
-        std::fs::read_to_string(&source.file).map_err(Error::io("cannot read", &source.file))?;
     let store = Store::open(&out.join(&source.name))?;
     let bar = progress::bar(&source.name, study.len());
     let wishes = Wishes {
@@ -81,8 +79,8 @@ fn section<'a>(
     }
     Ok(Section {
         name: &source.name,
-        file: source.file.display().to_string(),
-        text,
+        file: source.origin(),
+        text: source.text.clone(),
         study,
         figures: drawings,
         results,
@@ -106,7 +104,10 @@ fn settled(sources: &[Source]) -> Result<Vec<Vec<Settled>>, Error> {
     for ledger in claims::read(&[PathBuf::from(LEDGERS)])? {
         let place = |study: usize| {
             let file = &ledger.studies[study].file;
-            sources.iter().position(|source| same(&source.file, file))
+            // What the command line changes settles nothing.
+            let own = |source: &Source| source.study.settings.is_empty();
+            let mut sources = sources.iter();
+            sources.position(|source| own(source) && same(&source.file, file))
         };
         if (0..ledger.studies.len()).all(|study| place(study).is_none()) {
             continue;

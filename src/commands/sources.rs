@@ -3,36 +3,85 @@
 use super::files;
 use slipgap::batch::output;
 use slipgap::error::Error;
-use slipgap::study::{self, Study};
+use slipgap::study::{self, Input, Setting, Study};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use walkdir::DirEntry;
 
 /// A study and where it came from.
 pub struct Source {
-    /// The file as the user named it.
+    /// The file as the user named it, or the name of standard input.
     pub file: PathBuf,
     /// Its folder under the output folder, as in `claims/friction`.
     pub name: String,
+    /// Its text, as it was read.
+    pub text: String,
     /// The study.
     pub study: Study,
 }
 
-/// Reads every study of the files and folders named, in order, each of at most `limit` raw combinations; every fault of
-/// every file is reported.
-pub fn read(named: &[PathBuf], limit: u64) -> Result<Vec<Source>, Error> {
+impl Source {
+    /// What the study was read from: the file, and what the command line set.
+    pub fn origin(&self) -> String {
+        let mut origin = self.file.display().to_string();
+        for setting in &self.study.settings {
+            origin += &format!(" --set '{}'", setting.text());
+        }
+        origin
+    }
+}
+
+/// Reads every study of the files and folders named, in order, each of at most `limit` raw combinations and with
+/// parameters set; every fault of every file is reported. `-` is standard input.
+pub fn read(named: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<Source>, Error> {
     let mut files = Vec::new();
     for path in named {
         files.extend(find(path)?);
     }
-    files::each(distinct(files)?, |(file, name)| {
-        let study = study::read_up_to(&file, limit)?;
-        Ok(Source { file, name, study })
+    let files = distinct(files)?;
+    let several = files.len() > 1;
+    files::each(files, |(file, name)| {
+        let (file, input) = match file == Path::new(DASH) {
+            true => (PathBuf::from(study::STDIN), Input::of_stdin()?),
+            false => {
+                let input = Input::of_file(&file)?;
+                (file, input)
+            }
+        };
+        let input = input.with(settings);
+        let study = input.study(limit);
+        let study = study.map_err(|error| if several { naming(error, &file) } else { error })?;
+        let text = input.into_text();
+        Ok(Source {
+            file,
+            name,
+            text,
+            study,
+        })
     })
+}
+
+/// How standard input is named on the command line.
+pub const DASH: &str = "-";
+
+/// Names the study in faults of settings, which are the same for several studies.
+fn naming(mut error: Error, file: &Path) -> Error {
+    if let Error::Faults(faults) = &mut error {
+        for fault in faults
+            .iter_mut()
+            .filter(|fault| fault.file != file.display().to_string())
+        {
+            fault.message += &format!(" (in {})", file.display());
+        }
+    }
+    error
 }
 
 /// The study files under `path`, by name, each with its path relative to it and without `.json`.
 fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
+    if path == Path::new(DASH) {
+        return Ok(vec![(path.to_owned(), "stdin".into())]);
+    }
     let found = named(path)?;
     // Names go into messages, tables, pictures and pages.
     for (file, _) in &found {

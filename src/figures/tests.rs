@@ -49,6 +49,7 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
     let study = Study {
         once: false,
         title: "a test".into(),
+        settings: Vec::new(),
         sha256: String::new(),
         problem,
         blocks: Vec::new(),

@@ -153,6 +153,11 @@ impl Value {
             _ => self == other,
         }
     }
+
+    /// Whether it matches at least one of `others`.
+    pub fn is_one_of(self, others: &[Value]) -> bool {
+        others.iter().any(|other| self.matches(*other))
+    }
 }
 
 impl fmt::Display for Value {

@@ -127,7 +127,7 @@ impl Group {
         let wanted = |place: u64| {
             self.axes.iter().all(|axis| {
                 let mut terms = filter.0.iter().filter(|(row, _)| *row == axis.parameter);
-                terms.all(|(_, wanted)| axis.values[place as usize].matches(*wanted))
+                terms.all(|(_, wanted)| axis.values[place as usize].is_one_of(wanted))
             })
         };
         (0..self.len()).filter(|place| wanted(*place)).collect()
@@ -143,16 +143,16 @@ pub(super) fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
 }
 
 impl Filter {
-    /// Whether a completed case has all the values.
+    /// Whether a completed case has one of the values of every parameter.
     pub fn matches(&self, case: &Case) -> bool {
-        let has = |row: usize, wanted: Value| {
+        let has = |row: usize, wanted: &[Value]| {
             case.values
                 .get(row)
                 .copied()
                 .flatten()
-                .is_some_and(|value| value.matches(wanted))
+                .is_some_and(|value| value.is_one_of(wanted))
         };
-        self.0.iter().all(|(row, wanted)| has(*row, *wanted))
+        self.0.iter().all(|(row, wanted)| has(*row, wanted))
     }
 }
 

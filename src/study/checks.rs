@@ -13,7 +13,7 @@ pub(super) const KEYS: [(&str, &str); 4] = [
     ("metric", "the metric that is held to its limits"),
     (
         "where",
-        "the cases to check: those that have all these values; all cases if left out",
+        "which cases to check, by the values of their parameters; a list allows each of its values; all cases if left out",
     ),
     ("min", "least value allowed"),
     ("max", "greatest value allowed"),

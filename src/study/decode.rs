@@ -1,23 +1,20 @@
 //! From the tree of a study file to a validated study, or to all its faults.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
-
-use sha2::{Digest, Sha256};
 
 use super::blocks::{BESIDE, blocks};
 use super::checks::check;
 use super::figure::figures;
+use super::hint::nearest;
+use super::input::Input;
 use super::object::Object;
-use super::place::{self, Place};
-use super::report::{Faults, nearest};
+use super::report::Faults;
 use super::rules::MOST_CASES;
 use super::scope::Scope;
-use super::tree::{self, Node, Tree};
+use super::tree::{Node, Tree};
 use super::value::{self, name};
 use super::{Check, Figure, FigureKind, Study};
-use crate::error::{Error, Fault};
+use crate::error::Error;
 use crate::problem::{self, Budget, PROBLEMS, Problem};
 
 /// The keys of a study, each with what it holds.
@@ -53,76 +50,16 @@ pub(super) const ITERATIONS: [&str; 2] = ["converged", "once"];
 
 /// Reads a study file of at most [`MOST_CASES`] raw combinations. Faults name the file as `file` does.
 pub fn read(file: &Path) -> Result<Study, Error> {
-    read_up_to(file, MOST_CASES)
-}
-
-/// The same with another limit to the number of raw combinations.
-pub fn read_up_to(file: &Path, limit: u64) -> Result<Study, Error> {
-    parse_up_to(&file.display().to_string(), &text_of(file)?, limit)
-}
-
-/// Most bytes of a file: lists of 10^6 values for several axes fit in.
-const LARGEST: u64 = 64 << 20;
-
-/// The text of a file of bounded size; other encodings than UTF-8 are refused.
-pub(super) fn text_of(file: &Path) -> Result<String, Error> {
-    let mut bytes = Vec::new();
-    File::open(file)
-        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
-        .map_err(Error::io("cannot read", file))?;
-    if bytes.len() as u64 > LARGEST {
-        let message = format!("larger than {} MiB; no study is", LARGEST >> 20);
-        return Err(refused(&file.display().to_string(), "", 0, message));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        let (good, bad) = error.as_bytes().split_at(at);
-        let byte = bad.first().copied().unwrap_or_default();
-        let message = format!("not UTF-8: byte 0x{byte:02x}; save the file as UTF-8");
-        let good = String::from_utf8_lossy(good);
-        refused(&file.display().to_string(), &good, good.len(), message)
-    })
-}
-
-/// The tree of a text; `file` is its name in the fault of one that is no JSON.
-pub(super) fn tree_of(file: &str, text: &str) -> Result<Node, Error> {
-    tree::parse(text).map_err(|fault| refused(file, text, fault.at, fault.message))
+    Input::of_file(file)?.study(MOST_CASES)
 }
 
 /// Reads a study from its text; `file` is its name in faults.
 pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
-    parse_up_to(file, text, MOST_CASES)
+    Input::new(file, text).study(MOST_CASES)
 }
 
-fn parse_up_to(file: &str, text: &str, limit: u64) -> Result<Study, Error> {
-    let root = tree_of(file, text)?;
-    let mut faults = Faults::default();
-    match study(&root, text, limit, &mut faults) {
-        Some(study) if faults.count() == 0 => Ok(study),
-        _ => Err(Error::Faults(faults.in_file_order(file, text))),
-    }
-}
-
-/// The one fault of a file that is no JSON.
-fn refused(file: &str, text: &str, at: usize, message: String) -> Error {
-    let (line, column) = Place::start(text).at(at);
-    let shown = place::shown(text, line, column);
-    Error::Faults(vec![Fault {
-        file: file.to_owned(),
-        line,
-        column,
-        path: String::new(),
-        message,
-        shown,
-    }])
-}
-
-fn sha256(bytes: &[u8]) -> String {
-    let digest = Sha256::digest(bytes);
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-fn study(root: &Node, text: &str, limit: u64, faults: &mut Faults) -> Option<Study> {
+/// The study at `root`, of no more than `limit` raw combinations; what it was read from is left out.
+pub(super) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Study> {
     let keys: Vec<&str> = KEYS.iter().chain(&BESIDE).map(|key| key.0).collect();
     let object = Object::open(root, "", &keys, faults)?;
     let mut string = |key: &str| {
@@ -160,7 +97,8 @@ fn study(root: &Node, text: &str, limit: u64, faults: &mut Faults) -> Option<Stu
         blocks: scope.blocks,
         figures,
         checks,
-        sha256: sha256(text.as_bytes()),
+        settings: Vec::new(),
+        sha256: String::new(),
     })
 }
 

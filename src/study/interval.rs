@@ -4,7 +4,7 @@ use super::derived::fitted;
 use super::object::Object;
 use super::report::{Faults, join};
 use super::tree::{Node, Tree};
-use super::value::number;
+use super::value::within;
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 
 /// The distributions, each with what its list of two means.
@@ -67,7 +67,7 @@ impl Interval {
         }
         let mut end = |i: usize| {
             let path = format!("{path}[{i}]");
-            let x = number(&ends[i], &path, Range::Any, faults)?;
+            let x = within(&ends[i], &path, Range::Any, Some(parameter), faults)?;
             if let Err(allowed) = fitted(x, parameter) {
                 let message = format!("must be {allowed}, got {}", shortest(x));
                 faults.add(ends[i].at, &path, message);

@@ -15,6 +15,8 @@ mod design;
 pub mod expression;
 mod figure;
 mod finish;
+mod hint;
+mod input;
 mod interval;
 mod kept;
 pub mod ledger;
@@ -25,6 +27,7 @@ mod plain;
 mod report;
 mod rules;
 mod scope;
+mod setting;
 mod spread;
 #[cfg(test)]
 mod tests;
@@ -33,11 +36,13 @@ mod value;
 mod zip;
 
 pub use block::{Axis, Block, Group};
-pub use decode::{parse, read, read_up_to};
+pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
 pub use design::{Design, Sampling};
+pub use input::{Input, STDIN};
 pub use plain::{printable, unprintable};
 pub use rules::MOST_CASES;
+pub use setting::Setting;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
@@ -59,13 +64,15 @@ pub struct Study {
     pub figures: Vec<Figure>,
     /// Tolerances to hold.
     pub checks: Vec<Check>,
-    /// SHA-256 of the file's bytes, in hexadecimal digits.
+    /// Parameters that the command line set.
+    pub settings: Vec<Setting>,
+    /// SHA-256 of the file's bytes, and of the settings where there are any, in hexadecimal digits.
     pub sha256: String,
 }
 
-/// Which cases are meant: those that have all these values.
+/// Which cases are chosen: those that have, of each parameter named by its row, one of the values.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Filter(pub Vec<(usize, Value)>);
+pub struct Filter(pub Vec<(usize, Vec<Value>)>);
 
 /// A tolerance: every case of the filter has the metric within the limits.
 #[derive(Debug)]

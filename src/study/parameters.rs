@@ -9,7 +9,7 @@ use super::report::quoted;
 use super::report::{Faults, join};
 use super::spread;
 use super::tree::{Node, Tree};
-use super::value::value;
+use super::value::{value, with_unit};
 use super::{Axis, Group};
 use crate::problem::parameter::{Kind, Parameter, Value};
 
@@ -205,8 +205,8 @@ fn axis(
                     given.values.extend(value.map(|value| (value, node.at)));
                 }
                 Err(fault) => {
-                    let message = format!("{}: {}", quoted(text), fault.message);
-                    faults.add(node.at, path, message);
+                    let what = with_unit(text, Some(row)).unwrap_or(fault.message);
+                    faults.add(node.at, path, format!("{}: {what}", quoted(text)));
                 }
             }
         }

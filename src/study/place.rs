@@ -42,6 +42,49 @@ impl<'a> Place<'a> {
     }
 }
 
+/// What the offsets of faults count through: a file and, one byte behind its end, the settings of the command line, each
+/// one byte behind the one before.
+pub(super) struct Texts<'a>(Vec<Part<'a>>);
+
+/// One of them.
+struct Part<'a> {
+    name: String,
+    text: &'a str,
+    start: usize,
+    place: Place<'a>,
+}
+
+impl<'a> Texts<'a> {
+    /// A file alone.
+    pub fn new(name: &str, text: &'a str) -> Texts<'a> {
+        let mut texts = Texts(Vec::new());
+        texts.push(name.to_owned(), text);
+        texts
+    }
+
+    /// Adds a text and gives the offset of its first byte.
+    pub fn push(&mut self, name: String, text: &'a str) -> usize {
+        let end = |last: &Part| last.start + last.text.len() + 1;
+        let start = self.0.last().map_or(0, end);
+        let place = Place::start(text);
+        self.0.push(Part {
+            name,
+            text,
+            start,
+            place,
+        });
+        start
+    }
+
+    /// The name and text that hold byte `offset`, with its line and column.
+    pub fn at(&mut self, offset: usize) -> (&str, &'a str, usize, usize) {
+        let last = self.0.iter().rposition(|part| part.start <= offset);
+        let part = &mut self.0[last.unwrap_or(0)];
+        let (line, column) = part.place.at(offset - part.start);
+        (&part.name, part.text, line, column)
+    }
+}
+
 /// Most characters of a line that are shown, and how many of them before the place.
 const WIDEST: usize = 100;
 const BEFORE: usize = 60;

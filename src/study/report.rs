@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use super::place::{self, Place};
+use super::hint::{nearest, outside};
+use super::place::{self, Texts};
 use super::plain::printable;
 use super::tree::{Node, Tree};
 use crate::error::Fault;
@@ -46,20 +47,19 @@ impl Faults {
     }
 
     /// All of them with line and column, in file order, each once.
-    pub fn in_file_order(mut self, file: &str, text: &str) -> Vec<Fault> {
+    pub fn in_file_order(mut self, mut texts: Texts) -> Vec<Fault> {
         self.first.sort_by_key(|(at, ..)| *at);
         self.first.dedup();
         if let (Some((at, ..)), 1..) = (self.first.last(), self.more) {
             let message = format!("and {} more faults", self.more);
             self.first.push((*at, String::new(), message));
         }
-        let mut place = Place::start(text);
         let told = self
             .first
             .into_iter()
             .enumerate()
             .map(|(i, (at, path, message))| {
-                let (line, column) = place.at(at);
+                let (file, text, line, column) = texts.at(at);
                 let file = file.to_owned();
                 let shown = match i < MOST_SHOWN {
                     true => place::shown(text, line, column),
@@ -109,7 +109,7 @@ pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", shortened(text))
 }
 
-fn shortened(text: &str) -> String {
+pub(super) fn shortened(text: &str) -> String {
     let mut short: String = text.chars().take(LONGEST_QUOTE).collect();
     if short.len() < text.len() {
         short.push('…');
@@ -119,53 +119,21 @@ fn shortened(text: &str) -> String {
     printable(&written)
 }
 
-/// Says that `name` is no `what`, with the nearest right name and all that is allowed.
+/// Says that `name` is no `what`, with what was probably meant and all that is allowed.
 pub(super) fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
     let mut message = format!("unknown {what} {}", quoted(name));
     if let Some(nearest) = nearest(name, allowed) {
         let _ = write!(message, ", did you mean \"{nearest}\"?");
+    } else if let Some(sentence) = outside(name, allowed) {
+        let _ = write!(message, ": {sentence}");
     }
     let _ = write!(message, "; allowed: {}", allowed.join(", "));
     message
 }
 
-/// The name that was probably meant: alike but for a slip or two, or one the beginning of the other.
-pub(super) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    // Longer than any right name: comparing would only cost time.
-    if name.len() > 100 {
-        return None;
-    }
-    let name = name.to_lowercase();
-    let likeness = |right: &str| {
-        let right = right.to_lowercase();
-        let begins = name.len() > 2 && (right.starts_with(&name) || name.starts_with(&right));
-        let alike = strsim::normalized_damerau_levenshtein(&name, &right);
-        if begins { alike.max(0.6) } else { alike }
-    };
-    let scored = allowed.iter().map(|right| (likeness(right), *right));
-    let (score, right) = scored.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    (score >= 0.5).then_some(right)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_nearest_name_is_found_or_none() {
-        let names = ["displacement-control", "velocity-control"];
-        for (slip, meant) in [
-            ("displacment-control", Some("displacement-control")),
-            ("Velocity_Control", Some("velocity-control")),
-            ("displacement", Some("displacement-control")),
-            ("coulomb", None),
-            ("", None),
-        ] {
-            assert_eq!(nearest(slip, &names), meant, "{slip}");
-        }
-        assert_eq!(nearest("x_0", &["dT", "x0"]), Some("x0"));
-        assert_eq!(nearest("dt", &["duration", "dT"]), Some("dT"));
-    }
 
     #[test]
     fn a_message_stays_on_one_line() {
@@ -180,7 +148,7 @@ mod tests {
         faults.add(0, "a", "early");
         faults.add(3, "b", "late");
         let told: Vec<String> = faults
-            .in_file_order("f", "x\ny\n")
+            .in_file_order(Texts::new("f", "x\ny\n"))
             .iter()
             .map(ToString::to_string)
             .collect();

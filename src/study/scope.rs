@@ -55,7 +55,8 @@ impl Scope {
                     continue;
                 }
             }
-            terms.extend(value(&member.node, &path, &table[row], faults).map(|v| (row, v)));
+            let wanted = self.wanted(&member.node, &path, row, faults);
+            terms.extend(wanted.map(|wanted| (row, wanted)));
         }
         if faults.count() > before {
             return None;
@@ -87,29 +88,77 @@ impl Scope {
         count <= MOST_TRIED
     }
 
+    /// One value of a parameter or a list of them. Of a list, every value must occur in a case.
+    fn wanted(
+        &self,
+        node: &Node,
+        path: &str,
+        row: usize,
+        faults: &mut Faults,
+    ) -> Option<Vec<Value>> {
+        let parameter = &self.problem.parameters()[row];
+        let Tree::List(items) = &node.tree else {
+            return value(node, path, parameter, faults).map(|value| vec![value]);
+        };
+        if items.is_empty() {
+            faults.must_be(node, path, "a value or a list of at least one");
+            return None;
+        }
+        let before = faults.count();
+        let mut wanted = Vec::new();
+        for (i, item) in items.iter().enumerate() {
+            let path = format!("{path}[{i}]");
+            let Some(value) = value(item, &path, parameter, faults) else {
+                continue;
+            };
+            if let Some(message) = self.absent(row, value) {
+                faults.add(item.at, &path, message);
+            }
+            wanted.push(value);
+        }
+        (faults.count() == before).then_some(wanted)
+    }
+
+    /// Says that no case has a value of a parameter, and which values there are; `None` if one has it or the values are
+    /// not known.
+    fn absent(&self, row: usize, wanted: Value) -> Option<String> {
+        if self.too_many() {
+            return None;
+        }
+        let levels = self.levels(&Filter::default(), row);
+        if levels.is_empty() || wanted.is_one_of(&levels) {
+            return None;
+        }
+        let parameter = self.problem.parameters()[row].name;
+        let mut there: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
+        if levels.len() > there.len() {
+            there.push("...".into());
+        }
+        let there = there.join(", ");
+        Some(format!(
+            "no case has {parameter} {wanted}; there are {there}"
+        ))
+    }
+
+    /// Whether a block has so many combinations that looking at all of them would take very long.
+    fn too_many(&self) -> bool {
+        let all = Filter::default();
+        let mut blocks = self.blocks.iter();
+        blocks.any(|block| block.candidates(&all) > MOST_TRIED)
+    }
+
     /// Says that no case meets a filter, and which of its values no case has, if that is the reason.
     fn no_case(&self, filter: &Filter) -> String {
-        let all = Filter::default();
-        let count = |block: &Block| block.candidates(&all);
-        if self.blocks.iter().any(|block| count(block) > MOST_TRIED) {
+        if self.too_many() {
             return format!(
                 "no case has all these values among the first {MOST_TRIED} combinations that may"
             );
         }
-        for (row, wanted) in &filter.0 {
-            let levels = self.levels(&all, *row);
-            if levels.is_empty() || levels.iter().any(|level| level.matches(*wanted)) {
-                continue;
-            }
-            let parameter = self.problem.parameters()[*row].name;
-            let mut there: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
-            if levels.len() > there.len() {
-                there.push("...".into());
-            }
-            let there = there.join(", ");
-            return format!("no case has {parameter} {wanted}; there are {there}");
-        }
-        "no case has all these values".into()
+        let single = filter.0.iter().filter(|(_, wanted)| wanted.len() == 1);
+        let mut absent = single.filter_map(|(row, wanted)| self.absent(*row, wanted[0]));
+        absent
+            .next()
+            .unwrap_or_else(|| "no case has all these values".into())
     }
 
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {

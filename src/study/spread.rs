@@ -3,7 +3,7 @@
 use super::object::Object;
 use super::report::{Faults, join};
 use super::tree::{Node, Tree};
-use super::value::number;
+use super::value::within;
 use crate::metrics::SLACK;
 use crate::problem::parameter::{Kind, Parameter, Range, Value};
 
@@ -52,7 +52,8 @@ pub(super) fn values(
         }
     };
     let item = |i: usize, faults: &mut Faults| {
-        number(&three[i], &format!("{path}[{i}]"), Range::Any, faults)
+        let path = format!("{path}[{i}]");
+        within(&three[i], &path, Range::Any, Some(parameter), faults)
     };
     // Collected first, so that every faulty number is told.
     let (a, b, c) = (item(0, faults), item(1, faults), item(2, faults));

@@ -2,6 +2,7 @@
 
 use super::cases::select;
 use super::parameters::{Draft, parameters};
+use super::place::Texts;
 use super::report::Faults;
 use super::{Axis, Block, Filter, Group, rules, tree};
 use crate::problem::cases::Cases;
@@ -135,7 +136,7 @@ fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
     {
         rules::check(&Bars, draft, &block, &mut faults);
     }
-    let told = faults.in_file_order("s", text);
+    let told = faults.in_file_order(Texts::new("s", text));
     (draft, told.iter().map(ToString::to_string).collect())
 }
 
@@ -270,14 +271,17 @@ fn a_filter_chooses_what_a_look_at_every_case_chooses() {
         block("{\"n\": [1, 2, 2], \"dt\": [0.1, 0.2, 0.1], \"right\": [\"bar\", \"wall\"]}"),
         block("{\"dt\": [\"0.3-0.1\", 1], \"n\": [2, 3], \"duration\": [2, 5]}"),
     ];
-    let number = |row: usize, x: f64| (row, Value::Number(x));
+    let number = |row: usize, x: f64| (row, vec![Value::Number(x)]);
     for terms in [
         vec![],
-        vec![(0, Value::Whole(2))],
+        vec![(0, vec![Value::Whole(2)])],
+        vec![(0, vec![Value::Whole(1), Value::Whole(3)]), number(1, 0.1)],
+        vec![(1, vec![Value::Number(0.2), Value::Number(1.0)])],
+        vec![(3, vec![Value::Number(0.4), Value::Number(0.5)])],
         vec![number(1, 0.2)],
         vec![number(2, 2.0), number(1, 0.1)],
         vec![number(3, 0.4)],
-        vec![(4, Value::Name("bar")), (0, Value::Whole(2))],
+        vec![(4, vec![Value::Name("bar")]), (0, vec![Value::Whole(2)])],
         vec![number(5, 10.0)],
         vec![number(1, 9.0)],
     ] {
@@ -310,7 +314,8 @@ fn a_thousand_million_cases_cost_no_memory() {
         values(&block.raw_case(&Bars, 123_456_789)),
         ",124,457,790,bar,10"
     );
-    let filter = Filter(vec![(2, Value::Number(457.0)), (3, Value::Number(1000.0))]);
+    let one = |row: usize, x: f64| (row, vec![Value::Number(x)]);
+    let filter = Filter(vec![one(2, 457.0), one(3, 1000.0)]);
     let chosen = block.select(&Bars, &filter);
     assert_eq!(
         chosen.skip(999).map(|(raw, _)| raw).collect::<Vec<_>>(),

@@ -5,20 +5,21 @@
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
+use super::hint::unit;
 use super::place::offset_of;
 
 /// Deeper than any study, shallow enough for a small stack.
 const DEEPEST: usize = 32;
 
 /// A value and the byte offset of its first character.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Node {
     pub at: usize,
     pub tree: Tree,
 }
 
 /// A JSON value; numbers stay as they are written.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Tree {
     Object(Vec<Member>),
     List(Vec<Node>),
@@ -29,11 +30,39 @@ pub(super) enum Tree {
 }
 
 /// One key of an object, with its own offset, and its value.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Member {
     pub key: String,
     pub at: usize,
     pub node: Node,
+}
+
+impl Node {
+    /// Moves it `by` bytes further on, with all that it holds.
+    pub fn move_by(&mut self, by: usize) {
+        self.at += by;
+        match &mut self.tree {
+            Tree::Object(members) => {
+                for member in members {
+                    member.at += by;
+                    member.node.move_by(by);
+                }
+            }
+            Tree::List(items) => items.iter_mut().for_each(|item| item.move_by(by)),
+            _ => {}
+        }
+    }
+
+    /// The first value of an object under `key`.
+    pub fn member(&mut self, key: &str) -> Option<&mut Node> {
+        match &mut self.tree {
+            Tree::Object(members) => members
+                .iter_mut()
+                .find(|member| member.key == key)
+                .map(|member| &mut member.node),
+            _ => None,
+        }
+    }
 }
 
 /// The first thing that is not JSON: byte offset, and what is wrong.
@@ -179,8 +208,17 @@ fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
         (_, '/' | '#') => "there are no comments, a remark stands under a \"//\" key",
         (_, '\n' | '\r') => "a string ends on the line it began",
         ("expected `,` or `}`" | "expected `,` or `]`", '"') => "a comma is missing before it",
+        ("expected `,` or `}`" | "expected `,` or `]`", _) if has_unit(before, rest) => {
+            "a number is written without a unit"
+        }
         _ => return None,
     })
+}
+
+/// Whether a number stands before the fault and a unit at it.
+fn has_unit(before: &str, rest: &str) -> bool {
+    let word = rest.split([',', '}', ']', '\n']).next().unwrap_or_default();
+    before.ends_with(|c: char| c.is_ascii_digit()) && unit(&format!("1 {word}")).is_some()
 }
 
 #[cfg(test)]
@@ -234,6 +272,9 @@ mod tests {
             ("[1.]", 3, "numbers are written"),
             ("[.5]", 1, "numbers are written"),
             ("[+5]", 1, "numbers are written"),
+            ("{\"a\": 0.05 s}", 11, "without a unit"),
+            ("[1, 7850kg/m^3 , 2]", 8, "without a unit"),
+            ("[2 pi]", 3, "expected `,`"),
             ("[0x1F]", 2, "expected `,`"),
             ("[\"α\u{1}b\"]", 4, "control character"),
             ("[\"a\nb\"]", 3, "on the line"),

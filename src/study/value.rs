@@ -1,6 +1,7 @@
 //! One value of the study file as a number, a string or a value of a parameter.
 
 use super::expression::Formula;
+use super::hint::unit;
 use super::plain::unprintable;
 use super::report::{Faults, quoted, shown, unknown};
 use super::tree::{Node, Tree};
@@ -30,7 +31,18 @@ pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<Strin
 
 /// A number in `range`, plain or as an expression.
 pub(super) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults) -> Option<f64> {
-    let x = finite(node, path, faults)?;
+    within(node, path, range, None, faults)
+}
+
+/// The same; `of` is the parameter whose value it is, if it is one.
+pub(super) fn within(
+    node: &Node,
+    path: &str,
+    range: Range,
+    of: Option<&Parameter>,
+    faults: &mut Faults,
+) -> Option<f64> {
+    let x = finite(node, path, of, faults)?;
     if range.contains(x) {
         return Some(x);
     }
@@ -66,9 +78,11 @@ pub(super) fn value(
     faults: &mut Faults,
 ) -> Option<Value> {
     match parameter.kind {
-        Kind::Number(range) => number(node, path, range, faults).map(Value::Number),
+        Kind::Number(range) => {
+            within(node, path, range, Some(parameter), faults).map(Value::Number)
+        }
         Kind::Whole { min, max } => {
-            let x = finite(node, path, faults)?;
+            let x = finite(node, path, Some(parameter), faults)?;
             if x.fract() == 0.0 && x >= min as f64 && x <= max as f64 {
                 return Some(Value::Whole(x as u64));
             }
@@ -84,7 +98,7 @@ pub(super) fn value(
     }
 }
 
-fn finite(node: &Node, path: &str, faults: &mut Faults) -> Option<f64> {
+fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) -> Option<f64> {
     match &node.tree {
         Tree::Number(written) => match written.parse::<f64>() {
             Ok(x) if x.is_finite() => return Some(x),
@@ -94,13 +108,28 @@ fn finite(node: &Node, path: &str, faults: &mut Faults) -> Option<f64> {
         {
             Ok(x) => return Some(x),
             Err(fault) => {
-                let what = parameters_in(formula).unwrap_or(fault.message);
+                let what = parameters_in(formula).or_else(|| with_unit(formula, of));
+                let what = what.unwrap_or(fault.message);
                 faults.add(node.at, path, format!("{}: {what}", quoted(formula)));
             }
         },
         _ => faults.must_be(node, path, NUMBER),
     }
     None
+}
+
+/// The sentence about a number with a unit, if the text is one; `of` is the parameter whose value it is, if it is one.
+pub(super) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
+    unit(text)?;
+    let mut sentence = "a number is written without a unit".to_owned();
+    if let Some(parameter) = of {
+        let name = parameter.name;
+        sentence += &match parameter.unit {
+            "1" => format!("; {name} is dimensionless: {}", parameter.meaning),
+            unit => format!("; {name} is in {unit}: {}", parameter.meaning),
+        };
+    }
+    Some(sentence)
 }
 
 /// Where an expression of parameters belongs, if the text is one.

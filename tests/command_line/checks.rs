@@ -46,6 +46,28 @@ fn a_metric_without_a_value_does_not_meet_its_check() {
     bench.expect(0, &["run", "s.json"]);
 }
 
+#[test]
+fn a_list_in_where_checks_every_case_with_one_of_its_values() {
+    let bench = Bench::new();
+    let three = TWO.replace("[0.1, 1]", "[0.1, 1, 5]");
+    // An error is >= 0, so that every case checked is not met.
+    let check = |values: &str| {
+        let check =
+            format!(r#"{{ "metric": "rms_error", "where": {{ "alpha": {values} }}, "max": -1 }}"#);
+        bench.file(
+            "s.json",
+            friction(&three, &format!(r#", "checks": [{check}]"#)),
+        );
+        let done = bench.expect(5, &["check", "s.json"]);
+        let rows = done.out.lines().filter(|line| line.ends_with("NOT MET"));
+        let case = |line: &str| line.split_whitespace().nth(1).map(str::to_owned);
+        rows.filter_map(case).collect::<Vec<_>>()
+    };
+    assert_eq!(check("[5, 0.1]"), ["0", "2"]);
+    assert_eq!(check("[1, 1, \"1\"]"), ["1"]);
+    assert_eq!(check("5"), ["2"]);
+}
+
 /// A step of 10^300 takes the velocity beyond the largest double.
 const WILD: &str =
     r#""law": "displacement-control", "alpha": 1, "dT": [0.1, 1e300], "duration": [10, 1e300]"#;

@@ -35,6 +35,9 @@ const FALLING: &str = r#"{ "metric": "rms_error", "along": "alpha", "trend": "fa
 const LEAST: &str = r#"{ "metric": "rms_error", "along": "alpha", "least_at": [0.05, 0.2] }"#;
 const WITHIN: &str =
     r#"{ "metric": "rms_error", "where": { "alpha": 0.1 }, "min": 0.024, "max": 0.025 }"#;
+/// The error rises with alpha, so that the least of two values is at the lower one.
+const TWO_OF_THREE: &str = r#"{ "metric": "rms_error", "where": { "alpha": [1, 5] }, "along": "alpha",
+    "least_at": [0.9, 1.1] }"#;
 const UNDEFINED: &str = r#"{ "metric": "residual_motion", "max": 1 }"#;
 
 #[test]
@@ -44,6 +47,8 @@ fn verdicts_follow_from_the_readings() {
         (FALLING.to_owned(), false),
         (format!("{LEAST}, {WITHIN}"), true),
         (format!("{LEAST}, {FALLING}"), false),
+        (TWO_OF_THREE.to_owned(), true),
+        (TWO_OF_THREE.replace("[1, 5]", "[0.1, 5]"), false),
     ] {
         for recorded in [true, false] {
             let bench = bench(&[

@@ -14,6 +14,7 @@ mod files;
 mod interrupted;
 mod kept;
 mod same_bytes;
+mod settings;
 mod store;
 mod untouched;
 mod verbs;

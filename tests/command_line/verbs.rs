@@ -106,6 +106,24 @@ fn schema_is_json_that_knows_the_problems() {
 }
 
 #[test]
+fn the_schema_takes_one_value_or_a_list_in_where() {
+    let text = Bench::new().expect(0, &["schema"]).out;
+    let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for problem in ["friction-oscillator", "bar-impact"] {
+        let filter = &schema["definitions"][format!("{problem}.where")];
+        let properties = filter["properties"].as_object().unwrap();
+        assert!(properties.len() > 3, "{filter}");
+        for (name, value) in properties.iter().filter(|(name, _)| *name != "//") {
+            let [one, list] = &value["anyOf"].as_array().unwrap()[..] else {
+                panic!("{name}: {value}")
+            };
+            assert_eq!(list["type"], "array", "{name}");
+            assert_eq!(list["items"], *one, "{name}");
+        }
+    }
+}
+
+#[test]
 fn a_reader_that_has_gone_away_is_no_failure() {
     let bench = Bench::new();
     let figure = r#", "figures": [{ "name": "history", "kind": "history" }]"#;

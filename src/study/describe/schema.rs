@@ -187,12 +187,12 @@ fn marks() -> Json {
     object(properties, &MARKS.map(|key| key.0))
 }
 
-/// A `where`: single values of parameters.
+/// A `where`: values of parameters, one or several of each.
 fn filter(problem: &dyn Problem) -> Json {
     let table = problem.parameters().iter();
     let term = |p: &Parameter| {
-        let mut schema = value(p);
-        schema["description"] = p.meaning.into();
+        let list = json!({ "type": "array", "minItems": 1, "items": value(p) });
+        let schema = json!({ "anyOf": [value(p), list], "description": p.meaning });
         (p.name.to_owned(), schema)
     };
     object(table.map(term).collect(), &[])

@@ -112,7 +112,7 @@ pub(super) fn operator(rest: &str) -> Option<&'static Operator> {
 }
 
 /// Number of bytes that the number at the beginning of `rest` takes, as in 12, .5 or 1.5e-3.
-pub(super) fn length_of_number(rest: &[u8]) -> usize {
+pub(in crate::study) fn length_of_number(rest: &[u8]) -> usize {
     let digits = |from: usize| {
         let digits = rest[from..].iter().take_while(|b| b.is_ascii_digit());
         from + digits.count()

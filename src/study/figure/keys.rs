@@ -85,7 +85,7 @@ pub(in crate::study) static COMMON: [Key; 5] = [
         "where",
         Takes::Filter,
         false,
-        "the cases to show: those that have all these values; all cases if left out",
+        "which cases to show, by the values of their parameters; a list allows each of its values; all cases if left out",
     ),
 ];
 

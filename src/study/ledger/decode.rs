@@ -6,8 +6,10 @@ use std::path::Path;
 use super::expect::expect;
 use super::{Claim, Ledger, Reading, Settling};
 use crate::error::Error;
-use crate::study::decode::{self, text_of};
+use crate::study::decode;
+use crate::study::input::{text_of, tree_of};
 use crate::study::object::Object;
+use crate::study::place::Texts;
 use crate::study::report::{Faults, quoted};
 use crate::study::scope::Scope;
 use crate::study::tree::{Node, Tree};
@@ -22,12 +24,14 @@ const READING: [&str; 5] = ["reading", "study", "figure", "expect", "holds"];
 pub fn read(file: &Path) -> Result<Ledger, Error> {
     let shown = file.display().to_string();
     let source = text_of(file)?;
-    let root = decode::tree_of(&shown, &source)?;
+    let root = tree_of(&shown, &source)?;
     let mut faults = Faults::default();
     let ledger = ledger(&root, file, &mut faults)?;
     match ledger {
         Some(ledger) if faults.count() == 0 => Ok(ledger),
-        _ => Err(Error::Faults(faults.in_file_order(&shown, &source))),
+        _ => Err(Error::Faults(
+            faults.in_file_order(Texts::new(&shown, &source)),
+        )),
     }
 }
 
