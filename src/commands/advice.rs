@@ -4,7 +4,7 @@ use super::columns;
 use slipgap::error::Error;
 use slipgap::problem::Case;
 use slipgap::problem::parameter::{Value, shortest};
-use slipgap::recommend::{Request, Space, Tried};
+use slipgap::recommend::{FINER, Request, Space, Target, Tried, with_a_finer_step};
 use std::f64::consts::PI;
 
 /// A case to print.
@@ -55,9 +55,14 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
     last.extend(limits.map(|limit| format!("<= {}", shortest(limit))));
     table.push(last);
     let mut text = columns(&table);
-    text += "The errors above are the largest of the case and its neighbours; only what has a target is held. The case by itself:\n";
+    text += "The errors above are the largest of the case and its neighbours. Only what has a target is limited. The case alone:\n";
     let mut metrics = vec![vec![String::new()]];
     metrics[0].extend(rows.iter().map(|row| row.name.to_owned()));
+    let finer = rows.first().map(|row| with_finer_step(space, row));
+    if let Some(finer) = finer.transpose()? {
+        metrics[0].insert(2, format!("the same, step/{FINER}"));
+        own.insert(1, finer);
+    }
     let names = space.problem().metrics().iter().enumerate();
     for (i, metric) in names.filter(|(_, metric)| metric.default) {
         let mut cells = vec![metric.name.to_owned()];
@@ -67,7 +72,44 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
         );
         metrics.push(cells);
     }
-    Ok(text + &columns(&metrics))
+    text += &columns(&metrics);
+    text += &at_a_finer_step(request, &own);
+    Ok(text)
+}
+
+/// The metrics of a row's case with a finer step.
+fn with_finer_step(space: &dyn Space, row: &Row) -> Result<Vec<Option<f64>>, Error> {
+    let problem = space.problem();
+    let finer = with_a_finer_step(problem, &row.tried.cases[0]);
+    let solution = problem.solve(&finer, &[]).map_err(Error::Internal)?;
+    Ok(solution.metrics)
+}
+
+/// A warning where the first case reaches a target that it misses with a finer step, which is the second of `own`.
+fn at_a_finer_step(request: &Request, own: &[Vec<Option<f64>>]) -> String {
+    let [case, finer, ..] = own else {
+        return String::new();
+    };
+    let lost =
+        |target: &&Target| target.miss(case) <= target.limit && target.miss(finer) > target.limit;
+    let lost = request.targets.iter().filter(lost);
+    let lost: Vec<String> = lost
+        .map(|t| {
+            format!(
+                "{} {} > {}",
+                t.name,
+                digits(t.miss(finer)),
+                shortest(t.limit)
+            )
+        })
+        .collect();
+    match lost.is_empty() {
+        true => String::new(),
+        false => format!(
+            "This answer holds only at its own step. With 1/{FINER} of the step it misses the target: {}.\n",
+            lost.join(", ")
+        ),
+    }
 }
 
 /// Four digits.

@@ -11,6 +11,7 @@ mod search;
 pub use search::search;
 
 use crate::history::History;
+use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
 
 /// A demand on a case: the miss of one of its metrics, at most a limit.
@@ -95,6 +96,22 @@ pub struct Answer {
     pub front: Vec<Tried>,
     /// Number of cases solved.
     pub solved: u64,
+}
+
+/// How many times finer a step is that shows whether an answer holds only at its own step. Half the step is not enough: it
+/// may still pass over the contact mode, as the answer's own does.
+pub const FINER: f64 = 16.0;
+
+/// A case with a finer step.
+pub fn with_a_finer_step(problem: &dyn Problem, case: &Case) -> Case {
+    let mut finer = case.clone();
+    let row = case.table.iter().position(|p| p.name == problem.step());
+    if let Some(row) = row
+        && let Some(step) = case.at(row)
+    {
+        finer.values[row] = Some(Value::Number(step / FINER));
+    }
+    finer
 }
 
 /// Part of cost or of `worst` by which alternatives differ at least.
