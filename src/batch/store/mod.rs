@@ -33,8 +33,11 @@ pub const STORE: &str = "store";
 /// Column of the reason why a case could not be solved.
 const FAILURE: &str = "failure";
 
-/// Held by the run that writes.
-const LOCK: &str = "lock";
+/// Held by the run that writes. Its name begins with a point: pandas and pyarrow skip such files in a folder of parts.
+const LOCK: &str = ".lock";
+
+/// Its former name, which those tools take for a part.
+const FORMER_LOCK: &str = "lock";
 
 /// A store, opened and locked.
 #[derive(Debug)]
@@ -57,6 +60,7 @@ impl Store {
         let folder = results.join(STORE);
         fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
         let lock = locked(&folder)?;
+        remove_former_lock(&folder);
         sweep(&folder);
         let mut parts: BTreeMap<u64, Vec<PathBuf>> = BTreeMap::new();
         for (start, path) in there(&folder)? {
@@ -183,6 +187,17 @@ fn locked(folder: &Path) -> Result<File, Error> {
         Ok(()) => Ok(lock),
         Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),
         Err(TryLockError::Error(e)) => Err(Error::io("cannot lock", path)(e)),
+    }
+}
+
+/// Removes the lock that an earlier version left: an empty file, which no run holds.
+fn remove_former_lock(folder: &Path) {
+    let path = folder.join(FORMER_LOCK);
+    if fs::symlink_metadata(&path).is_ok_and(|there| there.is_file() && there.len() == 0)
+        && let Ok(file) = File::open(&path)
+        && file.try_lock().is_ok()
+    {
+        let _ = fs::remove_file(path);
     }
 }
 
