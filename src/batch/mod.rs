@@ -2,10 +2,12 @@
 
 pub mod chunk;
 mod computed;
+pub mod cost;
 mod done;
 pub mod key;
 mod manifest;
 pub mod output;
+pub mod pace;
 pub mod results;
 pub mod sobol;
 pub mod store;
@@ -21,6 +23,7 @@ use chunk::Part;
 use done::Solutions;
 use indicatif::ProgressBar;
 use key::Key;
+use pace::Pace;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -39,6 +42,8 @@ pub struct Wishes<'a> {
     pub keep: &'a (dyn Fn(&Case) -> bool + Sync),
     /// Is shown every solution that is computed, if anyone asks.
     pub visit: Option<&'a Visit<'a>>,
+    /// Is told the work of cases as they are done, if anyone asks.
+    pub pace: Option<&'a Pace>,
 }
 
 impl Wishes<'_> {
@@ -48,6 +53,7 @@ impl Wishes<'_> {
         anew: false,
         keep: &|_| false,
         visit: None,
+        pace: None,
     };
 }
 
@@ -141,7 +147,7 @@ pub fn all(study: &Study, bar: &ProgressBar) -> Result<Vec<Outcome>, Error> {
 
 /// A part from the store, or computed and kept.
 fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<Done, Error> {
-    let (start, first) = (part.start, part.first);
+    let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
     let store = wishes.store;
     let store = store.map(|store| (store, Key::new(study, first, &cases)));
@@ -152,10 +158,26 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
     let (found, solutions, kept) = match found {
         Ok(found) => {
             bar.inc(found.len() as u64);
+            if let Some(pace) = wishes.pace {
+                pace.found(work);
+            }
             (found, Solutions::new(), Ok(()))
         }
         Err(why) => {
-            let (found, solutions) = computed::computed(study, first, &cases, bar, wishes)?;
+            let rows = computed::sound(&cases);
+            let of_one = work / rows.len() as f64;
+            let tick = |rows: usize| {
+                bar.inc(rows as u64);
+                if let Some(pace) = wishes.pace {
+                    pace.computed(of_one * rows as f64);
+                }
+            };
+            bar.inc((cases.len() - rows.len()) as u64);
+            if let Some(pace) = wishes.pace {
+                pace.begin();
+            }
+            let (found, solutions) =
+                computed::computed(study, first, (&cases, &rows), &tick, wishes)?;
             if let Some((store, key)) = store {
                 store.put(study, start, &key, (first, &cases), &found)?;
             }

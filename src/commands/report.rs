@@ -47,10 +47,11 @@ fn section<'a>(
     let text =
         std::fs::read_to_string(&source.file).map_err(Error::io("cannot read", &source.file))?;
     let store = Store::open(&out.join(&source.name))?;
-    let bar = progress::bar(&source.name, study.len());
+    let (bar, pace) = progress::with_store(&source.name, study);
     let wishes = Wishes {
         store: Some(&store),
         keep: &|case| drawn::over_time(study, case),
+        pace: Some(&*pace),
         ..Wishes::METRICS
     };
     let mut tally = Tally::new(store.is_empty());

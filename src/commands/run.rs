@@ -67,7 +67,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
         &source.file,
         if manner.histories { cases } else { 0 },
     )?;
-    let bar = progress::bar(&source.name, cases);
+    let (bar, pace) = progress::with_store(&source.name, study);
     let table = match manner.format {
         Some(format) => format == Format::Csv,
         None => cases <= MOST_ROWS,
@@ -86,6 +86,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
         anew: manner.histories,
         keep: &|case| drawn::over_time(study, case),
         visit: manner.histories.then_some(&visit),
+        pace: Some(&*pace),
     };
     let mut solved = Vec::new();
     let mut designs = Gathered::new(study);
