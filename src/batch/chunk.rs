@@ -18,6 +18,12 @@ pub const MOST_ROWS: usize = 16_384;
 /// Steps times modes of a part: some seconds, the most that a killed run loses for each thread.
 pub const WORK: u64 = 1 << 30;
 
+/// The names that parts of the same chunk can have.
+pub fn starts_near(start: u64) -> Range<u64> {
+    let from = start / RAW * RAW;
+    from..from.saturating_add(RAW)
+}
+
 /// Number of chunks of a study.
 pub fn count(study: &Study) -> u64 {
     study.raw_len().div_ceil(RAW)

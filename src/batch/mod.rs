@@ -22,12 +22,12 @@ use crate::study::Study;
 use chunk::Part;
 use done::Solutions;
 use indicatif::ProgressBar;
-use key::Key;
+use key::{Key, identity};
 use pace::Pace;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::ops::Range;
-use store::Store;
+use store::{Former, Store};
 
 /// Is shown a case's number and its solution.
 pub type Visit<'a> = dyn Fn(u64, &Solution) -> Result<(), Error> + Sync + 'a;
@@ -155,17 +155,34 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
         Some((store, key)) if !wishes.anew => store.find(study, start, key, cases.len()),
         _ => Err(None),
     };
-    let (found, solutions, kept) = match found {
+    let (found, solutions, kept, from_store) = match found {
         Ok(found) => {
             bar.inc(found.len() as u64);
             if let Some(pace) = wishes.pace {
                 pace.found(work);
             }
-            (found, Solutions::new(), Ok(()))
+            let from_store = found.len() as u64;
+            (found, Solutions::new(), Ok(()), from_store)
         }
         Err(why) => {
-            let rows = computed::sound(&cases);
-            let of_one = work / rows.len() as f64;
+            let sound = computed::sound(&cases);
+            let of_one = work / sound.len().max(1) as f64;
+            let former = match &store {
+                Some((store, key)) if !wishes.anew => store.former(study, start, key),
+                _ => Former::default(),
+            };
+            let mut shown = cases.shown();
+            let known = |row: &u32| {
+                let case = shown.at(*row as usize);
+                former.get(identity(&case.values))
+            };
+            let known: Vec<_> = sound.iter().map(known).collect();
+            let rows = sound
+                .iter()
+                .zip(&known)
+                .filter(|(_, known)| known.is_none());
+            let rows: Vec<u32> = rows.map(|(row, _)| *row).collect();
+            let from_store = sound.len() - rows.len();
             let tick = |rows: usize| {
                 bar.inc(rows as u64);
                 if let Some(pace) = wishes.pace {
@@ -174,14 +191,20 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
             };
             bar.inc((cases.len() - rows.len()) as u64);
             if let Some(pace) = wishes.pace {
+                pace.found(of_one * from_store as f64);
                 pace.begin();
             }
-            let (found, solutions) =
+            let (mut found, solutions) =
                 computed::computed(study, first, (&cases, &rows), &tick, wishes)?;
+            for (row, known) in sound.iter().zip(known) {
+                if let Some((former, place)) = known {
+                    found.copy(*row as usize, former, place);
+                }
+            }
             if let Some((store, key)) = store {
                 store.put(study, start, &key, (first, &cases), &found)?;
             }
-            (found, solutions, Err(why))
+            (found, solutions, Err(why), from_store as u64)
         }
     };
     Ok(Done {
@@ -190,5 +213,6 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
         found,
         solutions,
         kept,
+        from_store,
     })
 }

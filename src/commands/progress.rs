@@ -118,11 +118,9 @@ impl Tally {
 
     /// Counts a part.
     pub fn add(&mut self, done: &Done) {
+        self.kept += done.from_store;
         let why = match &done.kept {
-            Ok(()) => {
-                self.kept += done.len() as u64;
-                return;
-            }
+            Ok(()) => return,
             Err(None) => "not in the store yet".to_owned(),
             Err(Some(why)) => why.clone(),
         };

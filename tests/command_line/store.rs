@@ -1,6 +1,7 @@
 //! Results that last: what is kept, found again, extended, damaged, killed and locked.
 
 use crate::{Bench, bars, friction};
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
@@ -55,26 +56,42 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", sweep(100, "20"));
     assert_eq!(said(&bench), "s: 40000 cases run\n");
     assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
-    // The last part, which was not full, and two new ones.
+    // The last part, which was not full and whose cases are found in the former one, and two new ones.
     bench.file("s.json", sweep(200, "20"));
     assert_eq!(
         said(&bench),
-        "s: 32768 of 80000 cases from the store, 47232 cases run: other parameters, not in the store yet (2 parts)\n"
+        "s: 40000 of 80000 cases from the store, 40000 cases run: other parameters, not in the store yet (2 parts)\n"
     );
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(200, "20")));
     // Shorter again: the parts beyond go.
     bench.file("s.json", sweep(100, "20"));
-    assert_eq!(
-        said(&bench),
-        "s: 32768 of 40000 cases from the store, 7232 cases run: other parameters\n"
-    );
+    assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(100, "20")));
-    // Another range of the fastest parameter changes every case but those of its first value.
+    // Another range of the fastest parameter changes most cases: numbers of part and parameters of those before.
+    let cases = || -> Vec<String> {
+        let table = bench.text("figures/s/results.csv");
+        let end = table.split(',').position(|name| name == "rms_error");
+        let rows = table.lines().skip(1).enumerate();
+        let case = |(number, row): (usize, &str)| {
+            let cells: Vec<&str> = row.split(',').take(end.unwrap()).skip(1).collect();
+            format!("{} {}", number / 16_384, cells.join(","))
+        };
+        rows.map(case).collect()
+    };
+    let former: BTreeSet<String> = cases().into_iter().collect();
     bench.file("s.json", sweep(100, "21"));
+    let told = said(&bench);
+    let kept = cases().iter().filter(|case| former.contains(*case)).count();
+    // The first value of the range is the same for each beta.
+    assert!((100..4000).contains(&kept), "{kept}");
     assert_eq!(
-        said(&bench),
-        "s: 40000 cases run: other parameters (3 parts)\n"
+        told,
+        format!(
+            "s: {kept} of 40000 cases from the store, {} cases run: other parameters (3 parts)\n",
+            40_000 - kept
+        )
     );
+    assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(100, "21")));
     let columns = sweep(100, "21").replace(
         ", \"figures\"",
         ", \"metrics\": [\"step_error\"], \"figures\"",

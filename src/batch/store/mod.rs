@@ -10,12 +10,13 @@ mod tests;
 mod uniform;
 mod writing;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::chunk::starts_near;
 use super::key::{Key, checksum};
 use super::whole::{sweep, whole};
 use crate::compare::Rows;
@@ -96,9 +97,7 @@ impl Store {
     ) -> Result<Found, Option<String>> {
         let mut why = None;
         for path in self.parts.get(&start).into_iter().flatten() {
-            let whole = fs::read(path)
-                .ok()
-                .filter(|bytes| named(path).is_some_and(|(_, sum)| checksum(bytes) == sum));
+            let whole = whole_part(path);
             // A sum is no signature: what a forged part holds may be anything.
             let read = |bytes| caught(|| reading::read(study, bytes, key, cases).ok()).flatten();
             match whole.and_then(read) {
@@ -113,7 +112,24 @@ impl Store {
         Err(why)
     }
 
-    /// Keeps what was found of a part, in place of what was there.
+    /// Cases of former parts near a part that was not found, by the identities of their parameters.
+    pub fn former(&self, study: &Study, start: u64, key: &Key) -> Former {
+        let mut former = Former::default();
+        for path in self.parts.range(starts_near(start)).flat_map(|(_, p)| p) {
+            let whole = whole_part(path);
+            let read = |bytes| caught(|| reading::former(study, bytes, key).ok()).flatten();
+            if let Some((identities, found)) = whole.and_then(read).flatten() {
+                let part = former.found.len();
+                let rows = identities.into_iter().enumerate();
+                let rows = rows.map(|(row, identity)| (identity, (part, row)));
+                former.rows.extend(rows);
+                former.found.push(found);
+            }
+        }
+        former
+    }
+
+    /// Keeps what was found of a part.
     pub fn put(
         &self,
         study: &Study,
@@ -129,11 +145,7 @@ impl Store {
             .join(format!("part-{start:012}-{}.parquet", checksum(&bytes)));
         // Not waited for until it is on the disk: what a power cut takes away shows by its sum.
         whole(&path, |out| out.write_all(&bytes))?;
-        let former = self.parts.get(&start).into_iter().flatten();
-        for old in former.filter(|old| **old != path) {
-            // If it stays, `close` says so.
-            let _ = fs::remove_file(old);
-        }
+        // What it replaces stays until `close`: other parts may find cases in it.
         self.own().insert(path);
         Ok(())
     }
@@ -168,6 +180,30 @@ impl Store {
     fn own(&self) -> MutexGuard<'_, BTreeSet<PathBuf>> {
         self.own.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Cases of former parts.
+#[derive(Debug, Default)]
+pub struct Former {
+    /// Part and row by the identity of the parameters.
+    rows: HashMap<u128, (usize, usize)>,
+    found: Vec<Found>,
+}
+
+impl Former {
+    /// What was found of the case with this identity.
+    pub fn get(&self, identity: u128) -> Option<(&Found, usize)> {
+        let (part, row) = self.rows.get(&identity)?;
+        Some((&self.found[*part], *row))
+    }
+}
+
+/// The bytes of a part, where its name has their sum.
+fn whole_part(path: &Path) -> Option<Vec<u8>> {
+    let bytes = fs::read(path).ok()?;
+    named(path)
+        .is_some_and(|(_, sum)| checksum(&bytes) == sum)
+        .then_some(bytes)
 }
 
 /// Opens and locks the file that a run holds.
