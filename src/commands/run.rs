@@ -146,7 +146,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
 }
 
 /// The table of indices, if a block has a saltelli design.
-fn indices(source: &Source, designs: &Gathered) -> Result<Option<Vec<u8>>, Error> {
+pub fn indices(source: &Source, designs: &Gathered) -> Result<Option<Vec<u8>>, Error> {
     let estimates = designs.estimates();
     if estimates == 0 {
         return Ok(None);
