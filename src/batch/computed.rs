@@ -11,7 +11,7 @@ use crate::study::Study;
 use rayon::prelude::*;
 
 /// Cases that move side by side on one of several threads.
-const SLICE: usize = 4096;
+pub(super) const SLICE: usize = 4096;
 
 /// Whether cases of the study can be computed side by side: histories, budgets and the papers' own iteration are for one
 /// case at a time.

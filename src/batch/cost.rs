@@ -1,6 +1,6 @@
 //! What a study costs: its work, and the time that some of its own cases take on this machine.
 
-use super::computed::{computed, pieces, sound};
+use super::computed::{SLICE, computed, pieces, sound};
 use super::{Wishes, keep_memory};
 use crate::error::Error;
 use crate::problem::cases::Cases;
@@ -14,11 +14,11 @@ use std::time::{Duration, Instant};
 /// Most cases whose work is summed up.
 const MOST_SUMMED: u64 = 100_000;
 
-/// Neighbouring combinations that are measured together: as many as move side by side, several times.
-const GROUP: u64 = 64;
+/// Fewest neighbouring combinations that are measured together: as many as move side by side, several times.
+const FEWEST: u64 = 64;
 
-/// Most work of a group, which takes a small part of a second.
-const MOST_WORK: f64 = 4e6;
+/// Most work of a group, which takes a part of a second.
+const MOST_WORK: f64 = 2e7;
 
 /// Work that was computed to measure it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +66,8 @@ pub fn measure(
     keep_memory();
     let most = pieces(study, wishes, all).max(1);
     let threads = rayon::current_num_threads().min(most);
-    let groups = study.raw_len().div_ceil(GROUP);
+    let size = size(study, all);
+    let groups = study.raw_len().div_ceil(size);
     let (next, sum) = (AtomicU64::new(0), Mutex::new((0_u64, 0.0)));
     let stride = stride(groups);
     let began = Instant::now();
@@ -77,7 +78,7 @@ pub fn measure(
                 break;
             }
             let group = (u128::from(turn) * u128::from(stride) % u128::from(groups)) as u64;
-            let cases = sample(study, group * GROUP);
+            let cases = sample(study, group * size, size);
             let rows = sound(&cases);
             let work = work(study, &cases, &rows);
             computed(study, 0, (&cases, &rows), &|_| (), wishes)?;
@@ -96,9 +97,16 @@ pub fn measure(
     })
 }
 
-/// The cases from raw combination `from` on, for a shorter time where they are much work.
-fn sample(study: &Study, from: u64) -> Cases {
-    let (_, cases) = study.columns(from, (from + GROUP).min(study.raw_len()));
+/// Combinations of a group: as many as a run has side by side, where that is little work. Only bars of the same mesh move
+/// side by side, so that few cases of a sample are slower than many.
+fn size(study: &Study, all: f64) -> u64 {
+    let cases = MOST_WORK / all * study.raw_len() as f64;
+    (cases as u64).clamp(FEWEST, SLICE as u64)
+}
+
+/// The cases of `size` raw combinations from `from` on, for a shorter time where they are much work.
+fn sample(study: &Study, from: u64, size: u64) -> Cases {
+    let (_, cases) = study.columns(from, (from + size).min(study.raw_len()));
     let rows = sound(&cases);
     let share = MOST_WORK / work(study, &cases, &rows);
     let table = study.problem.parameters();
@@ -188,7 +196,7 @@ mod tests {
     fn cases_of_much_work_are_measured_for_a_shorter_time() {
         // 3e7 steps each, seconds for one; of 64 of them as many as make the bound together.
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
-        let cases = sample(&study, 0);
+        let cases = sample(&study, 0, size(&study, total(&study)));
         assert_eq!(cases.len(), 64);
         let work = work(&study, &cases, &sound(&cases));
         // Steps are whole: one of each case may be lost or won by rounding.
