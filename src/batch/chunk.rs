@@ -18,6 +18,12 @@ pub const MOST_ROWS: usize = 16_384;
 /// Steps times modes of a part: some seconds, the most that a killed run loses for each thread.
 pub const WORK: u64 = 1 << 30;
 
+/// The names that parts of the same chunk can have.
+pub fn starts_near(start: u64) -> Range<u64> {
+    let from = start / RAW * RAW;
+    from..from.saturating_add(RAW)
+}
+
 /// Number of chunks of a study.
 pub fn count(study: &Study) -> u64 {
     study.raw_len().div_ceil(RAW)
@@ -30,6 +36,8 @@ pub struct Part {
     pub start: u64,
     /// Number of its first case.
     pub first: u64,
+    /// Steps times modes of its cases.
+    pub work: u64,
     chunk: Arc<Cases>,
     rows: Range<usize>,
 }
@@ -56,27 +64,26 @@ pub fn parts(study: &Study, index: u64) -> Vec<Part> {
     });
     let cuts = cut(work);
     let chunk = Arc::new(cases);
-    let part = |rows: Range<usize>| Part {
+    let part = |(rows, work): (Range<usize>, u64)| Part {
         start: from + rows.start as u64,
         first: first + rows.start as u64,
+        work,
         chunk: chunk.clone(),
         rows,
     };
     cuts.into_iter().map(part).collect()
 }
 
-/// Rows in their order, as many together as stay within `WORK`; one that alone is more is by itself.
-fn cut(work: impl Iterator<Item = u64>) -> Vec<Range<usize>> {
-    let mut cuts: Vec<Range<usize>> = Vec::new();
-    let mut sum: u64 = 0;
+/// Rows in their order with their work, as many together as stay within `WORK`; one that alone is more is by itself.
+fn cut(work: impl Iterator<Item = u64>) -> Vec<(Range<usize>, u64)> {
+    let mut cuts: Vec<(Range<usize>, u64)> = Vec::new();
     for (row, work) in work.enumerate() {
-        sum = sum.saturating_add(work);
         match cuts.last_mut() {
-            Some(last) if sum <= WORK => last.end = row + 1,
-            _ => {
-                cuts.push(row..row + 1);
-                sum = work;
+            Some((rows, sum)) if sum.saturating_add(work) <= WORK => {
+                rows.end = row + 1;
+                *sum += work;
             }
+            _ => cuts.push((row..row + 1, work)),
         }
     }
     cuts
@@ -91,7 +98,13 @@ mod tests {
     fn a_part_is_full_before_the_next_begins_and_holds_no_more() {
         let half = WORK / 2;
         let ends = |work: &[u64]| -> Vec<usize> {
-            let cuts = cut(work.iter().copied());
+            let cuts: Vec<_> = cut(work.iter().copied())
+                .into_iter()
+                .map(|(rows, sum)| {
+                    assert_eq!(sum, work[rows.clone()].iter().sum::<u64>());
+                    rows
+                })
+                .collect();
             let starts = cuts.iter().map(|rows| rows.start);
             assert!(
                 starts.eq([0]

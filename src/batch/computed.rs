@@ -1,42 +1,65 @@
 //! Cases that have to be computed: side by side where they can be, else one at a time.
 
 use super::Wishes;
+use super::chunk::WORK;
 use super::done::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
 use crate::problem::found::Found;
 use crate::problem::{Case, Solution};
 use crate::study::Study;
-use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 /// Cases that move side by side on one of several threads.
-const SLICE: usize = 4096;
+pub(super) const SLICE: usize = 4096;
 
-/// What a part comes to, and the histories that are kept of it.
+/// Whether cases of the study can be computed side by side: histories, budgets and the papers' own iteration are for one
+/// case at a time.
+fn side_by_side(study: &Study, wishes: &Wishes) -> bool {
+    let table = study.problem.metrics();
+    wishes.visit.is_none() && !study.once && study.metrics.iter().all(|row| table[*row].default)
+}
+
+/// Most pieces of the study that are computed at the same time, however many threads there are.
+pub(super) fn pieces(study: &Study, wishes: &Wishes, all: f64) -> usize {
+    let cases = study.len() as usize;
+    let parts = (all / WORK as f64).ceil() as usize;
+    match side_by_side(study, wishes) {
+        true => cases.div_ceil(SLICE).max(parts).min(cases),
+        false => cases,
+    }
+}
+
+/// The rows of cases that break no rule.
+pub(super) fn sound(cases: &Cases) -> Vec<u32> {
+    let rows = 0..cases.len() as u32;
+    rows.filter(|row| cases.may_be_solved(*row as usize))
+        .collect()
+}
+
+/// What these rows of a part come to, and the histories that are kept of them; `tick` takes the number of rows that are
+/// done, some at a time.
 pub(super) fn computed(
     study: &Study,
     first: u64,
-    cases: &Cases,
-    bar: &ProgressBar,
+    (cases, rows): (&Cases, &[u32]),
+    tick: &(dyn Fn(usize) + Sync),
     wishes: &Wishes,
 ) -> Result<(Found, Solutions), Error> {
     let table = study.problem.metrics();
-    // Histories, budgets and the papers' own iteration are for one case at a time.
-    let beside = wishes.visit.is_none()
-        && !study.once
-        && study.metrics.iter().all(|row| table[*row].default);
+    let beside = side_by_side(study, wishes);
     let mut shown = cases.shown();
-    let sound = (0..cases.len() as u32).filter(|row| cases.may_be_solved(*row as usize));
-    let (together, alone): (Vec<u32>, Vec<u32>) =
-        sound.partition(|row| beside && !(wishes.keep)(shown.at(*row as usize)));
+    let (together, alone): (Vec<u32>, Vec<u32>) = rows
+        .iter()
+        .partition(|row| beside && !(wishes.keep)(shown.at(**row as usize)));
     let size = match rayon::current_num_threads() {
         1 => cases.len().max(1),
         _ => SLICE,
     };
     let sweep = |rows: &[u32]| {
-        bar.inc(rows.len() as u64);
-        study.problem.sweep(cases, rows)
+        let swept = study.problem.sweep(cases, rows);
+        tick(rows.len());
+        swept
     };
     let swept: Vec<Found> = together.par_chunks(size).map(sweep).collect();
     let swept = swept.into_iter().reduce(Found::followed_by);
@@ -47,8 +70,9 @@ pub(super) fn computed(
     let alone = alone.into_iter().map(|row| row as usize);
     let alone: Vec<(usize, Case)> = alone.map(|row| (row, shown.at(row).clone())).collect();
     let solve = |(row, case): &(usize, Case)| {
-        bar.inc(1);
-        solved(study, first + *row as u64, case, wishes).map(|solved| (*row, solved))
+        let solved = solved(study, first + *row as u64, case, wishes);
+        tick(1);
+        solved.map(|solved| (*row, solved))
     };
     let solved: Vec<(usize, Solved)> = alone.par_iter().map(solve).collect::<Result<_, Error>>()?;
     let (mut found, mut solutions) = (Found::new(cases.len(), table.len()), Solutions::new());
@@ -58,7 +82,6 @@ pub(super) fn computed(
         }
     }
     for (row, why) in cases.refused() {
-        bar.inc(1);
         found.fail(row, why.to_owned());
     }
     for (row, (metrics, solution)) in solved {

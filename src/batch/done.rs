@@ -34,6 +34,8 @@ pub struct Done {
     pub(super) solutions: Solutions,
     /// Whether they were kept from a former run; if not, and something was there, why it could not serve.
     pub kept: Result<(), Option<String>>,
+    /// Number of cases that were kept from a former run, in this part or in others.
+    pub from_store: u64,
 }
 
 impl Done {

@@ -58,6 +58,11 @@ impl Key {
         }
     }
 
+    /// Whether cases of another part were solved in the same way, for the same columns.
+    pub fn same_way(&self, other: &Key) -> bool {
+        self.solver == other.solver && self.columns == other.columns
+    }
+
     /// What differs from the key of a part that was kept.
     pub fn change(&self, kept: &Key) -> Option<&'static str> {
         if self.solver != kept.solver {
@@ -70,6 +75,13 @@ impl Key {
             None
         }
     }
+}
+
+/// What tells the parameters of a case from those of others: a sum of all their bits.
+pub fn identity(case: &[Option<Value>]) -> u128 {
+    let mut bytes = Vec::new();
+    case.iter().for_each(|value| note(&mut bytes, *value));
+    XxHash3_128::oneshot(&bytes)
 }
 
 /// Adds what tells a value from all others.

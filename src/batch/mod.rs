@@ -2,10 +2,12 @@
 
 pub mod chunk;
 mod computed;
+pub mod cost;
 mod done;
 pub mod key;
 mod manifest;
 pub mod output;
+pub mod pace;
 pub mod results;
 pub mod sobol;
 pub mod store;
@@ -20,11 +22,12 @@ use crate::study::Study;
 use chunk::Part;
 use done::Solutions;
 use indicatif::ProgressBar;
-use key::Key;
+use key::{Key, identity};
+use pace::Pace;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::ops::Range;
-use store::Store;
+use store::{Former, Store};
 
 /// Is shown a case's number and its solution.
 pub type Visit<'a> = dyn Fn(u64, &Solution) -> Result<(), Error> + Sync + 'a;
@@ -39,6 +42,8 @@ pub struct Wishes<'a> {
     pub keep: &'a (dyn Fn(&Case) -> bool + Sync),
     /// Is shown every solution that is computed, if anyone asks.
     pub visit: Option<&'a Visit<'a>>,
+    /// Is told the work of cases as they are done, if anyone asks.
+    pub pace: Option<&'a Pace>,
 }
 
 impl Wishes<'_> {
@@ -48,6 +53,7 @@ impl Wishes<'_> {
         anew: false,
         keep: &|_| false,
         visit: None,
+        pace: None,
     };
 }
 
@@ -141,7 +147,7 @@ pub fn all(study: &Study, bar: &ProgressBar) -> Result<Vec<Outcome>, Error> {
 
 /// A part from the store, or computed and kept.
 fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<Done, Error> {
-    let (start, first) = (part.start, part.first);
+    let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
     let store = wishes.store;
     let store = store.map(|store| (store, Key::new(study, first, &cases)));
@@ -149,17 +155,56 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
         Some((store, key)) if !wishes.anew => store.find(study, start, key, cases.len()),
         _ => Err(None),
     };
-    let (found, solutions, kept) = match found {
+    let (found, solutions, kept, from_store) = match found {
         Ok(found) => {
             bar.inc(found.len() as u64);
-            (found, Solutions::new(), Ok(()))
+            if let Some(pace) = wishes.pace {
+                pace.found(work);
+            }
+            let from_store = found.len() as u64;
+            (found, Solutions::new(), Ok(()), from_store)
         }
         Err(why) => {
-            let (found, solutions) = computed::computed(study, first, &cases, bar, wishes)?;
+            let sound = computed::sound(&cases);
+            let of_one = work / sound.len().max(1) as f64;
+            let former = match &store {
+                Some((store, key)) if !wishes.anew => store.former(study, start, key),
+                _ => Former::default(),
+            };
+            let mut shown = cases.shown();
+            let known = |row: &u32| {
+                let case = shown.at(*row as usize);
+                former.get(identity(&case.values))
+            };
+            let known: Vec<_> = sound.iter().map(known).collect();
+            let rows = sound
+                .iter()
+                .zip(&known)
+                .filter(|(_, known)| known.is_none());
+            let rows: Vec<u32> = rows.map(|(row, _)| *row).collect();
+            let from_store = sound.len() - rows.len();
+            let tick = |rows: usize| {
+                bar.inc(rows as u64);
+                if let Some(pace) = wishes.pace {
+                    pace.computed(of_one * rows as f64);
+                }
+            };
+            bar.inc((cases.len() - rows.len()) as u64);
+            if let Some(pace) = wishes.pace {
+                pace.found(of_one * from_store as f64);
+                pace.begin();
+            }
+            let (mut found, solutions) =
+                computed::computed(study, first, (&cases, &rows), &tick, wishes)?;
+            for (row, known) in sound.iter().zip(known) {
+                if let Some((former, place)) = known {
+                    found.copy(*row as usize, former, place);
+                }
+            }
             if let Some((store, key)) = store {
                 store.put(study, start, &key, (first, &cases), &found)?;
             }
-            (found, solutions, Err(why))
+            (found, solutions, Err(why), from_store as u64)
         }
     };
     Ok(Done {
@@ -168,5 +213,6 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
         found,
         solutions,
         kept,
+        from_store,
     })
 }

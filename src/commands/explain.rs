@@ -1,18 +1,17 @@
 //! `slipgap explain`: one case of a study, what it would compute and what that costs.
 
 use super::sources::Source;
-use super::{UNSOLVED, columns, say};
-use slipgap::batch::chunk;
+use super::{UNSOLVED, columns, drawn, progress, say};
+use slipgap::batch::cost::{measure, total};
+use slipgap::batch::{Wishes, chunk};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
 use slipgap::study::Study;
+use std::time::Duration;
 
-/// Steps times modes that a core does in a second, in round numbers.
-const RATE: f64 = 1e8;
-
-/// Most cases whose cost is summed up.
-const MOST_SUMMED: u64 = 100_000;
+/// How long some cases are computed, to see how long all will take.
+const MEASURING: Duration = Duration::from_millis(200);
 
 /// Prints case `number` of a study; gives the exit code.
 pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
@@ -53,7 +52,7 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(why) = &broken {
         text += &format!("\ncannot be solved: {why}\n");
     }
-    text += &format!("\n{}", cost(study, &case));
+    text += &format!("\n{}", cost(study, &case)?);
     let metrics: Vec<&str> = study
         .metrics
         .iter()
@@ -104,15 +103,30 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
     }
 }
 
-/// Steps, work and memory of the case, and of the whole study.
-fn cost(study: &Study, case: &Case) -> String {
+/// Steps and work of the case and of the whole study, and the time that the study takes, measured on some of its cases.
+fn cost(study: &Study, case: &Case) -> Result<String, Error> {
     let (steps, work) = (study.problem.steps(case), study.problem.work(case));
     let all = total(study);
-    format!(
-        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases, some {:.1e} s on one core, kept in {}\n",
-        all / RATE,
-        parts(study, all)
-    )
+    let wishes = Wishes {
+        keep: &|case| drawn::over_time(study, case),
+        ..Wishes::METRICS
+    };
+    let measured = measure(study, all, &wishes, MEASURING)?;
+    let threads = match measured.threads {
+        1 => "1 thread".into(),
+        threads => format!("{threads} threads"),
+    };
+    let time = match measured.seconds_for(all) {
+        Some(seconds) => format!("{} on {threads}", progress::time(seconds)),
+        None => "not measured".into(),
+    };
+    Ok(format!(
+        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases, kept in {}\n\
+         time to compute all cases: {time}, estimated from {} cases in {}\n",
+        parts(study, all),
+        measured.cases,
+        progress::time(measured.seconds)
+    ))
 }
 
 /// How many parts of a store hold all cases, whose cost is `all`: one for each chunk, or more where work cuts them.
@@ -125,17 +139,6 @@ fn parts(study: &Study, all: f64) -> String {
             format!("at least {least} parts")
         }
     }
-}
-
-/// Steps times modes of all cases; of very many, as many times the mean of some as there are.
-fn total(study: &Study) -> f64 {
-    let raw = study.raw_len();
-    let apart = raw.div_ceil(MOST_SUMMED);
-    let sampled = (0..raw)
-        .step_by(apart as usize)
-        .filter_map(|raw| study.combination(raw));
-    let work = sampled.map(|case| study.problem.work(&case) as f64);
-    work.sum::<f64>() * apart as f64
 }
 
 /// Names after a word, if there are any.

@@ -1,9 +1,14 @@
 //! How far a run is, and what it came to.
 
 use super::note;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use slipgap::batch::Done;
+use slipgap::batch::cost;
+use slipgap::batch::pace::Pace;
+use slipgap::study::Study;
+use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Most reasons that one line gives.
@@ -24,6 +29,38 @@ pub fn bar(name: &str, cases: u64) -> ProgressBar {
     ProgressBar::new(cases)
         .with_style(style)
         .with_prefix(name.to_owned())
+}
+
+/// The same for a run with a store, and what takes the work done: the time left follows from the work that this run
+/// computes, not from the cases that the store has.
+pub fn with_store(name: &str, study: &Study) -> (ProgressBar, Arc<Pace>) {
+    let bar = bar(name, study.len());
+    if bar.is_hidden() {
+        return (bar, Arc::new(Pace::new(0.0)));
+    }
+    let pace = Arc::new(Pace::new(cost::total(study)));
+    let shown = pace.clone();
+    let style = ProgressStyle::with_template(
+        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {time} left",
+    )
+    .unwrap_or_else(|_| ProgressStyle::default_bar())
+    .with_key("time", move |_: &ProgressState, out: &mut dyn Write| {
+        let left = shown.left();
+        let _ = out.write_str(&left.map_or("?".into(), |left| time(left.as_secs_f64())));
+    });
+    (bar.with_style(style), pace)
+}
+
+/// Some time for people, in two digits or so.
+pub fn time(seconds: f64) -> String {
+    match seconds {
+        _ if seconds < 0.1 => "less than 0.1 s".into(),
+        _ if seconds < 10.0 => format!("{seconds:.1} s"),
+        _ if seconds < 120.0 => format!("{seconds:.0} s"),
+        _ if seconds < 2.0 * 3600.0 => format!("{:.0} min", seconds / 60.0),
+        _ if seconds < 48.0 * 3600.0 => format!("{:.0} h", seconds / 3600.0),
+        _ => format!("{:.0} days", seconds / 86_400.0),
+    }
 }
 
 /// A bar of so many steps for what takes long after the last case; where no terminal shows it, a line says what is done.
@@ -81,11 +118,9 @@ impl Tally {
 
     /// Counts a part.
     pub fn add(&mut self, done: &Done) {
+        self.kept += done.from_store;
         let why = match &done.kept {
-            Ok(()) => {
-                self.kept += done.len() as u64;
-                return;
-            }
+            Ok(()) => return,
             Err(None) => "not in the store yet".to_owned(),
             Err(Some(why)) => why.clone(),
         };

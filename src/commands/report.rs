@@ -7,11 +7,14 @@ use super::sources::Source;
 use super::{note, say};
 use indicatif::ProgressBar;
 use slipgap::batch::output::Folder;
+use slipgap::batch::sobol::Gathered;
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, Wishes};
 use slipgap::claims::compute;
 use slipgap::error::Error;
-use slipgap::report::{self, Checks, Counts, Drawing, MOST_BYTES, Results, Section, Settled};
+use slipgap::report::{
+    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Results, Section, Settled,
+};
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
@@ -45,18 +48,21 @@ fn section<'a>(
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
     let store = Store::open(&out.join(&source.name))?;
-    let bar = progress::bar(&source.name, study.len());
+    let (bar, pace) = progress::with_store(&source.name, study);
     let wishes = Wishes {
         store: Some(&store),
         keep: &|case| drawn::over_time(study, case),
+        pace: Some(&*pace),
         ..Wishes::METRICS
     };
     let mut tally = Tally::new(store.is_empty());
     let mut results = Results::new(study, store.folder().to_owned(), most);
     let (mut counts, mut checks) = (Counts::new(study), Checks::default());
     let mut shown = Vec::new();
+    let mut designs = Gathered::new(study);
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
+        designs.add(&done);
         for (number, outcome) in done.outcomes(study.problem) {
             results.add(&outcome);
             counts.add(number, &outcome);
@@ -69,6 +75,7 @@ fn section<'a>(
     })?;
     progress::finish(&bar, &source.name, &tally.told(results.cases()));
     store.close()?;
+    let indices = super::run::indices(source, &designs)?;
     let mut drawings = Vec::new();
     drawn::solve(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {
@@ -85,6 +92,7 @@ fn section<'a>(
         figures: drawings,
         results,
         counts,
+        indices: Indices::new(indices.as_deref().unwrap_or_default()),
         checks,
         claims,
     })

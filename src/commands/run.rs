@@ -67,7 +67,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
         &source.file,
         if manner.histories { cases } else { 0 },
     )?;
-    let bar = progress::bar(&source.name, cases);
+    let (bar, pace) = progress::with_store(&source.name, study);
     let table = match manner.format {
         Some(format) => format == Format::Csv,
         None => cases <= MOST_ROWS,
@@ -86,6 +86,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
         anew: manner.histories,
         keep: &|case| drawn::over_time(study, case),
         visit: manner.histories.then_some(&visit),
+        pace: Some(&*pace),
     };
     let mut solved = Vec::new();
     let mut designs = Gathered::new(study);
@@ -145,7 +146,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
 }
 
 /// The table of indices, if a block has a saltelli design.
-fn indices(source: &Source, designs: &Gathered) -> Result<Option<Vec<u8>>, Error> {
+pub fn indices(source: &Source, designs: &Gathered) -> Result<Option<Vec<u8>>, Error> {
     let estimates = designs.estimates();
     if estimates == 0 {
         return Ok(None);

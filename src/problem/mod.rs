@@ -260,6 +260,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn after(&self, _case: &Case, _flight: f64) -> Vec<Option<f64>> {
         Vec::new()
     }
+    /// Symbols of the scales that results are given in, each with its formula and meaning.
+    fn scales(&self) -> &'static [[&'static str; 2]] {
+        &[]
+    }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;
     /// Whether time axes have their ticks at multiples of pi.

@@ -6,14 +6,18 @@ mod checks;
 mod column;
 mod counts;
 mod drawing;
+mod indices;
 mod results;
 mod text;
 
 pub use checks::Checks;
 pub use counts::Counts;
 pub use drawing::Drawing;
+pub use indices::Indices;
 pub use results::{MOST_BYTES, Results};
 
+use crate::batch::key::SOLVER_VERSION;
+use crate::problem::Problem;
 use crate::study::Study;
 use std::io::{self, Write};
 use text::escape;
@@ -44,6 +48,8 @@ pub struct Section<'a> {
     pub results: Results<'a>,
     /// How many of them have no results.
     pub counts: Counts,
+    /// The indices of its saltelli designs.
+    pub indices: Indices,
     /// Its checks.
     pub checks: Checks,
     /// The claims that it settles.
@@ -74,7 +80,7 @@ pub fn write(out: &mut impl Write, sections: &[Section]) -> io::Result<()> {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>slipgap report</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n\
-         <h1>slipgap report</h1>\n<p class=\"facts\">slipgap {}, {} {}</p>\n</header>\n",
+         <h1>slipgap report</h1>\n<p class=\"facts\">slipgap {}, solver {SOLVER_VERSION}, {} {}</p>\n</header>\n",
         env!("CARGO_PKG_VERSION"),
         sections.len(),
         if sections.len() == 1 {
@@ -111,17 +117,19 @@ fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
     write!(
         out,
         "<section id=\"study-{i}\" aria-labelledby=\"title-{i}\">\n<h2 id=\"title-{i}\">{}</h2>\n\
-         <p class=\"facts\">{} · {} · {} cases · SHA-256 {}</p>\n",
+         <p class=\"facts\">{} · {} · {} cases · SHA-256 of the study {}</p>\n",
         escape(title(section)),
         escape(&section.file),
         study.problem.name(),
         section.results.cases(),
         study.sha256,
     )?;
+    scales(out, study.problem)?;
     section.counts.write(out)?;
     for figure in &section.figures {
         figure.write(out)?;
     }
+    section.indices.write(out)?;
     section.checks.write(out)?;
     claims(out, &section.claims)?;
     section.results.write(out)?;
@@ -130,6 +138,20 @@ fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
         "<details><summary>The study as given</summary><pre>{}</pre></details>\n</section>\n",
         escape(&section.text)
     )
+}
+
+/// The scales in which numbers and axes are given.
+fn scales(out: &mut impl Write, problem: &dyn Problem) -> io::Result<()> {
+    out.write_all(b"<dl class=\"scales\">\n")?;
+    for [symbol, meaning] in problem.scales() {
+        writeln!(
+            out,
+            "<dt>{}</dt><dd>{}</dd>",
+            escape(symbol),
+            escape(meaning)
+        )?;
+    }
+    out.write_all(b"</dl>\n")
 }
 
 fn claims(out: &mut impl Write, claims: &[Settled]) -> io::Result<()> {

@@ -150,13 +150,13 @@ fn names_of_the_user_are_left_alone_and_links_are_not_followed() {
     }
     assert!(bench.text("figures/s/results.csv").starts_with("case,"));
     // A lock that leads elsewhere would be opened there.
-    let lock = bench.path("figures/s/store/lock");
+    let lock = bench.path("figures/s/store/.lock");
     fs::remove_file(&lock).unwrap();
     symlink(bench.path("mine"), &lock).unwrap();
     let done = bench.expect(1, &["run", "s.json"]);
     assert_eq!(
         done.err,
-        "slipgap: cannot lock figures/s/store/lock: it is not a file; remove it\n"
+        "slipgap: cannot lock figures/s/store/.lock: it is not a file; remove it\n"
     );
     assert_eq!(bench.text("mine"), "mine");
 }

@@ -1,6 +1,6 @@
 //! Stores that hold the rows of their study and no others, and results that serve again only where nothing has changed.
 
-use crate::{Bench, friction};
+use crate::{Bench, bars, friction};
 use slipgap::batch::store;
 use std::fs;
 
@@ -124,6 +124,74 @@ fn a_part_that_cannot_be_removed_is_told() {
 }
 
 #[test]
+fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
+    let study = |gamma: &str, n: &str| {
+        let parameters = format!(
+            r#""gamma": {gamma}, "n": {n}, "mass": ["lumped", "consistent"], "dt": 0.01, "duration": 1.5"#
+        );
+        let metrics = r#", "metrics": ["peak_force", "mesh_error_r"],
+            "figures": [{"name": "history", "kind": "history", "where": {"n": 4, "mass": "lumped"}, "by": "gamma"}]"#;
+        bars(&parameters, metrics)
+    };
+    // 42, 63 and 84 cases; the last value of gamma, the first of n, and then a value in the middle of each.
+    let steps = [
+        (study("[0.3, 0.5, 1]", "[2, 3, 4, 5, 6, 7, 8]"), 0, 42),
+        (study("[0.3, 0.5, 1, 2]", "[2, 3, 4, 5, 6, 7, 8]"), 42, 56),
+        (
+            study("[0.3, 0.5, 1, 2]", "[1, 2, 3, 4, 5, 6, 7, 8]"),
+            56,
+            64,
+        ),
+        (
+            study("[0.3, 0.4, 0.5, 1, 2]", "[1, 2, 4, 5, 6, 7, 8]"),
+            56,
+            70,
+        ),
+    ];
+    let bench = Bench::new();
+    for (text, kept, cases) in steps {
+        bench.file("s.json", &text);
+        let told = run(&bench);
+        let expected = format!(
+            "s: {kept} of {cases} cases from the store, {} cases run: other parameters\n",
+            cases - kept
+        );
+        assert!(kept == 0 || told == expected, "{told}");
+        let new = Bench::new();
+        new.file("s.json", &text);
+        run(&new);
+        for name in bench.everything("figures/s") {
+            let read = |bench: &Bench| fs::read(bench.path(&format!("figures/s/{name}"))).unwrap();
+            assert!(
+                name == "manifest.json" || read(&bench) == read(&new),
+                "{name}"
+            );
+        }
+        same_rows(&bench, cases);
+    }
+    // The same cases in another order: other numbers, and nothing to compute.
+    bench.file(
+        "s.json",
+        study("[2, 1, 0.3, 0.4, 0.5]", "[8, 1, 2, 4, 5, 6, 7]"),
+    );
+    assert_eq!(run(&bench), "s: 70 of 70 cases from the store\n");
+    same_rows(&bench, 70);
+    // Damaged, its cases do not serve.
+    let [name] = &parts(&bench)[..] else {
+        panic!("one part");
+    };
+    let path = bench.path(&format!("figures/s/store/{name}"));
+    let mut damaged = fs::read(&path).unwrap();
+    damaged[100] ^= 1;
+    fs::write(&path, damaged).unwrap();
+    let told = run(&bench);
+    assert!(
+        told.starts_with("s: 70 cases run: ") && told.ends_with(" is damaged\n"),
+        "{told}"
+    );
+}
+
+#[test]
 fn converged_results_do_not_serve_a_study_that_is_not_iterated() {
     let bench = Bench::new();
     let parameters =
@@ -159,7 +227,8 @@ fn cases_have_their_new_numbers_where_a_block_before_them_grows() {
     run(&bench);
     same_rows(&bench, 13);
     bench.file("s.json", study("beta <= 20"));
-    assert_eq!(run(&bench), "s: 23 cases run: other parameters (2 parts)\n");
+    let told = "s: 13 of 23 cases from the store, 10 cases run: other parameters (2 parts)\n";
+    assert_eq!(run(&bench), told);
     same_rows(&bench, 23);
     let [stored, _] = rows(&bench);
     let second = stored

@@ -1,6 +1,7 @@
 //! Results that last: what is kept, found again, extended, damaged, killed and locked.
 
 use crate::{Bench, bars, friction};
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
@@ -55,26 +56,42 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", sweep(100, "20"));
     assert_eq!(said(&bench), "s: 40000 cases run\n");
     assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
-    // The last part, which was not full, and two new ones.
+    // The last part, which was not full and whose cases are found in the former one, and two new ones.
     bench.file("s.json", sweep(200, "20"));
     assert_eq!(
         said(&bench),
-        "s: 32768 of 80000 cases from the store, 47232 cases run: other parameters, not in the store yet (2 parts)\n"
+        "s: 40000 of 80000 cases from the store, 40000 cases run: other parameters, not in the store yet (2 parts)\n"
     );
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(200, "20")));
     // Shorter again: the parts beyond go.
     bench.file("s.json", sweep(100, "20"));
-    assert_eq!(
-        said(&bench),
-        "s: 32768 of 40000 cases from the store, 7232 cases run: other parameters\n"
-    );
+    assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(100, "20")));
-    // Another range of the fastest parameter changes every case but those of its first value.
+    // Another range of the fastest parameter changes most cases: numbers of part and parameters of those before.
+    let cases = || -> Vec<String> {
+        let table = bench.text("figures/s/results.csv");
+        let end = table.split(',').position(|name| name == "rms_error");
+        let rows = table.lines().skip(1).enumerate();
+        let case = |(number, row): (usize, &str)| {
+            let cells: Vec<&str> = row.split(',').take(end.unwrap()).skip(1).collect();
+            format!("{} {}", number / 16_384, cells.join(","))
+        };
+        rows.map(case).collect()
+    };
+    let former: BTreeSet<String> = cases().into_iter().collect();
     bench.file("s.json", sweep(100, "21"));
+    let told = said(&bench);
+    let kept = cases().iter().filter(|case| former.contains(*case)).count();
+    // The first value of the range is the same for each beta.
+    assert!((100..4000).contains(&kept), "{kept}");
     assert_eq!(
-        said(&bench),
-        "s: 40000 cases run: other parameters (3 parts)\n"
+        told,
+        format!(
+            "s: {kept} of 40000 cases from the store, {} cases run: other parameters (3 parts)\n",
+            40_000 - kept
+        )
     );
+    assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(100, "21")));
     let columns = sweep(100, "21").replace(
         ", \"figures\"",
         ", \"metrics\": [\"step_error\"], \"figures\"",
@@ -148,7 +165,7 @@ fn a_second_run_on_one_store_is_refused() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
     said(&bench);
-    let lock = File::open(bench.path("figures/s/store/lock")).unwrap();
+    let lock = File::open(bench.path("figures/s/store/.lock")).unwrap();
     lock.lock().unwrap();
     let done = bench.expect(1, &["run", "s.json"]);
     assert_eq!(
@@ -267,13 +284,57 @@ fn a_full_disk_is_told_and_what_is_there_stays() {
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(300, "20")));
 }
 
-/// Run where Python has DuckDB or polars; elsewhere it says that it did not look.
+/// Programs that read a column of the store and print it as JSON, the tools that they need, and whether they read the
+/// folder itself while a file in it is being written.
+const READERS: [(&[&str], &str, bool); 5] = [
+    (
+        &["pandas", "pyarrow"],
+        "t = pandas.read_parquet(store).sort_values('case')
+assert (t['mass'] == 'lumped').all() and t['right.L'].isna().all()
+column = t['rms_error_r'].tolist()",
+        true,
+    ),
+    (
+        &["pyarrow"],
+        "import pyarrow.parquet
+t = pyarrow.parquet.read_table(store).sort_by('case')
+column = t['rms_error_r'].to_pylist()",
+        true,
+    ),
+    (
+        &["polars"],
+        "t = polars.read_parquet(store).sort('case')
+column = t['rms_error_r'].to_list()",
+        false,
+    ),
+    (
+        &["polars"],
+        "t = polars.read_parquet(store + '/*.parquet').sort('case')
+column = t['rms_error_r'].to_list()",
+        true,
+    ),
+    (
+        &["duckdb"],
+        r#"parts = store + '/*.parquet'
+q = duckdb.sql(f"""select rms_error_r from '{parts}' where mass = 'lumped' and "right" = 'wall' and "right.L" is null
+    and n >= 4 order by "case" """).fetchall()
+column = [r[0] for r in q]
+m = duckdb.sql(f"""select decode(value) from parquet_kv_metadata('{parts}')
+    where decode(key) = 'slipgap.description'""").fetchall()[0][0]
+assert json.loads(m)['duration']['unit'] and json.loads(m)['gamma']['description'], m"#,
+        true,
+    ),
+];
+
+/// Run where Python has these tools; elsewhere it says that it did not look.
 #[test]
 fn other_tools_read_the_store() {
     let bench = Bench::new();
     let parameters =
         r#""gamma": [0.5, 1], "n": [4, 8, 16], "dt": 0.01, "duration": 1.5, "right": "wall""#;
     bench.file("s.json", bars(parameters, ""));
+    // A lock of an earlier version, which these tools cannot read, goes.
+    bench.file("figures/s/store/lock", "");
     bench.expect(0, &["run", "s.json"]);
     let csv = bench.text("figures/s/results.csv");
     let place = csv
@@ -288,30 +349,68 @@ fn other_tools_read_the_store() {
         .skip(1)
         .map(|row| row.split(',').nth(place).unwrap().parse().unwrap());
     let column: Vec<f64> = column.collect();
-    let duckdb = "import duckdb, json; q = duckdb.sql(\"select rms_error_r from 'figures/s/store/*.parquet' where mass = 'lumped' and \\\"right\\\" = 'wall' and \\\"right.L\\\" is null and n >= 4 order by \\\"case\\\"\").fetchall(); print(json.dumps([r[0] for r in q])); m = duckdb.sql(\"select decode(value) from parquet_kv_metadata('figures/s/store/*.parquet') where decode(key) = 'slipgap.description'\").fetchall()[0][0]; assert json.loads(m)['duration']['unit'] and json.loads(m)['gamma']['description'], m";
-    let polars = "import polars, json; t = polars.read_parquet('figures/s/store/*.parquet').sort('case'); print(json.dumps(t['rms_error_r'].to_list()))";
     let python = std::env::var("SLIPGAP_PYTHON").unwrap_or("python3".into());
-    for (tool, program) in [("duckdb", duckdb), ("polars", polars)] {
-        let there = Command::new(&python)
-            .args(["-c", &format!("import {tool}")])
-            .output();
-        if !there.is_ok_and(|output| output.status.success()) {
-            eprintln!("{tool} is not installed for {python}: not looked at");
-            continue;
+    let partial = "figures/s/store/.slipgap-0123456789aB.partial";
+    for written in [false, true] {
+        if written {
+            bench.file(partial, "PAR1 and a beginning");
         }
-        let output = Command::new(&python)
-            .args(["-c", program])
-            .current_dir(bench.path(""))
-            .output()
-            .unwrap();
-        assert!(
-            output.status.success(),
-            "{tool}: {}",
-            String::from_utf8_lossy(&output.stderr)
-        );
-        let read: Vec<f64> = serde_json::from_slice(&output.stdout).unwrap();
-        assert_eq!(read, column, "{tool}");
+        for (tools, program, while_written) in READERS {
+            let names = tools.join(", ");
+            let there = Command::new(&python)
+                .args(["-c", &format!("import {names}")])
+                .output();
+            if !there.is_ok_and(|output| output.status.success()) {
+                eprintln!("{names}: not installed for {python}, not looked at");
+                continue;
+            }
+            if written && !while_written {
+                continue;
+            }
+            let program = format!(
+                "import json, {names}\nstore = 'figures/s/store'\n{program}\nprint(json.dumps(column))"
+            );
+            let output = Command::new(&python)
+                .args(["-c", &program])
+                .current_dir(bench.path(""))
+                .output()
+                .unwrap();
+            assert!(
+                output.status.success(),
+                "{program}: {}",
+                String::from_utf8_lossy(&output.stderr)
+            );
+            let read: Vec<f64> = serde_json::from_slice(&output.stdout).unwrap();
+            assert_eq!(read, column, "{program}");
+        }
     }
+}
+
+/// What tools see that read a folder as one table: no file but parts, apart from hidden ones.
+#[test]
+fn a_store_shows_parts_only() {
+    let bench = Bench::new();
+    let parameters = r#""law": "velocity-control", "beta": [0.1, 1], "dT": 0.5, "duration": 3"#;
+    bench.file("s.json", friction(parameters, ""));
+    // Not empty: a file of the user's.
+    bench.file("figures/s/store/lock", "mine");
+    said(&bench);
+    assert_eq!(bench.text("figures/s/store/lock"), "mine");
+    fs::write(bench.path("figures/s/store/lock"), "").unwrap();
+    // Held by a run of an earlier version.
+    let held = File::open(bench.path("figures/s/store/lock")).unwrap();
+    held.lock().unwrap();
+    said(&bench);
+    assert!(bench.path("figures/s/store/lock").exists());
+    held.unlock().unwrap();
+    said(&bench);
+    let names = bench.everything("figures/s/store");
+    let shown = names
+        .iter()
+        .filter(|name| !name.starts_with('.'))
+        .collect::<Vec<_>>();
+    assert_eq!(shown.len(), 1);
+    assert!(shown[0].starts_with("part-") && shown[0].ends_with(".parquet"));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::browser::{chromium, probe};
 use super::data::data;
 use slipgap::batch;
 use slipgap::batch::Outcome;
-use slipgap::report::{self, Checks, Counts, Results, Section};
+use slipgap::report::{self, Checks, Counts, Indices, Results, Section};
 use slipgap::study::{self, Study};
 use std::path::PathBuf;
 
@@ -34,6 +34,7 @@ fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String 
         figures: Vec::new(),
         results,
         counts,
+        indices: Indices::default(),
         checks: Checks::default(),
         claims: Vec::new(),
     };

@@ -5,6 +5,7 @@ use super::data::data;
 use super::page_of;
 use serde_json::Value as Json;
 use std::fs;
+use std::process::Command;
 
 /// 108 cases with one that is stranger than the others, a figure of each kind of hover, and a check that is not met.
 const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact", "parameters": {
@@ -19,7 +20,7 @@ const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact",
 
 #[test]
 fn the_page_has_everything_in_it_and_asks_for_nothing() {
-    let (_folder, page) = page_of(STUDY, &["report"]);
+    let (folder, page) = page_of(STUDY, &["report"]);
     // The name of the SVG namespace is no address that is asked.
     let rest = page.replace("http://www.w3.org/2000/svg", "");
     for beside in ["http:", "https:", "src=", "@import", "url(", "<link"] {
@@ -32,6 +33,16 @@ fn the_page_has_everything_in_it_and_asks_for_nothing() {
     );
     assert!(page.contains("Checks: 0 of 1 met") && page.contains("not met</td>"));
     assert!(page.contains(env!("CARGO_PKG_VERSION")));
+    let solver = format!("solver {}", slipgap::batch::key::SOLVER_VERSION);
+    assert!(page.contains(&solver));
+    // What `sha256sum` gives for the file.
+    let study = folder.path().join("s.json");
+    if let Ok(sum) = Command::new("sha256sum").arg(study).output() {
+        let sum = String::from_utf8(sum.stdout).unwrap();
+        assert!(page.contains(sum.split(' ').next().unwrap()), "{sum}");
+    }
+    assert!(page.contains("<dt>F0</dt>") && page.contains("<dt>T_I</dt>"));
+    assert!(!page.contains("Sobol'"), "no design");
     assert_eq!(data(&page).head["rows"], cases());
     // The title of a figure that has one, else its name.
     assert!(
@@ -44,6 +55,36 @@ fn the_page_has_everything_in_it_and_asks_for_nothing() {
         page.contains("aria-label=\"n = 4, γ = 0.25: peak of F/F0 = "),
         "what a point says"
     );
+}
+
+#[test]
+fn indices_stand_on_the_page_as_in_the_table_of_a_run() {
+    let study = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
+        "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]}, "dT": 0.5, "duration": 10},
+        "design": {"kind": "saltelli", "n": 32}}"#;
+    let (folder, page) = page_of(study, &["run", "report"]);
+    let table = fs::read_to_string(folder.path().join("out/s/sobol.csv")).unwrap();
+    let mut with_numbers = 0;
+    for row in table.lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        let index = |from: usize| -> String {
+            let numbers: Vec<f64> = cells[from..from + 3]
+                .iter()
+                .flat_map(|x| x.parse())
+                .collect();
+            match numbers[..] {
+                [value, low, high] => format!("{value:.3} ({low:.3} to {high:.3})"),
+                _ => String::new(),
+            }
+        };
+        let (first, total) = (index(3), index(6));
+        with_numbers += usize::from(!first.is_empty());
+        let words = format!("{}</td><td class=\"words\">{}", cells[1], cells[2]);
+        let expected = format!("<td class=\"words\">{words}</td><td>{first}</td><td>{total}</td>");
+        assert!(page.contains(&expected), "{expected}");
+    }
+    assert!(with_numbers > 3);
+    assert!(page.contains("<dt>Δ</dt>"));
 }
 
 /// 12 gammas, 2 mass matrices, and for n = 2, 4, 8 one, two and three values of E.

@@ -10,12 +10,13 @@ mod tests;
 mod uniform;
 mod writing;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::chunk::starts_near;
 use super::key::{Key, checksum};
 use super::whole::{sweep, whole};
 use crate::compare::Rows;
@@ -33,8 +34,11 @@ pub const STORE: &str = "store";
 /// Column of the reason why a case could not be solved.
 const FAILURE: &str = "failure";
 
-/// Held by the run that writes.
-const LOCK: &str = "lock";
+/// Held by the run that writes. Its name begins with a point: pandas and pyarrow skip such files in a folder of parts.
+const LOCK: &str = ".lock";
+
+/// Its former name, which those tools take for a part.
+const FORMER_LOCK: &str = "lock";
 
 /// A store, opened and locked.
 #[derive(Debug)]
@@ -57,6 +61,7 @@ impl Store {
         let folder = results.join(STORE);
         fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
         let lock = locked(&folder)?;
+        remove_former_lock(&folder);
         sweep(&folder);
         let mut parts: BTreeMap<u64, Vec<PathBuf>> = BTreeMap::new();
         for (start, path) in there(&folder)? {
@@ -92,9 +97,7 @@ impl Store {
     ) -> Result<Found, Option<String>> {
         let mut why = None;
         for path in self.parts.get(&start).into_iter().flatten() {
-            let whole = fs::read(path)
-                .ok()
-                .filter(|bytes| named(path).is_some_and(|(_, sum)| checksum(bytes) == sum));
+            let whole = whole_part(path);
             // A sum is no signature: what a forged part holds may be anything.
             let read = |bytes| caught(|| reading::read(study, bytes, key, cases).ok()).flatten();
             match whole.and_then(read) {
@@ -109,7 +112,24 @@ impl Store {
         Err(why)
     }
 
-    /// Keeps what was found of a part, in place of what was there.
+    /// Cases of former parts near a part that was not found, by the identities of their parameters.
+    pub fn former(&self, study: &Study, start: u64, key: &Key) -> Former {
+        let mut former = Former::default();
+        for path in self.parts.range(starts_near(start)).flat_map(|(_, p)| p) {
+            let whole = whole_part(path);
+            let read = |bytes| caught(|| reading::former(study, bytes, key).ok()).flatten();
+            if let Some((identities, found)) = whole.and_then(read).flatten() {
+                let part = former.found.len();
+                let rows = identities.into_iter().enumerate();
+                let rows = rows.map(|(row, identity)| (identity, (part, row)));
+                former.rows.extend(rows);
+                former.found.push(found);
+            }
+        }
+        former
+    }
+
+    /// Keeps what was found of a part.
     pub fn put(
         &self,
         study: &Study,
@@ -125,11 +145,7 @@ impl Store {
             .join(format!("part-{start:012}-{}.parquet", checksum(&bytes)));
         // Not waited for until it is on the disk: what a power cut takes away shows by its sum.
         whole(&path, |out| out.write_all(&bytes))?;
-        let former = self.parts.get(&start).into_iter().flatten();
-        for old in former.filter(|old| **old != path) {
-            // If it stays, `close` says so.
-            let _ = fs::remove_file(old);
-        }
+        // What it replaces stays until `close`: other parts may find cases in it.
         self.own().insert(path);
         Ok(())
     }
@@ -166,6 +182,30 @@ impl Store {
     }
 }
 
+/// Cases of former parts.
+#[derive(Debug, Default)]
+pub struct Former {
+    /// Part and row by the identity of the parameters.
+    rows: HashMap<u128, (usize, usize)>,
+    found: Vec<Found>,
+}
+
+impl Former {
+    /// What was found of the case with this identity.
+    pub fn get(&self, identity: u128) -> Option<(&Found, usize)> {
+        let (part, row) = self.rows.get(&identity)?;
+        Some((&self.found[*part], *row))
+    }
+}
+
+/// The bytes of a part, where its name has their sum.
+fn whole_part(path: &Path) -> Option<Vec<u8>> {
+    let bytes = fs::read(path).ok()?;
+    named(path)
+        .is_some_and(|(_, sum)| checksum(&bytes) == sum)
+        .then_some(bytes)
+}
+
 /// Opens and locks the file that a run holds.
 fn locked(folder: &Path) -> Result<File, Error> {
     let path = folder.join(LOCK);
@@ -183,6 +223,17 @@ fn locked(folder: &Path) -> Result<File, Error> {
         Ok(()) => Ok(lock),
         Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),
         Err(TryLockError::Error(e)) => Err(Error::io("cannot lock", path)(e)),
+    }
+}
+
+/// Removes the lock that an earlier version left: an empty file, which no run holds.
+fn remove_former_lock(folder: &Path) {
+    let path = folder.join(FORMER_LOCK);
+    if fs::symlink_metadata(&path).is_ok_and(|there| there.is_file() && there.len() == 0)
+        && let Ok(file) = File::open(&path)
+        && file.try_lock().is_ok()
+    {
+        let _ = fs::remove_file(path);
     }
 }
 

@@ -2,16 +2,16 @@
 
 use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
-use parquet::data_type::DataType;
+use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::Result;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use super::{FAILURE, general};
 use crate::batch::chunk::MOST_ROWS;
-use crate::batch::key::Key;
+use crate::batch::key::{Key, identity};
 use crate::compare::Rows;
 use crate::problem::found::Found;
-use crate::problem::parameter::shortest;
+use crate::problem::parameter::{Kind, Parameter, Value, shortest};
 use crate::study::Study;
 
 /// What was found of the cases of a part, as many as there are; or what differs from its key.
@@ -22,6 +22,76 @@ pub fn read(
     cases: usize,
 ) -> Result<std::result::Result<Found, &'static str>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
+    if let Some(change) = key.change(&kept(&file)) {
+        return Ok(Err(change));
+    }
+    let count = rows(&file)?;
+    if count != cases {
+        return Err(general("another number of rows"));
+    }
+    Ok(Ok(found(study, &file, count)?))
+}
+
+/// What was found of the cases of a former part, each with the identity of its parameters; none where results of that
+/// part cannot serve.
+pub fn former(study: &Study, bytes: Vec<u8>, key: &Key) -> Result<Option<(Vec<u128>, Found)>> {
+    let file = SerializedFileReader::new(Bytes::from(bytes))?;
+    if !key.same_way(&kept(&file)) {
+        return Ok(None);
+    }
+    let count = rows(&file)?;
+    let mut columns = Vec::new();
+    for parameter in study.problem.parameters() {
+        columns.push(values(parameter, &file, count)?);
+    }
+    let identity = |row: usize| {
+        let case: Vec<Option<Value>> = columns.iter().map(|column| column[row]).collect();
+        identity(&case)
+    };
+    let identities = (0..count).map(identity).collect();
+    Ok(Some((identities, found(study, &file, count)?)))
+}
+
+/// The values of a parameter.
+fn values(
+    parameter: &Parameter,
+    file: &SerializedFileReader<Bytes>,
+    count: usize,
+) -> Result<Vec<Option<Value>>> {
+    let place = place(file, parameter.name)?;
+    let other = || general("a parameter of another type");
+    Ok(
+        match (
+            parameter.kind,
+            file.get_row_group(0)?.get_column_reader(place)?,
+        ) {
+            (Kind::Number(_), ColumnReader::DoubleColumnReader(reader)) => {
+                let numbers = cells(reader, count)?.into_iter();
+                numbers.map(|x| x.map(Value::Number)).collect()
+            }
+            (Kind::Whole { .. }, ColumnReader::Int64ColumnReader(reader)) => {
+                let numbers = cells(reader, count)?.into_iter();
+                numbers.map(|n| n.map(|n| Value::Whole(n as u64))).collect()
+            }
+            (Kind::Choice(names), ColumnReader::ByteArrayColumnReader(reader)) => {
+                let known = |text: ByteArray| {
+                    let name = names
+                        .iter()
+                        .find(|(name, _)| name.as_bytes() == text.data());
+                    name.map(|(name, _)| Value::Name(name)).ok_or_else(other)
+                };
+                let texts = cells(reader, count)?.into_iter();
+                texts
+                    .map(|text| text.map(known).transpose())
+                    .collect::<Result<_>>()?
+            }
+            _ => return Err(other()),
+        },
+    )
+}
+
+/// The key of a part.
+fn kept(file: &SerializedFileReader<Bytes>) -> Key {
     let metadata = file.metadata().file_metadata();
     let pairs = metadata
         .key_value_metadata()
@@ -32,37 +102,34 @@ pub fn read(
         let pair = pairs.iter().find(|pair| pair.key == key);
         pair.and_then(|pair| pair.value.clone()).unwrap_or_default()
     };
-    let kept = Key {
+    Key {
         solver: value("solver"),
         columns: value("columns"),
         cases: value("cases"),
-    };
-    if let Some(change) = key.change(&kept) {
-        return Ok(Err(change));
     }
-    let count = rows(&file)?;
-    if count != cases {
-        return Err(general("another number of rows"));
-    }
-    let names: Vec<String> = metadata
-        .schema_descr()
-        .columns()
-        .iter()
-        .map(|c| c.name().to_owned())
-        .collect();
-    let place = |name: &str| names.iter().position(|n| n == name);
+}
+
+/// The place of a column.
+fn place(file: &SerializedFileReader<Bytes>, name: &str) -> Result<usize> {
+    let columns = file.metadata().file_metadata().schema_descr().columns();
+    let place = columns.iter().position(|column| column.name() == name);
+    place.ok_or_else(|| general("a column is missing"))
+}
+
+/// What was found of the cases of a part.
+fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Result<Found> {
     let group = file.get_row_group(0)?;
     let table = study.problem.metrics();
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
-        let place = place(table[metric].name).ok_or_else(|| general("a metric is missing"))?;
+        let place = place(file, table[metric].name)?;
         let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
             return Err(general("a metric that is no number"));
         };
         columns.push((metric, cells(reader, count)?));
         width = width.max(metric + 1);
     }
-    let place = place(FAILURE).ok_or_else(|| general("no column of failures"))?;
+    let place = place(file, FAILURE)?;
     let ColumnReader::ByteArrayColumnReader(reader) = group.get_column_reader(place)? else {
         return Err(general("a reason that is no text"));
     };
@@ -77,7 +144,7 @@ pub fn read(
             found.fail(case, why.as_utf8()?.to_owned());
         }
     }
-    Ok(Ok(found))
+    Ok(found)
 }
 
 /// The rows of a part as text, but for the column of failures.

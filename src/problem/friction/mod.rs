@@ -18,7 +18,7 @@ use crate::lane::Lane;
 use crate::metrics::{self, cells, steps};
 use crate::stepper::Contact;
 use run::Given;
-use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES, rows};
+use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES, SCALES, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -51,6 +51,10 @@ impl Problem for FrictionOscillator {
 
     fn step(&self) -> &'static str {
         "dT"
+    }
+
+    fn scales(&self) -> &'static [[&'static str; 2]] {
+        &SCALES
     }
 
     fn time_title(&self) -> &'static str {

@@ -101,6 +101,19 @@ pub(super) mod rows {
     pub const INITIAL_SLIP: usize = row_of(&PARAMETERS, "initial_slip");
 }
 
+/// The scales of friction: [F] divides by them.
+pub(super) static SCALES: [[&str; 2]; 3] = [
+    [
+        "νN",
+        "friction force while sliding: coefficient times normal force",
+    ],
+    [
+        "Δ",
+        "νN/k, displacement at which the spring just overcomes friction",
+    ],
+    ["ω_n", "sqrt(k/m), natural frequency without friction"],
+];
+
 pub(super) static METRICS: [Metric; 13] = [
     Metric {
         name: "rms_error",

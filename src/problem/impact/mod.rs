@@ -23,7 +23,8 @@ use crate::metrics::{self, cells, steps};
 use scaled::Scaled;
 use std::ops::Range;
 use tables::{
-    BUDGET, BUDGETS, MAX_OVERLAP, METRICS, PARAMETERS, PROFILES, QUANTITIES, REFERENCE, rows,
+    BUDGET, BUDGETS, MAX_OVERLAP, METRICS, PARAMETERS, PROFILES, QUANTITIES, REFERENCE, SCALES,
+    rows,
 };
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
@@ -61,6 +62,10 @@ impl Problem for BarImpact {
 
     fn step(&self) -> &'static str {
         "dt"
+    }
+
+    fn scales(&self) -> &'static [[&'static str; 2]] {
+        &SCALES
     }
 
     fn time_title(&self) -> &'static str {

@@ -257,6 +257,23 @@ pub(super) mod rows {
     ];
 }
 
+/// The scales of an impact.
+pub(super) static SCALES: [[&str; 2]; 4] = [
+    [
+        "T_I",
+        "2 L/C0 of the left bar, C0 = sqrt(E/ρ): time in which a wave runs through the bar and back, and contact duration of two equal bars",
+    ],
+    [
+        "c",
+        "closing speed: velocity of the left bar minus velocity of the right bar before the impact",
+    ],
+    ["Z", "A sqrt(E ρ), impedance of a bar"],
+    [
+        "F0",
+        "c Z1 Z2/(Z1 + Z2), exact contact force of two bars while the wave travels; c Z1 on a wall",
+    ],
+];
+
 pub(super) static METRICS: [Metric; 27] = [
     metric(
         "contact_duration",
