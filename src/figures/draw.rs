@@ -1,6 +1,7 @@
 //! Draws a sheet over plotters, the same way for every backend.
 
 use super::clip;
+use super::cloud::{self, Image};
 use super::layout::below;
 use super::pen::{Drawn, Pen, at, unit};
 use super::sheet::{Anchor, Entry, FilledMap, Panel, Rect, Sheet, Words};
@@ -14,15 +15,17 @@ use std::rc::Rc;
 
 /// Draws `sheet` on a backend whose size is the sheet's in virtual units.
 pub fn draw<B: DrawingBackend>(sheet: &Sheet, backend: &Rc<RefCell<B>>) -> Result<(), Error> {
+    let images = sheet.panels.iter().map(cloud::image);
+    let images: Vec<Option<Image>> = images.collect::<Result<_, _>>()?;
     let mut pen = Pen::on(backend);
-    pen.sheet(sheet)
+    pen.sheet(sheet, &images)
         .map_err(|error| Error::Internal(format!("drawing: {error}")))
 }
 
 impl<B: DrawingBackend> Pen<B> {
-    fn sheet(&mut self, sheet: &Sheet) -> Drawn<B> {
-        for panel in &sheet.panels {
-            self.panel(panel)?;
+    fn sheet(&mut self, sheet: &Sheet, images: &[Option<Image>]) -> Drawn<B> {
+        for (panel, image) in sheet.panels.iter().zip(images) {
+            self.panel(panel, image.as_ref())?;
         }
         for entry in &sheet.legend {
             self.entry(entry)?;
@@ -31,7 +34,11 @@ impl<B: DrawingBackend> Pen<B> {
         words.try_for_each(|words| self.words(words))
     }
 
-    fn panel(&mut self, panel: &Panel) -> Drawn<B> {
+    fn panel(&mut self, panel: &Panel, image: Option<&Image>) -> Drawn<B> {
+        // White between its dots, so below all else.
+        if let Some(image) = image {
+            self.image(image)?;
+        }
         if let Some(map) = &panel.map {
             self.map(panel, map)?;
         }
@@ -46,6 +53,7 @@ impl<B: DrawingBackend> Pen<B> {
                 self.path(&visible, style::ZERO_LINE)?;
             }
         }
+        self.dots(panel)?;
         self.frame(&panel.frame)?;
         for tick in &panel.x.ticks {
             let x = panel.place([tick.at, 0.0])[0];
@@ -67,6 +75,19 @@ impl<B: DrawingBackend> Pen<B> {
             self.arrow(panel.place(*a), panel.place(*b))?;
         }
         self.lettering(panel)
+    }
+
+    /// The dots that are a shape each.
+    fn dots(&mut self, panel: &Panel) -> Drawn<B> {
+        for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
+            for dot in &cloud.dots {
+                let place = panel.place(dot.at);
+                if panel.frame.contains(place) {
+                    self.dot(place, cloud.radius, dot.shade, true)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// All lines first, then all markers, so that no line runs through a marker.

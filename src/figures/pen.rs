@@ -1,5 +1,6 @@
 //! The few strokes that figures are made of, handed to plotters in virtual units.
 
+use super::cloud::Image;
 use super::sheet::{Anchor, Rect};
 use super::style::{self, Marker, UNITS};
 use super::text::{self, Run};
@@ -127,6 +128,28 @@ impl<B: DrawingBackend> Pen<B> {
         }
     }
 
+    /// A dot in a colour of maps, with a thin outline if it is `outlined`.
+    pub fn dot(&mut self, place: [f64; 2], radius: f64, shade: f64, outlined: bool) -> Drawn<B> {
+        let [r, g, b] = style::colour(shade);
+        let (place, radius) = (at(place), unit(radius));
+        let filled = RGBColor(r, g, b).filled();
+        self.area.draw(&Circle::new(place, radius, filled))?;
+        match outlined {
+            true => self
+                .area
+                .draw(&Circle::new(place, radius, line(style::DOT_LINE))),
+            false => Ok(()),
+        }
+    }
+
+    /// An image of dots.
+    pub fn image(&mut self, image: &Image) -> Drawn<B> {
+        self.area.draw(&Pixels {
+            place: at(image.place),
+            image,
+        })
+    }
+
     /// A thin line with a filled head at both ends.
     pub fn arrow(&mut self, a: [f64; 2], b: [f64; 2]) -> Drawn<B> {
         self.path(&[a, b], style::EXACT_LINE)?;
@@ -172,6 +195,35 @@ impl<B: DrawingBackend> Pen<B> {
             })?;
         }
         Ok(())
+    }
+}
+
+/// An image as an element of plotters.
+struct Pixels<'i> {
+    place: BackendCoord,
+    image: &'i Image,
+}
+
+impl<'a> PointCollection<'a, BackendCoord> for &'a Pixels<'_> {
+    type Point = &'a BackendCoord;
+    type IntoIter = std::iter::Once<&'a BackendCoord>;
+
+    fn point_iter(self) -> Self::IntoIter {
+        std::iter::once(&self.place)
+    }
+}
+
+impl<B: DrawingBackend> Drawable<B> for Pixels<'_> {
+    fn draw<I: Iterator<Item = BackendCoord>>(
+        &self,
+        mut places: I,
+        backend: &mut B,
+        _: (u32, u32),
+    ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
+        match places.next() {
+            Some(place) => backend.blit_bitmap(place, self.image.size, &self.image.bytes),
+            None => Ok(()),
+        }
     }
 }
 

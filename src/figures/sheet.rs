@@ -81,6 +81,8 @@ pub struct Panel {
     pub bars: Vec<Bar>,
     /// A filled map below the curves.
     pub map: Option<FilledMap>,
+    /// Dots below the curves.
+    pub cloud: Option<Cloud>,
     /// Whether the line y = 0 is drawn.
     pub zero: bool,
     /// Letter and what else stands over the frame, in markup; empty for none.
@@ -146,6 +148,7 @@ impl Panel {
             series: Vec::new(),
             bars: Vec::new(),
             map: None,
+            cloud: None,
             zero: false,
             letter: String::new(),
             notes: Vec::new(),
@@ -275,6 +278,28 @@ impl FilledMap {
             bar,
         }
     }
+}
+
+/// Dots, one a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cloud {
+    /// The dots, drawn in this order.
+    pub dots: Vec<Dot>,
+    /// Radius of a dot.
+    pub radius: f64,
+    /// Whether they are one image, because they are many.
+    pub image: bool,
+}
+
+/// A dot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dot {
+    /// Its place in the axes' units.
+    pub at: [f64; 2],
+    /// Its value on the axis of the colours, if it has one.
+    pub value: Option<f64>,
+    /// The place of its colour on the scale of colours.
+    pub shade: f64,
 }
 
 /// A cell of a map.

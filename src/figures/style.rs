@@ -42,6 +42,15 @@ pub const MARKER_LINE: f64 = 0.7;
 /// Half the size of a marker.
 pub const MARKER: f64 = 2.3;
 
+/// Radius of a dot, one of few.
+pub const DOT: f64 = 1.5;
+/// Radius of a dot, one of very many.
+pub const SMALL_DOT: f64 = 0.6;
+/// Width of a dot's outline, where dots are few.
+pub const DOT_LINE: f64 = 0.25;
+/// The place of a dot without a value on the scale of colours: dark.
+pub const DOT_SHADE: f64 = 0.2;
+
 /// Length of the head of an arrow.
 pub const ARROW: f64 = 5.0;
 /// Length of a tick with a number, inwards.
