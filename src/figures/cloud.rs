@@ -1,10 +1,13 @@
 //! Dots of cases: a shape each where they are few, one image where they are many.
 
-use super::pen::Pen;
+use super::pen::{Drawn, Pen, at, line, unit};
 use super::raster::Raster;
-use super::sheet::{Axis, Cloud, Dot, Panel};
+use super::sheet::{Axis, Panel};
 use super::style::{self, PIXELS};
 use crate::error::Error;
+use plotters::element::{Circle, Drawable, PointCollection};
+use plotters::style::{Color, RGBColor};
+use plotters_backend::{BackendCoord, DrawingBackend, DrawingErrorKind};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -19,6 +22,28 @@ pub struct Image {
     pub size: (u32, u32),
     /// Red, green and blue of each, row by row.
     pub bytes: Vec<u8>,
+}
+
+/// Dots, one a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cloud {
+    /// The dots, drawn in this order.
+    pub dots: Vec<Dot>,
+    /// Radius of a dot.
+    pub radius: f64,
+    /// Whether they are one image, because they are many.
+    pub image: bool,
+}
+
+/// A dot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dot {
+    /// Its place in the axes' units.
+    pub at: [f64; 2],
+    /// Its value on the axis of the colours, if it has one.
+    pub value: Option<f64>,
+    /// The place of its colour on the scale of colours.
+    pub shade: f64,
 }
 
 impl Cloud {
@@ -67,4 +92,70 @@ pub fn image(panel: &Panel) -> Result<Option<Image>, Error> {
     let (size, bytes) = raster.borrow().rgb();
     let place = [left, top];
     Ok(Some(Image { place, size, bytes }))
+}
+
+impl<B: DrawingBackend> Pen<B> {
+    /// The dots that are a shape each.
+    pub fn dots(&mut self, panel: &Panel) -> Drawn<B> {
+        for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
+            for dot in &cloud.dots {
+                let place = panel.place(dot.at);
+                if panel.frame.contains(place) {
+                    self.dot(place, cloud.radius, dot.shade, true)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A dot in a colour of maps, with a thin outline if it is `outlined`.
+    fn dot(&mut self, place: [f64; 2], radius: f64, shade: f64, outlined: bool) -> Drawn<B> {
+        let [r, g, b] = style::colour(shade);
+        let (place, radius) = (at(place), unit(radius));
+        let filled = RGBColor(r, g, b).filled();
+        self.area.draw(&Circle::new(place, radius, filled))?;
+        match outlined {
+            true => self
+                .area
+                .draw(&Circle::new(place, radius, line(style::DOT_LINE))),
+            false => Ok(()),
+        }
+    }
+
+    /// An image of dots.
+    pub fn image(&mut self, image: &Image) -> Drawn<B> {
+        self.area.draw(&Pixels {
+            place: at(image.place),
+            image,
+        })
+    }
+}
+
+/// An image as an element of plotters.
+struct Pixels<'i> {
+    place: BackendCoord,
+    image: &'i Image,
+}
+
+impl<'a> PointCollection<'a, BackendCoord> for &'a Pixels<'_> {
+    type Point = &'a BackendCoord;
+    type IntoIter = std::iter::Once<&'a BackendCoord>;
+
+    fn point_iter(self) -> Self::IntoIter {
+        std::iter::once(&self.place)
+    }
+}
+
+impl<B: DrawingBackend> Drawable<B> for Pixels<'_> {
+    fn draw<I: Iterator<Item = BackendCoord>>(
+        &self,
+        mut places: I,
+        backend: &mut B,
+        _: (u32, u32),
+    ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
+        match places.next() {
+            Some(place) => backend.blit_bitmap(place, self.image.size, &self.image.bytes),
+            None => Ok(()),
+        }
+    }
 }

@@ -77,26 +77,13 @@ impl<B: DrawingBackend> Pen<B> {
         self.lettering(panel)
     }
 
-    /// The dots that are a shape each.
-    fn dots(&mut self, panel: &Panel) -> Drawn<B> {
-        for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
-            for dot in &cloud.dots {
-                let place = panel.place(dot.at);
-                if panel.frame.contains(place) {
-                    self.dot(place, cloud.radius, dot.shade, true)?;
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// All lines first, then all markers, so that no line runs through a marker.
     fn curves(&mut self, panel: &Panel) -> Drawn<B> {
         for series in &panel.series {
             let points: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
             for visible in clip::inside(&points, &panel.frame) {
                 for dash in clip::dashes(&visible, series.stroke.pattern()) {
-                    self.path(&dash, series.width)?;
+                    self.curve(&dash, series.width, series.stroke.colour())?;
                 }
             }
         }
@@ -278,7 +265,7 @@ impl<B: DrawingBackend> Pen<B> {
         // Places that are only marked have no line.
         for dash in clip::dashes(&sample, entry.stroke.pattern()) {
             if entry.width > 0.0 {
-                self.path(&dash, entry.width)?;
+                self.curve(&dash, entry.width, entry.stroke.colour())?;
             }
         }
         if let Some(marker) = entry.marker {

@@ -97,14 +97,14 @@ fn echoes(cases: &[Shown], row: usize) -> bool {
     (0..row).any(repeats)
 }
 
-/// The labels of the cases: by parameter `by`, or else by all that vary but the rows `except`. Never empty ones.
-pub fn labels(
+/// The parameters that labels name: `by`, or else all that vary but the rows `except`.
+pub fn named(
     table: &[Parameter],
     cases: &[Shown],
     by: Option<usize>,
     except: &[usize],
-) -> Vec<String> {
-    let mut rows = match by {
+) -> Vec<usize> {
+    let rows = match by {
         Some(row) => vec![row],
         None => (0..table.len())
             .filter(|row| !except.contains(row) && varies(cases, *row) && !echoes(cases, *row))
@@ -122,8 +122,17 @@ pub fn labels(
             rows.iter().any(depends)
         })
     };
-    let kept: Vec<usize> = rows.iter().copied().filter(|row| !implied(*row)).collect();
-    rows = kept;
+    rows.iter().copied().filter(|row| !implied(*row)).collect()
+}
+
+/// The labels of the cases by the parameters that `named` finds. Never empty ones.
+pub fn labels(
+    table: &[Parameter],
+    cases: &[Shown],
+    by: Option<usize>,
+    except: &[usize],
+) -> Vec<String> {
+    let rows = named(table, cases, by, except);
     let rows: Vec<(usize, usize)> = rows
         .into_iter()
         .map(|row| (row, digits(cases, row)))

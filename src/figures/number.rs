@@ -123,7 +123,7 @@ mod tests {
             labels(&[1.0 / 68.0, 1.0 / 34.0, 2.5]),
             ["0.0147", "0.0294", "2.5"]
         );
-        // 0.147059 and 0.147082: the fourth figure is the first that differs after rounding to 0.1470 6 and 8.
+        // 0.147059 and 0.147082 are both 0.1471 to four figures.
         assert_eq!(labels(&[10.0 / 68.0, 0.147_082_1]), ["0.14706", "0.14708"]);
         // One written with fewer digits is not one rounded to the same.
         assert_eq!(labels(&[0.0147, 1.0 / 68.0]), ["0.0147", "0.01471"]);

@@ -1,6 +1,5 @@
 //! The few strokes that figures are made of, handed to plotters in virtual units.
 
-use super::cloud::Image;
 use super::sheet::{Anchor, Rect};
 use super::style::{self, Marker, UNITS};
 use super::text::{self, Run};
@@ -21,7 +20,7 @@ pub type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::Error
 
 /// Draws on a plotters area; places and lengths in points.
 pub struct Pen<B: DrawingBackend> {
-    area: DrawingArea<B, Shift>,
+    pub(super) area: DrawingArea<B, Shift>,
 }
 
 /// A length in virtual units.
@@ -34,7 +33,8 @@ pub fn at([x, y]: [f64; 2]) -> BackendCoord {
     (unit(x), unit(y))
 }
 
-fn line(width: f64) -> ShapeStyle {
+/// A black line.
+pub fn line(width: f64) -> ShapeStyle {
     BLACK.stroke_width(unit(width) as u32)
 }
 
@@ -128,26 +128,11 @@ impl<B: DrawingBackend> Pen<B> {
         }
     }
 
-    /// A dot in a colour of maps, with a thin outline if it is `outlined`.
-    pub fn dot(&mut self, place: [f64; 2], radius: f64, shade: f64, outlined: bool) -> Drawn<B> {
-        let [r, g, b] = style::colour(shade);
-        let (place, radius) = (at(place), unit(radius));
-        let filled = RGBColor(r, g, b).filled();
-        self.area.draw(&Circle::new(place, radius, filled))?;
-        match outlined {
-            true => self
-                .area
-                .draw(&Circle::new(place, radius, line(style::DOT_LINE))),
-            false => Ok(()),
-        }
-    }
-
-    /// An image of dots.
-    pub fn image(&mut self, image: &Image) -> Drawn<B> {
-        self.area.draw(&Pixels {
-            place: at(image.place),
-            image,
-        })
+    /// A line through points in the colour of a curve.
+    pub fn curve(&mut self, points: &[[f64; 2]], width: f64, [r, g, b]: [u8; 3]) -> Drawn<B> {
+        let points: Vec<_> = points.iter().copied().map(at).collect();
+        let style = RGBColor(r, g, b).stroke_width(unit(width) as u32);
+        self.area.draw(&PathElement::new(points, style))
     }
 
     /// A thin line with a filled head at both ends.
@@ -195,35 +180,6 @@ impl<B: DrawingBackend> Pen<B> {
             })?;
         }
         Ok(())
-    }
-}
-
-/// An image as an element of plotters.
-struct Pixels<'i> {
-    place: BackendCoord,
-    image: &'i Image,
-}
-
-impl<'a> PointCollection<'a, BackendCoord> for &'a Pixels<'_> {
-    type Point = &'a BackendCoord;
-    type IntoIter = std::iter::Once<&'a BackendCoord>;
-
-    fn point_iter(self) -> Self::IntoIter {
-        std::iter::once(&self.place)
-    }
-}
-
-impl<B: DrawingBackend> Drawable<B> for Pixels<'_> {
-    fn draw<I: Iterator<Item = BackendCoord>>(
-        &self,
-        mut places: I,
-        backend: &mut B,
-        _: (u32, u32),
-    ) -> Result<(), DrawingErrorKind<B::ErrorType>> {
-        match places.next() {
-            Some(place) => backend.blit_bitmap(place, self.image.size, &self.image.bytes),
-            None => Ok(()),
-        }
     }
 }
 

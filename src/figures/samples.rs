@@ -1,11 +1,12 @@
 //! The parameters that a design samples against one another and one metric: the lower half of a matrix of panels.
 
 use super::Shown;
+use super::cloud::Cloud;
 use super::layout;
 use super::map;
 use super::metric;
 use super::scatter::{fits, title, value, without_dot};
-use super::sheet::{Axis, Cloud, FilledMap, Panel, Sheet};
+use super::sheet::{Axis, FilledMap, Panel, Sheet};
 use super::style;
 use crate::study::{Column, Figure, FigureKind, Scale, Study};
 

@@ -1,10 +1,11 @@
 //! One column of the results against another, a dot a case.
 
 use super::Shown;
+use super::cloud::Cloud;
 use super::layout;
 use super::map;
 use super::metric;
-use super::sheet::{Axis, Cloud, FilledMap, Panel, Sheet};
+use super::sheet::{Axis, FilledMap, Panel, Sheet};
 use super::style;
 use crate::study::{Column, Figure, FigureKind, Scale, Study};
 

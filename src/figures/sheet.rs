@@ -1,5 +1,6 @@
 //! A figure as data: what is drawn where, before anything is drawn. Lengths are points, y downwards.
 
+use super::cloud::Cloud;
 use super::style::{self, Marker, Stroke};
 use crate::study::Scale;
 
@@ -278,28 +279,6 @@ impl FilledMap {
             bar,
         }
     }
-}
-
-/// Dots, one a case.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Cloud {
-    /// The dots, drawn in this order.
-    pub dots: Vec<Dot>,
-    /// Radius of a dot.
-    pub radius: f64,
-    /// Whether they are one image, because they are many.
-    pub image: bool,
-}
-
-/// A dot.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dot {
-    /// Its place in the axes' units.
-    pub at: [f64; 2],
-    /// Its value on the axis of the colours, if it has one.
-    pub value: Option<f64>,
-    /// The place of its colour on the scale of colours.
-    pub shade: f64,
 }
 
 /// A cell of a map.

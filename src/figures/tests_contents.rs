@@ -205,3 +205,51 @@ fn a_curve_goes_through_cases_whose_other_parameters_follow_from_x() {
     let two = r#""parameters": {"k_I": [10, 100], "n": [4, 8, 16], "dt": "0.1/n", "duration": 1}"#;
     assert_eq!(curves(two), [3, 3]);
 }
+
+#[test]
+fn many_curves_over_a_number_are_told_apart_by_lightness() {
+    let curves = |count: usize| {
+        // Not in rising order: the odd ones first.
+        let values: Vec<String> = (0..count)
+            .map(|i| ((2 * i + 1) % count + 1).to_string())
+            .collect();
+        let study = parsed(
+            FRICTION,
+            &format!(
+                r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.1, 0.2, 0.3], "x0": [{}]}},
+                "figures": [{{"name": "m", "kind": "metric", "x": "dT", "y": "rms_error", "by": "x0"}}]"#,
+                values.join(", ")
+            ),
+        );
+        drawn(&study, |case, name| {
+            (name == "rms_error").then(|| number(case, "x0") * number(case, "dT"))
+        })
+    };
+    let sheet = curves(15);
+    let labels: Vec<_> = sheet.legend.iter().map(|e| e.label.clone()).collect();
+    let expected: Vec<_> = (1..=15).map(|x0| format!("*X*_0_ = {x0}")).collect();
+    assert_eq!(labels, expected);
+    // Luma (ITU-R BT.709) rises from key to key; white paper has 255.
+    let luma = |stroke: style::Stroke| {
+        let [r, g, b] = stroke.colour().map(f64::from);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    };
+    let lightness: Vec<f64> = sheet.legend.iter().map(|e| luma(e.stroke)).collect();
+    assert!(
+        lightness.windows(2).all(|pair| pair[1] > pair[0] + 3.0),
+        "{lightness:?}"
+    );
+    assert!(lightness[14] < 200.0 && lightness[0] < 30.0);
+    for entry in &sheet.legend {
+        assert_eq!(entry.marker, None);
+        let curve = sheet.panels[0].series.iter();
+        let curve = curve.clone().find(|s| s.label == entry.label).unwrap();
+        assert_eq!((curve.stroke, curve.marker), (entry.stroke, None));
+        // The point at dT = 0.1 is a tenth of x0.
+        let x0 = curve.points[0][1] * 10.0;
+        assert_eq!(entry.label, format!("*X*_0_ = {x0:.0}"));
+    }
+    // As many as there are markers keep strokes and markers.
+    let few = curves(5);
+    assert!(few.legend.iter().all(|e| e.marker.is_some()));
+}

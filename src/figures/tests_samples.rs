@@ -1,7 +1,7 @@
 //! Scatters and matrices of samples: their dots against the columns of the cases, then the size of the SVG.
 
-use super::cloud::MOST_SHAPES;
-use super::sheet::{Cloud, Sheet};
+use super::cloud::{Cloud, MOST_SHAPES};
+use super::sheet::Sheet;
 use super::{Shown, png, sheet, svg};
 use crate::problem::Case;
 use crate::study::{self, Scale, Study};
