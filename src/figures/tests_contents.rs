@@ -253,3 +253,35 @@ fn many_curves_over_a_number_are_told_apart_by_lightness() {
     let few = curves(5);
     assert!(few.legend.iter().all(|e| e.marker.is_some()));
 }
+
+#[test]
+fn a_colour_bar_has_the_levels_of_the_contours_and_the_limits_of_its_end_bands() {
+    let study = parsed(
+        FRICTION,
+        &format!(
+            r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.1, 0.2, 0.3], "x0": [8, 9, 10]}},
+            "figures": [{{"name": "m", "kind": "map", "x": "dT", "y": "x0", "z": "rms_error"}}]"#
+        ),
+    );
+    // From 8/3 to 10, both between levels.
+    let sheet = drawn(&study, |case, name| {
+        (name == "rms_error").then(|| number(case, "x0") * number(case, "dT") / 0.3)
+    });
+    let map = sheet.panels[0].map.as_ref().unwrap();
+    let ticks: Vec<f64> = map.colours.ticks.iter().map(|tick| tick.at).collect();
+    let limits: Vec<f64> = [map.colours.range[0]]
+        .into_iter()
+        .chain(map.levels.iter().copied())
+        .chain([map.colours.range[1]])
+        .collect();
+    assert_eq!(ticks, limits);
+    let labels: Vec<&str> = map.colours.ticks.iter().map(|t| t.label.as_str()).collect();
+    assert_eq!(labels, ["2.67", "3", "4", "5", "6", "7", "8", "9", "10"]);
+    // The numbers on the lines are those at the bar.
+    assert!(!map.tags.is_empty());
+    assert!(
+        map.tags
+            .iter()
+            .all(|tag| labels.contains(&tag.text.as_str()))
+    );
+}
