@@ -144,10 +144,18 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let named = series.filter(|series| series.label == reference::LABEL);
     let exact = named.map(Key::of).next();
     // A curve alone needs no name.
-    let keys = match labels.len() > 1 || exact.is_some() {
+    let mut keys: Vec<Key> = match labels.len() > 1 || exact.is_some() {
         true => exact.into_iter().chain(keys).collect(),
         false => Vec::new(),
     };
+    if orders {
+        keys.push(Key {
+            label: ORDERS.into(),
+            stroke: Stroke::Dotted,
+            width: style::EXACT_LINE,
+            marker: None,
+        });
+    }
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }
@@ -178,6 +186,9 @@ fn graded(order: &[usize]) -> Vec<Stroke> {
     }
     strokes
 }
+
+/// What the legend calls the lines of order 1 and 2.
+const ORDERS: &str = "orders 1 and 2";
 
 /// Thin lines of order 1 and 2 from the lower left corner, to compare with.
 fn order_lines(panel: &mut Panel) {

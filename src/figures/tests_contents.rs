@@ -285,3 +285,34 @@ fn a_colour_bar_has_the_levels_of_the_contours_and_the_limits_of_its_end_bands()
             .all(|tag| labels.contains(&tag.text.as_str()))
     );
 }
+
+#[test]
+fn slopes_name_their_curve_and_the_legend_names_the_reference_lines() {
+    let study = parsed(
+        FRICTION,
+        &format!(
+            r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.02, 0.05, 0.1, 0.2, 0.4], "x0": [8, 12]}},
+            "figures": [{{"name": "c", "kind": "convergence", "y": ["rms_error", "max_error"], "by": "x0"}}]"#
+        ),
+    );
+    // Order 1 for x0 = 8, far above order 2 for x0 = 12.
+    let sheet = drawn(&study, |case, _| {
+        let x = number(case, "dT");
+        Some(if number(case, "x0") == 8.0 {
+            100.0 * x
+        } else {
+            x * x
+        })
+    });
+    for panel in &sheet.panels {
+        let notes = panel.notes.iter().map(|words| words.text.as_str());
+        let slopes: Vec<&str> = notes.filter(|text| text.contains("slope")).collect();
+        assert_eq!(
+            slopes,
+            ["*X*_0_ = 8: slope 1.00", "*X*_0_ = 12: slope 2.00"]
+        );
+    }
+    let labels: Vec<&str> = sheet.legend.iter().map(|e| e.label.as_str()).collect();
+    assert_eq!(labels, ["*X*_0_ = 8", "*X*_0_ = 12", "orders 1 and 2"]);
+    assert_eq!(sheet.legend[2].stroke, style::Stroke::Dotted);
+}
