@@ -145,6 +145,7 @@ mod tests {
             n,
             seed,
             parameters: vec![0, 1, 2],
+            scales: Vec::new(),
         };
         let x: Vec<Vec<f64>> = (0..3).map(|i| design.coordinates(i)).collect();
         let values: Vec<Option<f64>> = (0..x[0].len())

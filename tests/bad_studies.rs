@@ -685,7 +685,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, wave, metric, convergence, budget, map, sobol, law",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, profile, wave, metric, convergence, budget, map, scatter, samples, sobol, law",
             ],
         ),
         (
@@ -711,7 +711,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"wave\"",
             &[
-                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, metric, convergence, budget, map, sobol, law",
+                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, metric, convergence, budget, map, scatter, samples, sobol, law",
             ],
         ),
         (

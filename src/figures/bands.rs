@@ -2,7 +2,7 @@
 
 use super::contours::{Field, Ring};
 use super::number;
-use super::sheet::{Axis, FilledMap, Panel, Series};
+use super::sheet::{Axis, FilledMap, Panel, Series, Tick};
 use super::style::{self, Marker, Stroke};
 use super::tags;
 use crate::study::{Marks, Scale};
@@ -60,6 +60,35 @@ pub fn levels(colours: &Axis) -> Vec<f64> {
         Some(levels) if levels.len() > 2 => levels,
         _ => linear(),
     }
+}
+
+/// The axis of the colours of contours, with a tick at every level and at both ends, so that every band has its limits.
+/// Over a bar of this height the number of a level that would touch another is left out.
+pub fn limited(colours: Axis, height: f64) -> Axis {
+    let [low, high] = colours.range;
+    let levels = levels(&colours);
+    let digits = number::digits([low, high].into_iter());
+    let place = |x: f64| height * colours.fraction(x);
+    let mut numbered = vec![place(low), place(high)];
+    let end = |at: f64| Tick {
+        at,
+        label: number::rounded(at, digits),
+    };
+    let mut ticks = vec![end(low)];
+    for at in levels {
+        let free = numbered
+            .iter()
+            .all(|other| (place(at) - other).abs() >= style::LABEL);
+        let label = if free {
+            numbered.push(place(at));
+            number::short(at)
+        } else {
+            String::new()
+        };
+        ticks.push(Tick { at, label });
+    }
+    ticks.push(end(high));
+    Axis { ticks, ..colours }
 }
 
 impl Values {

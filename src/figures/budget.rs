@@ -78,7 +78,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
         let mut panel = Panel::new(grid.frames[place.0][place.1], grid.margin, x_axis, y_axis);
         if let (Some(row), Some(value)) = (panels, group) {
-            panel.letter = label::said(&parameters[*row], value);
+            panel.letter = label::said(&parameters[*row], value, label::digits(cases, *row));
         }
         panel.series = series;
         slope::write(&mut panel);

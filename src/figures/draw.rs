@@ -1,6 +1,7 @@
 //! Draws a sheet over plotters, the same way for every backend.
 
 use super::clip;
+use super::cloud::{self, Image};
 use super::layout::below;
 use super::pen::{Drawn, Pen, at, unit};
 use super::sheet::{Anchor, Entry, FilledMap, Panel, Rect, Sheet, Words};
@@ -14,15 +15,17 @@ use std::rc::Rc;
 
 /// Draws `sheet` on a backend whose size is the sheet's in virtual units.
 pub fn draw<B: DrawingBackend>(sheet: &Sheet, backend: &Rc<RefCell<B>>) -> Result<(), Error> {
+    let images = sheet.panels.iter().map(cloud::image);
+    let images: Vec<Option<Image>> = images.collect::<Result<_, _>>()?;
     let mut pen = Pen::on(backend);
-    pen.sheet(sheet)
+    pen.sheet(sheet, &images)
         .map_err(|error| Error::Internal(format!("drawing: {error}")))
 }
 
 impl<B: DrawingBackend> Pen<B> {
-    fn sheet(&mut self, sheet: &Sheet) -> Drawn<B> {
-        for panel in &sheet.panels {
-            self.panel(panel)?;
+    fn sheet(&mut self, sheet: &Sheet, images: &[Option<Image>]) -> Drawn<B> {
+        for (panel, image) in sheet.panels.iter().zip(images) {
+            self.panel(panel, image.as_ref())?;
         }
         for entry in &sheet.legend {
             self.entry(entry)?;
@@ -31,7 +34,11 @@ impl<B: DrawingBackend> Pen<B> {
         words.try_for_each(|words| self.words(words))
     }
 
-    fn panel(&mut self, panel: &Panel) -> Drawn<B> {
+    fn panel(&mut self, panel: &Panel, image: Option<&Image>) -> Drawn<B> {
+        // White between its dots, so below all else.
+        if let Some(image) = image {
+            self.image(image)?;
+        }
         if let Some(map) = &panel.map {
             self.map(panel, map)?;
         }
@@ -46,6 +53,7 @@ impl<B: DrawingBackend> Pen<B> {
                 self.path(&visible, style::ZERO_LINE)?;
             }
         }
+        self.dots(panel)?;
         self.frame(&panel.frame)?;
         for tick in &panel.x.ticks {
             let x = panel.place([tick.at, 0.0])[0];
@@ -75,7 +83,7 @@ impl<B: DrawingBackend> Pen<B> {
             let points: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
             for visible in clip::inside(&points, &panel.frame) {
                 for dash in clip::dashes(&visible, series.stroke.pattern()) {
-                    self.path(&dash, series.width)?;
+                    self.curve(&dash, series.width, series.stroke.colour())?;
                 }
             }
         }
@@ -257,7 +265,7 @@ impl<B: DrawingBackend> Pen<B> {
         // Places that are only marked have no line.
         for dash in clip::dashes(&sample, entry.stroke.pattern()) {
             if entry.width > 0.0 {
-                self.path(&dash, entry.width)?;
+                self.curve(&dash, entry.width, entry.stroke.colour())?;
             }
         }
         if let Some(marker) = entry.marker {

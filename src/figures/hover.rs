@@ -71,6 +71,23 @@ fn of_panel(panel: &Panel) -> Vec<Point> {
             }
         }
     }
+    // Dots that are one image are too many to point at.
+    for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
+        for dot in &cloud.dots {
+            let mut text = format!(
+                "{}, {}",
+                axis(&panel.x.title, dot.at[0]),
+                axis(&panel.y.title, dot.at[1])
+            );
+            if let (Some(value), Some(map)) = (dot.value, &panel.map) {
+                text += &format!(", {}", axis(&map.colours.title, value));
+            }
+            points.push(Point {
+                at: panel.place(dot.at),
+                text,
+            });
+        }
+    }
     points
 }
 

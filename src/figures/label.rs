@@ -46,7 +46,8 @@ pub fn bound(table: &[Parameter], cases: &[Shown], by: usize) -> Vec<usize> {
 /// What a case has for these parameters, in markup, without those that only repeat another.
 pub fn all_said(table: &[Parameter], cases: &[Shown], rows: &[usize], case: &Case) -> String {
     let telling = rows.iter().filter(|row| !echoes(cases, **row));
-    let parts = telling.filter_map(|row| case.values[*row].map(|value| said(&table[*row], value)));
+    let part = |row: &usize| Some(said(&table[*row], case.values[*row]?, digits(cases, *row)));
+    let parts = telling.filter_map(part);
     parts.collect::<Vec<_>>().join(", ")
 }
 
@@ -96,14 +97,14 @@ fn echoes(cases: &[Shown], row: usize) -> bool {
     (0..row).any(repeats)
 }
 
-/// The labels of the cases: by parameter `by`, or else by all that vary but the rows `except`. Never empty ones.
-pub fn labels(
+/// The parameters that labels name: `by`, or else all that vary but the rows `except`.
+pub fn named(
     table: &[Parameter],
     cases: &[Shown],
     by: Option<usize>,
     except: &[usize],
-) -> Vec<String> {
-    let mut rows = match by {
+) -> Vec<usize> {
+    let rows = match by {
         Some(row) => vec![row],
         None => (0..table.len())
             .filter(|row| !except.contains(row) && varies(cases, *row) && !echoes(cases, *row))
@@ -121,18 +122,38 @@ pub fn labels(
             rows.iter().any(depends)
         })
     };
-    let kept: Vec<usize> = rows.iter().copied().filter(|row| !implied(*row)).collect();
-    rows = kept;
+    rows.iter().copied().filter(|row| !implied(*row)).collect()
+}
+
+/// The labels of the cases by the parameters that `named` finds. Never empty ones.
+pub fn labels(
+    table: &[Parameter],
+    cases: &[Shown],
+    by: Option<usize>,
+    except: &[usize],
+) -> Vec<String> {
+    let rows = named(table, cases, by, except);
+    let rows: Vec<(usize, usize)> = rows
+        .into_iter()
+        .map(|row| (row, digits(cases, row)))
+        .collect();
     cases
         .iter()
         .map(|shown| label(table, shown, &rows))
         .collect()
 }
 
-fn label(table: &[Parameter], shown: &Shown, rows: &[usize]) -> String {
+/// Significant digits that tell the values of a parameter apart.
+pub fn digits(cases: &[Shown], row: usize) -> usize {
+    let values = cases.iter().filter_map(|shown| shown.case.values[row]);
+    number::digits(values.filter_map(|value| value.as_f64()))
+}
+
+/// The label of a case by these parameters, each with its number of digits.
+fn label(table: &[Parameter], shown: &Shown, rows: &[(usize, usize)]) -> String {
     let parts: Vec<_> = rows
         .iter()
-        .filter_map(|row| shown.case.values[*row].map(|value| said(&table[*row], value)))
+        .filter_map(|(row, digits)| Some(said(&table[*row], shown.case.values[*row]?, *digits)))
         .collect();
     if parts.is_empty() {
         "computed".into()
@@ -141,11 +162,11 @@ fn label(table: &[Parameter], shown: &Shown, rows: &[usize]) -> String {
     }
 }
 
-/// `symbol = value` in markup; a name speaks for itself.
-pub fn said(parameter: &Parameter, value: Value) -> String {
+/// `symbol = value` in markup, with so many significant digits; a name speaks for itself.
+pub fn said(parameter: &Parameter, value: Value, digits: usize) -> String {
     match (parameter.kind, value) {
         (Kind::Choice(_), Value::Name(name)) => super::markup::escape(name),
-        _ => format!("{} = {}", parameter.symbol, number::value(value)),
+        _ => format!("{} = {}", parameter.symbol, number::value(value, digits)),
     }
 }
 

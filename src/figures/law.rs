@@ -20,7 +20,12 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         };
         let values = label::values(cases, row).into_iter().flatten();
         let mut widths: Vec<_> = values
-            .filter_map(|value| Some((value.as_f64()?, label::said(&table[row], value))))
+            .filter_map(|value| {
+                Some((
+                    value.as_f64()?,
+                    label::said(&table[row], value, label::digits(cases, row)),
+                ))
+            })
             .collect();
         widths.sort_by(|a, b| a.0.total_cmp(&b.0));
         widths

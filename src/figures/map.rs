@@ -68,6 +68,10 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
     };
     let colours = colours(metric.symbol, cells.iter().map(|c| c.value), scales[2]);
+    let colours = match contoured {
+        true => bands::limited(colours, height),
+        false => colours,
+    };
     let y_axis = along(*y, &ys, &y_edges, scales[1], height / 28.0);
     let width = 1.3 * style::SINGLE;
     let grid = layout::grid(

@@ -30,10 +30,22 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let at = |shown: &Shown| shown.case.values[*x].and_then(|value| value.as_f64());
     let cases: Vec<Shown> = cases.iter().copied().filter(|c| at(c).is_some()).collect();
     let along = label::along(study, &cases, *x);
-    let labels = label::labels(study.problem.parameters(), &cases, *by, &along);
+    let table = study.problem.parameters();
+    let labels = label::labels(table, &cases, *by, &along);
     let (looks, mut labels) = label::numbered(&labels);
+    let named = label::named(table, &cases, *by, &along);
     let all = labels.len();
     labels.truncate(style::MOST_LOOKS);
+    let order = order(&named, &cases, &looks, labels.len());
+    let (strokes, width, marked) = match &order {
+        Some(order) => (graded(order), 1.3 * style::CASE_LINE, false),
+        None => (
+            (0..labels.len()).map(Stroke::of_case).collect(),
+            style::CASE_LINE,
+            true,
+        ),
+    };
+    let marker = |look| marked.then_some(Marker::of_case(look));
     let curves = |metric: usize| -> Vec<Series> {
         let curve = |(look, label): (usize, &String)| {
             let mut points: Vec<[f64; 2]> = cases
@@ -50,9 +62,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
                 label: label.clone(),
                 marked: (0..points.len()).collect(),
                 points,
-                stroke: Stroke::of_case(look),
-                width: style::CASE_LINE,
-                marker: Some(Marker::of_case(look)),
+                stroke: strokes[look],
+                width,
+                marker: marker(look),
             }
         };
         labels.iter().enumerate().map(curve).collect()
@@ -76,8 +88,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             axis(&title, values, *y_scale, height / 24.0)
         })
         .collect();
-    let width = 1.2 * style::SINGLE;
-    let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
+    let grid = layout::grid(1.2 * style::SINGLE, 1, &vec![height; y.len()], &axes, 4.0);
     let values: Vec<f64> = cases.iter().filter_map(at).collect();
     let title = parameter.symbol.to_owned();
     let in_pi = |v: &f64| number::of_pi(*v).is_some();
@@ -91,7 +102,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     };
 
     let mut sheet = Sheet {
-        width,
+        width: 1.2 * style::SINGLE,
         ..Sheet::default()
     };
     let count = axes.len();
@@ -122,23 +133,62 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             }
         }
     }
-    let keys = labels.iter().enumerate().map(|(look, label)| Key {
-        label: label.clone(),
-        stroke: Stroke::of_case(look),
-        width: style::CASE_LINE,
-        marker: Some(Marker::of_case(look)),
+    let order = order.unwrap_or_else(|| (0..labels.len()).collect());
+    let keys = order.into_iter().map(|look| Key {
+        label: labels[look].clone(),
+        stroke: strokes[look],
+        width,
+        marker: marker(look),
     });
     let series = sheet.panels.iter().flat_map(|panel| &panel.series);
     let named = series.filter(|series| series.label == reference::LABEL);
     let exact = named.map(Key::of).next();
     // A curve alone needs no name.
-    let keys = match labels.len() > 1 || exact.is_some() {
+    let mut keys: Vec<Key> = match labels.len() > 1 || exact.is_some() {
         true => exact.into_iter().chain(keys).collect(),
         false => Vec::new(),
     };
+    if orders {
+        keys.push(Key {
+            label: ORDERS.into(),
+            stroke: Stroke::Dotted,
+            width: style::EXACT_LINE,
+            marker: None,
+        });
+    }
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }
+
+/// The looks by rising number, where one numeric parameter tells more curves apart than there are markers.
+fn order(named: &[usize], cases: &[Shown], looks: &[usize], count: usize) -> Option<Vec<usize>> {
+    let [row] = *named else {
+        return None;
+    };
+    if count <= Marker::KINDS {
+        return None;
+    }
+    let number = |look: usize| {
+        let first = looks.iter().position(|its| *its == look)?;
+        cases[first].case.values[row]?.as_f64()
+    };
+    let numbers: Vec<f64> = (0..count).map(number).collect::<Option<_>>()?;
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
+    Some(order)
+}
+
+/// The stroke of each look by its place in the order.
+fn graded(order: &[usize]) -> Vec<Stroke> {
+    let mut strokes = vec![Stroke::Solid; order.len()];
+    for (place, look) in order.iter().enumerate() {
+        strokes[*look] = Stroke::graded(place, order.len());
+    }
+    strokes
+}
+
+/// What the legend calls the lines of order 1 and 2.
+const ORDERS: &str = "orders 1 and 2";
 
 /// Thin lines of order 1 and 2 from the lower left corner, to compare with.
 fn order_lines(panel: &mut Panel) {

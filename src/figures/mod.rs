@@ -1,11 +1,14 @@
 //! Figures: a study's cases as sheets of panels, drawn as PNG and SVG by the same strokes. Draws data, never simulates.
 //!
-//! A kind of figure (`history`, `profile`, `wave`, `metric`, `budget`, `map`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
+//! A kind of figure (`history`, `profile`, `wave`, `metric`, `convergence`, `budget`, `map`, `scatter`, `samples`,
+//! `sobol`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
 
 mod arrangement;
 mod bands;
+pub mod base64;
 mod budget;
 mod clip;
+mod cloud;
 mod contours;
 mod curves;
 mod draw;
@@ -27,6 +30,8 @@ mod profile;
 mod raster;
 mod reference;
 mod ridge;
+mod samples;
+mod scatter;
 pub mod sheet;
 mod slope;
 mod sobol;
@@ -38,6 +43,8 @@ mod tests;
 mod tests_contents;
 #[cfg(test)]
 mod tests_extent;
+#[cfg(test)]
+mod tests_samples;
 mod text;
 mod ticks;
 mod vector;
@@ -75,6 +82,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         }
         FigureKind::Budget { .. } => budget::sheet(study, figure, cases),
         FigureKind::Map { .. } => map::sheet(study, figure, cases),
+        FigureKind::Scatter { .. } => scatter::sheet(study, figure, cases),
+        FigureKind::Samples { .. } => samples::sheet(study, figure, cases),
         FigureKind::Sobol { .. } => sobol::sheet(study, figure, cases),
         FigureKind::Law => law::sheet(study, figure, cases),
         FigureKind::Profile { .. } => profile::sheet(study, figure, cases),

@@ -20,7 +20,7 @@ pub type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::Error
 
 /// Draws on a plotters area; places and lengths in points.
 pub struct Pen<B: DrawingBackend> {
-    area: DrawingArea<B, Shift>,
+    pub(super) area: DrawingArea<B, Shift>,
 }
 
 /// A length in virtual units.
@@ -33,7 +33,8 @@ pub fn at([x, y]: [f64; 2]) -> BackendCoord {
     (unit(x), unit(y))
 }
 
-fn line(width: f64) -> ShapeStyle {
+/// A black line.
+pub fn line(width: f64) -> ShapeStyle {
     BLACK.stroke_width(unit(width) as u32)
 }
 
@@ -125,6 +126,13 @@ impl<B: DrawingBackend> Pen<B> {
                 self.area.draw(&PathElement::new(corners, outline))
             }
         }
+    }
+
+    /// A line through points in the colour of a curve.
+    pub fn curve(&mut self, points: &[[f64; 2]], width: f64, [r, g, b]: [u8; 3]) -> Drawn<B> {
+        let points: Vec<_> = points.iter().copied().map(at).collect();
+        let style = RGBColor(r, g, b).stroke_width(unit(width) as u32);
+        self.area.draw(&PathElement::new(points, style))
     }
 
     /// A thin line with a filled head at both ends.

@@ -162,7 +162,11 @@ fn moment(study: &Study, cases: &[Shown], row: usize) -> String {
     times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
     let title = study.problem.time_title();
     let symbol = title.strip_prefix("Time ").unwrap_or(title);
-    let times: Vec<String> = times.into_iter().map(number::fraction).collect();
+    let digits = number::digits(times.iter().copied());
+    let times: Vec<String> = times
+        .into_iter()
+        .map(|time| number::fraction(time, digits))
+        .collect();
     format!("{symbol} = {}", times.join(", "))
 }
 

@@ -33,33 +33,18 @@ impl Raster {
         Ok(Raster { pixels, size })
     }
 
-    /// The sheet as a PNG file in grey where it has no colour, with its resolution.
+    /// The sheet as a PNG file.
     pub fn png(&self) -> Result<Vec<u8>, Error> {
-        let grey = |[r, g, b, _]: &[u8; 4]| r == g && g == b;
+        let (size, bytes) = self.rgb();
+        png(size, bytes)
+    }
+
+    /// Its size in pixels, and red, green and blue of each, row by row.
+    pub fn rgb(&self) -> ((u32, u32), Vec<u8>) {
         let (pixels, _) = self.pixels.data().as_chunks::<4>();
-        let (colour, bytes): (_, Vec<u8>) = if pixels.iter().all(grey) {
-            let bytes = pixels.iter().map(|pixel| pixel[0]).collect();
-            (png::ColorType::Grayscale, bytes)
-        } else {
-            let bytes = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]);
-            (png::ColorType::Rgb, bytes.collect())
-        };
-        let mut file = Vec::new();
-        let fault = |error: png::EncodingError| Error::Internal(format!("PNG: {error}"));
-        let mut encoder = png::Encoder::new(&mut file, self.pixels.width(), self.pixels.height());
-        encoder.set_color(colour);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
-        let per_metre = (PIXELS * 72.0 / 0.0254).round() as u32;
-        encoder.set_pixel_dims(Some(png::PixelDimensions {
-            xppu: per_metre,
-            yppu: per_metre,
-            unit: png::Unit::Meter,
-        }));
-        let mut writer = encoder.write_header().map_err(fault)?;
-        writer.write_image_data(&bytes).map_err(fault)?;
-        writer.finish().map_err(fault)?;
-        Ok(file)
+        let bytes = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]);
+        let size = (self.pixels.width(), self.pixels.height());
+        (size, bytes.collect())
     }
 
     fn fill(&mut self, path: Option<Path>, colour: BackendColor, smooth: bool) {
@@ -70,6 +55,33 @@ impl Raster {
                 .fill_path(&path, &paint, FillRule::Winding, place, None);
         }
     }
+}
+
+/// Red, green and blue bytes of pixels as a PNG file, in grey where they have no colour, with its resolution.
+pub fn png((width, height): (u32, u32), bytes: Vec<u8>) -> Result<Vec<u8>, Error> {
+    let (pixels, _) = bytes.as_chunks::<3>();
+    let (colour, bytes) = if pixels.iter().all(|[r, g, b]| r == g && g == b) {
+        let grey = pixels.iter().map(|pixel| pixel[0]).collect();
+        (png::ColorType::Grayscale, grey)
+    } else {
+        (png::ColorType::Rgb, bytes)
+    };
+    let mut file = Vec::new();
+    let fault = |error: png::EncodingError| Error::Internal(format!("PNG: {error}"));
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(colour);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    let per_metre = (PIXELS * 72.0 / 0.0254).round() as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: png::Unit::Meter,
+    }));
+    let mut writer = encoder.write_header().map_err(fault)?;
+    writer.write_image_data(&bytes).map_err(fault)?;
+    writer.finish().map_err(fault)?;
+    Ok(file)
 }
 
 fn paint(colour: BackendColor, smooth: bool) -> Paint<'static> {
@@ -225,6 +237,20 @@ impl DrawingBackend for Raster {
     ) -> Drawn {
         let points: Vec<_> = points.into_iter().collect();
         self.fill(outline(&points, true), style.color(), true);
+        Ok(())
+    }
+
+    fn blit_bitmap(&mut self, (x, y): BackendCoord, (w, h): (u32, u32), bytes: &[u8]) -> Drawn {
+        let [left, top] = [x, y].map(|v| pixel(v).round() as i32);
+        let (width, height) = (self.pixels.width() as i32, self.pixels.height() as i32);
+        let (colours, _) = bytes.as_chunks::<3>();
+        let places = (0..h as i32).flat_map(|j| (0..w as i32).map(move |i| (left + i, top + j)));
+        for ((i, j), [r, g, b]) in places.zip(colours) {
+            if (0..width).contains(&i) && (0..height).contains(&j) {
+                let at = 4 * (j * width + i) as usize;
+                self.pixels.data_mut()[at..at + 4].copy_from_slice(&[*r, *g, *b, 255]);
+            }
+        }
         Ok(())
     }
 

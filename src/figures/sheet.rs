@@ -1,5 +1,6 @@
 //! A figure as data: what is drawn where, before anything is drawn. Lengths are points, y downwards.
 
+use super::cloud::Cloud;
 use super::style::{self, Marker, Stroke};
 use crate::study::Scale;
 
@@ -81,6 +82,8 @@ pub struct Panel {
     pub bars: Vec<Bar>,
     /// A filled map below the curves.
     pub map: Option<FilledMap>,
+    /// Dots below the curves.
+    pub cloud: Option<Cloud>,
     /// Whether the line y = 0 is drawn.
     pub zero: bool,
     /// Letter and what else stands over the frame, in markup; empty for none.
@@ -146,6 +149,7 @@ impl Panel {
             series: Vec::new(),
             bars: Vec::new(),
             map: None,
+            cloud: None,
             zero: false,
             letter: String::new(),
             notes: Vec::new(),

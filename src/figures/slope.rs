@@ -70,7 +70,11 @@ pub fn write(panel: &mut Panel) {
         let Some(stretch) = straight(&series.points).filter(|s| s.slope.abs() >= LEAST) else {
             continue;
         };
-        let text = format!("slope {:.2}", stretch.slope).replace('-', "−");
+        let slope = format!("slope {:.2}", stretch.slope).replace('-', "−");
+        let text = match series.label.as_str() {
+            "" => slope,
+            label => format!("{label}: {slope}"),
+        };
         let (width, height) = (text::width(&text, style::LABEL), style::LABEL);
         let place = |i: usize| panel.place(series.points[i]);
         // From the middle of the stretch to its ends, over and under the line, ever further from it.

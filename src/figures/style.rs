@@ -42,6 +42,15 @@ pub const MARKER_LINE: f64 = 0.7;
 /// Half the size of a marker.
 pub const MARKER: f64 = 2.3;
 
+/// Radius of a dot, one of few.
+pub const DOT: f64 = 1.5;
+/// Radius of a dot, one of very many.
+pub const SMALL_DOT: f64 = 0.6;
+/// Width of a dot's outline, where dots are few.
+pub const DOT_LINE: f64 = 0.25;
+/// The place of a dot without a value on the scale of colours: dark.
+pub const DOT_SHADE: f64 = 0.2;
+
 /// Length of the head of an arrow.
 pub const ARROW: f64 = 5.0;
 /// Length of a tick with a number, inwards.
@@ -77,18 +86,35 @@ pub enum Stroke {
     DashDotDot,
     /// Long dashes.
     LongDash,
+    /// Unbroken, in a colour of maps: the place on their scale in parts of 255.
+    Graded(u8),
 }
 
 impl Stroke {
     /// Lengths of line and gap in turn; empty for an unbroken line.
     pub fn pattern(self) -> &'static [f64] {
         match self {
-            Stroke::Solid => &[],
+            Stroke::Solid | Stroke::Graded(_) => &[],
             Stroke::Dashed => &[5.0, 2.2],
             Stroke::DashDot => &[7.0, 2.0, 1.2, 2.0],
             Stroke::Dotted => &[1.1, 1.7],
             Stroke::DashDotDot => &[7.0, 1.8, 1.2, 1.8, 1.2, 1.8],
             Stroke::LongDash => &[10.0, 3.0],
+        }
+    }
+
+    /// The stroke of curve `i` of `count` in the order of a number, dark to light: their lightness tells them apart. The
+    /// lightest colours are left out, which white paper hides.
+    pub fn graded(i: usize, count: usize) -> Stroke {
+        let place = 0.85 * i as f64 / (count - 1).max(1) as f64;
+        Stroke::Graded((255.0 * place).round() as u8)
+    }
+
+    /// Red, green and blue of the line.
+    pub fn colour(self) -> [u8; 3] {
+        match self {
+            Stroke::Graded(place) => colour(f64::from(place) / 255.0),
+            _ => [0, 0, 0],
         }
     }
 
@@ -130,9 +156,12 @@ pub enum Marker {
 }
 
 impl Marker {
+    /// Number of markers that curves take in turn.
+    pub const KINDS: usize = 6;
+
     /// The marker of the `i`-th curve of a panel; with the strokes, thirty curves are told apart.
     pub fn of_case(i: usize) -> Marker {
-        const TURN: [Marker; 6] = [
+        const TURN: [Marker; Marker::KINDS] = [
             Marker::Circle,
             Marker::Triangle,
             Marker::Square,

@@ -205,3 +205,114 @@ fn a_curve_goes_through_cases_whose_other_parameters_follow_from_x() {
     let two = r#""parameters": {"k_I": [10, 100], "n": [4, 8, 16], "dt": "0.1/n", "duration": 1}"#;
     assert_eq!(curves(two), [3, 3]);
 }
+
+#[test]
+fn many_curves_over_a_number_are_told_apart_by_lightness() {
+    let curves = |count: usize| {
+        // Not in rising order: the odd ones first.
+        let values: Vec<String> = (0..count)
+            .map(|i| ((2 * i + 1) % count + 1).to_string())
+            .collect();
+        let study = parsed(
+            FRICTION,
+            &format!(
+                r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.1, 0.2, 0.3], "x0": [{}]}},
+                "figures": [{{"name": "m", "kind": "metric", "x": "dT", "y": "rms_error", "by": "x0"}}]"#,
+                values.join(", ")
+            ),
+        );
+        drawn(&study, |case, name| {
+            (name == "rms_error").then(|| number(case, "x0") * number(case, "dT"))
+        })
+    };
+    let sheet = curves(15);
+    let labels: Vec<_> = sheet.legend.iter().map(|e| e.label.clone()).collect();
+    let expected: Vec<_> = (1..=15).map(|x0| format!("*X*_0_ = {x0}")).collect();
+    assert_eq!(labels, expected);
+    // Luma (ITU-R BT.709) rises from key to key; white paper has 255.
+    let luma = |stroke: style::Stroke| {
+        let [r, g, b] = stroke.colour().map(f64::from);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    };
+    let lightness: Vec<f64> = sheet.legend.iter().map(|e| luma(e.stroke)).collect();
+    assert!(
+        lightness.windows(2).all(|pair| pair[1] > pair[0] + 3.0),
+        "{lightness:?}"
+    );
+    assert!(lightness[14] < 200.0 && lightness[0] < 30.0);
+    for entry in &sheet.legend {
+        assert_eq!(entry.marker, None);
+        let curve = sheet.panels[0].series.iter();
+        let curve = curve.clone().find(|s| s.label == entry.label).unwrap();
+        assert_eq!((curve.stroke, curve.marker), (entry.stroke, None));
+        // The point at dT = 0.1 is a tenth of x0.
+        let x0 = curve.points[0][1] * 10.0;
+        assert_eq!(entry.label, format!("*X*_0_ = {x0:.0}"));
+    }
+    // As many as there are markers keep strokes and markers.
+    let few = curves(5);
+    assert!(few.legend.iter().all(|e| e.marker.is_some()));
+}
+
+#[test]
+fn a_colour_bar_has_the_levels_of_the_contours_and_the_limits_of_its_end_bands() {
+    let study = parsed(
+        FRICTION,
+        &format!(
+            r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.1, 0.2, 0.3], "x0": [8, 9, 10]}},
+            "figures": [{{"name": "m", "kind": "map", "x": "dT", "y": "x0", "z": "rms_error"}}]"#
+        ),
+    );
+    // From 8/3 to 10, both between levels.
+    let sheet = drawn(&study, |case, name| {
+        (name == "rms_error").then(|| number(case, "x0") * number(case, "dT") / 0.3)
+    });
+    let map = sheet.panels[0].map.as_ref().unwrap();
+    let ticks: Vec<f64> = map.colours.ticks.iter().map(|tick| tick.at).collect();
+    let limits: Vec<f64> = [map.colours.range[0]]
+        .into_iter()
+        .chain(map.levels.iter().copied())
+        .chain([map.colours.range[1]])
+        .collect();
+    assert_eq!(ticks, limits);
+    let labels: Vec<&str> = map.colours.ticks.iter().map(|t| t.label.as_str()).collect();
+    assert_eq!(labels, ["2.67", "3", "4", "5", "6", "7", "8", "9", "10"]);
+    // The numbers on the lines are those at the bar.
+    assert!(!map.tags.is_empty());
+    assert!(
+        map.tags
+            .iter()
+            .all(|tag| labels.contains(&tag.text.as_str()))
+    );
+}
+
+#[test]
+fn slopes_name_their_curve_and_the_legend_names_the_reference_lines() {
+    let study = parsed(
+        FRICTION,
+        &format!(
+            r#""parameters": {{{LAW}, "alpha": 0.1, "dT": [0.02, 0.05, 0.1, 0.2, 0.4], "x0": [8, 12]}},
+            "figures": [{{"name": "c", "kind": "convergence", "y": ["rms_error", "max_error"], "by": "x0"}}]"#
+        ),
+    );
+    // Order 1 for x0 = 8, far above order 2 for x0 = 12.
+    let sheet = drawn(&study, |case, _| {
+        let x = number(case, "dT");
+        Some(if number(case, "x0") == 8.0 {
+            100.0 * x
+        } else {
+            x * x
+        })
+    });
+    for panel in &sheet.panels {
+        let notes = panel.notes.iter().map(|words| words.text.as_str());
+        let slopes: Vec<&str> = notes.filter(|text| text.contains("slope")).collect();
+        assert_eq!(
+            slopes,
+            ["*X*_0_ = 8: slope 1.00", "*X*_0_ = 12: slope 2.00"]
+        );
+    }
+    let labels: Vec<&str> = sheet.legend.iter().map(|e| e.label.as_str()).collect();
+    assert_eq!(labels, ["*X*_0_ = 8", "*X*_0_ = 12", "orders 1 and 2"]);
+    assert_eq!(sheet.legend[2].stroke, style::Stroke::Dotted);
+}

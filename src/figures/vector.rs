@@ -1,17 +1,19 @@
 //! The drawing backend behind SVG files: text written by us, glyphs as outlines, so no reader needs the font.
 
+use super::base64;
 use super::font::{self, Glyph};
 use super::outline::ToData;
-use super::style::UNITS;
+use super::raster;
+use super::style::{PIXELS, UNITS};
+use crate::error::Error;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
     FontStyle, FontTransform,
 };
 use std::collections::BTreeSet;
-use std::convert::Infallible;
 use std::fmt::Write;
 
-type Drawn = Result<(), DrawingErrorKind<Infallible>>;
+type Drawn = Result<(), DrawingErrorKind<Error>>;
 
 /// An SVG drawing under way; its user units are the virtual units of the drawing.
 pub struct Vector {
@@ -129,7 +131,7 @@ fn data(points: &[BackendCoord]) -> String {
 }
 
 impl DrawingBackend for Vector {
-    type ErrorType = Infallible;
+    type ErrorType = Error;
 
     fn get_size(&self) -> (u32, u32) {
         self.size
@@ -214,6 +216,17 @@ impl DrawingBackend for Vector {
         let points: Vec<_> = points.into_iter().collect();
         let (colour, data) = (colour(style.color()), data(&points));
         self.element(format_args!("<path fill=\"{colour}\" d=\"{data}z\"/>"));
+        Ok(())
+    }
+
+    fn blit_bitmap(&mut self, (x, y): BackendCoord, (w, h): (u32, u32), bytes: &[u8]) -> Drawn {
+        let png = raster::png((w, h), bytes.to_vec()).map_err(DrawingErrorKind::DrawingError)?;
+        let [width, height] = [w, h].map(|pixels| f64::from(pixels) * UNITS / PIXELS);
+        self.element(format_args!(
+            "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
+             href=\"data:image/png;base64,{}\"/>",
+            base64::text(&png)
+        ));
         Ok(())
     }
 

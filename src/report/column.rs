@@ -1,7 +1,7 @@
 //! A column of numbers, as small as it can be kept without loss: one value for all rows, places in a list of the values
 //! that occur, or the doubles themselves.
 
-use super::base64;
+use crate::figures::base64;
 use std::collections::HashMap;
 use std::io::{self, Write};
 

@@ -1,8 +1,8 @@
 //! A figure on the page: as lines where they are few, as pixels where they are many.
 
-use super::base64;
 use super::text::{escape, printable};
 use crate::error::Error;
+use crate::figures::base64;
 use crate::figures::sheet::Sheet;
 use crate::figures::{self, Shown};
 use crate::study::{Figure, Study};

@@ -1,7 +1,6 @@
 //! One page about studies that needs nothing beside it: figures, tables to sort and filter, checks, claims, and the
 //! studies as given.
 
-mod base64;
 mod checks;
 mod column;
 mod counts;

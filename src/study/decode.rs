@@ -13,7 +13,7 @@ use super::rules::MOST_CASES;
 use super::scope::Scope;
 use super::tree::{Node, Tree};
 use super::value::{self, name};
-use super::{Check, Figure, FigureKind, Study};
+use super::{Check, Column, Figure, FigureKind, Study};
 use crate::error::Error;
 use crate::problem::{self, Budget, PROBLEMS, Problem};
 
@@ -125,6 +125,15 @@ fn columns(
         | FigureKind::Convergence { y, .. }
         | FigureKind::Sobol { y } => y.clone(),
         FigureKind::Map { z, .. } => vec![*z],
+        FigureKind::Scatter { x, y, colour, .. } => {
+            let columns = [Some(x), Some(y), colour.as_ref()];
+            let metric = |column: &Column| match column {
+                Column::Metric(row) => Some(*row),
+                Column::Parameter(_) => None,
+            };
+            columns.into_iter().flatten().filter_map(metric).collect()
+        }
+        FigureKind::Samples { y, .. } => vec![*y],
         FigureKind::Budget { y, .. } => {
             let budgets = y.iter().map(|row| &problem.budgets()[*row]);
             budgets.flat_map(Budget::metrics).collect()

@@ -5,6 +5,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use sobol::Sobol;
 use sobol::params::JoeKuoD6;
 
+use super::Scale;
 use super::object::Object;
 use super::report::Faults;
 use super::tree::Node;
@@ -34,6 +35,8 @@ pub struct Design {
     pub seed: u64,
     /// Rows of `problem.parameters()` that it samples, in file order.
     pub parameters: Vec<usize>,
+    /// The scale on which each of these is sampled evenly.
+    pub scales: Vec<Scale>,
 }
 
 /// The keys of a design, each with what it holds.
@@ -106,6 +109,7 @@ pub(super) fn design(node: &Node, path: &str, faults: &mut Faults) -> Option<Des
         n: n?,
         seed,
         parameters: Vec::new(),
+        scales: Vec::new(),
     })
 }
 
@@ -188,6 +192,7 @@ mod tests {
             n,
             seed,
             parameters,
+            scales: Vec::new(),
         }
     }
 

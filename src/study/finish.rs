@@ -4,6 +4,7 @@ use super::Block;
 use super::derived::{Condition, Derived, Rule, fitted, refused, worked_out};
 use super::design::{self, Sampling};
 use super::expression::Formula;
+use super::interval::Interval;
 use super::object::Object;
 use super::parameters::{Draft, Given};
 use super::report::{Faults, quoted};
@@ -48,6 +49,8 @@ impl Draft {
         match design {
             Some(mut design) if !rows.is_empty() => {
                 design.parameters = rows;
+                let intervals = self.given.iter().filter_map(|given| given.interval);
+                design.scales = intervals.map(Interval::scale).collect();
                 self.design = Some(design);
             }
             _ => {

@@ -1,5 +1,6 @@
 //! Parameters that a design samples: between two ends, evenly or by ratio.
 
+use super::Scale;
 use super::derived::fitted;
 use super::object::Object;
 use super::report::{Faults, join};
@@ -89,6 +90,14 @@ impl Interval {
         };
         faults.add(ends[1].at, &format!("{path}[1]"), message);
         None
+    }
+
+    /// The scale on which its values lie evenly.
+    pub fn scale(self) -> Scale {
+        match self.log {
+            true => Scale::Log,
+            false => Scale::Linear,
+        }
     }
 
     /// The value at `u`, 0 < u < 1; whole numbers are equally likely, or nearest by ratio.

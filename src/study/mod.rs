@@ -175,6 +175,26 @@ pub enum FigureKind {
         /// What the line along it follows, if there is one.
         ridge: Option<Ridge>,
     },
+    /// One column of the results against another, a dot a case.
+    Scatter {
+        /// Along the horizontal axis.
+        x: Column,
+        /// Up the vertical axis.
+        y: Column,
+        /// Shown by the colour of the dots, if by any.
+        colour: Option<Column>,
+        /// Scales of the two axes and of the colours.
+        scales: [Scale; 3],
+    },
+    /// The parameters that a design samples against one another and one metric, a dot a case.
+    Samples {
+        /// The parameters, with the scale on which each is sampled evenly.
+        parameters: Vec<(usize, Scale)>,
+        /// Row of `problem.metrics()`.
+        y: usize,
+        /// Scale of the metric.
+        y_scale: Scale,
+    },
     /// Sobol' indices of metrics, from a saltelli design.
     Sobol {
         /// Rows of `problem.metrics()`, one panel each.
@@ -203,6 +223,15 @@ impl FigureKind {
             _ => Vec::new(),
         }
     }
+}
+
+/// A column of numbers in the results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// Row of `problem.parameters()`.
+    Parameter(usize),
+    /// Row of `problem.metrics()`.
+    Metric(usize),
 }
 
 /// Places that a map marks.

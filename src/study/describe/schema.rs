@@ -155,6 +155,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Quantities => several(names(
             problem.quantities().iter().map(|q| (q.name, q.title)),
         )),
+        Takes::Column => json!({ "anyOf": [parameters(true), defined("metric")] }),
         Takes::Profile => profiles(),
         Takes::Profiles => several(profiles()),
         Takes::Metric => defined("metric"),

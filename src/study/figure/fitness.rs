@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
+use super::axis::Axis;
 use super::taken::Values;
-use super::vary;
-use crate::problem::parameter::{Default, Value, shortest};
+use super::{sampled, vary};
+use crate::problem::parameter::Value;
 use crate::study::report::{Faults, join};
 use crate::study::scope::Scope;
-use crate::study::{Figure, FigureKind, Sampling, Scale};
+use crate::study::{Column, Figure, FigureKind, Sampling, Scale};
 
 /// Most curves that line styles can tell apart in one panel.
 const MOST_CURVES: usize = 8;
@@ -27,6 +28,16 @@ const MOST_DRAWN: u64 = 10_000_000;
 /// Reports what keeps a figure from being drawn or read.
 pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
     let on = |key: &'static str, row| Axis { key, row };
+    let lists = matches!(
+        figure.kind,
+        FigureKind::Metric { .. }
+            | FigureKind::Convergence { .. }
+            | FigureKind::Budget { .. }
+            | FigureKind::Map { .. }
+    );
+    if lists && sampled::refuse(figure, values, scope, faults) {
+        return;
+    }
     match &figure.kind {
         FigureKind::History { by, panels, .. } => {
             let by = by.map(|row| on("by", row));
@@ -98,76 +109,32 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             within(figure, times, values, scope, faults);
         }
         FigureKind::Wave { .. } => one_case(figure, values, scope, faults),
+        FigureKind::Scatter {
+            x,
+            y,
+            colour,
+            scales,
+        } => {
+            let columns = [("x", Some(x)), ("y", Some(y)), ("colour", colour.as_ref())];
+            for ((key, column), scale) in columns.into_iter().zip(scales) {
+                if let Some(Column::Parameter(row)) = column {
+                    on(key, *row).has_values(figure, values, scope, faults);
+                    on(key, *row).fits(*scale, figure, values, scope, faults);
+                }
+            }
+            if x == y {
+                let path = join(values.path, "y");
+                faults.add(values.at("y"), &path, "must be another column than x");
+            }
+            if colour.is_none() && values.has("colour_scale") {
+                let path = join(values.path, "colour_scale");
+                let message = "needs \"colour\" beside it";
+                faults.add(values.at("colour_scale"), &path, message);
+            }
+        }
+        FigureKind::Samples { parameters, .. } => sampled::check(parameters.len(), values, faults),
         FigureKind::Sobol { .. } => saltelli(figure, values, scope, faults),
         FigureKind::Law => {}
-    }
-}
-
-/// A parameter in its part in a figure.
-struct Axis {
-    key: &'static str,
-    row: usize,
-}
-
-impl Axis {
-    /// Reports a parameter that none of the chosen cases has.
-    fn has_values(&self, figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
-        let parameter = &scope.problem.parameters()[self.row];
-        let known = !matches!(parameter.default, Default::Follows(_));
-        if known && scope.levels(&figure.filter, self.row).is_empty() {
-            let path = join(values.path, self.key);
-            let message = format!("{} applies to none of the cases shown", parameter.name);
-            faults.add(values.at(self.key), &path, message);
-        }
-    }
-
-    /// Reports a logarithmic scale for numbers that have no logarithm.
-    fn fits(
-        &self,
-        scale: Scale,
-        figure: &Figure,
-        values: &Values,
-        scope: &Scope,
-        faults: &mut Faults,
-    ) {
-        let levels = scope.levels(&figure.filter, self.row);
-        let mut numbers = levels.iter().filter_map(|level| level.as_f64());
-        if scale == Scale::Log
-            && let Some(bad) = numbers.find(|x| *x <= 0.0)
-        {
-            let key = format!("{}_scale", self.key);
-            let name = scope.problem.parameters()[self.row].name;
-            let bad = Value::Number(bad);
-            let message = format!("log takes numbers > 0, and {name} is {bad} in a case shown");
-            faults.add(values.at(&key), &join(values.path, &key), message);
-        }
-    }
-}
-
-impl Axis {
-    /// Reports a mark beyond the values of its axis.
-    fn reaches(
-        &self,
-        place: f64,
-        mark: usize,
-        figure: &Figure,
-        values: &Values,
-        scope: &Scope,
-        faults: &mut Faults,
-    ) {
-        let levels = scope.levels(&figure.filter, self.row);
-        let numbers = levels.iter().filter_map(|level| level.as_f64());
-        let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-            (a.min(x), b.max(x))
-        });
-        let slack = 1e-12 * place.abs();
-        if low <= high && !(place >= low - slack && place <= high + slack) {
-            let name = scope.problem.parameters()[self.row].name;
-            let (low, high, place) = (shortest(low), shortest(high), shortest(place));
-            let message =
-                format!("{name} of mark {mark} must lie within {low}..{high}, got {place}");
-            faults.add(values.at("marks"), &join(values.path, "marks"), message);
-        }
     }
 }
 

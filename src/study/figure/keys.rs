@@ -25,6 +25,8 @@ pub(in crate::study) enum Takes {
     NumericParameter,
     /// One or several of the problem's quantities over time.
     Quantities,
+    /// A parameter that is a number, or a metric.
+    Column,
     /// One of the problem's quantities along the structure.
     Profile,
     /// One or several of the problem's quantities along the structure.

@@ -11,7 +11,7 @@ pub(in crate::study) struct Kind {
 }
 
 /// Every kind of figure.
-pub(in crate::study) static KINDS: [Kind; 9] = [
+pub(in crate::study) static KINDS: [Kind; 11] = [
     Kind {
         name: "history",
         meaning: "curves over time, the exact solution as a thin line; at most 8 cases a panel",
@@ -123,6 +123,56 @@ pub(in crate::study) static KINDS: [Kind; 9] = [
                 Takes::Ridge,
                 false,
                 "a line through the place of the least or greatest metric at each x, or of that nearest to 1, where it is not at the edge; none if left out",
+            ),
+        ],
+    },
+    Kind {
+        name: "scatter",
+        meaning: "one column of the results against another, a dot a case; more than 2000 dots are one image in the SVG",
+        keys: &[
+            key(
+                "x",
+                Takes::Column,
+                true,
+                "parameter or metric along the horizontal axis",
+            ),
+            key(
+                "y",
+                Takes::Column,
+                true,
+                "parameter or metric up the vertical axis",
+            ),
+            key(
+                "colour",
+                Takes::Column,
+                false,
+                "parameter or metric shown by the colour of the dots, with a colour bar; one colour if left out",
+            ),
+            X_SCALE,
+            Y_SCALE,
+            key(
+                "colour_scale",
+                Takes::Scale,
+                false,
+                "scale of the colours, linear if left out",
+            ),
+        ],
+    },
+    Kind {
+        name: "samples",
+        meaning: "the parameters that a design samples against one another, a dot a case, with a metric as colour and in the last row; at most 8 parameters; each axis has the scale of its distribution",
+        keys: &[
+            key(
+                "y",
+                Takes::Metric,
+                true,
+                "metric in the last row and as colour",
+            ),
+            key(
+                "y_scale",
+                Takes::Scale,
+                false,
+                "scale of the metric, linear if left out",
             ),
         ],
     },

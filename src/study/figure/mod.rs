@@ -1,8 +1,10 @@
 //! The `figures` of a study.
 
+mod axis;
 mod fitness;
 pub(super) mod keys;
 pub(super) mod kinds;
+mod sampled;
 pub(super) mod taken;
 mod vary;
 
@@ -17,7 +19,7 @@ use crate::study::value::name;
 use crate::study::{Figure, FigureKind};
 use keys::{COMMON, Key, Takes};
 use kinds::{KINDS, Kind};
-use taken::{Values, take};
+use taken::{Taken, Values, take};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
 /// ignore.
@@ -55,6 +57,9 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
     }
     let keys = COMMON.iter().chain(kind.map_or(&[][..], |kind| kind.keys));
     let mut taken = Vec::new();
+    if let (Some(kind), Some(node)) = (kind, object.get("kind")) {
+        taken.push(("kind", node, Taken::Text(kind.name.to_owned())));
+    }
     for key in keys.filter(|key| key.takes != Takes::Kind) {
         let found = match key.required {
             true => object.need(key.name, key.meaning, faults),
@@ -164,6 +169,17 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
             scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
             marks: values.marks("marks"),
             ridge: values.ridge("ridge"),
+        },
+        "scatter" => FigureKind::Scatter {
+            x: values.column("x")?,
+            y: values.column("y")?,
+            colour: values.column("colour"),
+            scales: ["x_scale", "y_scale", "colour_scale"].map(|key| values.scale(key)),
+        },
+        "samples" => FigureKind::Samples {
+            parameters: sampled::parameters(scope, &values.filter()),
+            y: values.row("y")?,
+            y_scale: values.scale("y_scale"),
         },
         "sobol" => FigureKind::Sobol {
             y: values.rows("y")?,

@@ -7,7 +7,7 @@ use crate::study::report::{Faults, join};
 use crate::study::scope::{Scope, names};
 use crate::study::tree::{Node, Tree};
 use crate::study::value::{name, number, text};
-use crate::study::{Filter, Marks, Ridge, Scale};
+use crate::study::{Column, Filter, Marks, Ridge, Scale};
 
 /// Longest file name of a figure, well within what file systems take with an ending.
 const LONGEST_NAME: usize = 100;
@@ -17,6 +17,7 @@ pub(in crate::study) enum Taken {
     Text(String),
     Filter(Filter),
     Rows(Vec<usize>),
+    Column(Column),
     Times(Vec<f64>),
     Scale(Scale),
     Ridge(Ridge),
@@ -47,6 +48,13 @@ impl Values<'_> {
 
     pub fn row(&self, key: &str) -> Option<usize> {
         self.rows(key)?.first().copied()
+    }
+
+    pub fn column(&self, key: &str) -> Option<Column> {
+        match self.get(key)? {
+            Taken::Column(column) => Some(*column),
+            _ => None,
+        }
     }
 
     pub fn scale(&self, key: &str) -> Scale {
@@ -87,6 +95,11 @@ impl Values<'_> {
     fn get(&self, key: &str) -> Option<&Taken> {
         let found = self.taken.iter().find(|taken| taken.0 == key);
         found.map(|taken| &taken.2)
+    }
+
+    /// Whether the figure has `key`.
+    pub fn has(&self, key: &str) -> bool {
+        self.get(key).is_some()
     }
 
     /// The offset of the value of `key`; of the figure, if the key is not given.
@@ -151,6 +164,18 @@ pub(in crate::study) fn take(
                 return None;
             }
             Some(vec![row])
+        }
+        Takes::Column => {
+            let numeric =
+                |row: &usize| !matches!(parameters[*row].kind, parameter::Kind::Choice(_));
+            let rows: Vec<usize> = (0..parameters.len()).filter(numeric).collect();
+            let named = rows.iter().map(|row| parameters[*row].name);
+            let all: Vec<&str> = named.chain(scope.metrics()).collect();
+            let place = name(node, path, "parameter or metric", &all, faults)?;
+            return Some(Taken::Column(match rows.get(place) {
+                Some(row) => Column::Parameter(*row),
+                None => Column::Metric(place - rows.len()),
+            }));
         }
         Takes::Quantities => {
             let all: Vec<&str> = scope.problem.quantities().iter().map(|q| q.name).collect();
