@@ -653,6 +653,36 @@ fn targets_out_of_reach_and_bad_words_end_as_they_should() {
 }
 
 #[test]
+fn an_answer_that_holds_only_at_its_own_step_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let printed = |words: &[&str]| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_slipgap"))
+            .arg("recommend")
+            .args(words)
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    // The step passes over the contact mode, which raises the peak of the consistent mass by far more than a tenth.
+    let impact = [
+        "bar-impact",
+        "--peak-force-error",
+        "0.2",
+        "--overlap",
+        "0.1",
+        "--mass",
+        "consistent",
+    ];
+    assert!(printed(&impact).contains("holds only at its own step"));
+    // A finer step is better for a friction law that is narrow already.
+    let friction = ["friction-oscillator", "--rms", "0.05"];
+    let friction = printed(&friction);
+    assert!(friction.contains("the same, step/16"), "{friction}");
+    assert!(!friction.contains("its own step"), "{friction}");
+}
+
+#[test]
 fn the_readme_shows_what_is_printed() {
     let readme = include_str!("../README.md");
     let (_, call) = readme.split_once("$ slipgap recommend ").unwrap();

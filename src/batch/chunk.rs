@@ -59,7 +59,7 @@ pub fn parts(study: &Study, index: u64) -> Vec<Part> {
     let mut shown = cases.shown();
     // A case that breaks a rule is not solved, and its number of steps may mean nothing.
     let work = (0..cases.len()).map(|row| match cases.may_be_solved(row) {
-        true => study.problem.work(shown.at(row)),
+        true => study.work(shown.at(row)),
         false => 0,
     });
     let cuts = cut(work);

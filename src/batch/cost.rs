@@ -48,7 +48,7 @@ pub fn total(study: &Study) -> f64 {
     let sampled = (0..raw)
         .step_by(apart as usize)
         .filter_map(|raw| study.combination(raw));
-    let work = sampled.map(|case| study.problem.work(&case) as f64);
+    let work = sampled.map(|case| study.work(&case) as f64);
     work.sum::<f64>() * apart as f64
 }
 
@@ -130,7 +130,7 @@ fn work(study: &Study, cases: &Cases, rows: &[u32]) -> f64 {
     let mut shown = cases.shown();
     let work = rows
         .iter()
-        .map(|row| study.problem.work(shown.at(*row as usize)) as f64);
+        .map(|row| study.work(shown.at(*row as usize)) as f64);
     work.sum()
 }
 

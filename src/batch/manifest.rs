@@ -35,6 +35,18 @@ pub fn is_manifest(file: &Path) -> bool {
     file.file_name().is_some_and(|name| name == MANIFEST) && ours().unwrap_or(false)
 }
 
+/// Whether a folder has a table of results that is of an earlier form of the study, by the hash in its manifest.
+pub fn outdated(results: &Path, study: &Study) -> bool {
+    let read = || -> Option<Value> {
+        serde_json::from_slice(&fs::read(results.join(MANIFEST)).ok()?).ok()
+    };
+    let former = |manifest: Value| Some(manifest["study_sha256"].as_str()?.to_owned());
+    results.join(super::output::RESULTS).is_file()
+        && read()
+            .and_then(former)
+            .is_some_and(|former| former != study.sha256)
+}
+
 /// What the manifest of a folder says.
 #[derive(Debug, Default)]
 pub(super) struct Manifest {

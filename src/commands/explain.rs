@@ -105,7 +105,7 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
 
 /// Steps and work of the case and of the whole study, and the time that the study takes, measured on some of its cases.
 fn cost(study: &Study, case: &Case) -> Result<String, Error> {
-    let (steps, work) = (study.problem.steps(case), study.problem.work(case));
+    let (steps, work) = (study.problem.steps(case), study.work(case));
     let all = total(study);
     let wishes = Wishes {
         keep: &|case| drawn::over_time(study, case),

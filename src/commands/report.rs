@@ -3,10 +3,11 @@
 use super::claims;
 use super::drawn;
 use super::progress::{self, Tally};
+use super::run::{self, Manner};
 use super::sources::Source;
 use super::{note, say};
 use indicatif::ProgressBar;
-use slipgap::batch::output::Folder;
+use slipgap::batch::output::{self, Folder};
 use slipgap::batch::sobol::Gathered;
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, Wishes};
@@ -47,7 +48,10 @@ fn section<'a>(
     claims: Vec<Settled>,
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
-    let store = Store::open(&out.join(&source.name))?;
+    let results = out.join(&source.name);
+    bring_up_to_date(source, out, &results)?;
+    // Reports of one study at the same time take turns.
+    let store = Store::open_in_turn(&results)?;
     let (bar, pace) = progress::with_store(&source.name, study);
     let wishes = Wishes {
         store: Some(&store),
@@ -96,6 +100,24 @@ fn section<'a>(
         checks,
         claims,
     })
+}
+
+/// Runs a study whose results.csv is of an earlier form of it, so that its store and results.csv keep the same rows.
+fn bring_up_to_date(source: &Source, out: &Path, results: &Path) -> Result<(), Error> {
+    if !output::outdated(results, &source.study) {
+        return Ok(());
+    }
+    note(&format!(
+        "{}: results of an earlier form of the study, run again",
+        source.name
+    ));
+    let manner = Manner {
+        histories: false,
+        fail_fast: false,
+        format: None,
+    };
+    // Cases without a solution are on the page.
+    run::run(std::slice::from_ref(source), out, &manner).map(|_| ())
 }
 
 /// For each study the claims that it settles, computed now; none where there are no ledgers.

@@ -282,6 +282,10 @@ pub trait Problem: Sync + std::fmt::Debug {
     fn work(&self, case: &Case) -> u64 {
         self.steps(case)
     }
+    /// What the references of the metrics in these rows cost besides, in the same unit.
+    fn reference_work(&self, _case: &Case, _wanted: &[usize]) -> u64 {
+        0
+    }
     /// Solves a completed case; an error says why it has no solution in double precision.
     ///
     /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.

@@ -25,7 +25,7 @@ impl Indices {
         }
         out.write_all(
             b"<h3>Sobol' indices</h3>\n<p>The share of the variance of a metric that a parameter causes alone (first order), and \
-              together with all others (total); in brackets the 95 % interval. Cells are empty where the metric is \
+              together with all others (total); in brackets the middle 95 % of bootstrap samples. Cells are empty where the metric is \
               the same in all cases of the design, or undefined in one.</p>\n\
               <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Sobol' indices\"><table>\n\
               <thead><tr><th>block</th><th class=\"words\">metric</th><th class=\"words\">parameter</th><th>first order</th>\

@@ -187,6 +187,12 @@ impl Study {
         })
     }
 
+    /// What a completed case costs: steps times modes, with the references of the study's metrics.
+    pub fn work(&self, case: &Case) -> u64 {
+        let references = self.problem.reference_work(case, &self.metrics);
+        self.problem.work(case).saturating_add(references)
+    }
+
     /// Number of the first case of a block.
     pub fn first_of(&self, block: usize) -> u64 {
         let before = self.blocks.iter().take(block);

@@ -1,8 +1,9 @@
 //! Stores that hold the rows of their study and no others, and results that serve again only where nothing has changed.
 
-use crate::{Bench, bars, friction};
+use crate::{Bench, ONE, bars, friction};
 use slipgap::batch::store;
 use std::fs;
+use std::process::Stdio;
 
 /// What a run of `s.json` says on stderr.
 #[track_caller]
@@ -75,21 +76,62 @@ fn parts_brought_along_go_and_files_of_the_user_stay() {
         format!("part-000000016384-{zeros}.parquet"),
         format!("part-00000003-{zeros}.parquet"),
         format!("part-000099999999-{zeros}.parquet"),
+        // Copies by hand: tools that read part-*.parquet would read them.
+        "part-000000000000-mine.parquet".into(),
+        "part-copy.parquet".into(),
     ] {
         bench.file(&format!("figures/s/store/{name}"), &bytes);
     }
-    for name in ["part-000000000000-mine.parquet", "notes.txt", "x.partial"] {
+    for name in ["mine.parquet", "notes.txt", "x.partial"] {
         bench.file(&format!("figures/s/store/{name}"), "mine");
     }
     assert_eq!(run(&bench), "s: 50000 of 50000 cases from the store\n");
     let mut kept = names;
-    kept.push("part-000000000000-mine.parquet".into());
+    kept.push("mine.parquet".into());
     kept.sort();
     assert_eq!(parts(&bench), kept);
     same_rows(&bench, 50_000);
     for name in ["notes.txt", "x.partial"] {
         assert_eq!(bench.text(&format!("figures/s/store/{name}")), "mine");
     }
+}
+
+#[test]
+fn a_report_leaves_the_same_rows_in_the_store_and_the_table() {
+    let bench = Bench::new();
+    let study = |betas: &str| friction(&format!("{ONE}, \"x0\": [{betas}]"), "");
+    bench.file("s.json", study("10, 11, 12"));
+    run(&bench);
+    bench.file("s.json", study("10, 11"));
+    let done = bench.expect(0, &["report", "s.json"]);
+    assert!(
+        done.err.contains("an earlier form of the study"),
+        "{}",
+        done.err
+    );
+    same_rows(&bench, 2);
+    let done = bench.expect(0, &["report", "s.json"]);
+    assert!(!done.err.contains("earlier form"), "{}", done.err);
+}
+
+#[test]
+fn reports_of_one_study_take_turns() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    let begin = |_| {
+        let mut command = bench.command();
+        let command = command.args(["report", "s.json"]);
+        command
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
+    };
+    let all: Vec<_> = (0..6).map(begin).collect();
+    for mut one in all {
+        assert!(one.wait().unwrap().success());
+    }
+    assert!(bench.text("figures/report.html").ends_with("</html>\n"));
 }
 
 #[cfg(unix)]

@@ -58,9 +58,21 @@ impl Store {
     /// # Errors
     /// [`Error::Busy`] while another run has it.
     pub fn open(results: &Path) -> Result<Store, Error> {
+        Store::locked_by(results, |lock| lock.try_lock())
+    }
+
+    /// The same, but waits while another run has it.
+    pub fn open_in_turn(results: &Path) -> Result<Store, Error> {
+        Store::locked_by(results, |lock| lock.lock().map_err(TryLockError::Error))
+    }
+
+    fn locked_by(
+        results: &Path,
+        lock: impl Fn(&File) -> Result<(), TryLockError>,
+    ) -> Result<Store, Error> {
         let folder = results.join(STORE);
         fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
-        let lock = locked(&folder)?;
+        let lock = locked(&folder, lock)?;
         remove_former_lock(&folder);
         sweep(&folder);
         let mut parts: BTreeMap<u64, Vec<PathBuf>> = BTreeMap::new();
@@ -150,14 +162,15 @@ impl Store {
         Ok(())
     }
 
-    /// Removes every part that is not of this run, which has handed over all its cases: the store then holds these.
+    /// Removes every part that is not of this run, which has handed over all its cases: the store then holds these. A copy
+    /// under another name `part-*.parquet` goes too, since tools that read the folder would read it.
     ///
     /// # Errors
     /// A part that cannot be removed.
     pub fn close(self) -> Result<(), Error> {
         let own = self.own();
         let mut failed = None;
-        for (_, path) in there(&self.folder)? {
+        for path in like_parts(&self.folder)? {
             if !own.contains(&path)
                 && let Err(e) = fs::remove_file(&path)
                 && e.kind() != ErrorKind::NotFound
@@ -207,7 +220,7 @@ fn whole_part(path: &Path) -> Option<Vec<u8>> {
 }
 
 /// Opens and locks the file that a run holds.
-fn locked(folder: &Path) -> Result<File, Error> {
+fn locked(folder: &Path, take: impl Fn(&File) -> Result<(), TryLockError>) -> Result<File, Error> {
     let path = folder.join(LOCK);
     // A link could lead to a file of the user's.
     if fs::symlink_metadata(&path).is_ok_and(|there| !there.is_file()) {
@@ -219,7 +232,7 @@ fn locked(folder: &Path) -> Result<File, Error> {
     let lock = options
         .open(&path)
         .map_err(Error::io("cannot write", &path))?;
-    match lock.try_lock() {
+    match take(&lock) {
         Ok(()) => Ok(lock),
         Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),
         Err(TryLockError::Error(e)) => Err(Error::io("cannot lock", path)(e)),
@@ -239,19 +252,27 @@ fn remove_former_lock(folder: &Path) {
 
 /// The parts in a folder, with the start in their names.
 fn there(folder: &Path) -> Result<Vec<(u64, PathBuf)>, Error> {
-    let mut parts = Vec::new();
+    let start = |path: &PathBuf| named(path).map(|(start, _)| start);
+    let all = like_parts(folder)?.into_iter();
+    let mut parts: Vec<_> = all.filter_map(|path| Some((start(&path)?, path))).collect();
+    parts.sort();
+    Ok(parts)
+}
+
+/// The files `part-*.parquet` in a folder.
+fn like_parts(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut found = Vec::new();
     let unread = |e| Error::io("cannot read", folder)(e);
     for entry in fs::read_dir(folder).map_err(unread)? {
         let entry = entry.map_err(unread)?;
-        let path = entry.path();
-        if let Some((start, _)) = named(&path)
-            && !entry.file_type().map_err(unread)?.is_dir()
-        {
-            parts.push((start, path));
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let like = name.starts_with("part-") && name.ends_with(".parquet");
+        if like && !entry.file_type().map_err(unread)?.is_dir() {
+            found.push(entry.path());
         }
     }
-    parts.sort();
-    Ok(parts)
+    Ok(found)
 }
 
 /// The results in the store of a folder, as text.

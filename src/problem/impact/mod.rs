@@ -99,6 +99,14 @@ impl Problem for BarImpact {
         self.steps(case).saturating_mul(all)
     }
 
+    fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
+        // Measured: 1.3 s at n = 400 and 14 s at n = 1000, where a core does some 5e8 steps times modes in a second.
+        let cube = |n: f64| 8.0 * n * n * n;
+        let budget = wanted.iter().any(|row| BUDGET.contains(row));
+        let elements = case.at(rows::N).filter(|_| budget);
+        elements.map_or(0, |n| cube(n) as u64)
+    }
+
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
         let parameters = Given::of(case).ok_or(NOT_GIVEN)?;
         let track = run::run(&parameters.scaled, parameters.dt, parameters.last);
