@@ -12,11 +12,11 @@ figures: ## run every study in studies/, judge the claims, write tables, picture
 	cargo run --release --locked -- run
 	cargo run --release --locked -- claims
 
-report: ## one page about all studies, figures/report.html: tables to sort and filter, figures to point at
+report: ## one page about all studies, figures/report.html: tables to sort and filter, figures with values on hover
 	cargo run --release --locked -- report
 
 # The tests come last, so that their summary ends the output.
-test: ## hold the studies to their checks and the claims to their verdicts, run all tests
+test: ## check results and verdicts against recorded values, run all tests
 	cargo run --locked -- check
 	cargo run --locked -- claims --out target
 	cargo test --locked
@@ -29,13 +29,13 @@ lint: ## formatting, clippy and documentation without warnings
 fresh: ## compare committed tables, pictures and schema with what is written now
 	cargo test --locked --test fresh -- --ignored
 
-licences: ## hold the licences of all dependencies to the list allowed
+licences: ## check that the licences of all dependencies are in the list allowed
 	cargo test --locked --test licences -- --ignored
 
-bench: ## measure sweeps, expansion and store; not part of CI, since no wall clock is a test
+bench: ## measure sweeps, expansion and store; not part of CI, since no test measures time
 	cargo bench --locked --bench kernel --bench expansion --bench store
 
-guard: ## hold the sweeps to their recorded instructions (where valgrind is) and to the gain of lanes
+guard: ## compare the instruction counts of sweeps with recorded ones (needs valgrind), and test the gain of lanes
 	cargo bench --locked --bench guard
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
@@ -47,12 +47,12 @@ maps: ## the sensitivity maps with a thousand cases along each axis, in docs/map
 	for map in target/maps/*/*.png; do cp $$map docs/maps/$$(basename $$(dirname $$map))-$$(basename $$map); done
 
 # A short form is among the tests. SLIPGAP_FUZZ_SECONDS sets how long (300), SLIPGAP_FUZZ_SEED repeats a run.
-fuzz: ## read, list, solve and draw studies changed and made up at random, for minutes
+fuzz: ## read, list, solve and draw random and randomly changed studies, for minutes
 	cargo test --locked --test fuzz -- --ignored --nocapture
 
 # Random kills, kills and errors at every system call (with strace), full disks, damaged stores, processes together,
 # 1 to 16 threads. Minutes, and not part of CI, which runs the short forms; TORTURE=10 takes ten times as long.
-torture: ## kill, starve and disturb runs in every way, and see that the next run leaves the same bytes
+torture: ## kill and disturb runs in many ways, and check that the next run gives the same bytes
 	cargo test --locked --test torture -- --ignored --nocapture --test-threads 2
 
 # A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
@@ -77,7 +77,7 @@ noticed_recommend = --test recommend
 changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' -- --lib $(noticed_$(1))
 
 # 2: something survived, 3: something ran into its time limit; the next part all the same.
-mutants: ## change numbers, batch, study, figures, claims and recommend in every small way: a test must notice
+mutants: ## change numbers, batch, study, figures, claims and recommend in every small way; a test must fail for each change
 	cargo mutants --version || cargo install --locked cargo-mutants
 	mkdir -p $(PART:%=target/mutants/%)
 	@set -x; $(foreach part,$(PART),$(call changes,$(part)) || test $$? -le 3 || exit 1;)

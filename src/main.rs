@@ -25,21 +25,21 @@ const EXIT_CODES: &str = "Exit codes: 0 good; 1 internal or I/O; 2 usage or stud
 
 #[derive(Subcommand)]
 enum Verb {
-    /// Write a small commented study to studies/NAME.json, to begin with
+    /// Write a small commented study to studies/NAME.json, to start from
     Init(Init),
     /// Run studies: results.csv and figures into a folder for each
     Run(Run),
-    /// Run studies and hold their checks against the results; writes nothing
+    /// Run studies and test their checks; writes nothing
     Check(Check),
     /// Show studies, their axes, cases and steps, without running them
     List(Studies),
-    /// Show a case of a study: its parameters, what it would compute and what that costs
+    /// Show a case of a study: its parameters, steps, work and time
     Explain(Explain),
-    /// Show what two folders of results differ in, metric by metric, the largest difference first
+    /// Compare two folders of results, metric by metric, and show the largest differences first
     Compare(Compare),
-    /// Write one page about studies: figures, tables to sort and filter, checks, claims; it needs nothing beside it
+    /// Write one page about studies: figures, tables to sort and filter, checks, claims; it needs no other file
     Report(Report),
-    /// Judge the papers' sentences by their studies, print the ledger and write it as claims.md
+    /// Judge the statements of the papers by studies, print the verdicts and write claims.md
     Claims(Claims),
     /// Find the cheapest parameters that reach a target, with the run that proves it and the alternatives
     #[command(subcommand)]

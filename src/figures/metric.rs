@@ -73,7 +73,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let exact = |metric: usize| {
         let table = study.problem.metrics();
         let row = reference::row(table, &study.metrics, metric).filter(|_| !orders);
-        row.map_or(Vec::new(), |row| reference::lines(&cases, &looks, at, row))
+        row.map_or(Vec::new(), |row| {
+            reference::lines(&cases, &looks, &strokes, at, row)
+        })
     };
     let panel = |metric: &usize| [exact(*metric), curves(*metric)].concat();
     let panels: Vec<Vec<Series>> = y.iter().map(panel).collect();
@@ -141,8 +143,11 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         marker: marker(look),
     });
     let series = sheet.panels.iter().flat_map(|panel| &panel.series);
-    let named = series.filter(|series| series.label == reference::LABEL);
-    let exact = named.map(Key::of).next();
+    let exact = |label: &str| {
+        let mut named = series.clone().filter(|series| series.label == label);
+        named.next().map(Key::of)
+    };
+    let exact = exact(reference::SEVERAL).or_else(|| exact(reference::LABEL));
     // A curve alone needs no name.
     let mut keys: Vec<Key> = match labels.len() > 1 || exact.is_some() {
         true => exact.into_iter().chain(keys).collect(),

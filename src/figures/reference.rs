@@ -8,6 +8,9 @@ use crate::problem::Metric;
 /// What the legend calls it.
 pub const LABEL: &str = "exact";
 
+/// What the legend calls several of them, each with the dashes of its curve.
+pub const SEVERAL: &str = "exact (thin, dashes of its curve)";
+
 /// Row of the metric that is the exact value of another, called `NAME_exact`, if it is among the `listed`.
 pub fn row(table: &[Metric], listed: &[usize], metric: usize) -> Option<usize> {
     let name = format!("{}_exact", table[metric].name);
@@ -15,14 +18,17 @@ pub fn row(table: &[Metric], listed: &[usize], metric: usize) -> Option<usize> {
     listed.contains(&row).then_some(row)
 }
 
-/// The lines of an exact value over a parameter: for the cases of each look its own, those that are the same once.
+/// The lines of an exact value over a parameter: for the cases of each look its own, those that are the same once. Several
+/// lines have the `strokes` of their curves, so that a reader can tell them apart.
 pub fn lines(
     cases: &[Shown],
     looks: &[usize],
+    strokes: &[Stroke],
     at: impl Fn(&Shown) -> Option<f64>,
     row: usize,
 ) -> Vec<Series> {
     let mut lines: Vec<Series> = Vec::new();
+    let mut own: Vec<Stroke> = Vec::new();
     for look in 0..looks.iter().max().map_or(0, |last| last + 1) {
         let its = cases.iter().zip(looks).filter(|(_, its)| **its == look);
         let mut points: Vec<[f64; 2]> = its
@@ -30,6 +36,7 @@ pub fn lines(
             .collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]));
         if !points.is_empty() && lines.iter().all(|line| line.points != points) {
+            own.push(strokes.get(look).copied().unwrap_or(Stroke::Solid));
             lines.push(Series {
                 label: LABEL.into(),
                 points,
@@ -38,6 +45,11 @@ pub fn lines(
                 marker: None,
                 marked: Vec::new(),
             });
+        }
+    }
+    if lines.len() > 1 {
+        for (line, stroke) in lines.iter_mut().zip(own) {
+            (line.label, line.stroke) = (SEVERAL.into(), stroke);
         }
     }
     lines
@@ -97,14 +109,22 @@ mod tests {
             })
             .collect();
         let at = |shown: &Shown| shown.case.values[x].and_then(|v| v.as_f64());
-        let lines = lines(&shown, &looks, at, 1);
+        let strokes = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
+        let alone = lines(&shown[..6], &looks[..6], &strokes, at, 1);
+        assert_eq!(alone.len(), 1);
+        assert!(alone[0].stroke == Stroke::Solid && alone[0].label == LABEL);
+        let lines = lines(&shown, &looks, &strokes, at, 1);
         let points: Vec<_> = lines.iter().map(|line| line.points.clone()).collect();
         let all = vec![[1.0, 10.0], [2.0, 20.0], [3.0, 30.0]];
         assert_eq!(points, [all, vec![[1.0, 15.0], [3.0, 35.0]]]);
         assert!(
             lines
                 .iter()
-                .all(|line| line.label == LABEL && line.marker.is_none())
+                .all(|line| line.label == SEVERAL && line.marker.is_none())
+        );
+        assert_eq!(
+            [lines[0].stroke, lines[1].stroke],
+            [Stroke::Dotted, Stroke::Dashed]
         );
     }
 }

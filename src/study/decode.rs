@@ -39,7 +39,7 @@ pub(super) const KEYS: [(&str, &str); 9] = [
     ),
     (
         "iteration",
-        "converged: each step is solved to its root, as all results of record are; once: by the papers' matrices and not iterated, the other reading of the papers; converged if left out",
+        "converged (the default): each step is iterated to convergence; once: each step is solved once with the matrices of the papers, without iteration",
     ),
     ("figures", "figures to draw"),
     ("checks", "tolerances that `slipgap check` holds"),

@@ -182,7 +182,7 @@ pub(super) static METRICS: [Metric; 13] = [
         name: "regularisation_error",
         symbol: "regularisation error",
         unit: "1",
-        meaning: "rms_error of g instead of c: the model's own, g its motion in continuous time; g is known for alpha and beta of 1e-100 to 1e100, abs(x0) <= 1e100, and >= 1e-6 unless released unloaded, duration <= 1e7",
+        meaning: "rms_error of g instead of c, g the exact motion of the softened law in continuous time: the error of the softened law alone; g is known for alpha and beta of 1e-100 to 1e100, abs(x0) <= 1e100, and >= 1e-6 unless released unloaded, duration <= 1e7",
         default: false,
     },
     Metric {
