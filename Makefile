@@ -62,16 +62,16 @@ PART = numbers batch study figures claims recommend
 ONLY = .
 changed_numbers = -f src/law.rs -f src/stepper.rs -f 'src/exact/**' -f 'src/metrics/**'
 noticed_numbers = --test budget --test budget_impact --test chain --test friction --test friction_work --test impact \
-  --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
+  --test impact_contact --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
   --test sweep --test two_forms --test two_forms_impact
 changed_batch = -f 'src/batch/**' -f src/indices.rs -f src/compare.rs
 noticed_batch = --test command_line
 changed_study = -f 'src/study/**' -e 'src/study/ledger/**' -e 'src/study/describe/**'
-noticed_study = --test bad_studies --test study_language --test command_line
+noticed_study = --test bad_studies --test study_language --test every_case --test command_line
 changed_figures = -f 'src/figures/**'
 noticed_figures = --test report
 changed_claims = -f 'src/claims/**' -f 'src/study/ledger/**' -f src/checks.rs
-noticed_claims = --test command_line
+noticed_claims = --test command_line --test findings
 changed_recommend = -f 'src/recommend/**'
 noticed_recommend = --test recommend
 changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' -- --lib $(noticed_$(1))
