@@ -28,7 +28,7 @@ pub fn history(case: u64) -> String {
 /// name.
 pub fn is_manifest(file: &Path) -> bool {
     let ours = || {
-        let manifest: Value = serde_json::from_slice(&fs::read(file).ok()?).ok()?;
+        let manifest = json_of(file)?;
         let own = manifest["program"] == env!("CARGO_PKG_NAME");
         Some(own && manifest["study_sha256"].is_string())
     };
@@ -37,14 +37,16 @@ pub fn is_manifest(file: &Path) -> bool {
 
 /// Whether a folder has a table of results that is of an earlier form of the study, by the hash in its manifest.
 pub fn outdated(results: &Path, study: &Study) -> bool {
-    let read = || -> Option<Value> {
-        serde_json::from_slice(&fs::read(results.join(MANIFEST)).ok()?).ok()
+    let former = || {
+        let manifest = json_of(&results.join(MANIFEST))?;
+        Some(manifest["study_sha256"].as_str()? != study.sha256)
     };
-    let former = |manifest: Value| Some(manifest["study_sha256"].as_str()?.to_owned());
-    results.join(super::output::RESULTS).is_file()
-        && read()
-            .and_then(former)
-            .is_some_and(|former| former != study.sha256)
+    results.join(super::output::RESULTS).is_file() && former().unwrap_or(false)
+}
+
+/// What a file holds, if it can be read and is JSON.
+fn json_of(file: &Path) -> Option<Value> {
+    serde_json::from_slice(&fs::read(file).ok()?).ok()
 }
 
 /// What the manifest of a folder says.

@@ -60,7 +60,7 @@ impl Cloud {
             };
             Dot { at, value, shade }
         };
-        // So that ten times as many dots take three times the paper.
+        // The dots together cover the same area however many there are, until the smallest radius.
         let less = libm::sqrt(MOST_SHAPES as f64 / count.max(1) as f64);
         Cloud {
             dots: points.map(dot).collect(),
