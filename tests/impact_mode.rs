@@ -8,8 +8,10 @@ mod common;
 use common::case;
 use serde_json::json;
 use slipgap::lane::Lane;
-use slipgap::problem::impact::{run, scaled::Scaled};
+use slipgap::problem::impact::case::system;
+use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Solution, find};
+use slipgap::solve::start;
 
 /// sqrt(1 + 4 gamma^2), amplitude of rdot/(2 V0), Omega.
 fn mode(gamma: f64) -> [f64; 3] {
@@ -45,14 +47,14 @@ fn projection_has_the_modes_amplitude_and_frequency() {
             let shares: Vec<f64> = (0..=n)
                 .map(|j| {
                     (0..=n)
-                        .map(|i| weight(i) * scaled.left.shape(j, i))
+                        .map(|i| weight(i) * scaled.pair.left.shape(j, i))
                         .sum::<f64>()
                         / norm
                 })
                 .collect();
             // The shape does not quite vanish at the free end; and round-off of sums over n modes and the steps.
             let tolerance = libm::pow(x, f64::from(n)) + 1e-11;
-            let (mut stepper, law) = run::start(&[scaled], Lane([dt]));
+            let (mut stepper, law) = start::<1, Vec<_>>(&[system(&scaled, dt, 0)]).unwrap();
             let mut worst: f64 = 0.0;
             for step in 1..=4500 {
                 stepper.step(&law);

@@ -145,12 +145,10 @@ fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)>
         .zip(e.displacement.iter().copied())
 }
 
-/// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`.
-pub fn work(c: &History, scale: f64) -> f64 {
-    c.force
-        .windows(2)
-        .zip(c.displacement.windows(2))
-        .map(|(s, x)| (s[0] + s[1]) * ((x[1] - x[0]) / scale) * 0.5)
+/// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`; rows [X, V, S].
+pub fn work(c: &[[f64; 3]], scale: f64) -> f64 {
+    c.windows(2)
+        .map(|c| (c[0][2] + c[1][2]) * ((c[1][0] - c[0][0]) / scale) * 0.5)
         .sum()
 }
 
@@ -204,7 +202,10 @@ mod tests {
         );
         let exact = Sampled::new(x0, 0.5 * PI, last, last as f64 * 0.5 * PI);
         let x: Vec<_> = x.collect();
-        cells(evaluate(&x, Lane([work(c, x0.abs())]), &exact))
+        let rows: Vec<_> = (0..c.len())
+            .map(|i| [c.displacement[i], c.velocity[i], c.force[i]])
+            .collect();
+        cells(evaluate(&x, Lane([work(&rows, x0.abs())]), &exact))
     }
 
     #[test]

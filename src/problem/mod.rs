@@ -1,16 +1,15 @@
 //! Problems: the one place where a case's parameters become structure, law, exact solution and metrics.
 
 pub mod cases;
-pub mod found;
 pub mod friction;
 pub mod impact;
 pub mod parameter;
-pub mod sweep;
 
 use crate::history::History;
 use crate::metrics::steps;
+use crate::solve::sweep::{LONGEST, LaneCase};
+use crate::solve::{MetricTable, Unsolvable};
 use cases::Cases;
-use found::Found;
 use parameter::{Parameter, Value};
 
 /// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
@@ -289,13 +288,13 @@ pub trait Problem: Sync + std::fmt::Debug {
     /// Solves a completed case; an error says why it has no solution in double precision.
     ///
     /// `wanted` holds rows of the table of metrics; of those that are not default, only they are computed.
-    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
     /// The default metrics of the completed cases in these rows, in their order, moved side by side: to the bit what
     /// `solve` gives each.
-    fn sweep(&self, cases: &Cases, rows: &[u32]) -> Found;
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable;
     /// The same by the papers' element matrices, each step solved once and not to the end: the other reading of the
     /// papers, for the ledger of claims.
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String>;
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable>;
     /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
     /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
@@ -309,9 +308,44 @@ pub fn find(name: &str) -> Option<&'static dyn Problem> {
     PROBLEMS.iter().copied().find(|p| p.name() == name)
 }
 
-const NOT_GIVEN: &str = "a parameter is not given";
+/// How many metrics of a problem every study has: the first of its table.
+pub fn defaults(problem: &(impl Problem + ?Sized)) -> usize {
+    problem.metrics().iter().take_while(|m| m.default).count()
+}
 
-const OUT_OF_RANGE: &str = "the motion leaves the range of double precision";
+/// Number of cases that were solved and have no contact: those without the metric that [`Problem::contact`] names. None for a
+/// problem without impacts.
+pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 {
+    problem
+        .contact()
+        .map_or(0, |metric| table.solved_without(metric))
+}
+
+/// The default metrics of the cases in these rows, in their order, L at a time where their runs are not too long; to the bit
+/// what each has by itself.
+fn sweep_cases<const L: usize, C: LaneCase<L>>(
+    problem: &impl Problem,
+    cases: &Cases,
+    rows: &[u32],
+    lane_case: impl Fn(&Case) -> Result<C, Unsolvable>,
+) -> MetricTable {
+    let mut table = MetricTable::new(rows.len(), defaults(problem));
+    let mut together = Vec::with_capacity(rows.len());
+    let mut shown = cases.shown();
+    for (place, row) in rows.iter().enumerate() {
+        let case = shown.at(*row as usize);
+        match lane_case(case) {
+            Ok(own) if problem.steps(case) <= LONGEST => together.push((place, own)),
+            Ok(_) => {
+                let solution = problem.solve(case, &[]);
+                table.put(place, solution.map(|solution| solution.metrics));
+            }
+            Err(why) => table.fail(place, why),
+        }
+    }
+    crate::solve::sweep::sweep(&together, &mut table);
+    table
+}
 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.
 pub const MOST_STEPS: u64 = 30_000_000;

@@ -173,7 +173,7 @@ impl Impact {
 
 /// When the ends part for the first time, by the exact solution; `None` where that takes too long to follow.
 fn parting(scaled: &Scaled) -> Option<f64> {
-    let shorter = match scaled.right {
+    let shorter = match scaled.pair.right {
         Some(right) => right.trip.min(1.0),
         None => 1.0,
     };

@@ -6,9 +6,9 @@ use super::place::Texts;
 use super::report::Faults;
 use super::{Axis, Block, Filter, Group, rules, tree};
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
+use crate::solve::{MetricTable, Unsolvable};
 
 #[derive(Debug)]
 struct Bars;
@@ -64,11 +64,11 @@ impl Problem for Bars {
     fn time_in_pi(&self) -> bool {
         false
     }
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         self.solve(case, wanted)
     }
-    fn sweep(&self, _: &Cases, _: &[u32]) -> Found {
-        Found::default()
+    fn sweep(&self, _: &Cases, _: &[u32]) -> MetricTable {
+        MetricTable::default()
     }
     fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
         None
@@ -121,8 +121,8 @@ impl Problem for Bars {
     fn steps(&self, _case: &Case) -> u64 {
         0
     }
-    fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
-        Err("a test".into())
+    fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        Err(Unsolvable::ParameterMissing)
     }
 }
 

@@ -20,8 +20,8 @@ use super::uniform::{Made, Uniform};
 use super::{FAILURE, general};
 use crate::batch::key::Key;
 use crate::problem::cases::{Cases, Column};
-use crate::problem::found::Found;
 use crate::problem::parameter::{Kind, Value};
+use crate::solve::MetricTable;
 use crate::study::Study;
 
 /// Bytes of the different values of a column from which on it has no dictionary.
@@ -32,7 +32,7 @@ pub fn written(
     study: &Study,
     key: &Key,
     (first, cases): (u64, &Cases),
-    found: &Found,
+    found: &MetricTable,
     uniform: &Uniform,
 ) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
@@ -63,7 +63,7 @@ pub fn written(
         let values = found.column(metric);
         put(&mut rows, |writer| fill::<DoubleType>(writer, len, values))?;
     }
-    let why = |case| Some(ByteArray::from(found.failure(case)?));
+    let why = |case| Some(ByteArray::from(found.failure(case)?.to_string().as_str()));
     let reasons = (0..len).map(why);
     put(&mut rows, |writer| {
         fill::<ByteArrayType>(writer, len, reasons)

@@ -1,25 +1,26 @@
 //! The impact of two bars of `[I]`, or of a bar on a wall, in scales of the left bar's contact duration T_I = 2 L/C0.
 
-mod between;
+mod budget;
+pub mod case;
 mod once;
 mod rules;
-pub mod run;
 pub mod scaled;
 mod second;
 mod snapshot;
-mod sweep;
 mod tables;
 
+use super::cases::Cases;
 use super::parameter::Parameter;
-use super::sweep::sweep;
 use super::{
-    Budget, Case, Cases, Found, Metric, NOT_GIVEN, OUT_OF_RANGE, Problem, Profile, Quantity,
-    Snapshot, Solution, Violation,
+    Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation, sweep_cases,
 };
-use crate::exact::wave::Wave;
 use crate::history::History;
-use crate::metrics::impact::{Sampled, Track};
+use crate::lane::Lane;
+use crate::metrics::impact::{Energy, Track, energy_of_books};
 use crate::metrics::{self, cells, steps};
+use crate::solve::sweep::LaneCase;
+use crate::solve::{self, MetricTable, Unsolvable};
+use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use std::ops::Range;
 use tables::{
@@ -107,20 +108,29 @@ impl Problem for BarImpact {
         elements.map_or(0, |n| cube(n) as u64)
     }
 
-    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
-        let parameters = Given::of(case).ok_or(NOT_GIVEN)?;
-        let track = run::run(&parameters.scaled, parameters.dt, parameters.last);
-        judged(&parameters, track, wanted)
+    fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        let system = own.system();
+        let motion = solve::run::<Track<1>>(&system)?;
+        let (track, start) = (motion.track, Lane([system.linear.energy()]));
+        let energy = energy_of_books(&track, start, track.displacement.len());
+        let Lane([first_mode]) = motion.first_mode;
+        judge(&own, &track, &energy, 0.5 * first_mode, wanted)
     }
 
-    fn sweep(&self, cases: &Cases, rows: &[u32]) -> Found {
-        sweep(self, cases, rows, Given::of)
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
+        let own = |case: &Case| ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing);
+        sweep_cases::<LANES, _>(self, cases, rows, own)
     }
 
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
-        let parameters = Given::of(case).ok_or(NOT_GIVEN)?;
-        let track = once::run(&parameters.scaled, parameters.dt, parameters.last)?;
-        judged(&parameters, track, wanted)
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        let once::Once {
+            track,
+            energy,
+            restitution,
+        } = once::run(&own.system(), &own.scaled)?;
+        judge(&own, &track, &energy, restitution, wanted)
     }
 
     fn profiles(&self) -> &'static [Profile] {
@@ -133,7 +143,10 @@ impl Problem for BarImpact {
 
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
         match (Scaled::new(case), case.at(rows::DT)) {
-            (Some(scaled), Some(dt)) => snapshot::snapshots(&scaled, dt, self.steps(case), times),
+            (Some(scaled), Some(dt)) => {
+                let system = case::system(&scaled, dt, self.steps(case));
+                snapshot::snapshots(&system, &scaled, times)
+            }
             _ => Vec::new(),
         }
     }
@@ -155,47 +168,26 @@ impl Problem for BarImpact {
     }
 }
 
-/// What a case is solved by.
-#[derive(Debug, Clone, Copy)]
-struct Given {
-    scaled: Scaled,
-    dt: f64,
-    duration: f64,
-    last: u64,
-}
-
-impl Given {
-    fn of(case: &Case) -> Option<Given> {
-        Some(Given {
-            scaled: Scaled::new(case)?,
-            dt: case.at(rows::DT)?,
-            duration: case.at(rows::DURATION)?,
-            last: BarImpact.steps(case),
-        })
-    }
-
-    /// The exact solution, and what it is at the case's steps.
-    fn exact_at_steps(&self) -> (Wave, Sampled) {
-        let wave = self.scaled.bars.solve(self.duration);
-        let sampled = Sampled::new(&wave, self.dt, self.last, self.duration);
-        (wave, sampled)
-    }
-}
-
-/// A computed history beside the exact one, with its metrics.
-fn judged(given: &Given, track: Track<1>, wanted: &[usize]) -> Result<Solution, String> {
-    let computed = track.history(given.dt);
+/// The computed and the exact history, with the metrics.
+fn judge(
+    case: &ImpactCase,
+    track: &Track<1>,
+    energy: &Energy<1>,
+    restitution: f64,
+    wanted: &[usize],
+) -> Result<Solution, Unsolvable> {
+    let computed = track.history(case.dt);
     if !computed.is_finite() {
-        return Err(OUT_OF_RANGE.into());
+        return Err(Unsolvable::OutOfRange);
     }
-    let (wave, sampled) = given.exact_at_steps();
+    let (wave, sampled) = case.exact_at_steps();
     let exact = wave.history(&computed.time);
-    let own = metrics::impact::evaluate(&track, &sampled);
+    let own = metrics::impact::evaluate(track, energy, Lane([restitution]), &sampled);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
     let budget = wants(BUDGET)
-        .then(|| between::between(&given.scaled, &computed.time))
+        .then(|| budget::references(&case.scaled, &computed.time))
         .flatten()
-        .map(|[spring, chain]| metrics::impact::budget(&track, &sampled, &spring, &chain));
+        .map(|[spring, mesh]| metrics::impact::budget(track, &sampled, &spring, &mesh));
     let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
     let metrics = cells(own)
         .into_iter()

@@ -38,17 +38,20 @@ pub struct Bar {
 impl Bar {
     /// Modes 0..=n as the contact end feels them; mode 0 is the rigid-body mode.
     pub fn modes(&self) -> impl Iterator<Item = Mode> + '_ {
-        (0..=self.elements).map(|j| {
-            let (omega2, mass) = self.mode(j);
-            Mode {
-                omega2,
-                phi2: 1.0 / mass,
-            }
-        })
+        (0..=self.elements).map(|j| self.mode(j))
+    }
+
+    /// Mode `j` as the contact end feels it.
+    pub fn mode(&self, j: u32) -> Mode {
+        let (omega2, mass) = self.modal(j);
+        Mode {
+            omega2,
+            phi2: 1.0 / mass,
+        }
     }
 
     /// omega^2 and modal mass of mode `j`, its shape being 1 at the contact end.
-    fn mode(&self, j: u32) -> (f64, f64) {
+    fn modal(&self, j: u32) -> (f64, f64) {
         let n = f64::from(self.elements);
         let s = sin(f64::from(j) * PI / (2.0 * n));
         let rate = 2.0 * n / self.trip; // C0/h
@@ -78,7 +81,7 @@ impl Bar {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::structure::Modal;
+    use crate::system::Modal;
     use nalgebra::{DMatrix, DVector};
 
     /// M and K of a bar element by element, the contact at node 0.

@@ -1,6 +1,4 @@
-//! A linear structure as its modes, seen through one relative displacement r = b^T u.
-
-pub mod bar;
+//! Modes of a linear structure, each scaled by its share in the relative displacement r = b^T u of a contact.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
@@ -13,6 +11,18 @@ pub struct Mode {
     pub omega2: f64,
     /// phi_k^2, the inverse of the mass that the contact feels in this mode.
     pub phi2: f64,
+}
+
+impl Mode {
+    /// Kinetic and strain energy at coordinate `x` and velocity `v`; zero for a mode that the contact does not move, whose
+    /// coordinate is always zero.
+    pub fn energy(&self, x: f64, v: f64) -> f64 {
+        if self.phi2 > 0.0 {
+            0.5 * (v * v + self.omega2 * x * x) / self.phi2
+        } else {
+            0.0
+        }
+    }
 }
 
 /// A structure with its modes from a symmetric eigensolver.
