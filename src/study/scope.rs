@@ -136,7 +136,7 @@ impl Scope {
         }
         let there = there.join(", ");
         Some(format!(
-            "no case has {parameter} {wanted}; there are {there}"
+            "no case has {parameter} = {wanted}; the values are {there}"
         ))
     }
 
@@ -151,7 +151,7 @@ impl Scope {
     fn no_case(&self, filter: &Filter) -> String {
         if self.too_many() {
             return format!(
-                "no case has all these values among the first {MOST_TRIED} combinations that may"
+                "no case among the first {MOST_TRIED} possible combinations has all these values"
             );
         }
         let single = filter.0.iter().filter(|(_, wanted)| wanted.len() == 1);

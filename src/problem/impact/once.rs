@@ -16,7 +16,7 @@ pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Track<1>, String> {
     let elements: u32 = scaled.each().map(|bar| bar.elements).sum();
     if elements > MOST_ELEMENTS {
         return Err(format!(
-            "the un-iterated form takes at most {MOST_ELEMENTS} elements, got {elements}"
+            "without iteration there may be at most {MOST_ELEMENTS} elements, got {elements}"
         ));
     }
     let assembly = assemble(scaled.left, scaled.right, scaled.bars.gap);

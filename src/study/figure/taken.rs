@@ -215,8 +215,8 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
 
 /// The keys of `marks`.
 pub(in crate::study) const MARKS: [(&str, &str); 2] = [
-    ("label", "what the legend calls them"),
-    ("at", "places, each [x, y]; expressions allowed"),
+    ("label", "text in the legend"),
+    ("at", "points, each [x, y]; expressions are allowed"),
 ];
 
 fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {

@@ -118,7 +118,7 @@ impl<'a> Parser<'a> {
             }
             let at = self.offset;
             if compared && operator.compares() {
-                return Err(fault(at, "join two comparisons by and"));
+                return Err(fault(at, "join two comparisons with and"));
             }
             compared = operator.compares();
             self.take(operator.token.len());
@@ -160,9 +160,12 @@ impl<'a> Parser<'a> {
             }
             (Kind::Choice(row), _) | (_, Kind::Choice(row)) if equality => {
                 let name = self.table[row].name;
-                return Err(fault(at, format!("compares {name} with a name in quotes")));
+                return Err(fault(
+                    at,
+                    format!("{name} is compared with a name in single quotes"),
+                ));
             }
-            _ if operator.joins() => return Err(fault(at, format!("{token} takes conditions"))),
+            _ if operator.joins() => return Err(fault(at, format!("{token} joins conditions"))),
             _ => return Err(fault(at, format!("{token} takes numbers"))),
         };
         let name = &self.text[quoted.0..quoted.1];
