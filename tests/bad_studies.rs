@@ -353,7 +353,7 @@ fn numbers_with_units() {
     assert_faults(
         &bars,
         &[
-            "3:7: parameters.dt: \"1 ms\": a number is written without a unit; dt is in T_I: time step over the contact duration",
+            "3:7: parameters.dt: \"1 ms\": a number is written without a unit; dt is in T_I: time step, over the contact duration",
             "3:32: parameters.n: \"4 m\": a number is written without a unit; n is dimensionless: number of elements of a bar",
             "3:69: parameters.right.E: \"210 GPa\": a number is written without a unit; right.E is in force/length^2: ",
         ],
@@ -414,7 +414,7 @@ fn laws_that_meet_in_one_block() {
 
 #[test]
 fn the_whole() {
-    assert_faults("[]", &["1:1: must be an object of $schema, title"]);
+    assert_faults("[]", &["1:1: must be an object with keys from $schema, title"]);
     assert_faults("3", &["1:1: must be an object"]);
     assert_faults(
         "{}",
@@ -893,7 +893,7 @@ fn every_fault_comes_at_once_in_file_order() {
         text,
         &[
             "2:39: checks[0].metric: unknown metric \"rms\"",
-            "3:15: parameters.duration: missing: end of the run",
+            "3:15: parameters.duration: missing: end of the motion",
             "3:62: parameters.alpha[1]: \"pi/\": expected a number",
             "3:69: parameters.alpha[2]: must be > 0, got -1",
             "3:80: parameters.dT: must be a finite number, got 1e999",

@@ -254,7 +254,7 @@ fn a_file_without_end_is_refused() {
         let done = bench.expect(2, &["list", "/dev/zero"]);
         assert_eq!(
             done.err.lines().next(),
-            Some("/dev/zero:1:1: a study has at most 64 MiB")
+            Some("/dev/zero:1:1: larger than 64 MiB, the limit for a study")
         );
     }
     let study = friction(ONE, "");
