@@ -225,7 +225,7 @@ fn numbers() {
         ("null", number),
         (
             "[]",
-            "4:10: parameters.alpha: must be a value or a list of at least one, got []",
+            "4:10: parameters.alpha: must be a value or a non-empty list, got []",
         ),
         (
             "[[0.1]]",
@@ -414,7 +414,10 @@ fn laws_that_meet_in_one_block() {
 
 #[test]
 fn the_whole() {
-    assert_faults("[]", &["1:1: must be an object with keys from $schema, title"]);
+    assert_faults(
+        "[]",
+        &["1:1: must be an object with keys from $schema, title"],
+    );
     assert_faults("3", &["1:1: must be an object"]);
     assert_faults(
         "{}",
@@ -443,7 +446,7 @@ fn the_whole() {
         |blocks: &str| format!("{{\"problem\": \"friction-oscillator\",\n\"blocks\": {blocks}}}");
     assert_faults(
         &blocks("[]"),
-        &["2:11: blocks: must be a list of at least one block, got []"],
+        &["2:11: blocks: must be a non-empty list of blocks, got []"],
     );
     assert_faults(
         &blocks("{}"),
@@ -733,7 +736,7 @@ fn figures() {
         ),
         (
             "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": []}",
-            &["6:53: figures[0].where.alpha: must be a value or a list of at least one, got []"],
+            &["6:53: figures[0].where.alpha: must be a value or a non-empty list, got []"],
         ),
         (
             "\"name\": \"a\", \"kind\": \"metric\"",

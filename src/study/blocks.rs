@@ -55,7 +55,7 @@ pub(super) fn blocks(
     if let (None, Some(node)) = (one, several)
         && matches!(&node.tree, Tree::List(blocks) if blocks.is_empty())
     {
-        faults.must_be(node, "blocks", "a list of at least one block");
+        faults.must_be(node, "blocks", "a non-empty list of blocks");
     }
     let mut whole = faults.count() == before;
     let key = if several.is_some() {

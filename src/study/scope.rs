@@ -101,7 +101,7 @@ impl Scope {
             return value(node, path, parameter, faults).map(|value| vec![value]);
         };
         if items.is_empty() {
-            faults.must_be(node, path, "a value or a list of at least one");
+            faults.must_be(node, path, "a value or a non-empty list");
             return None;
         }
         let before = faults.count();
@@ -195,7 +195,7 @@ pub(super) fn names(
         faults.must_be(
             node,
             path,
-            &format!("the name of a {what} or a list of at least one"),
+            &format!("the name of a {what} or a non-empty list of names"),
         );
         return None;
     }

@@ -70,7 +70,10 @@ fn numbers() {
     alpha("NaN", "not valid JSON");
     alpha("true", "parameters.alpha: must be a number");
     alpha("null", "parameters.alpha: must be a number");
-    alpha("[]", "parameters.alpha: must be a value or a list");
+    alpha(
+        "[]",
+        "parameters.alpha: must be a value or a non-empty list",
+    );
     alpha("[¶[0.1]]", "parameters.alpha[0]: must be a number");
 }
 

@@ -144,7 +144,7 @@ fn kinds_are_told_apart_before_anything_is_computed() {
     };
     for (text, offset, says) in [
         ("n", 0, "must be a condition, as in \"n > 2\""),
-        ("n + (n > 2)", 2, "+ takes numbers"),
+        ("n + (n > 2)", 2, "+ needs numbers"),
         ("law", 0, "must be a condition"),
         (
             "law == 3",
@@ -156,8 +156,8 @@ fn kinds_are_told_apart_before_anything_is_computed() {
             7,
             "did you mean \"slip\"?; allowed: stick, slip",
         ),
-        ("law < 'slip'", 4, "< takes numbers"),
-        ("n == 'slip'", 2, "== takes numbers"),
+        ("law < 'slip'", 4, "< needs numbers"),
+        ("n == 'slip'", 2, "== needs numbers"),
         ("n > 2 and 3", 6, "and joins conditions"),
         ("not 3", 0, "not needs a condition"),
         ("1 < n < 3", 6, "join two comparisons with and"),

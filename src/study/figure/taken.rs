@@ -201,7 +201,7 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
         return number(node, path, Range::NotNegative, faults).map(|time| vec![time]);
     };
     if items.is_empty() {
-        faults.must_be(node, path, "a time or a list of at least one");
+        faults.must_be(node, path, "a time or a non-empty list of times");
         return None;
     }
     let numbers = items.iter().enumerate().map(|(i, item)| {

@@ -166,11 +166,11 @@ impl<'a> Parser<'a> {
                 ));
             }
             _ if operator.joins() => return Err(fault(at, format!("{token} joins conditions"))),
-            _ => return Err(fault(at, format!("{token} takes numbers"))),
+            _ => return Err(fault(at, format!("{token} needs numbers"))),
         };
         let name = &self.text[quoted.0..quoted.1];
         let parameter::Kind::Choice(choices) = self.table[row].kind else {
-            return Err(fault(at, format!("{token} takes numbers")));
+            return Err(fault(at, format!("{token} needs numbers")));
         };
         let names: Vec<&'static str> = choices.iter().map(|choice| choice.0).collect();
         let Some(known) = names.iter().find(|known| **known == name) else {
