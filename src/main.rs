@@ -20,28 +20,28 @@ struct Cli {
     verb: Verb,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 good; 1 internal or I/O; 2 usage or study; 3 a case could not be solved; \
-5 a check is not met, a verdict other than recorded, results that differ or a target out of reach; 130 interrupted.";
+const EXIT_CODES: &str = "Exit codes: 0 success; 1 internal error or I/O error; 2 mistake on the command line or in a study; 3 a case could not be solved; \
+5 a check is not met, a verdict differs from the recorded one, results differ, or no case reaches the target; 130 interrupted.";
 
 #[derive(Subcommand)]
 enum Verb {
-    /// Write a small commented study to studies/NAME.json, to start from
+    /// Write a small study with remarks to studies/NAME.json, as a start
     Init(Init),
-    /// Run studies: results.csv and figures into a folder for each
+    /// Run studies; write results.csv and figures to one folder for each study
     Run(Run),
-    /// Run studies and test their checks; writes nothing
+    /// Run studies and test their checks; write no files
     Check(Check),
-    /// Show studies, their axes, cases and steps, without running them
+    /// Show studies with their axes, cases and steps; compute nothing
     List(Studies),
-    /// Show a case of a study: its parameters, steps, work and time
+    /// Show one case of a study: parameters, steps, cost and estimated time
     Explain(Explain),
-    /// Compare two folders of results, metric by metric, and show the largest differences first
+    /// Compare two folders of results and show the differences of each metric, the largest first
     Compare(Compare),
-    /// Write one page about studies: figures, tables to sort and filter, checks, claims; it needs no other file
+    /// Write one page about studies, with figures, checks, claims, and tables to sort and filter; the page needs no other file
     Report(Report),
-    /// Judge the statements of the papers by studies, print the verdicts and write claims.md
+    /// Test the statements of the papers by studies, print the verdicts and write claims.md
     Claims(Claims),
-    /// Find the cheapest parameters that reach a target, with the run that proves it and the alternatives
+    /// Find the cheapest parameters that reach a target; show the errors and the alternatives
     #[command(subcommand)]
     Recommend(commands::asked::Asked),
     /// Print the JSON schema of study files
@@ -50,10 +50,10 @@ enum Verb {
 
 #[derive(Args)]
 struct Studies {
-    /// Study files, or folders that are read with their sub-folders; `-` is standard input, its results go to folder stdin
+    /// Study files, or folders with all sub-folders; `-` reads standard input, and its results go to the folder stdin
     #[arg(value_name = "STUDY|FOLDER", default_value = "studies")]
     studies: Vec<PathBuf>,
-    /// Most raw combinations of a study
+    /// Largest number of raw combinations in a study
     #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES)]
     limit: u64,
     #[command(flatten)]
@@ -68,8 +68,8 @@ impl Studies {
 
 #[derive(Args)]
 struct Settings {
-    /// Set a parameter in every block that gives it, or in all blocks if none does; VALUE is JSON, a name or an
-    /// expression, as in dT=pi/10 or 'alpha=[0.1, 1]'; may be given several times
+    /// Set a parameter for this command: in every block that gives it, or in all blocks if none does; VALUE is JSON, a
+    /// name or an expression, as in dT=pi/10 or 'alpha=[0.1, 1]'; may be given several times
     #[arg(long, value_name = "NAME=VALUE", value_parser = Setting::new)]
     set: Vec<Setting>,
 }
@@ -78,16 +78,16 @@ struct Settings {
 struct Run {
     #[command(flatten)]
     studies: Studies,
-    /// Folder for the results; one folder for each study is made in it
+    /// Folder for the results; each study has its own folder in it
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
-    /// Write the history of every case too, as histories/CASE.csv; every case is computed anew
+    /// Also write the history of every case to histories/CASE.csv; all cases are computed again
     #[arg(long)]
     histories: bool,
-    /// End at the first case that cannot be solved
+    /// Stop at the first case that cannot be solved
     #[arg(long)]
     fail_fast: bool,
-    /// What to write; by default results.csv for up to 10^5 cases, and always the store
+    /// Format of the results; by default the store, and results.csv for up to 10^5 cases
     #[arg(long, value_enum)]
     format: Option<Format>,
     #[command(flatten)]
@@ -98,7 +98,7 @@ struct Run {
 struct Report {
     #[command(flatten)]
     studies: Studies,
-    /// Folder for report.html, with the stores of the studies
+    /// Folder for report.html and the results of the studies
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     #[command(flatten)]
@@ -115,10 +115,10 @@ struct Check {
 
 #[derive(Args)]
 struct Init {
-    /// Name of the study, without ending
+    /// Name of the study, without .json
     #[arg(value_parser = commands::init::name)]
     name: String,
-    /// Problem whose cases it runs
+    /// Problem of the study
     #[arg(long, value_parser = commands::init::problem)]
     problem: &'static dyn Problem,
 }
@@ -138,9 +138,9 @@ struct Explain {
 struct Compare {
     /// Results of a study, or a folder of several
     first: PathBuf,
-    /// What they are compared with
+    /// Results to compare with
     second: PathBuf,
-    /// Largest difference that is none, relative to the larger of two values
+    /// Largest difference to ignore, relative to the larger of the two values
     #[arg(long, value_name = "RELATIVE", default_value_t = 0.0, value_parser = tolerance)]
     tolerance: f64,
 }
@@ -155,7 +155,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 
 #[derive(Args)]
 struct Schema {
-    /// The page about study files in its place, docs/study-files.md
+    /// Print the page docs/study-files.md instead of the schema
     #[arg(long)]
     markdown: bool,
 }
@@ -165,7 +165,7 @@ struct Claims {
     /// Ledgers of claims, or folders of them
     #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
     ledgers: Vec<PathBuf>,
-    /// Folder for claims.md, beside the studies' results
+    /// Folder for claims.md; links in it lead to results of the studies in the same folder
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     #[command(flatten)]
@@ -176,7 +176,11 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     // A fault of this program ends like any other error: one message, exit code 1.
     let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| carry_out(cli)))
-        .unwrap_or_else(|_| Err(Error::Internal("this is a fault of slipgap itself".into())));
+        .unwrap_or_else(|_| {
+            Err(Error::Internal(
+                "internal error of slipgap; please report it".into(),
+            ))
+        });
     ExitCode::from(done.unwrap_or_else(|error| {
         commands::tell(&error);
         error.exit_code()

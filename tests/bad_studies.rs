@@ -45,8 +45,7 @@ fn assert_parameter(given: &str, expected: &str) {
 
 #[test]
 fn expressions_of_parameters_stand_alone() {
-    let alone =
-        "names n; an expression that names parameters stands alone as the value of a parameter";
+    let alone = "names n; an expression with names of parameters is allowed only as the single value of a parameter";
     let bars = |dt: &str| {
         format!(
             "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{\n\"dt\": {dt}, \"gamma\": 1, \"n\": 4, \"duration\": 2\n}}\n}}"
@@ -89,7 +88,7 @@ fn characters_that_would_not_be_shown_are_refused() {
         ("\u{2066}", "U+2066"),
     ];
     for (text, name) in refused {
-        let what = format!("must be a string of characters that are shown, got {name}");
+        let what = format!("must be a string of printable characters, got {name}");
         let title = with(GOOD, &format!(",\n\"title\": \"{text}\""));
         assert_faults(&title, &[&format!("6:10: title: {what}")]);
         let figure = |key: &str| {
@@ -143,9 +142,7 @@ fn a_condition_is_tried_for_every_combination() {
     let input = slipgap::study::Input::of_file(file.path()).unwrap();
     let told = input.study(u64::MAX).unwrap_err().to_string();
     assert!(
-        told.contains(
-            "would have to be tried for 1000000000000 combinations; allowed: at most 1000000000"
-        ),
+        told.contains("must be tested for 1000000000000 combinations; allowed: at most 1000000000"),
         "{told}"
     );
 }
@@ -164,12 +161,12 @@ fn ends_that_no_double_lies_between_are_refused() {
         (
             "loguniform",
             "[1e-200, 1e200]",
-            "must be a multiple of a in double precision",
+            "b/a must be within the range of double precision",
         ),
         (
             "uniform",
             "[-1e308, 1e308]",
-            "must differ from a by a number in double precision",
+            "b - a must be within the range of double precision",
         ),
     ] {
         let at = 5 + 8 + kind.len() + ends.find(' ').unwrap();
@@ -228,7 +225,7 @@ fn numbers() {
         ("null", number),
         (
             "[]",
-            "4:10: parameters.alpha: must be a value or a list of at least one, got []",
+            "4:10: parameters.alpha: must be a value or a non-empty list, got []",
         ),
         (
             "[[0.1]]",
@@ -303,7 +300,7 @@ fn names_and_keys() {
     );
     assert_parameter(
         "\"alpha\": 1, \"alpha\": 3",
-        "4:13: parameters.alpha: key \"alpha\" given twice",
+        "4:13: parameters.alpha: key \"alpha\" is given twice",
     );
     assert_parameter(
         "\"//\": 1, \"//\": 2",
@@ -356,7 +353,7 @@ fn numbers_with_units() {
     assert_faults(
         &bars,
         &[
-            "3:7: parameters.dt: \"1 ms\": a number is written without a unit; dt is in T_I: time step over the contact duration",
+            "3:7: parameters.dt: \"1 ms\": a number is written without a unit; dt is in T_I: time step, over the contact duration",
             "3:32: parameters.n: \"4 m\": a number is written without a unit; n is dimensionless: number of elements of a bar",
             "3:69: parameters.right.E: \"210 GPa\": a number is written without a unit; right.E is in force/length^2: ",
         ],
@@ -409,15 +406,18 @@ fn laws_that_meet_in_one_block() {
     assert_faults(
         &with(both, ""),
         &[
-            "3:15: parameters.beta: missing, and it applies to law velocity-control alone",
-            "4:63: parameters.alpha: applies to law displacement-control alone, and law is also velocity-control here; give each law a block of its own in \"blocks\"",
+            "3:15: parameters.beta: missing; it applies only to law velocity-control",
+            "4:63: parameters.alpha: applies only to law displacement-control, but law is also velocity-control here; give each law its own block in \"blocks\"",
         ],
     );
 }
 
 #[test]
 fn the_whole() {
-    assert_faults("[]", &["1:1: must be an object of $schema, title"]);
+    assert_faults(
+        "[]",
+        &["1:1: must be an object with keys from $schema, title"],
+    );
     assert_faults("3", &["1:1: must be an object"]);
     assert_faults(
         "{}",
@@ -434,7 +434,7 @@ fn the_whole() {
             ",\n\"blocks\": [],\n\"title\": 3,\n\"$schema\": null,\n\"design\": {}",
         ),
         &[
-            "6:11: blocks: stands in place of \"parameters\"",
+            "6:11: blocks: cannot be given together with \"parameters\"",
             "7:10: title: must be a string, got 3",
             "8:12: $schema: must be a string, got null",
             "9:11: design.kind: missing: one of latin-hypercube, sobol, saltelli",
@@ -446,7 +446,7 @@ fn the_whole() {
         |blocks: &str| format!("{{\"problem\": \"friction-oscillator\",\n\"blocks\": {blocks}}}");
     assert_faults(
         &blocks("[]"),
-        &["2:11: blocks: must be a list of at least one block, got []"],
+        &["2:11: blocks: must be a non-empty list of blocks, got []"],
     );
     assert_faults(
         &blocks("{}"),
@@ -520,7 +520,7 @@ fn expressions_of_parameters() {
         ),
         (
             r#""n": §"50*dt", "dt": "gap", "gap": "1/n""#,
-            r#"parameters.n: goes round in a circle: n -> dt -> gap -> n"#,
+            r#"parameters.n: circular reference: n -> dt -> gap -> n"#,
         ),
         (
             r#""n": 5, "dt": §"duration > 1""#,
@@ -528,15 +528,15 @@ fn expressions_of_parameters() {
         ),
         (
             r#""n": [5, §"2*gamma"], "dt": 0.1"#,
-            r#"parameters.n[1]: "2*gamma": names gamma; an expression that names parameters stands alone"#,
+            r#"parameters.n[1]: "2*gamma": names gamma; an expression with names of parameters is allowed only"#,
         ),
         (
             r#""n": 10, "dt": 0.1, "k_I": §"50 * gamma""#,
-            r#"parameters.k_I: gives 50, but 100 follows from what it names"#,
+            r#"parameters.k_I: gives 50, but 100 follows from the other parameters"#,
         ),
         (
             r#""n": 10, "dt": 0.1, "k_I": §"10 * n""#,
-            r#"parameters.k_I: cannot be given beside gamma"#,
+            r#"parameters.k_I: cannot be given together with gamma"#,
         ),
         (
             r#""n": [2, 4], "dt": §"0.4*n""#,
@@ -558,10 +558,10 @@ fn groups_and_conditions() {
         (
             r#""zip": [§["n"], §["dt", "gap"], ["n", §"mas"], ["n", §"mass"], ["n", §"n"]]"#,
             &[
-                "zip[0]: takes at least two parameters",
-                "zip[1]: takes as many values of each; dt has 3, gap has 2",
+                "zip[0]: needs at least two parameters",
+                "zip[1]: needs the same number of values of each; dt has 3, gap has 2",
                 "zip[2][1]: unknown parameter \"mas\", did you mean \"mass\"?",
-                "zip[3][1]: \"mass\" has one value, not a list of them",
+                "zip[3][1]: \"mass\" has one value, not a list",
                 "zip[4][1]: \"n\" is in a group already",
             ],
         ),
@@ -587,14 +587,14 @@ fn groups_and_conditions() {
         ),
         (
             r#""blocks": §[], "when": "n > 1""#,
-            &["blocks: stands in place of \"parameters\""],
+            &["blocks: cannot be given together with \"parameters\""],
         ),
     ] {
         assert_marked(&bars(axes, &format!(",{beside}")), expected);
     }
     assert_marked(
         "{\"problem\": \"bar-impact\", \"blocks\": [{\"parameters\": {\"gamma\": 1, \"n\": 2, \"dt\": 0.1, \"duration\": 1}}],\n\"when\": §\"n > 1\"}",
-        &["when: belongs beside \"parameters\", inside its block"],
+        &["when: must be inside a block, next to its \"parameters\""],
     );
 }
 
@@ -605,8 +605,8 @@ fn designs() {
             r#""n": §{"uniform": [2, 40]}, "dt": §{"loguniform": [0.01, 0.1]}"#,
             "",
             &[
-                "parameters.n: needs a \"design\" beside the parameters",
-                "parameters.dt: needs a \"design\" beside the parameters",
+                "parameters.n: needs a \"design\" next to \"parameters\"",
+                "parameters.dt: needs a \"design\" next to \"parameters\"",
             ][..],
         ),
         (
@@ -638,7 +638,7 @@ fn designs() {
         (
             r#""n": {"uniform": [2, 40]}, "dt": [0.1, 0.2]"#,
             r#", "design": §{"kind": "saltelli", "n": 4}"#,
-            &["design: a saltelli design stands alone"],
+            &["design: a saltelli design allows no other axis"],
         ),
         (
             r#""n": 2, "dt": 0.1"#,
@@ -698,7 +698,7 @@ fn figures() {
         ),
         (
             "\"name\": \"a\", \"kind\": \"law\", \"z\": \"alpha\"",
-            &["6:35: figures[0].z: a law figure takes no \"z\"; the kinds that do: map"],
+            &["6:35: figures[0].z: a law figure has no key \"z\"; kinds with this key: map"],
         ),
         (
             "\"name\": \"a\", \"kind\": \"law\", \"wher\": {}",
@@ -724,19 +724,19 @@ fn figures() {
         ),
         (
             "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": 3}",
-            &["6:43: figures[0].where: no case has alpha 3; there are 0.1, 1"],
+            &["6:43: figures[0].where: no case has alpha = 3; the values are 0.1, 1"],
         ),
         (
             "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": [1, 3, -1, []]}",
             &[
-                "6:57: figures[0].where.alpha[1]: no case has alpha 3; there are 0.1, 1",
+                "6:57: figures[0].where.alpha[1]: no case has alpha = 3; the values are 0.1, 1",
                 "6:60: figures[0].where.alpha[2]: must be > 0, got -1",
                 "6:64: figures[0].where.alpha[3]: must be a number",
             ],
         ),
         (
             "\"name\": \"a\", \"kind\": \"history\", \"where\": {\"alpha\": []}",
-            &["6:53: figures[0].where.alpha: must be a value or a list of at least one, got []"],
+            &["6:53: figures[0].where.alpha: must be a value or a non-empty list, got []"],
         ),
         (
             "\"name\": \"a\", \"kind\": \"metric\"",
@@ -752,8 +752,8 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"map\", \"x\": \"x0\", \"y\": \"x0\", \"z\": \"rms_error\"",
             &[
-                "6:1: figures[0].where: a map shows one case a place, and alpha varies",
-                "6:46: figures[0].y: must be another parameter than x",
+                "6:1: figures[0].where: a map shows one case at each point, but alpha varies",
+                "6:46: figures[0].y: must be a parameter other than x",
             ],
         ),
         (
@@ -790,7 +790,7 @@ fn figures() {
     let scale = ", \"figures\": [\n{\"name\": \"a\", \"kind\": \"metric\", \"x\": \"x0\", \"y\": \"rms_error\", \"x_scale\": \"log\"}]";
     assert_faults(
         &with(&signs, scale),
-        &["6:73: figures[0].x_scale: log takes numbers > 0, and x0 is -12"],
+        &["6:73: figures[0].x_scale: a log scale needs numbers > 0, but x0 is -12"],
     );
 }
 
@@ -824,7 +824,7 @@ fn figures_along_the_bars() {
         ),
         (
             "\"kind\": \"wave\", \"where\": {\"gamma\": 1}",
-            &["4:40: figures[0].where: a wave figure shows one case, and more are chosen; narrow"],
+            &["4:40: figures[0].where: a wave figure shows one case, but more are chosen; narrow"],
         ),
         (
             "\"kind\": \"wave\", \"where\": {\"gamma\": 1, \"duration\": 2}, \"y\": \"strain\"",
@@ -864,7 +864,7 @@ fn checks_and_metrics() {
         ),
         (
             "\"metric\": \"rms_error\", \"max\": 1, \"where\": {\"alpha\": \"1/5\"}",
-            &["6:44: checks[0].where: no case has alpha 0.2"],
+            &["6:44: checks[0].where: no case has alpha = 0.2"],
         ),
         (
             "\"metric\": \"rms_error\", \"max\": 1, \"where\": {\"alpha\": -1}",
@@ -896,7 +896,7 @@ fn every_fault_comes_at_once_in_file_order() {
         text,
         &[
             "2:39: checks[0].metric: unknown metric \"rms\"",
-            "3:15: parameters.duration: missing: end of the run",
+            "3:15: parameters.duration: missing: end of the motion",
             "3:62: parameters.alpha[1]: \"pi/\": expected a number",
             "3:69: parameters.alpha[2]: must be > 0, got -1",
             "3:80: parameters.dT: must be a finite number, got 1e999",

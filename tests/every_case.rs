@@ -107,7 +107,7 @@ fn a_stiffness_that_contradicts_the_ratio_that_it_follows_from() {
            "k_I": "gamma*n*10*(1 + 9*max(0, 1 - abs(gamma - 7)))""#,
         r#""when": "gap == 1""#,
     );
-    let message = "k_I: gives 1400, but 140 follows from what it names";
+    let message = "k_I: gives 1400, but 140 follows from the other parameters";
     assert_refused(&text, message, |outcome| {
         outcome.case.number("gamma") == Some(7.0)
     });
@@ -173,7 +173,7 @@ fn the_program_names_the_case_and_ends_with_3() {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
         (done.status.code(), text(done.stdout), text(done.stderr))
     };
-    let why = "k_I: gives 1400, but 140 follows from what it names";
+    let why = "k_I: gives 1400, but 140 follows from the other parameters";
     // The second time from the store.
     for _ in 0..2 {
         let (code, _, errors) = run(&["run", "s.json"]);
@@ -191,6 +191,9 @@ fn the_program_names_the_case_and_ends_with_3() {
     }
     let (code, told, _) = run(&["explain", "s.json", "6"]);
     assert_eq!(code, Some(3));
-    assert!(told.contains(&format!("cannot be solved: {why}")), "{told}");
+    assert!(
+        told.contains(&format!("this case cannot be solved: {why}")),
+        "{told}"
+    );
     assert_eq!(run(&["explain", "s.json", "5"]).0, Some(0));
 }

@@ -12,8 +12,8 @@ fn the_example_study_runs_and_meets_its_checks() {
         .map(|(example, _)| example)
         .unwrap();
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("creep.json"), example).unwrap();
-    for words in [&["check", "creep.json"][..], &["run", "creep.json"]] {
+    fs::write(folder.path().join("ringing.json"), example).unwrap();
+    for words in [&["check", "ringing.json"][..], &["run", "ringing.json"]] {
         let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
             .args(words)
             .current_dir(folder.path())
@@ -22,9 +22,9 @@ fn the_example_study_runs_and_meets_its_checks() {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "slipgap {words:?}: {said}");
     }
-    for name in ["results.csv", "history.png", "creep.png"] {
+    for name in ["results.csv", "history.png", "ringing.png"] {
         assert!(
-            folder.path().join("figures/creep").join(name).is_file(),
+            folder.path().join("figures/ringing").join(name).is_file(),
             "{name}"
         );
     }

@@ -548,10 +548,10 @@ fn names_of_rows_agree_with_their_numbers() {
                 "cheaper, misses the target" => {
                     assert!(reached && worst > 1.0 && numbers[0] < first[0])
                 }
-                "cheaper, misses it by more" => {
+                "cheaper, misses the target by more" => {
                     assert!(!reached && worst > first[first.len() - 1] && numbers[0] < first[0]);
                 }
-                "dearer, more to spare" => {
+                "costs more, smaller error" => {
                     assert!(worst < first[first.len() - 1] && numbers[0] > first[0]);
                 }
                 other => panic!("{other}"),
@@ -674,12 +674,12 @@ fn an_answer_that_holds_only_at_its_own_step_says_so() {
         "--mass",
         "consistent",
     ];
-    assert!(printed(&impact).contains("holds only at its own step"));
+    assert!(printed(&impact).contains("valid only for its own time step"));
     // A finer step is better for a friction law that is narrow already.
     let friction = ["friction-oscillator", "--rms", "0.05"];
     let friction = printed(&friction);
     assert!(friction.contains("the same, step/16"), "{friction}");
-    assert!(!friction.contains("its own step"), "{friction}");
+    assert!(!friction.contains("its own time step"), "{friction}");
 }
 
 #[test]

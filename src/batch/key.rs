@@ -66,11 +66,11 @@ impl Key {
     /// What differs from the key of a part that was kept.
     pub fn change(&self, kept: &Key) -> Option<&'static str> {
         if self.solver != kept.solver {
-            Some("made by another version of the solver")
+            Some("computed by another version of the solver")
         } else if self.columns != kept.columns {
-            Some("other columns")
+            Some("different columns")
         } else if self.cases != kept.cases {
-            Some("other parameters")
+            Some("different parameters")
         } else {
             None
         }
@@ -138,14 +138,14 @@ mod tests {
         let other = changed(|key| key.solver.push('0'));
         assert_eq!(
             own.change(&other),
-            Some("made by another version of the solver")
+            Some("computed by another version of the solver")
         );
         let other = changed(|key| key.columns.push('0'));
-        assert_eq!(own.change(&other), Some("other columns"));
+        assert_eq!(own.change(&other), Some("different columns"));
         let other = changed(|key| key.cases.push('0'));
-        assert_eq!(own.change(&other), Some("other parameters"));
+        assert_eq!(own.change(&other), Some("different parameters"));
         // Another way of solving has other results in the same columns.
         let once = key(r#", "iteration": "once""#);
-        assert_eq!(own.change(&once), Some("other columns"));
+        assert_eq!(own.change(&once), Some("different columns"));
     }
 }

@@ -79,7 +79,7 @@ impl Manifest {
             read => read.map_err(Error::io("cannot read", &path))?,
         };
         let unread = || {
-            let why = "it does not list the files that former runs wrote; remove it, and those files that are out of date";
+            let why = "it does not list the files that former runs wrote; remove it, and remove the files that are out of date";
             Error::io("cannot read", path)(io::Error::other(why))
         };
         parsed(&bytes).ok_or_else(unread)

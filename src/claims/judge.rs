@@ -39,7 +39,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
                 .map(|o| off_by(study.problem, o, *row, flights));
             let name = study.problem.later()[*row];
             let (holds, found) = within(errors.collect(), name, *min, *max);
-            (holds, format!("{found} off"))
+            (holds, format!("difference of {found}"))
         }
         (Looked::Metric(row), demand) => {
             let name = study.problem.metrics()[*row].name;

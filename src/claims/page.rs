@@ -33,15 +33,15 @@ impl Judged {
 /// The page in Markdown; its links start from the output folder.
 pub fn page(all: &[Judged]) -> String {
     let mut page = String::from(
-        "# The papers' sentences, judged by computation\n\n\
-         Every sentence that a computation can settle, in our words, with the readings tried and the verdict computed by \
-         `slipgap claims`. Where a claim fails, the reason follows its table. Where a sentence has no number, the limit is \
-         ours: it is given with each value, so that one sees how near the value is. \
-         Plain arithmetic (f_n, Delta, T_I) is in docs/errata.md.\n",
+        "# The statements of the papers, tested by computation\n\n\
+         This page lists every statement of the papers that a computation can test, in our words. A reading is one way to \
+         understand a statement; each is tested by a study. `slipgap claims` computes the verdicts. If a statement fails \
+         in a reading, the reason is below the table. If a statement has no number, the limit is our choice; it is in \
+         brackets next to each value. docs/errata.md checks simple arithmetic (f_n, Delta, T_I).\n",
     );
     for judged in all {
         let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);
-        page.push_str("| | sentence | verdict |\n| --- | --- | --- |\n");
+        page.push_str("| | statement | verdict |\n| --- | --- | --- |\n");
         for (claim, findings) in judged.claims() {
             let verdict = verdict(findings).said();
             let id = &claim.id;
@@ -67,14 +67,14 @@ pub fn verdict(findings: &[Finding]) -> Verdict {
 fn section(page: &mut String, ledger: &Ledger, claim: &Claim, findings: &[Finding]) {
     let _ = write!(
         page,
-        "\n### {}\n\n{}: {} **{}**\n\nJudged by {}.\n\n",
+        "\n### {}\n\n{}: {} **{}**\n\nThe test: {}.\n\n",
         claim.id,
         claim.place,
         claim.says,
         capital(verdict(findings).said()),
         claim.quantity
     );
-    page.push_str("| reading | found | holds | see |\n| --- | --- | --- | --- |\n");
+    page.push_str("| reading | computed | holds | figure |\n| --- | --- | --- | --- |\n");
     for (reading, finding) in claim.readings.iter().zip(findings) {
         let study = &ledger.studies[reading.study].name;
         let see = match &reading.figure {

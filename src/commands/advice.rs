@@ -58,7 +58,7 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
     last.extend(limits.map(|limit| format!("<= {}", shortest(limit))));
     table.push(last);
     let mut text = columns(&table);
-    text += "The errors above are the largest of the case and its neighbours. Only what has a target is limited. The case alone:\n";
+    text += "Each error above is the largest one of the case and its neighbours. Only metrics with a target are limited. Metrics of the case alone:\n";
     let mut metrics = vec![vec![String::new()]];
     metrics[0].extend(rows.iter().map(|row| row.name.to_owned()));
     let finer = rows.first().map(|row| with_finer_step(space, row));
@@ -111,7 +111,7 @@ fn at_a_finer_step(request: &Request, own: &[Vec<Option<f64>>]) -> String {
     match lost.is_empty() {
         true => String::new(),
         false => format!(
-            "This answer holds only at its own step. With 1/{FINER} of the step it misses the target: {}.\n",
+            "This answer is valid only for its own time step. With 1/{FINER} of the step it misses the target: {}.\n",
             lost.join(", ")
         ),
     }

@@ -11,18 +11,18 @@ use std::path::PathBuf;
 
 #[derive(Subcommand)]
 pub enum Asked {
-    /// Law, width and step of a friction model
+    /// Find law, width (alpha or beta) and time step of a friction model
     FrictionOscillator(Friction),
-    /// gamma, n, mass matrix and dt for the impact of two bars
+    /// Find gamma, n, mass matrix and time step for the impact of two bars
     BarImpact(Impact),
 }
 
 #[derive(Args)]
 pub struct Friction {
-    /// The friction model; both are searched where it is not given
+    /// Friction law; if left out, both are searched
     #[arg(long, value_parser = LAWS)]
     law: Option<String>,
-    /// Release over Delta, not 0, at most 1000
+    /// Displacement at release over Delta; not 0, from -1000 to 1000
     #[arg(long, value_name = "X0", default_value_t = X0, allow_negative_numbers = true, value_parser = release)]
     x0: f64,
     /// Largest rms_error, the root mean square of the error of X over |x0|
@@ -54,19 +54,19 @@ pub struct Impact {
     /// Largest rms_error_rdot, in c
     #[arg(long, value_name = "TARGET", value_parser = target)]
     rdot: Option<f64>,
-    /// Most energy that any step may have beyond that at the start, over it; 1 % is 0.5 % of a velocity
+    /// Largest gain of energy at any step, relative to the initial energy; 1 % of the energy is 0.5 % of a velocity
     #[arg(long, value_name = "LIMIT", default_value_t = ENERGY_GAIN, value_parser = target)]
     energy_gain: f64,
-    /// Elements of the left bar, at most 1000; searched where it is not given
+    /// Elements of the left bar, at most 1000; if left out, it is searched
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     n: Option<u32>,
-    /// Stiffness of the impact spring over that of an element; searched where neither this nor k_I is given
+    /// Stiffness of the impact spring over that of an element; if neither gamma nor k_I is given, it is searched
     #[arg(long, value_name = "GAMMA", value_parser = target)]
     gamma: Option<f64>,
-    /// Stiffness of the impact spring, in units of the bars' data; gamma = k_I L/(n E A) follows from n
+    /// Stiffness of the impact spring, in the units of the bars; gamma = k_I L/(n E A) follows from n
     #[arg(long = "k_I", alias = "k-I", value_name = "K_I", value_parser = target, conflicts_with = "gamma")]
     k_i: Option<f64>,
-    /// Mass matrix; both are searched where it is not given
+    /// Mass matrix; if left out, both are searched
     #[arg(long, value_parser = MASSES)]
     mass: Option<String>,
     /// Data of the bars as in a study, e.g. L=40,right.L=20 or right=wall
@@ -78,7 +78,7 @@ pub struct Impact {
 
 #[derive(Args)]
 pub struct Common {
-    /// Folder for the picture and table of the front; a folder is made in it
+    /// Folder for the table and picture of cost and error; each request has its own folder in it
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub out: PathBuf,
     #[command(flatten)]
@@ -97,13 +97,13 @@ fn target(text: &str) -> Result<f64, String> {
 fn release(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x != 0.0 && x.abs() <= 1000.0 => Ok(x),
-        _ => Err("must be a number, not 0, from -1000 to 1000".into()),
+        _ => Err("must be a number from -1000 to 1000, but not 0".into()),
     }
 }
 
 #[derive(Args)]
 pub struct Jobs {
-    /// Number of threads, at most 1024; all cores where it is not given
+    /// Number of threads, at most 1024; if left out, one for each core
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
 }

@@ -24,7 +24,7 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
     }
     let path = folder.write(PAGE, claims::page(&all).as_bytes())?;
     let mut rows = vec![
-        ["claim", "verdict", "", "sentence"]
+        ["claim", "verdict", "", "statement"]
             .map(String::from)
             .to_vec(),
     ];
@@ -57,7 +57,7 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
     let count = rows.len() - 1;
     let changed: usize = all.iter().map(Judged::changed).sum();
     note(&format!(
-        "{count} claims, {changed} other than recorded; {}",
+        "{count} claims, {changed} with a verdict other than recorded; {}",
         path.display()
     ));
     Ok(if changed > 0 { NOT_MET } else { 0 })

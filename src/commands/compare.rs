@@ -34,7 +34,7 @@ pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
             continue;
         };
         let Some(found) = held(&read(path)?, &read(other)?, tolerance) else {
-            differing += apart(name, "not results of one problem".into());
+            differing += apart(name, "the two results are of different problems".into());
             continue;
         };
         if found.same() {
@@ -72,7 +72,7 @@ pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
     if rows.len() > 1 {
         say(&columns(&rows))?;
     }
-    note(&format!("{same} studies the same, {differing} not"));
+    note(&format!("{same} studies equal, {differing} different"));
     Ok(if differing > 0 { NOT_MET } else { 0 })
 }
 

@@ -50,7 +50,7 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     text += &columns(&rows);
     let broken = Violation::all(&study.violations(number));
     if let Some(why) = &broken {
-        text += &format!("\ncannot be solved: {why}\n");
+        text += &format!("\nthis case cannot be solved: {why}\n");
     }
     text += &format!("\n{}", cost(study, &case)?);
     let metrics: Vec<&str> = study
@@ -121,7 +121,7 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
         None => "not measured".into(),
     };
     Ok(format!(
-        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases, kept in {}\n\
+        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases; {} of the store\n\
          time to compute all cases: {time}, estimated from {} cases in {}\n",
         parts(study, all),
         measured.cases,

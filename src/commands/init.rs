@@ -41,7 +41,7 @@ pub fn name(text: &str) -> Result<String, String> {
 pub fn init(name: &str, problem: &dyn Problem) -> Result<u8, Error> {
     let path = Path::new(STUDIES).join(format!("{name}.json"));
     if path.exists() {
-        let what = format!("{} is there already; choose another name", path.display());
+        let what = format!("{} exists already; choose another name", path.display());
         return Err(Error::Usage(what));
     }
     let up = "../".repeat(name.split('/').count());

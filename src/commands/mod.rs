@@ -77,7 +77,7 @@ pub fn pool(jobs: Option<u16>) -> Result<rayon::ThreadPool, Error> {
 pub fn end_on_interrupt() -> Result<(), Error> {
     ctrlc::set_handler(|| {
         let _guard = no_more_writing();
-        note("slipgap: interrupted; every file written is whole and finished parts are kept, run the same again to go on");
+        note("slipgap: interrupted; all files are complete and finished parts are kept; run the same command again to continue");
         std::process::exit(INTERRUPTED);
     })
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))

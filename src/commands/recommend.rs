@@ -23,7 +23,7 @@ pub fn recommend(meant: &Meant) -> Result<u8, Error> {
     note(&format!("{} cases in {seconds:.1} s", answer.solved));
     let Some(nearest) = answer.front.len().checked_sub(1) else {
         note(
-            "slipgap: every candidate searched, or a neighbour, gains too much energy or has a target undefined",
+            "slipgap: no case can be recommended: every case searched, or one of its neighbours, gains too much energy or has an undefined target metric",
         );
         return Ok(NOT_MET);
     };
@@ -55,7 +55,7 @@ pub fn recommend(meant: &Meant) -> Result<u8, Error> {
     }
     say(&text)?;
     if chosen.is_none() {
-        note("slipgap: nothing searched reaches the target; the nearest is shown");
+        note("slipgap: no case searched reaches the target; the nearest case is shown");
         return Ok(NOT_MET);
     }
     Ok(0)
@@ -70,14 +70,17 @@ fn rows(answer: &Answer, at: usize) -> Vec<Row<'_>> {
     let reached = answer.front[at].worst <= 1.0;
     let [own, cheaper] = match reached {
         true => ["recommended", "cheaper, misses the target"],
-        false => ["nearest, misses the target", "cheaper, misses it by more"],
+        false => [
+            "nearest, misses the target",
+            "cheaper, misses the target by more",
+        ],
     };
     let mut rows = vec![row(at, own)];
     rows.extend(answer.cheaper(at).map(|at| row(at, cheaper)));
     let first = answer.better(at);
     let second = first.and_then(|first| answer.better(first));
     let dearer = [first, second].into_iter().flatten();
-    rows.extend(dearer.map(|at| row(at, "dearer, more to spare")));
+    rows.extend(dearer.map(|at| row(at, "costs more, smaller error")));
     rows
 }
 

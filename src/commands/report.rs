@@ -108,7 +108,7 @@ fn bring_up_to_date(source: &Source, out: &Path, results: &Path) -> Result<(), E
         return Ok(());
     }
     note(&format!(
-        "{}: results of an earlier form of the study, run again",
+        "{}: the results are of an earlier version of the study; running it again",
         source.name
     ));
     let manner = Manner {

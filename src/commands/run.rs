@@ -24,9 +24,9 @@ const MANY: u64 = 100_000;
 /// What a run writes beside figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// results.csv, however many cases there are, beside the store
+    /// results.csv for any number of cases, and the store
     Csv,
-    /// The store alone, a folder of Parquet files
+    /// Only the store, a folder of Parquet files
     Parquet,
 }
 
@@ -125,7 +125,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     let every = tables.finish(&mut folder, &store, &mut lines)?;
     if untouched > 0 {
         note(&format!(
-            "{}: {untouched} of {cases} cases never touch before `duration`: their contact metrics are undefined",
+            "{}: {untouched} of {cases} cases have no contact before `duration`; their contact metrics are undefined",
             source.file.display()
         ));
     }

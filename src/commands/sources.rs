@@ -90,7 +90,7 @@ fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
             let name = study::printable(&shown)
                 .replace('\n', "\\n")
                 .replace('\t', "\\t");
-            let what = format!("{name}: {c} cannot stand in the name of a study; rename it");
+            let what = format!("{name}: the name of a study cannot contain {c}; rename it");
             return Err(Error::Usage(what));
         }
     }
@@ -102,7 +102,10 @@ fn named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         let stem = path.file_stem().unwrap_or(path.as_os_str());
         // `...json` without its ending is a way out of the output folder.
         if stem == "." || stem == ".." {
-            let what = format!("no folder can be named after {}; rename it", path.display());
+            let what = format!(
+                "{} gives no valid name for a folder; rename it",
+                path.display()
+            );
             return Err(Error::Usage(what));
         }
         return Ok(vec![(path.to_owned(), name(Path::new(stem)))]);
@@ -134,7 +137,7 @@ fn distinct(files: Vec<(PathBuf, String)>) -> Result<Vec<(PathBuf, String)>, Err
             Some(first) if same(first, &file) => {}
             Some(first) => {
                 return Err(Error::Usage(format!(
-                    "{} and {} would both write to folder {name}; rename one or run them apart",
+                    "{} and {} would both write to folder {name}; rename one or run them separately",
                     first.display(),
                     file.display()
                 )));

@@ -41,7 +41,10 @@ impl<'a> Unsolved<'a> {
         self.named.iter().for_each(|line| note(line));
         let more = self.count - self.named.len() as u64;
         if more > 0 {
-            note(&format!("{}: and {more} more", self.source.file.display()));
+            note(&format!(
+                "{}: {more} more cases could not be solved",
+                self.source.file.display()
+            ));
         }
     }
 }

@@ -105,7 +105,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let bare = cases.len() - cases.iter().filter(whole).count();
     if bare > 0 {
         let words = format!(
-            "{bare} of {} cases have no reference between exact and computed: of them only the total is shown.",
+            "{bare} of {} cases have no reference for the parts of the error; only their total is shown.",
             cases.len()
         );
         layout::small_print(&mut sheet, &words);

@@ -41,7 +41,7 @@ impl Front {
     pub fn sheet(&self) -> Sheet {
         let height = 190.0;
         let errors = self.points.iter().map(|p| p[1]).chain([1.0]);
-        let y = ticks::log("largest error over its target", errors, height / 24.0);
+        let y = ticks::log("largest ratio of error to target", errors, height / 24.0);
         let width = 1.2 * style::SINGLE;
         let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y), 4.0);
         let x = ticks::log(

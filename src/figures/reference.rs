@@ -9,7 +9,7 @@ use crate::problem::Metric;
 pub const LABEL: &str = "exact";
 
 /// What the legend calls several of them, each with the dashes of its curve.
-pub const SEVERAL: &str = "exact (thin, dashes of its curve)";
+pub const SEVERAL: &str = "exact (thin, dashed like its curve)";
 
 /// Row of the metric that is the exact value of another, called `NAME_exact`, if it is among the `listed`.
 pub fn row(table: &[Metric], listed: &[usize], metric: usize) -> Option<usize> {

@@ -14,8 +14,8 @@ const HALF: f64 = 0.17;
 const CAP: f64 = 0.06;
 
 /// What the intervals are.
-const WHISKERS: &str = "Intervals: the middle 95 % of bootstrap samples, as if the points were random. \
-                        Those of a Sobol\u{2019} sequence err less.";
+const WHISKERS: &str = "Intervals: middle 95 % of bootstrap samples. They assume random points; \
+                        a Sobol\u{2019} sequence has smaller errors.";
 
 /// The sheet of a `sobol` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {

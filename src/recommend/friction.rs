@@ -90,7 +90,7 @@ impl Space for Friction {
                 (self.duration() / PI).round()
             ),
             format!(
-                "neighbours that must reach the target too: {widths} 12 % smaller and larger, x0 {} % smaller and larger",
+                "neighbours that must also reach the target: {widths} 12 % smaller and larger, x0 {} % smaller and larger",
                 100.0 * UNSURE
             ),
             "not searched: other releases, initial_slip pulled and sliding, steps that do not divide a half-cycle"

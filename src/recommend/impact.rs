@@ -82,7 +82,7 @@ impl Impact {
             return Err(vec![Violation {
                 parameter: "right",
                 message: format!(
-                    "the bars do not part while {MOST_TRIPS} waves pass the shorter one"
+                    "the bars do not part before a wave has passed the shorter bar {MOST_TRIPS} times"
                 ),
             }]);
         };
@@ -92,7 +92,7 @@ impl Impact {
         impact.peak = force.into_iter().fold(0.0, f64::max);
         impact.meshes = impact.affordable();
         if impact.meshes.is_empty() {
-            let message = "the bars' travel times are so unlike that no mesh searched fits both; give right.n";
+            let message = "the travel times of the bars differ so much that no mesh searched suits both; give right.n";
             let parameter = "right";
             return Err(vec![Violation {
                 parameter,
@@ -230,16 +230,16 @@ impl Space for Impact {
             ),
             match self.fixed.spring {
                 None => format!(
-                    "neighbours that must reach the target too: gamma 12 % smaller and larger, impact {} into a step",
+                    "neighbours that must also reach the target: gamma 12 % smaller and larger, impact {} into a step",
                     INTO[0]
                 ),
                 Some(_) => format!(
-                    "neighbours that must reach the target too: impact {} and {} into a step",
+                    "neighbours that must also reach the target: impact {} and {} into a step",
                     INTO[0], INTO[1]
                 ),
             },
-            "not searched: other steps than these parts of an element, elements of unlike length in a bar, un-iterated \
-             steps, larger gaps"
+            "not searched: other steps than these parts of an element, elements of different lengths in a bar, steps \
+             without iteration, larger gaps"
                 .into(),
         ];
         if self.unlike.is_some() {

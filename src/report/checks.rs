@@ -47,10 +47,10 @@ impl Checks {
         match (self.total <= MOST as u64, failed) {
             (true, _) | (false, 0) => None,
             (false, failed) if failed <= MOST as u64 => {
-                Some("The list holds those that are not met.".into())
+                Some("The list shows only the checks that are not met.".into())
             }
             (false, failed) => Some(format!(
-                "The list holds the cases with the lowest numbers: {MOST} of the {failed} checks that are not met."
+                "The list shows {MOST} of the {failed} checks that are not met, those of the cases with the lowest numbers."
             )),
         }
     }

@@ -50,7 +50,7 @@ impl Counts {
         if self.untouched > 0 {
             writeln!(
                 out,
-                "<p>{} of {} cases never touch before <code>duration</code>; their contact metrics are undefined.</p>",
+                "<p>{} of {} cases have no contact before <code>duration</code>; their contact metrics are undefined.</p>",
                 self.untouched, self.cases
             )?;
         }

@@ -74,7 +74,7 @@ impl Drawing {
             Picture::Pixels(png) => write!(
                 out,
                 "<figure>\n<img alt=\"{}\" src=\"data:image/png;base64,{}\">\
-                 <figcaption>{caption} (too many points for the values to be shown one by one)</figcaption>\n</figure>\n",
+                 <figcaption>{caption} (too many points to show their values)</figcaption>\n</figure>\n",
                 escape(&self.description),
                 base64::text(png)
             ),

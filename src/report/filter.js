@@ -21,7 +21,7 @@ function tests(text, all) {
 
 function comparison(word, all) {
   const found = COMPARISON.exec(word);
-  if (!found) throw `“${word}” is no comparison: write column, sign, value, as in ${example(all)}`;
+  if (!found) throw `“${word}” is not a comparison: write column, sign, value, as in ${example(all)}`;
   const [, called, sign, wanted] = found;
   const column = all.find(c => c.name === called);
   if (!column) throw `No column is called “${called}”. The columns are ${all.map(c => c.name).join(", ")}`;
@@ -33,7 +33,7 @@ function comparison(word, all) {
     value = column.names.findIndex(known => known.toLowerCase() === wanted.toLowerCase());
     if (value < 0) throw `${column.name} is never “${wanted}”. Its values are ${column.names.join(", ")}`;
   }
-  if (Number.isNaN(value)) throw `“${wanted}” is no number, and ${column.name} is one`;
+  if (Number.isNaN(value)) throw `“${wanted}” is not a number, but ${column.name} has numbers as values`;
   const holds = SIGNS[sign];
   // An undefined value is neither equal, nor different, nor less, nor greater.
   return row => {

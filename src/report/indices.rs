@@ -24,9 +24,9 @@ impl Indices {
             return Ok(());
         }
         out.write_all(
-            b"<h3>Sobol' indices</h3>\n<p>The share of the variance of a metric that a parameter causes alone (first order), and \
-              together with all others (total); in brackets the middle 95 % of bootstrap samples. Cells are empty where the metric is \
-              the same in all cases of the design, or undefined in one.</p>\n\
+            b"<h3>Sobol' indices</h3>\n<p>An index is the share of the variance of a metric that a parameter causes: alone (first order), \
+              or together with all others (total). The brackets show the middle 95 % of bootstrap samples. Cells are empty \
+              if the metric is the same in all cases of the design, or undefined in one.</p>\n\
               <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Sobol' indices\"><table>\n\
               <thead><tr><th>block</th><th class=\"words\">metric</th><th class=\"words\">parameter</th><th>first order</th>\
               <th>total</th></tr></thead>\n<tbody>\n",

@@ -158,9 +158,9 @@ fn claims(out: &mut impl Write, claims: &[Settled]) -> io::Result<()> {
         return Ok(());
     }
     out.write_all(
-        b"<h3>Sentences of the papers that it settles</h3>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Claims\"><table>\n\
-          <thead><tr><th class=\"words\">claim</th><th class=\"words\">sentence</th><th class=\"words\">reading</th>\
-          <th class=\"words\">found</th><th class=\"words\">verdict</th></tr></thead>\n<tbody>\n",
+        b"<h3>Statements of the papers that this study tests</h3>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Claims\"><table>\n\
+          <thead><tr><th class=\"words\">claim</th><th class=\"words\">statement</th><th class=\"words\">reading</th>\
+          <th class=\"words\">computed</th><th class=\"words\">verdict</th></tr></thead>\n<tbody>\n",
     )?;
     for claim in claims {
         let (class, word) = verdict(claim.holds, "holds", "fails");

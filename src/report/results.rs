@@ -97,7 +97,7 @@ impl<'a> Results<'a> {
         out.write_all(
             b"<div class=\"results\">\n<div class=\"bar\">\
               <label>Filter <input type=\"search\" spellcheck=\"false\"></label>\
-              <label><input type=\"checkbox\"> columns that do not vary, too</label>\
+              <label><input type=\"checkbox\"> show columns that do not vary</label>\
               <button type=\"button\" class=\"back\">Back</button><button type=\"button\" class=\"next\">Next</button>\
               <output aria-live=\"polite\"></output></div>\n\
               <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Results\"><table><thead><tr></tr></thead><tbody></tbody></table></div>\n",
@@ -116,7 +116,7 @@ impl<'a> Results<'a> {
     /// What the page holds where it does not hold all.
     fn limit(&self) -> String {
         format!(
-            "This page holds the first {} of {} cases and can neither filter nor sort all of them; all are in {}",
+            "This page has only the first {} of {} cases, so it cannot filter or sort; all cases are in {}",
             self.cases.min(FIRST),
             self.cases,
             printable(&self.store.display().to_string())

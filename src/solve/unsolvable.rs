@@ -42,7 +42,7 @@ impl fmt::Display for Unsolvable {
             Unsolvable::SingularMass => f.write_str("the mass matrix has no inverse"),
             Unsolvable::TooManyElements { most, elements } => write!(
                 f,
-                "the un-iterated form takes at most {most} elements, got {elements}"
+                "without iteration there may be at most {most} elements, got {elements}"
             ),
             Unsolvable::NotPrinted => f.write_str("the law has no un-iterated form"),
             Unsolvable::BrokenRules(words) | Unsolvable::Stored(words) => f.write_str(words),

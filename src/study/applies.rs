@@ -29,8 +29,8 @@ pub(super) fn applies(
     let others: Vec<&str> = chosen.iter().copied().filter(|c| *c != wanted).collect();
     let here = others.len() < chosen.len();
     let apart = format!(
-        "applies to {governor} {wanted} alone, and {governor} is also {} here; give each {governor} a block of its \
-         own in \"blocks\"",
+        "applies only to {governor} {wanted}, but {governor} is also {} here; give each {governor} its own block \
+         in \"blocks\"",
         others.join(", ")
     );
     match given {
@@ -52,7 +52,7 @@ pub(super) fn applies(
             faults.add(draft.at, &missing_path, missing);
         }
         None if here && required => {
-            faults.add(draft.at, &missing_path, format!("missing, and it {apart}"));
+            faults.add(draft.at, &missing_path, format!("missing; it {apart}"));
         }
         _ => {}
     }

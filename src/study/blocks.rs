@@ -22,7 +22,7 @@ pub(super) fn blocks(
     let (one, several) = (object.get("parameters"), object.get("blocks"));
     match (one, several) {
         (Some(_), Some(node)) => {
-            let message = "stands in place of \"parameters\"; give one of the two";
+            let message = "cannot be given together with \"parameters\"; give one of the two";
             faults.add(node.at, "blocks", message);
         }
         (None, None) => {
@@ -39,7 +39,7 @@ pub(super) fn blocks(
     if one.is_none() {
         for key in BESIDE.map(|key| key.0) {
             if let Some(node) = object.get(key) {
-                let message = "belongs beside \"parameters\", inside its block";
+                let message = "must be inside a block, next to its \"parameters\"";
                 faults.add(node.at, key, message);
             }
         }
@@ -55,7 +55,7 @@ pub(super) fn blocks(
     if let (None, Some(node)) = (one, several)
         && matches!(&node.tree, Tree::List(blocks) if blocks.is_empty())
     {
-        faults.must_be(node, "blocks", "a list of at least one block");
+        faults.must_be(node, "blocks", "a non-empty list of blocks");
     }
     let mut whole = faults.count() == before;
     let key = if several.is_some() {
@@ -95,7 +95,7 @@ pub(super) const BESIDE: [(&str, &str); 3] = [
     ),
     (
         "when",
-        "a condition that combinations must meet to be cases, as in \"dt <= 0.5/n\"; names are compared in single quotes",
+        "a condition, as in \"dt <= 0.5/n\"; only combinations that meet it become cases; names are written in single quotes",
     ),
     (
         "design",

@@ -10,13 +10,13 @@ use crate::problem::parameter::{Range, shortest};
 
 /// The keys of a check.
 pub(super) const KEYS: [(&str, &str); 4] = [
-    ("metric", "the metric that is held to its limits"),
+    ("metric", "the metric to check"),
     (
         "where",
-        "which cases to check, by the values of their parameters; a list allows each of its values; all cases if left out",
+        "which cases to check: a value or a list of values for parameters; if left out, all cases",
     ),
-    ("min", "least value allowed"),
-    ("max", "greatest value allowed"),
+    ("min", "smallest value allowed"),
+    ("max", "largest value allowed"),
 ];
 
 /// Decodes one check; `None` if it has a fault.

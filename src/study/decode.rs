@@ -21,28 +21,28 @@ use crate::problem::{self, Budget, PROBLEMS, Problem};
 pub(super) const KEYS: [(&str, &str); 9] = [
     (
         "$schema",
-        "where editors find the schema; otherwise ignored",
+        "location of the schema, for editors; slipgap ignores it",
     ),
     ("title", "what the study shows, in one line"),
-    ("problem", "the problem whose cases are run"),
+    ("problem", "the problem to solve"),
     (
         "parameters",
-        "parameters of the cases; a list is an axis, and cases are the product of the axes, the last one fastest",
+        "parameters of the cases; a list is an axis; the cases are all combinations of the axes, and the last axis varies fastest",
     ),
     (
         "blocks",
-        "several sets of parameters in place of one; their cases follow one another",
+        "several sets of parameters instead of one; their cases follow one another",
     ),
     (
         "metrics",
-        "columns of results.csv beyond those that every study of the problem has",
+        "metrics to compute in addition to the default ones; each is a column of results.csv",
     ),
     (
         "iteration",
         "converged (the default): each step is iterated to convergence; once: each step is solved once with the matrices of the papers, without iteration",
     ),
     ("figures", "figures to draw"),
-    ("checks", "tolerances that `slipgap check` holds"),
+    ("checks", "limits that `slipgap check` tests"),
 ];
 
 /// Names of the ways to solve a step.

@@ -209,7 +209,8 @@ impl Block {
             if let (Some(said), Some(follows)) = both
                 && (said - follows).abs() > AGREES * follows.abs()
             {
-                let message = format!("gives {said}, but {follows} follows from what it names");
+                let message =
+                    format!("gives {said}, but {follows} follows from the other parameters");
                 violations.push(Violation {
                     parameter: name,
                     message,

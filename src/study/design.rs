@@ -41,14 +41,14 @@ pub struct Design {
 
 /// The keys of a design, each with what it holds.
 pub(super) const KEYS: [(&str, &str); 3] = [
-    ("kind", "how the points are laid"),
+    ("kind", "how the points are chosen"),
     (
         "n",
-        "number of points; of a saltelli design number of base points, so that there are n (k + 2) cases for k parameters. Sobol' sequences fill best with a power of 2",
+        "number of points; a saltelli design of k parameters has n base points and n (k + 2) cases; a power of 2 is best for Sobol' sequences",
     ),
     (
         "seed",
-        "a whole number that the random numbers begin with; 0 if left out",
+        "a whole number that selects the sequence of random numbers; if left out, 0",
     ),
 ];
 

@@ -25,8 +25,7 @@ impl Draft {
         let path = object.path("design");
         let Some(node) = object.get("design") else {
             for given in self.given.iter().filter(sampled) {
-                let message =
-                    "needs a \"design\" beside the parameters, which says where the points lie";
+                let message = "needs a \"design\" next to \"parameters\", which chooses the points";
                 faults.add(given.at, &given.path, message);
             }
             // Without points of theirs, nothing further can be said.
@@ -42,8 +41,7 @@ impl Draft {
         let others = self.given.iter().any(|given| given.values.len() > 1);
         let saltelli = |d: &design::Design| d.sampling == Sampling::Saltelli;
         if design.as_ref().is_some_and(saltelli) && (others || self.when.is_some()) {
-            let message =
-                "a saltelli design stands alone: no other axis and no \"when\" in its block";
+            let message = "a saltelli design allows no other axis and no \"when\" in its block";
             faults.add(node.at, &path, message);
         }
         match design {
@@ -212,7 +210,7 @@ impl Draft {
             .iter()
             .find(|given| Some(&given.parameter) == way.first());
         if let Some(given) = first {
-            let message = format!("goes round in a circle: {}", names.join(" -> "));
+            let message = format!("circular reference: {}", names.join(" -> "));
             faults.add(given.at, &given.path, message);
         }
     }
@@ -233,7 +231,7 @@ fn condition(
     block.when = Some(Condition { rule });
     if !known && count > MOST_CASES {
         return Some(format!(
-            "{}: would have to be tried for {count} combinations; allowed: at most {MOST_CASES}",
+            "{}: must be tested for {count} combinations; allowed: at most {MOST_CASES}",
             quoted(text)
         ));
     }

@@ -122,7 +122,7 @@ fn bounded(from: impl Read, file: &Path) -> Result<String, Error> {
         .read_to_end(&mut bytes)
         .map_err(Error::io("cannot read", file))?;
     if bytes.len() as u64 > LARGEST {
-        let message = format!("larger than {} MiB; no study is", LARGEST >> 20);
+        let message = format!("larger than {} MiB, the limit for a study", LARGEST >> 20);
         return Err(refused(&file.display().to_string(), "", 0, message));
     }
     String::from_utf8(bytes).map_err(|error| {

@@ -12,11 +12,11 @@ use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 pub(super) const INTERVALS: [(&str, &str); 2] = [
     (
         "uniform",
-        "[a, b]: between a and b, evenly; the block's design says where",
+        "[a, b]: uniform distribution from a to b; the design of the block chooses the points",
     ),
     (
         "loguniform",
-        "[a, b]: between a and b, evenly in the logarithm; the block's design says where",
+        "[a, b]: uniform distribution of the logarithm from a to b; the design of the block chooses the points",
     ),
 ];
 
@@ -81,10 +81,10 @@ impl Interval {
         let log = member.key == INTERVALS[1].0;
         let message = match log {
             _ if low >= high => "must be greater than a",
-            true if low <= 0.0 => "takes ends > 0",
-            true if !(high / low).is_finite() => "must be a multiple of a in double precision",
+            true if low <= 0.0 => "needs ends > 0",
+            true if !(high / low).is_finite() => "b/a must be within the range of double precision",
             false if !(high - low).is_finite() => {
-                "must differ from a by a number in double precision"
+                "b - a must be within the range of double precision"
             }
             _ => return Some(Interval { low, high, log }),
         };

@@ -19,7 +19,11 @@ impl<'a> Object<'a> {
         faults: &mut Faults,
     ) -> Option<Object<'a>> {
         let Tree::Object(all) = &node.tree else {
-            faults.must_be(node, path, &format!("an object of {}", allowed.join(", ")));
+            faults.must_be(
+                node,
+                path,
+                &format!("an object with keys from {}", allowed.join(", ")),
+            );
             return None;
         };
         let mut members: Vec<&Member> = Vec::new();
@@ -28,7 +32,7 @@ impl<'a> Object<'a> {
             if !allowed.contains(&member.key.as_str()) {
                 faults.add(member.node.at, &path, unknown("key", &member.key, allowed));
             } else if members.iter().any(|first| first.key == member.key) {
-                let message = format!("key {} given twice in one object", quoted(&member.key));
+                let message = format!("key {} is given twice in one object", quoted(&member.key));
                 faults.add(member.at, &path, message);
             } else {
                 members.push(member);

@@ -177,7 +177,7 @@ fn axis(
     let path = &given.path;
     match &node.tree {
         Tree::List(items) if items.is_empty() => {
-            faults.must_be(node, path, "a value or a list of at least one");
+            faults.must_be(node, path, "a value or a non-empty list");
         }
         Tree::List(items) => {
             for (i, item) in items.iter().enumerate() {

@@ -48,7 +48,7 @@ pub(super) fn count(
         Some(total) => total.to_string(),
         None => "more than 10^38".into(),
     };
-    let message = format!("{told} cases; allowed: at most {limit}, or as many as --limit says");
+    let message = format!("{told} cases; allowed: at most {limit}; --limit sets another limit");
     faults.add(at, path, message);
     false
 }

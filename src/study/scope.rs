@@ -101,7 +101,7 @@ impl Scope {
             return value(node, path, parameter, faults).map(|value| vec![value]);
         };
         if items.is_empty() {
-            faults.must_be(node, path, "a value or a list of at least one");
+            faults.must_be(node, path, "a value or a non-empty list");
             return None;
         }
         let before = faults.count();
@@ -136,7 +136,7 @@ impl Scope {
         }
         let there = there.join(", ");
         Some(format!(
-            "no case has {parameter} {wanted}; there are {there}"
+            "no case has {parameter} = {wanted}; the values are {there}"
         ))
     }
 
@@ -151,7 +151,7 @@ impl Scope {
     fn no_case(&self, filter: &Filter) -> String {
         if self.too_many() {
             return format!(
-                "no case has all these values among the first {MOST_TRIED} combinations that may"
+                "no case among the first {MOST_TRIED} possible combinations has all these values"
             );
         }
         let single = filter.0.iter().filter(|(_, wanted)| wanted.len() == 1);
@@ -195,7 +195,7 @@ pub(super) fn names(
         faults.must_be(
             node,
             path,
-            &format!("the name of a {what} or a list of at least one"),
+            &format!("the name of a {what} or a non-empty list of names"),
         );
         return None;
     }

@@ -9,14 +9,17 @@ use crate::problem::parameter::{Kind, Parameter, Range, Value};
 
 /// The rules, each with what its list of three means.
 pub(super) const RULES: [(&str, &str); 3] = [
-    ("linspace", "[a, b, n]: n numbers from a to b, evenly"),
+    (
+        "linspace",
+        "[a, b, n]: n numbers from a to b, evenly spaced",
+    ),
     (
         "geomspace",
-        "[a, b, n]: n numbers from a to b, each the same multiple of the one before",
+        "[a, b, n]: n numbers from a to b, with the same ratio between neighbours",
     ),
     (
         "range",
-        "[a, b, step]: a, a + step, ... up to b, which is met if a whole number of steps leads there",
+        "[a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a",
     ),
 ];
 
@@ -75,10 +78,7 @@ pub(super) fn values(
         _ => c,
     };
     if count > MOST {
-        return refuse(
-            2,
-            &format!("gives {count} values, at most {MOST} are allowed"),
-        );
+        return refuse(2, &format!("gives {count} values; allowed: at most {MOST}"));
     }
     let steps = count - 1.0;
     let point = |i: f64| match member.key.as_str() {

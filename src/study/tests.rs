@@ -182,7 +182,7 @@ fn a_part_of_the_problem_is_an_object_or_a_name() {
         ),
         (
             "{\"L\": 1, \"L\": 2}",
-            "s:1:37: parameters.right.L: key \"L\" given twice in one object",
+            "s:1:37: parameters.right.L: key \"L\" is given twice in one object",
         ),
         (
             "3",

@@ -87,7 +87,7 @@ pub(super) fn parse(text: &str) -> Result<Node, SyntaxFault> {
 fn grow(text: &str, part: &str, depth: usize) -> Result<Node, SyntaxFault> {
     let at = offset_within(text, part);
     if depth > DEEPEST {
-        let message = format!("nested more than {DEEPEST} deep; no study is");
+        let message = format!("nested more than {DEEPEST} levels deep; allowed: at most {DEEPEST}");
         return Err(SyntaxFault { at, message });
     }
     let bad = |e| syntax(text, part, &e);
@@ -191,23 +191,23 @@ fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
     let found = rest.chars().next()?;
     let number = "numbers are written as in 0.5, 5 or 1e-3";
     Some(match (reason, found) {
-        ("invalid number" | "expected value", 'I' | 'N') => "there is no NaN and no Infinity",
+        ("invalid number" | "expected value", 'I' | 'N') => "NaN and Infinity are not allowed",
         ("invalid number", _) => number,
         ("expected value" | "key must be a string", '}' | ']') if before.ends_with(',') => {
-            "the last one is followed by no comma"
+            "no comma is allowed after the last one"
         }
         ("expected value", '.' | '+') => number,
         ("expected value", '\u{feff}') => {
-            "the file begins with a byte-order mark, save it as UTF-8 without one"
+            "the file begins with a byte-order mark; save it as UTF-8 without one"
         }
         ("expected value" | "key must be a string", c)
             if c.is_alphabetic() || "'‘’“”".contains(c) =>
         {
-            "names and expressions stand in double quotes, \"...\""
+            "write names and expressions in double quotes, \"...\""
         }
-        (_, '/' | '#') => "there are no comments, a remark stands under a \"//\" key",
-        (_, '\n' | '\r') => "a string ends on the line it began",
-        ("expected `,` or `}`" | "expected `,` or `]`", '"') => "a comma is missing before it",
+        (_, '/' | '#') => "comments are not allowed; write a remark as a \"//\" key",
+        (_, '\n' | '\r') => "a string must end on the line on which it begins",
+        ("expected `,` or `}`" | "expected `,` or `]`", '"') => "a comma is missing before this",
         ("expected `,` or `}`" | "expected `,` or `]`", _) if has_unit(before, rest) => {
             "a number is written without a unit"
         }
@@ -258,8 +258,8 @@ mod tests {
             ("", 0, "empty"),
             (" \n ", 0, "empty"),
             ("\u{feff}{}", 0, "byte-order mark"),
-            ("{\"a\": NaN}", 6, "no NaN"),
-            ("{\"a\": -Infinity}", 7, "no Infinity"),
+            ("{\"a\": NaN}", 6, "NaN and Infinity are not"),
+            ("{\"a\": -Infinity}", 7, "Infinity are not"),
             ("{'a': 1}", 1, "double quotes"),
             ("{a: 1}", 1, "double quotes"),
             ("{\"a\": alpha}", 6, "double quotes"),
@@ -277,7 +277,7 @@ mod tests {
             ("[2 pi]", 3, "expected `,`"),
             ("[0x1F]", 2, "expected `,`"),
             ("[\"α\u{1}b\"]", 4, "control character"),
-            ("[\"a\nb\"]", 3, "on the line"),
+            ("[\"a\nb\"]", 3, "on the line on which"),
             ("[\u{b}1]", 1, "expected value"),
             ("[\u{a0}1]", 1, "expected value"),
             ("[\"\\q\"]", 3, "escape"),
@@ -286,7 +286,7 @@ mod tests {
             ("{} {}", 3, "trailing characters"),
             ("{\"a\": [1, 2", 11, "ends too early"),
             ("{\"a\": \"b", 8, "ends too early"),
-            ("{\"a\": \"b\n", 8, "on the line"),
+            ("{\"a\": \"b\n", 8, "on the line on which"),
             ("{\"a\": tru}", 9, "expected ident"),
         ] {
             let fault = parse(text).expect_err(text);

@@ -17,7 +17,7 @@ pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<Strin
         Tree::Text(text) => match unprintable(text) {
             None => Some(text.clone()),
             Some(c) => {
-                let message = format!("must be a string of characters that are shown, got {c}");
+                let message = format!("must be a string of printable characters, got {c}");
                 faults.add(node.at, path, message);
                 None
             }
@@ -140,8 +140,8 @@ fn parameters_in(text: &str) -> Option<String> {
         let names: Vec<&str> = formula.uses().iter().map(|row| table[*row].name).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "names {}; an expression that names parameters stands alone as the value of a parameter, not in a \
-                 list or rule, and nowhere else",
+                "names {}; an expression with names of parameters is allowed only as the single value of a \
+                 parameter, not in a list or rule",
                 names.join(", ")
             )
         })

@@ -33,7 +33,7 @@ pub(super) fn zip(
             continue;
         }
         if rows.len() < 2 {
-            faults.add(group.at, &path, "takes at least two parameters");
+            faults.add(group.at, &path, "needs at least two parameters");
             continue;
         }
         let lens = rows.iter().map(|row| (table[*row].name, draft.count(*row)));
@@ -41,7 +41,10 @@ pub(super) fn zip(
         if lens.iter().any(|(_, len)| *len != lens[0].1) {
             let told = lens.iter().map(|(name, len)| format!("{name} has {len}"));
             let told: Vec<String> = told.collect();
-            let message = format!("takes as many values of each; {}", told.join(", "));
+            let message = format!(
+                "needs the same number of values of each; {}",
+                told.join(", ")
+            );
             faults.add(group.at, &path, message);
             continue;
         }
@@ -81,7 +84,7 @@ fn member(
         Some(given) if given.interval.is_some() => {
             refuse(format!("{quoted} belongs to the design"))
         }
-        Some(given) if !given.axis => refuse(format!("{quoted} has one value, not a list of them")),
+        Some(given) if !given.axis => refuse(format!("{quoted} has one value, not a list")),
         _ if rows.contains(&row) || draft.zips.iter().any(|zip| zip.contains(&row)) => {
             refuse(format!("{quoted} is in a group already"))
         }

@@ -70,7 +70,10 @@ fn numbers() {
     alpha("NaN", "not valid JSON");
     alpha("true", "parameters.alpha: must be a number");
     alpha("null", "parameters.alpha: must be a number");
-    alpha("[]", "parameters.alpha: must be a value or a list");
+    alpha(
+        "[]",
+        "parameters.alpha: must be a value or a non-empty list",
+    );
     alpha("[¶[0.1]]", "parameters.alpha[0]: must be a number");
 }
 
@@ -107,7 +110,7 @@ fn names() {
     );
     refused(
         &friction(&format!("{ONE}, ¶\"dT\": 0.5"), ""),
-        &["parameters.dT: key \"dT\" given twice"],
+        &["parameters.dT: key \"dT\" is given twice"],
     );
 }
 
@@ -234,7 +237,7 @@ fn a_name_that_leads_out_of_the_output_folder() {
     for name in ["...json", "..json"] {
         let done = bench.expect(2, &["run", name, "--out", "deep/out"]);
         assert!(
-            done.err.contains("no folder can be named after"),
+            done.err.contains("gives no valid name for a folder"),
             "{done:?}"
         );
     }
@@ -254,7 +257,7 @@ fn a_file_without_end_is_refused() {
         let done = bench.expect(2, &["list", "/dev/zero"]);
         assert_eq!(
             done.err.lines().next(),
-            Some("/dev/zero:1:1: larger than 64 MiB; no study is")
+            Some("/dev/zero:1:1: larger than 64 MiB, the limit for a study")
         );
     }
     let study = friction(ONE, "");
@@ -284,7 +287,7 @@ fn no_name_of_a_file_commands_the_terminal() {
             for verb in ["list", "run", "check"] {
                 let done = bench.expect(2, &[verb, asked]);
                 let what = format!(
-                    "slipgap: f/{told}: {character} cannot stand in the name of a study; rename it\n"
+                    "slipgap: f/{told}: the name of a study cannot contain {character}; rename it\n"
                 );
                 assert_eq!(done.err, what);
             }

@@ -32,7 +32,7 @@ fn stiffness() {
     let rest = r#""n": 10, "dt": 0.1, "duration": 1.5"#;
     bad(
         &format!("\"gamma\": 1, \"k_I\": ¶100, {rest}"),
-        &["parameters.k_I: cannot be given beside gamma; give exactly one of gamma, k_I"],
+        &["parameters.k_I: cannot be given together with gamma; give exactly one of gamma, k_I"],
     );
     let neither = bars(rest, "").replace(": { ", ": ¶{ ");
     refused(
@@ -119,7 +119,7 @@ fn cases_too_large_for_memory_are_refused_before_they_run() {
     bad(
         r#""gamma": 1, "n": 10, "dt": 0.1, "duration": ¶1.5, "right": { "L": 1e-9 }"#,
         &[
-            "parameters.duration: waves would travel 1.500e10 times through the shorter bar, at most 1e5 ",
+            "parameters.duration: waves would travel 1.500e10 times through the shorter bar; allowed: at most 1e5;",
         ],
     );
 }
@@ -128,7 +128,7 @@ fn cases_too_large_for_memory_are_refused_before_they_run() {
 fn numbers_beyond_double_precision() {
     bad_beside(
         "\"V0\": ¶1e308",
-        &["parameters.V0: the bars close at a speed beyond double precision"],
+        &["parameters.V0: the closing speed is outside the range of double precision"],
     );
     let unlike = bars(
         r#""gamma": 1, "n": 10, "dt": 0.1, "duration": 1.5, "right": { "E": 1e-300, "rho": 1e-300 }"#,
@@ -136,7 +136,7 @@ fn numbers_beyond_double_precision() {
     );
     refused(
         &unlike.replace(": { \"gamma", ": ¶{ \"gamma"),
-        &["parameters.right: the bars are so unlike"],
+        &["parameters.right: the bars differ too much"],
     );
 }
 

@@ -21,7 +21,7 @@ fn a_study_to_begin_with_runs_as_it_stands_and_meets_its_checks() {
         assert!(bench.path("schema/study.json").is_file());
         // What is there is not written over.
         let done = bench.expect(2, &["init", &name, "--problem", problem]);
-        assert!(done.err.contains("is there already"), "{}", done.err);
+        assert!(done.err.contains("exists already"), "{}", done.err);
         assert_eq!(bench.text(&file), text);
     }
     assert!(

@@ -232,12 +232,12 @@ fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
         (
             &study,
             r#"{ "later": "closing_speed", "max": 1 }"#,
-            "takes \"flights\"",
+            "needs \"flights\"",
         ),
         (
             &study,
             r#"{ "later": "closing_speed", "flights": [1] }"#,
-            "takes \"flights\"",
+            "needs \"flights\"",
         ),
         (
             &study,
@@ -252,7 +252,7 @@ fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
         (
             &study,
             r#"{ "later": "closing_speed", "profile": "velocity" }"#,
-            "takes a \"metric\"",
+            "needs a \"metric\"",
         ),
     ] {
         let bench = bench(&[

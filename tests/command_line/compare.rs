@@ -16,7 +16,7 @@ fn what_changed_comes_largest_first_and_ends_with_5() {
     bench.expect(0, &["run", "deep/t.json", "--out", "b/deep"]);
     assert_eq!(
         bench.expect(0, &["compare", "a", "b"]).err,
-        "2 studies the same, 0 not\n"
+        "2 studies equal, 0 different\n"
     );
     // Of the store alone.
     std::fs::remove_file(bench.path("b/s/results.csv")).unwrap();

@@ -105,13 +105,13 @@ fn a_report_leaves_the_same_rows_in_the_store_and_the_table() {
     bench.file("s.json", study("10, 11"));
     let done = bench.expect(0, &["report", "s.json"]);
     assert!(
-        done.err.contains("an earlier form of the study"),
+        done.err.contains("an earlier version of the study"),
         "{}",
         done.err
     );
     same_rows(&bench, 2);
     let done = bench.expect(0, &["report", "s.json"]);
-    assert!(!done.err.contains("earlier form"), "{}", done.err);
+    assert!(!done.err.contains("earlier version"), "{}", done.err);
 }
 
 #[test]
@@ -195,7 +195,7 @@ fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
         bench.file("s.json", &text);
         let told = run(&bench);
         let expected = format!(
-            "s: {kept} of {cases} cases from the store, {} cases run: other parameters\n",
+            "s: {kept} of {cases} cases from the store, {} cases run: different parameters\n",
             cases - kept
         );
         assert!(kept == 0 || told == expected, "{told}");
@@ -243,7 +243,7 @@ fn converged_results_do_not_serve_a_study_that_is_not_iterated() {
     run(&bench);
     let converged = bench.text("figures/s/results.csv");
     bench.file("s.json", friction(parameters, once));
-    assert_eq!(run(&bench), "s: 2 cases run: other columns\n");
+    assert_eq!(run(&bench), "s: 2 cases run: different columns\n");
     let served = bench.text("figures/s/results.csv");
     assert_ne!(served, converged);
     let new = Bench::new();
@@ -269,7 +269,7 @@ fn cases_have_their_new_numbers_where_a_block_before_them_grows() {
     run(&bench);
     same_rows(&bench, 13);
     bench.file("s.json", study("beta <= 20"));
-    let told = "s: 13 of 23 cases from the store, 10 cases run: other parameters (2 parts)\n";
+    let told = "s: 13 of 23 cases from the store, 10 cases run: different parameters (2 parts)\n";
     assert_eq!(run(&bench), told);
     same_rows(&bench, 23);
     let [stored, _] = rows(&bench);

@@ -267,7 +267,7 @@ fn faults_of_what_is_set_have_their_places() {
         (
             "f.json",
             "alpha=3",
-            &["f.json:2:89: figures[0].where: no case has alpha 1; there are 3"],
+            &["f.json:2:89: figures[0].where: no case has alpha = 1; the values are 3"],
         ),
     ] {
         let done = bench.expect(2, &["run", file, "--set", setting]);

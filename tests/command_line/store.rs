@@ -60,7 +60,7 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", sweep(200, "20"));
     assert_eq!(
         said(&bench),
-        "s: 40000 of 80000 cases from the store, 40000 cases run: other parameters, not in the store yet (2 parts)\n"
+        "s: 40000 of 80000 cases from the store, 40000 cases run: different parameters, not in the store yet (2 parts)\n"
     );
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(200, "20")));
     // Shorter again: the parts beyond go.
@@ -87,7 +87,7 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     assert_eq!(
         told,
         format!(
-            "s: {kept} of 40000 cases from the store, {} cases run: other parameters (3 parts)\n",
+            "s: {kept} of 40000 cases from the store, {} cases run: different parameters (3 parts)\n",
             40_000 - kept
         )
     );
@@ -99,7 +99,7 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     bench.file("s.json", columns);
     assert_eq!(
         said(&bench),
-        "s: 40000 cases run: other columns (3 parts)\n"
+        "s: 40000 cases run: different columns (3 parts)\n"
     );
 }
 

@@ -15,8 +15,7 @@ fn study(gaps: usize) -> String {
 fn runs_count_cases_that_never_touch() {
     let bench = Bench::new();
     bench.file("s.json", study(5));
-    let note =
-        "s.json: 3 of 5 cases never touch before `duration`: their contact metrics are undefined";
+    let note = "s.json: 3 of 5 cases have no contact before `duration`; their contact metrics are undefined";
     // The second time the cases come from the store.
     for _ in 0..2 {
         let done = bench.expect(0, &["run", "s.json"]);
@@ -54,7 +53,7 @@ fn cases_that_nobody_looks_at_one_by_one_are_counted_too() {
     bench.file("many.json", study(20_401));
     bench.file("all.json", study(2).replace("[0, 2, 2]", "[0.1, 0.2, 2]"));
     let done = bench.expect(0, &["run", "many.json", "all.json", "--format", "parquet"]);
-    let note = "many.json: 10201 of 20401 cases never touch before `duration`";
+    let note = "many.json: 10201 of 20401 cases have no contact before `duration`";
     assert!(done.err.contains(note), "{done:?}");
     assert!(!done.err.contains("all.json:"), "{done:?}");
     for (name, count) in [("many", 10_201), ("all", 0)] {

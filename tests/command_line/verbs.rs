@@ -89,7 +89,7 @@ fn a_title_cannot_move_the_cursor() {
     let done = bench.expect(2, &["list", "s.json"]);
     assert!(
         done.err
-            .contains("title: must be a string of characters that are shown, got U+000A")
+            .contains("title: must be a string of printable characters, got U+000A")
     );
     assert!(!done.err.contains('\u{1b}'), "{done:?}");
 }

@@ -141,8 +141,8 @@ fn in_a_browser_filter_and_sort_look_at_every_case() {
         said[2..],
         [
             "beta is a column: compare it with a value, as in beta>0.1",
-            "“beta>” is no comparison: write column, sign, value, as in beta>0.1",
-            "“abc” is no number, and beta is one",
+            "“beta>” is not a comparison: write column, sign, value, as in beta>0.1",
+            "“abc” is not a number, but beta has numbers as values",
             "law has names for values: compare it by = or !=",
             "law is never “velocity”. Its values are displacement-control, velocity-control",
         ]

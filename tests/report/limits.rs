@@ -43,7 +43,7 @@ fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String 
     String::from_utf8(page).unwrap()
 }
 
-const LIMIT: &str = "This page holds the first 1000 of 1500 cases and can neither filter nor sort all of them; all are in out/s/store";
+const LIMIT: &str = "This page has only the first 1000 of 1500 cases, so it cannot filter or sort; all cases are in out/s/store";
 
 #[test]
 fn a_table_too_large_for_the_page_says_what_it_holds_and_refuses() {
@@ -53,7 +53,7 @@ fn a_table_too_large_for_the_page_says_what_it_holds_and_refuses() {
     outcomes.iter().for_each(|outcome| results.add(outcome));
     // As many bytes as it takes, and one less.
     let whole = page(&study, FRICTION, &outcomes, results.bytes());
-    assert!(data(&whole).head["limit"].is_null() && !whole.contains("holds the first"));
+    assert!(data(&whole).head["limit"].is_null() && !whole.contains("has only the first"));
     let part = page(&study, FRICTION, &outcomes, results.bytes() - 1);
     let held = data(&part);
     assert_eq!(
@@ -135,7 +135,7 @@ fn cases_without_contact_or_solution_are_counted() {
     let mut outcomes = outcomes(&study);
     let page_of = |outcomes: &[Outcome]| page(&study, BARS, outcomes, usize::MAX);
     let touching = page_of(&outcomes);
-    assert!(!touching.contains("never touch") && !touching.contains("could not be solved"));
+    assert!(!touching.contains("have no contact") && !touching.contains("could not be solved"));
     let name = |metric: &usize| study.problem.metrics()[*metric].name;
     let overlap = *study
         .metrics
@@ -147,12 +147,12 @@ fn cases_without_contact_or_solution_are_counted() {
     }
     let apart = page_of(&outcomes);
     assert!(apart.contains(
-        "<p>2 of 3 cases never touch before <code>duration</code>; their contact metrics are undefined.</p>"
+        "<p>2 of 3 cases have no contact before <code>duration</code>; their contact metrics are undefined.</p>"
     ));
     // A case without a solution has no metric either, and is not one without contact.
     outcomes[2].failure = Some("S <grows>".into());
     outcomes[2].metrics.fill(None);
     let failed = page_of(&outcomes);
-    assert!(failed.contains("<p>1 of 3 cases never touch"));
+    assert!(failed.contains("<p>1 of 3 cases have no contact"));
     assert!(failed.contains("<p>1 of 3 cases could not be solved; case 2: S &lt;grows&gt;.</p>"));
 }

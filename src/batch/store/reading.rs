@@ -27,7 +27,7 @@ pub fn read(
     }
     let count = rows(&file)?;
     if count != cases {
-        return Err(general("another number of rows"));
+        return Err(general("wrong number of rows"));
     }
     Ok(Ok(found(study, &file, count)?))
 }
@@ -63,7 +63,7 @@ fn values(
     count: usize,
 ) -> Result<Vec<Option<Value>>> {
     let place = place(file, parameter.name)?;
-    let other = || general("a parameter of another type");
+    let other = || general("a parameter has the wrong type");
     Ok(
         match (
             parameter.kind,
@@ -128,14 +128,14 @@ fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Res
     for &metric in &study.metrics {
         let place = place(file, table[metric].name)?;
         let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
-            return Err(general("a metric that is no number"));
+            return Err(general("a metric is not a number"));
         };
         columns.push((metric, cells(reader, count)?));
         width = width.max(metric + 1);
     }
     let place = place(file, FAILURE)?;
     let ColumnReader::ByteArrayColumnReader(reader) = group.get_column_reader(place)? else {
-        return Err(general("a reason that is no text"));
+        return Err(general("a reason is not text"));
     };
     let failures = cells(reader, count)?;
     let (mut found, mut row) = (
@@ -181,7 +181,7 @@ pub fn text(bytes: Vec<u8>) -> Result<Rows> {
                 let texts = cells(reader, count)?.into_iter();
                 texts.map(|t| Some(t?.as_utf8().ok()?.to_owned())).collect()
             }
-            _ => return Err(general("a column of an unknown type")),
+            _ => return Err(general("a column has an unknown type")),
         };
         for (row, cell) in text.rows.iter_mut().zip(told) {
             row.push(cell.unwrap_or_default());
@@ -195,7 +195,7 @@ fn rows(file: &SerializedFileReader<Bytes>) -> Result<usize> {
     let rows = usize::try_from(file.metadata().file_metadata().num_rows()).ok();
     let one = file.num_row_groups() == 1;
     let rows = rows.filter(|rows| one && *rows <= MOST_ROWS);
-    rows.ok_or_else(|| general("a number of rows that no part has"))
+    rows.ok_or_else(|| general("the number of rows is impossible"))
 }
 
 /// The cells of a column of `count` rows: a value or none for each.
@@ -207,6 +207,6 @@ fn cells<D: DataType>(mut reader: ColumnReaderImpl<D>, count: usize) -> Result<V
     let cells: Vec<Option<D::T>> = levels.iter().map(cell).collect();
     match cells.len() == count {
         true => Ok(cells),
-        false => Err(general("a column that is too short")),
+        false => Err(general("a column is too short")),
     }
 }

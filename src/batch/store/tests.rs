@@ -44,7 +44,7 @@ fn results_of_another_solver_do_not_serve() {
     drop(store);
     let store = Store::open(folder.path()).unwrap();
     let told = store.find(&study, 0, &key, cases.len()).unwrap_err();
-    assert_eq!(told.unwrap(), "made by another version of the solver");
+    assert_eq!(told.unwrap(), "computed by another version of the solver");
     let same = store.find(&study, 0, &other, cases.len()).unwrap();
     for metric in &study.metrics {
         let bits = |found: &MetricTable| {

@@ -102,7 +102,7 @@ fn put(
     write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
 ) -> Result<()> {
     let next = rows.next_column()?;
-    let mut writer = next.ok_or_else(|| general("a column too many"))?;
+    let mut writer = next.ok_or_else(|| general("one column too many"))?;
     write(writer.untyped())?;
     writer.close()
 }

@@ -11,7 +11,7 @@ pub(super) static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Choice(&[
             (
                 "displacement-control",
-                "elastic up to r^E, then sliding at the friction limit [F (9)]",
+                "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
             ),
             (
                 "velocity-control",
@@ -56,7 +56,7 @@ pub(super) static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::Positive),
         default: Default::Required,
         applies: None,
-        meaning: "end of the run in T = omega_n t",
+        meaning: "end of the motion, in T = omega_n t",
     },
     Parameter {
         name: "x0",
@@ -65,7 +65,7 @@ pub(super) static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::NotZero),
         default: Default::Is(Value::Number(12.0)),
         applies: None,
-        meaning: "displacement at release over Delta = nu N/k",
+        meaning: "displacement at release, over Delta = nu N/k",
     },
     Parameter {
         name: "initial_slip",
@@ -75,16 +75,16 @@ pub(super) static PARAMETERS: [Parameter; 7] = [
             ("unloaded", "r^S(0) = x0, no friction force at release"),
             (
                 "pulled",
-                "r^S(0) = x0 - sign(x0) r^E, friction as the hand that pulled left it",
+                "r^S(0) = x0 - sign(x0) r^E, friction as after pulling the mass to x0 by hand",
             ),
             (
                 "sliding",
-                "r^S(0) = x0 + sign(x0) r^E, friction as [F (19)] has it just after release",
+                "r^S(0) = x0 + sign(x0) r^E, friction as just after release in [F (19)]",
             ),
         ]),
         default: Default::Is(Value::Name("unloaded")),
         applies: Some(("law", "displacement-control")),
-        meaning: "slip at release",
+        meaning: "slip of the friction element at release",
     },
 ];
 
@@ -119,7 +119,7 @@ pub(super) static METRICS: [Metric; 13] = [
         name: "rms_error",
         symbol: "rms error",
         unit: "1",
-        meaning: "sqrt(mean (c - e)^2) / abs(x0), c computed, e exact",
+        meaning: "sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X",
         default: true,
     },
     Metric {
@@ -133,28 +133,28 @@ pub(super) static METRICS: [Metric; 13] = [
         name: "peak_error",
         symbol: "peak error",
         unit: "1",
-        meaning: "largest error of a peak over abs(x0), each taken from pi/2 before to pi/2 after its exact time k pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
+        meaning: "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
         default: true,
     },
     Metric {
         name: "rest_error",
         symbol: "rest error",
         unit: "1",
-        meaning: "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, where the exact solution rests",
+        meaning: "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests",
         default: true,
     },
     Metric {
         name: "residual_motion",
         symbol: "residual motion",
         unit: "1",
-        meaning: "half the range of c over abs(x0) for T >= (m + 1) pi",
+        meaning: "(max c - min c)/2 / abs(x0) over the steps with T >= (m + 1) pi",
         default: true,
     },
     Metric {
         name: "work_error",
         symbol: "work error",
         unit: "1",
-        meaning: "friction work over (a0^2 - a_m^2)/2, minus 1; needs duration >= m pi, m >= 1",
+        meaning: "work of the friction force over the exact work (a0^2 - a_m^2)/2, minus 1; needs duration >= m pi, m >= 1",
         default: true,
     },
     Metric {
@@ -182,28 +182,28 @@ pub(super) static METRICS: [Metric; 13] = [
         name: "regularisation_error",
         symbol: "regularisation error",
         unit: "1",
-        meaning: "rms_error of g instead of c, g the exact motion of the softened law in continuous time: the error of the softened law alone; g is known for alpha and beta of 1e-100 to 1e100, abs(x0) <= 1e100, and >= 1e-6 unless released unloaded, duration <= 1e7",
+        meaning: "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
         default: false,
     },
     Metric {
         name: "step_error",
         symbol: "step error",
         unit: "1",
-        meaning: "rms_error of c against g instead of e: what the time step adds; g is known for alpha and beta of 1e-100 to 1e100, abs(x0) <= 1e100, and >= 1e-6 unless released unloaded, duration <= 1e7",
+        meaning: "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
         default: false,
     },
     Metric {
         name: "regularisation_share",
         symbol: "regularisation share",
         unit: "1",
-        meaning: "sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where model and step oppose each other",
+        meaning: "share of the softened law in the error: sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where the errors of law and step have opposite signs",
         default: false,
     },
     Metric {
         name: "step_share",
         symbol: "step share",
         unit: "1",
-        meaning: "sum (c - g) (c - e) / sum (c - e)^2; with regularisation_share it makes 1",
+        meaning: "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
         default: false,
     },
 ];

@@ -48,7 +48,7 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
     };
     match (gamma, k_i) {
         (Some(_), Some(_)) => {
-            let message = "cannot be given beside gamma; give exactly one of gamma, k_I";
+            let message = "cannot be given together with gamma; give exactly one of gamma, k_I";
             return violations.push(violation("k_I", message));
         }
         (None, None) => {
@@ -73,7 +73,7 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         (None, None) => return,
     };
     if !(value.is_finite() && value > 0.0) {
-        let message = format!("gives {name} = {value}, beyond double precision");
+        let message = format!("gives {name} = {value}, outside the range of double precision");
         return violations.push(violation(parameter, &message));
     }
     if let Some(row) = PARAMETERS.iter().position(|p| p.name == name) {
@@ -88,7 +88,7 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
     };
     let c = left - right;
     let message = if c.is_infinite() {
-        "the bars close at a speed beyond double precision".into()
+        "the closing speed is outside the range of double precision".into()
     } else if c > 0.0 {
         return;
     } else {
@@ -124,19 +124,19 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
     let mut violation = |parameter, message| violations.push(Violation { parameter, message });
     let wall = case.name_at(rows::RIGHT) == "wall";
     if !(time_ratio.is_normal() && (wall || impedance_ratio.is_normal())) {
-        let message = "the bars are so unlike that the ratio of their impedances A sqrt(E rho) or of their travel times \
-                       L sqrt(rho/E) is beyond double precision";
+        let message = "the bars differ too much: the ratio of their impedances A sqrt(E rho) or of their travel times \
+                       L sqrt(rho/E) is outside the range of double precision";
         return violation("right", message.into());
     }
     if !scaled.spring.is_finite() {
-        let message = "a spring so much stiffer than the bars is beyond double precision";
+        let message = "the spring is too stiff: the ratio of its stiffness to that of the bars is outside the range of double precision";
         return violation("gamma", message.into());
     }
     let count = duration / time_ratio.min(1.0);
     if count > MOST_TRIPS {
         let message = format!(
-            "waves would travel {count:.3e} times through the shorter bar, at most {MOST_TRIPS:e} are followed; \
-             the bars' travel times may not be so unlike, nor the run so long"
+            "waves would travel {count:.3e} times through the shorter bar; allowed: at most {MOST_TRIPS:e}; \
+             give bars with more similar travel times, or a shorter duration"
         );
         violation("duration", message);
     }

@@ -38,7 +38,7 @@ pub fn reference() -> String {
 }
 
 fn pairs(table: &[(&str, &str)]) -> String {
-    let mut text = String::from("| key | what it holds |\n| --- | --- |\n");
+    let mut text = String::from("| key | meaning |\n| --- | --- |\n");
     for (key, meaning) in table {
         let _ = writeln!(text, "| `{key}` | {} |", cell(meaning));
     }
@@ -46,9 +46,9 @@ fn pairs(table: &[(&str, &str)]) -> String {
 }
 
 fn keys(table: &[Key]) -> String {
-    let mut text = String::from("| key | | what it holds |\n| --- | --- | --- |\n");
+    let mut text = String::from("| key | | meaning |\n| --- | --- | --- |\n");
     for key in table {
-        let needed = if key.required { "needed" } else { "" };
+        let needed = if key.required { "required" } else { "" };
         let _ = writeln!(
             text,
             "| `{}` | {needed} | {} |",
@@ -125,7 +125,7 @@ fn problem(problem: &dyn Problem) -> String {
 
 fn left_out(parameter: &Parameter) -> String {
     let told = match parameter.default {
-        Default::Required => "needed".into(),
+        Default::Required => "required".into(),
         Default::Is(value) => value.to_string(),
         Default::Follows(from) => from.to_owned(),
     };

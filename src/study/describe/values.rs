@@ -150,7 +150,7 @@ pub(super) const RULE: &str = "rule";
 
 /// An axis by rule.
 pub(super) fn rule() -> Json {
-    let meaning = "an axis by rule; a whole-number parameter takes the nearest whole numbers";
+    let meaning = "a rule for the values of an axis; a whole-number parameter takes the nearest whole numbers";
     one_of(&RULES, 3, meaning)
 }
 
@@ -159,7 +159,11 @@ pub(super) const INTERVAL: &str = "interval";
 
 /// What a design samples.
 pub(super) fn interval() -> Json {
-    one_of(&INTERVALS, 2, "where a design's points lie")
+    one_of(
+        &INTERVALS,
+        2,
+        "the distribution of a parameter that a design samples",
+    )
 }
 
 /// An object with exactly one of several keys, each a list of so many numbers.
@@ -182,7 +186,7 @@ pub(super) fn expression() -> Json {
     json!({
         "type": "string",
         "pattern": "[0-9A-Za-z]",
-        "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions; as the value of a parameter also names of other parameters",
+        "description": "an expression: numbers, + - * / ^ ( ), pi, e, sqrt and other functions; the value of a parameter may also name other parameters",
     })
 }
 

@@ -41,7 +41,8 @@ impl Axis {
             let key = format!("{}_scale", self.key);
             let name = scope.problem.parameters()[self.row].name;
             let bad = Value::Number(bad);
-            let message = format!("log takes numbers > 0, and {name} is {bad} in a case shown");
+            let message =
+                format!("a log scale needs numbers > 0, but {name} is {bad} in a case shown");
             faults.add(values.at(&key), &join(values.path, &key), message);
         }
     }

@@ -95,7 +95,7 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             }
             if x == y {
                 let path = join(values.path, "y");
-                faults.add(values.at("y"), &path, "must be another parameter than x");
+                faults.add(values.at("y"), &path, "must be a parameter other than x");
             }
             vary::check(figure, &[*x, *y], values, scope, faults);
             for (i, at) in marks.iter().flat_map(|marks| &marks.at).enumerate() {
@@ -124,11 +124,11 @@ pub(super) fn check(figure: &Figure, values: &Values, scope: &Scope, faults: &mu
             }
             if x == y {
                 let path = join(values.path, "y");
-                faults.add(values.at("y"), &path, "must be another column than x");
+                faults.add(values.at("y"), &path, "must be a column other than x");
             }
             if colour.is_none() && values.has("colour_scale") {
                 let path = join(values.path, "colour_scale");
-                let message = "needs \"colour\" beside it";
+                let message = "needs the key \"colour\"";
                 faults.add(values.at("colour_scale"), &path, message);
             }
         }
@@ -230,8 +230,7 @@ fn saltelli(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults
             && block.select(scope.problem, &figure.filter).count() as u64 == chosen
     };
     if !scope.blocks.iter().any(|block| whole(&block)) {
-        let message =
-            "a sobol figure shows all cases of one block with a saltelli design, and no others";
+        let message = "a sobol figure shows all cases of one block with a saltelli design, and no other cases";
         faults.add(values.at("where"), &join(values.path, "where"), message);
     }
 }
@@ -239,7 +238,7 @@ fn saltelli(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults
 /// Reports more cases than the one that a wave shows.
 fn one_case(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) {
     if scope.select(&figure.filter).nth(1).is_some() {
-        let message = format!("a wave figure shows one case, and more are chosen; {NARROW}");
+        let message = format!("a wave figure shows one case, but more are chosen; {NARROW}");
         faults.add(values.at("where"), &join(values.path, "where"), message);
     }
 }

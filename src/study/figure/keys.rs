@@ -73,21 +73,21 @@ pub(in crate::study) static COMMON: [Key; 5] = [
         "name",
         Takes::FileName,
         true,
-        "file name without ending: letters, digits, - and _; each figure of a study has its own",
+        "file name without extension: letters, digits, - and _; different for each figure of a study",
     ),
     key("kind", Takes::Kind, true, "what is drawn"),
-    key("title", Takes::Text, false, "heading; none if left out"),
+    key("title", Takes::Text, false, "heading; if left out, none"),
     key(
         "note",
         Takes::Text,
         false,
-        "what a reader must know beside it, small under the panels; none if left out",
+        "remark in small type under the panels; if left out, none",
     ),
     key(
         "where",
         Takes::Filter,
         false,
-        "which cases to show, by the values of their parameters; a list allows each of its values; all cases if left out",
+        "which cases to show: a value or a list of values for parameters; if left out, all cases",
     ),
 ];
 
@@ -103,23 +103,23 @@ pub(super) const BY_OTHERS: Key = key(
     "by",
     Takes::Parameter,
     false,
-    "parameter whose values are told apart by line style; all others that vary if left out",
+    "parameter with one line style for each value; if left out, all other parameters that vary",
 );
 pub(super) const PANELS: Key = key(
     "panels",
     Takes::Parameter,
     false,
-    "parameter whose values get panels of their own",
+    "parameter with one panel for each value",
 );
 pub(super) const X_SCALE: Key = key(
     "x_scale",
     Takes::Scale,
     false,
-    "horizontal scale, linear if left out",
+    "horizontal scale; if left out, linear",
 );
 pub(super) const Y_SCALE: Key = key(
     "y_scale",
     Takes::Scale,
     false,
-    "vertical scale, linear if left out",
+    "vertical scale; if left out, linear",
 );

@@ -36,7 +36,8 @@ pub(in crate::study) fn figures(
     for (figure, at, path) in &named {
         if !seen.insert(figure.name.to_ascii_lowercase()) {
             let name = quoted(&figure.name);
-            let message = format!("{name} is the name of an earlier figure; give each its own");
+            let message =
+                format!("{name} is the name of an earlier figure; each figure needs its own name");
             faults.add(*at, path, message);
         }
     }
@@ -94,7 +95,7 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
         let takes = |keys: &[Key]| keys.iter().any(|key| key.name == member.key);
         if !takes(&COMMON) && !takes(kind.keys) {
             let message = format!(
-                "a {} figure takes no \"{}\"; the kinds that do: {}",
+                "a {} figure has no key \"{}\"; kinds with this key: {}",
                 kind.name,
                 member.key,
                 kinds::takers(&member.key).join(", ")
@@ -102,7 +103,10 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
             faults.add(member.node.at, &object.path(&member.key), message);
         }
         if member.key == "kind" && kind.needs_extent() && scope.once {
-            let message = format!("a {} figure takes steps that are converged", kind.name);
+            let message = format!(
+                "a {} figure needs converged steps (\"iteration\": \"converged\")",
+                kind.name
+            );
             faults.add(member.node.at, &object.path("kind"), message);
         } else if member.key == "kind" && kind.needs_extent() && scope.problem.profiles().is_empty()
         {

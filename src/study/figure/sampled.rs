@@ -43,7 +43,7 @@ pub(super) fn refuse(figure: &Figure, values: &Values, scope: &Scope, faults: &m
         several => format!("{} are", several.join(", ")),
     };
     let message = format!(
-        "{are} sampled by a design, and a {kind} figure shows lists of values; kinds for samples: scatter, samples"
+        "{are} sampled by a design, but a {kind} figure needs lists of values; kinds for samples: scatter, samples"
     );
     faults.add(values.at("kind"), &join(values.path, "kind"), message);
     true
@@ -53,7 +53,7 @@ pub(super) fn refuse(figure: &Figure, values: &Values, scope: &Scope, faults: &m
 pub(super) fn check(count: usize, values: &Values, faults: &mut Faults) {
     let message = match count {
         0 => {
-            "a samples figure shows parameters that a design samples, and the cases shown have none"
+            "a samples figure shows parameters that a design samples, but the cases shown have none"
                 .into()
         }
         _ if count > MOST_SAMPLED => {
@@ -99,7 +99,7 @@ mod tests {
             };
             let refused = figure(4);
             let message = format!(
-                "figures[0].kind: gamma, dt are sampled by a design, and a {kind} figure shows lists of values; kinds \
+                "figures[0].kind: gamma, dt are sampled by a design, but a {kind} figure needs lists of values; kinds \
                  for samples: scatter, samples"
             );
             assert!(refused.contains(&message), "{refused}");
@@ -127,19 +127,19 @@ mod tests {
         for (figure, message) in [
             (
                 r#""kind": "samples", "y": "peak_force", "where": {"n": 8}"#,
-                "figures[0].kind: a samples figure shows parameters that a design samples, and the cases shown have none",
+                "figures[0].kind: a samples figure shows parameters that a design samples, but the cases shown have none",
             ),
             (
                 r#""kind": "scatter", "x": "gamma", "y": "gamma""#,
-                "figures[0].y: must be another column than x",
+                "figures[0].y: must be a column other than x",
             ),
             (
                 r#""kind": "scatter", "x": "gamma", "y": "dt", "colour_scale": "log""#,
-                "figures[0].colour_scale: needs \"colour\" beside it",
+                "figures[0].colour_scale: needs the key \"colour\"",
             ),
             (
                 r#""kind": "scatter", "x": "gap", "y": "peak_force", "x_scale": "log""#,
-                "figures[0].x_scale: log takes numbers > 0, and gap is 0 in a case shown",
+                "figures[0].x_scale: a log scale needs numbers > 0, but gap is 0 in a case shown",
             ),
             (
                 r#""kind": "scatter", "x": "mass", "y": "peak_force""#,

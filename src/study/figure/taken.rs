@@ -201,7 +201,7 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
         return number(node, path, Range::NotNegative, faults).map(|time| vec![time]);
     };
     if items.is_empty() {
-        faults.must_be(node, path, "a time or a list of at least one");
+        faults.must_be(node, path, "a time or a non-empty list of times");
         return None;
     }
     let numbers = items.iter().enumerate().map(|(i, item)| {
@@ -215,8 +215,8 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
 
 /// The keys of `marks`.
 pub(in crate::study) const MARKS: [(&str, &str); 2] = [
-    ("label", "what the legend calls them"),
-    ("at", "places, each [x, y]; expressions allowed"),
+    ("label", "text in the legend"),
+    ("at", "points, each [x, y]; expressions are allowed"),
 ];
 
 fn marks(node: &Node, path: &str, faults: &mut Faults) -> Option<Marks> {

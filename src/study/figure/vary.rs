@@ -47,19 +47,23 @@ pub(super) fn check(
     };
     let by = |kind: &str| {
         format!(
-            "a {kind} figure with \"by\" shows one case a place of a curve, and {vary}; fix it here or leave out \"by\""
+            "a {kind} figure with \"by\" shows one case at each point of a curve, but {vary}; choose one value in \"where\" or leave out \"by\""
         )
     };
     let message = match figure.kind {
-        FigureKind::Map { .. } => format!("a map shows one case a place, and {vary}; fix it here"),
+        FigureKind::Map { .. } => {
+            format!("a map shows one case at each point, but {vary}; choose one value in \"where\"")
+        }
         FigureKind::Metric { .. } => by("metric"),
         FigureKind::Convergence { .. } => by("convergence"),
         FigureKind::History { .. } => {
             format!(
-                "a history figure with \"by\" shows one case a curve, and {vary}; fix it here or leave out \"by\""
+                "a history figure with \"by\" shows one case for each curve, but {vary}; choose one value in \"where\" or leave out \"by\""
             )
         }
-        _ => format!("a budget shows one case a place, and {vary}; fix it here"),
+        _ => format!(
+            "a budget shows one case at each point, but {vary}; choose one value in \"where\""
+        ),
     };
     faults.add(values.at("where"), &join(values.path, "where"), message);
 }
@@ -121,7 +125,10 @@ mod tests {
             r#""kind": "convergence", "y": "rms_error""#,
         ] {
             let mixed = wrong(&format!(r#"{kind}, "by": "alpha", "where": {{{law}}}"#));
-            assert!(mixed.contains("and x0 varies; fix it here"), "{mixed}");
+            assert!(
+                mixed.contains("but x0 varies; choose one value in \"where\""),
+                "{mixed}"
+            );
             let fixed = wrong(&format!(
                 r#"{kind}, "by": "alpha", "where": {{{law}, "x0": 12}}"#
             ));
@@ -137,7 +144,7 @@ mod tests {
         let history = r#""kind": "history", "by": "alpha""#;
         let mixed = wrong(&format!(r#"{history}, "where": {{{law}, "dT": "pi/10"}}"#));
         assert!(
-            mixed.contains("one case a curve, and x0 varies; fix it here"),
+            mixed.contains("one case for each curve, but x0 varies; choose one value in \"where\""),
             "{mixed}"
         );
         let both = wrong(&format!(r#"{history}, "where": {{{law}}}"#));

@@ -43,8 +43,11 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         let node = object.need(key, what, faults)?;
         text(node, &object.path(key), faults)
     };
-    let paper = string("paper", "the paper");
-    let folder = string("studies", "the folder of the studies, from here");
+    let paper = string("paper", "the name of the paper");
+    let folder = string(
+        "studies",
+        "the folder of the studies, relative to this file",
+    );
     object.need("claims", "a list of claims", faults);
     let folder = file
         .parent()
@@ -94,7 +97,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
     for (i, claim) in claims.iter().enumerate() {
         if claims[..i].iter().any(|first| first.id == claim.id) {
             object.fault(
-                format!("two claims are called {}", quoted(&claim.id)),
+                format!("two claims have the id {}", quoted(&claim.id)),
                 faults,
             );
         }
@@ -123,9 +126,9 @@ fn claim(
         text(node, &object.path(key), faults)
     };
     let id = string("id", "a short name");
-    let place = string("where", "where it stands in the paper");
-    let says = string("says", "what it says");
-    let quantity = string("quantity", "what is computed to judge it");
+    let place = string("where", "its place in the paper");
+    let says = string("says", "the statement");
+    let quantity = string("quantity", "the quantity that decides");
     let because = object.get("because");
     let because = because.and_then(|node| text(node, &object.path("because"), faults));
     let readings = object.items("readings", faults, reading);
@@ -169,7 +172,7 @@ fn reading(
         None => None,
     };
     let at = object
-        .need("study", "the study that settles it", faults)
+        .need("study", "the study that decides", faults)
         .and_then(|node| study(node, &object.path("study"), faults))?;
     let (scope, figures, columns) = scope(at);
     let figure = object.get("figure").and_then(|node| {

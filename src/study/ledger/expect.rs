@@ -39,7 +39,7 @@ pub(super) fn expect(
                 faults.add(
                     node.at,
                     &object.path("metric"),
-                    "the study does not list it",
+                    "the study does not compute this metric",
                 );
             }
             Looked::Metric(row)
@@ -59,7 +59,7 @@ pub(super) fn expect(
             faults,
         )?),
         _ => {
-            object.fault("takes a \"metric\", a \"profile\" or a \"later\"", faults);
+            object.fault("needs a \"metric\", a \"profile\" or a \"later\"", faults);
             return None;
         }
     };
@@ -84,7 +84,7 @@ pub(super) fn expect(
         match (away, max) {
             (Some(away), Some(max)) if !times.is_empty() => Demand::Away { times, away, max },
             _ => {
-                object.fault("a profile takes \"times\", \"away\" and \"max\"", faults);
+                object.fault("a profile needs \"times\", \"away\" and \"max\"", faults);
                 return None;
             }
         }
@@ -98,7 +98,7 @@ pub(super) fn expect(
             Some(flight)
         });
         if flights.is_empty() || (min, max) == (None, None) {
-            let message = "\"later\" takes \"flights\" with \"min\", \"max\" or both";
+            let message = "\"later\" needs \"flights\" with \"min\", \"max\" or both";
             object.fault(message, faults);
             return None;
         }
@@ -108,7 +108,7 @@ pub(super) fn expect(
     } else if min.is_some() || max.is_some() {
         Demand::Within { min, max }
     } else {
-        object.fault("takes \"min\", \"max\" or both, or \"along\"", faults);
+        object.fault("needs \"min\", \"max\" or both, or \"along\"", faults);
         return None;
     };
     (faults.count() == before).then_some(Expect {
@@ -129,7 +129,7 @@ fn sequence(
     let cases = scope.select(filter).count();
     if cases != scope.levels(filter, along).len() || cases < 2 {
         let name = scope.problem.parameters()[along].name;
-        let message = format!("\"along\" takes one case for each {name}; {cases} are chosen");
+        let message = format!("\"along\" needs one case for each {name}, but {cases} are chosen");
         object.fault(message, faults);
         return None;
     }
@@ -152,13 +152,13 @@ fn sequence(
                     range: [a, b],
                 }),
                 _ => {
-                    object.fault("\"least_at\" takes [from, to]", faults);
+                    object.fault("\"least_at\" needs [from, to]", faults);
                     None
                 }
             }
         }
         _ => {
-            object.fault("\"along\" takes a \"trend\" or \"least_at\"", faults);
+            object.fault("\"along\" needs a \"trend\" or \"least_at\"", faults);
             None
         }
     }

@@ -118,7 +118,7 @@ impl<'a> Parser<'a> {
             }
             let at = self.offset;
             if compared && operator.compares() {
-                return Err(fault(at, "join two comparisons by and"));
+                return Err(fault(at, "join two comparisons with and"));
             }
             compared = operator.compares();
             self.take(operator.token.len());
@@ -160,14 +160,17 @@ impl<'a> Parser<'a> {
             }
             (Kind::Choice(row), _) | (_, Kind::Choice(row)) if equality => {
                 let name = self.table[row].name;
-                return Err(fault(at, format!("compares {name} with a name in quotes")));
+                return Err(fault(
+                    at,
+                    format!("{name} is compared with a name in single quotes"),
+                ));
             }
-            _ if operator.joins() => return Err(fault(at, format!("{token} takes conditions"))),
-            _ => return Err(fault(at, format!("{token} takes numbers"))),
+            _ if operator.joins() => return Err(fault(at, format!("{token} joins conditions"))),
+            _ => return Err(fault(at, format!("{token} needs numbers"))),
         };
         let name = &self.text[quoted.0..quoted.1];
         let parameter::Kind::Choice(choices) = self.table[row].kind else {
-            return Err(fault(at, format!("{token} takes numbers")));
+            return Err(fault(at, format!("{token} needs numbers")));
         };
         let names: Vec<&'static str> = choices.iter().map(|choice| choice.0).collect();
         let Some(known) = names.iter().find(|known| **known == name) else {

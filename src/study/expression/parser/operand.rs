@@ -22,7 +22,7 @@ impl Parser<'_> {
                 let at = self.offset;
                 self.take(1);
                 if self.operand_and_operators(SIGN)? != Kind::Number {
-                    return Err(fault(at, format!("{sign} takes a number")));
+                    return Err(fault(at, format!("{sign} needs a number")));
                 }
                 if sign == '-' {
                     self.step(Step::One(|x| -x), at);
@@ -56,7 +56,7 @@ impl Parser<'_> {
         let at = self.offset;
         self.take(length);
         if self.operand_and_operators(NOT)? != Kind::Truth {
-            return Err(fault(at, "not takes a condition"));
+            return Err(fault(at, "not needs a condition"));
         }
         self.step(Step::One(words::not), at);
         Ok(Kind::Truth)
@@ -135,7 +135,7 @@ impl Parser<'_> {
             }
             Function::Two(function) => {
                 if self.peek() != Some(',') {
-                    return Err(self.fault(format!("expected ',': {name} takes two numbers")));
+                    return Err(self.fault(format!("expected ',': {name} needs two numbers")));
                 }
                 self.take(1);
                 self.argument(name)?;
@@ -150,7 +150,7 @@ impl Parser<'_> {
         let at = self.offset;
         match self.operand_and_operators(0)? {
             Kind::Number => Ok(()),
-            _ => Err(fault(at, format!("{name} takes numbers"))),
+            _ => Err(fault(at, format!("{name} needs numbers"))),
         }
     }
 
