@@ -55,8 +55,8 @@ pub struct Sheet {
     pub width: f64,
     /// Height.
     pub height: f64,
-    /// Words over the panels, with their place.
-    pub heading: Option<Words>,
+    /// Lines of words over the panels, with their places.
+    pub heading: Vec<Words>,
     /// Lines of words under the panels, with their places.
     pub small_print: Vec<Words>,
     /// Panels, from upper left to lower right.
