@@ -15,6 +15,7 @@ mod draw;
 mod envelope;
 mod font;
 mod front;
+mod guides;
 mod history;
 mod hover;
 mod label;
@@ -44,6 +45,8 @@ mod tests;
 mod tests_contents;
 #[cfg(test)]
 mod tests_extent;
+#[cfg(test)]
+mod tests_guides;
 #[cfg(test)]
 mod tests_samples;
 mod text;
