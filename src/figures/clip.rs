@@ -49,6 +49,37 @@ pub fn segment(a: [f64; 2], b: [f64; 2], frame: &Rect) -> Option<[[f64; 2]; 2]> 
     })
 }
 
+/// The part of an area inside a frame (Sutherland and Hodgman); all corners are finite.
+pub fn polygon(corners: &[[f64; 2]], frame: &Rect) -> Line {
+    let sides = [
+        (0, frame.left, 1.0),
+        (0, frame.right(), -1.0),
+        (1, frame.top, 1.0),
+        (1, frame.bottom(), -1.0),
+    ];
+    let mut kept = corners.to_vec();
+    for (k, at, sign) in sides {
+        let all = std::mem::take(&mut kept);
+        let Some(mut before) = all.last().copied() else {
+            break;
+        };
+        for corner in all {
+            let [a, b] = [before, corner].map(|p: [f64; 2]| sign * (p[k] - at));
+            if (a < 0.0) != (b < 0.0) {
+                let t = a / (a - b);
+                let mut cut = [0, 1].map(|j| before[j] + t * (corner[j] - before[j]));
+                cut[k] = at;
+                kept.push(cut);
+            }
+            if b >= 0.0 {
+                kept.push(corner);
+            }
+            before = corner;
+        }
+    }
+    kept
+}
+
 /// A line cut into the dashes of a pattern (lengths of line and gap in turn); whole for an empty pattern.
 pub fn dashes(line: &[[f64; 2]], pattern: &[f64]) -> Vec<Line> {
     if pattern.is_empty() {

@@ -2,6 +2,7 @@
 
 use super::clip;
 use super::cloud::{self, Image};
+use super::envelope;
 use super::layout::below;
 use super::pen::{Drawn, Pen, at, unit};
 use super::sheet::{Anchor, Entry, FilledMap, Panel, Rect, Sheet, Words};
@@ -47,6 +48,7 @@ impl<B: DrawingBackend> Pen<B> {
                 [[bar.x[0], bar.y[0]], [bar.x[1], bar.y[1]]].map(|p| panel.place(p));
             self.bar_of(left, top, right - left, bottom - top, bar.shade)?;
         }
+        self.fills(panel)?;
         if panel.zero {
             let [a, b] = panel.x.range.map(|x| panel.place([x, 0.0]));
             if let Some(visible) = clip::segment(a, b, &panel.frame) {
@@ -79,14 +81,17 @@ impl<B: DrawingBackend> Pen<B> {
 
     /// All lines first, then all markers, so that no line runs through a marker.
     fn curves(&mut self, panel: &Panel) -> Drawn<B> {
-        for series in &panel.series {
+        for (k, series) in panel.series.iter().enumerate() {
             let points: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
-            for visible in clip::inside(&points, &panel.frame) {
+            let parts = envelope::drawn(&panel.envelopes, k, &points);
+            let visible = |part: &Vec<_>| clip::inside(part, &panel.frame);
+            for visible in parts.iter().flat_map(visible) {
                 for dash in clip::dashes(&visible, series.stroke.pattern()) {
                     self.curve(&dash, series.width, series.stroke.colour())?;
                 }
             }
         }
+        self.edges(panel)?;
         for series in &panel.series {
             let Some(marker) = series.marker else {
                 continue;

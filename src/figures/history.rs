@@ -3,6 +3,7 @@
 use super::Shown;
 use super::arrangement::Arrangement;
 use super::curves::{Curves, is_error};
+use super::guides;
 use super::label;
 use super::layout;
 use super::sheet::{Axis, Panel, Series, Sheet};
@@ -127,7 +128,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     }
     layout::letters(&mut sheet.panels);
     layout::left_out(&mut sheet, drawn.len(), solved.len());
-    let keys = curves.keys(&sheet);
+    let mut keys = curves.keys(&sheet);
+    keys.extend(guides::key(&sheet.panels, None));
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }

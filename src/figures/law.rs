@@ -1,6 +1,7 @@
 //! The friction laws as [F] Fig. 3 draws them, over the rigid law of [F] Fig. 2: force over slip and over velocity.
 
 use super::Shown;
+use super::guides;
 use super::label;
 use super::layout;
 use super::legend::Key;
@@ -95,7 +96,12 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
                 marked,
             });
         }
-        keys.push(panel.series.iter().map(Key::of).collect());
+        let curves = panel.series.iter().map(Key::of);
+        keys.push(
+            curves
+                .chain(guides::key(std::slice::from_ref(&panel), None))
+                .collect(),
+        );
         if title.starts_with("*r*") {
             dimension(&mut panel, widest, [1.0, 1.25], "*r*^E^/Δ = *α*");
             dimension(&mut panel, reach - widest, [0.0, -1.25], "*r*^S^/Δ");

@@ -86,13 +86,20 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         }
     };
     if let Some(heading) = heading {
-        move_down(sheet, style::TITLE + 6.0);
-        sheet.heading = Some(Words {
-            at: [sheet.width / 2.0, style::EDGE + style::TITLE],
-            anchor: Anchor::Middle,
-            text: heading.into(),
-            size: style::TITLE,
-        });
+        let leading = style::TITLE + 2.0;
+        for (i, text) in lines(heading, style::TITLE, sheet.width)
+            .into_iter()
+            .enumerate()
+        {
+            let under = i as f64 * leading;
+            move_down(sheet, if i > 0 { leading } else { style::TITLE + 6.0 });
+            sheet.heading.push(Words {
+                at: [sheet.width / 2.0, style::EDGE + style::TITLE + under],
+                anchor: Anchor::Middle,
+                text,
+                size: style::TITLE,
+            });
+        }
     }
     let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
@@ -115,18 +122,7 @@ pub fn below(axis: &Axis) -> f64 {
 
 /// Sets words small under a finished sheet, in as many lines as they need.
 pub fn small_print(sheet: &mut Sheet, markup: &str) {
-    let free = sheet.width - 2.0 * style::EDGE;
-    let mut lines: Vec<String> = Vec::new();
-    for word in markup.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if text::width(&format!("{line} {word}"), style::LABEL) <= free => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    for text in lines {
+    for text in lines(markup, style::LABEL, sheet.width) {
         sheet.height += style::LEADING;
         sheet.small_print.push(Words {
             at: [style::EDGE, sheet.height - style::EDGE],
@@ -135,6 +131,23 @@ pub fn small_print(sheet: &mut Sheet, markup: &str) {
             size: style::LABEL,
         });
     }
+}
+
+/// Words in as many lines as they need on a sheet of this width.
+fn lines(markup: &str, size: f64, width: f64) -> Vec<String> {
+    let free = width - 2.0 * style::EDGE;
+    let mut lines: Vec<String> = Vec::new();
+    // Other spaces than those of ASCII hold together what they part.
+    for word in markup.split_ascii_whitespace() {
+        match lines.last_mut() {
+            Some(line) if text::width(&format!("{line} {word}"), size) <= free => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 fn move_down(sheet: &mut Sheet, by: f64) {

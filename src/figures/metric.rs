@@ -2,6 +2,7 @@
 //! varies.
 
 use super::Shown;
+use super::guides;
 use super::label;
 use super::layout;
 use super::legend::Key;
@@ -161,6 +162,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             marker: None,
         });
     }
+    keys.extend(guides::key(&sheet.panels, None));
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }

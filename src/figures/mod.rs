@@ -12,8 +12,10 @@ mod cloud;
 mod contours;
 mod curves;
 mod draw;
+mod envelope;
 mod font;
 mod front;
+mod guides;
 mod history;
 mod hover;
 mod label;
@@ -43,6 +45,8 @@ mod tests;
 mod tests_contents;
 #[cfg(test)]
 mod tests_extent;
+#[cfg(test)]
+mod tests_guides;
 #[cfg(test)]
 mod tests_samples;
 mod text;
@@ -93,10 +97,18 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         Some(title) => markup::plain(title),
         None => study.title.clone(),
     };
+    // Curves over time or place. Those over a parameter have a marker on every point.
+    if let FigureKind::History { .. } | FigureKind::Profile { .. } = &figure.kind {
+        envelope::find(&mut sheet);
+    }
+    let bands = envelope::any(&sheet).then_some(envelope::MEANING);
     let labels = sheet.legend.iter().map(|entry| &entry.label);
+    let notes = figure.note.as_deref();
     let said: Vec<_> = labels
-        .chain(&figure.note)
-        .map(|s| markup::plain(s))
+        .map(String::as_str)
+        .chain(bands)
+        .chain(notes)
+        .map(markup::plain)
         .collect();
     sheet.description = said.join("; ");
     if let Some(note) = &figure.note {

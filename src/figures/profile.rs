@@ -2,6 +2,7 @@
 //! below the cases ([I] Fig. 6).
 
 use super::Shown;
+use super::guides;
 use super::label;
 use super::layout;
 use super::legend::Key;
@@ -77,7 +78,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     }
     layout::letters(&mut sheet.panels);
     layout::left_out(&mut sheet, drawn.len(), solved.len());
-    let keys = keys(&sheet);
+    let mut keys = keys(&sheet);
+    let rules = (!ends.is_empty()).then_some("ends of the bars");
+    keys.extend(guides::key(&sheet.panels, rules));
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }

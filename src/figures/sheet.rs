@@ -55,8 +55,8 @@ pub struct Sheet {
     pub width: f64,
     /// Height.
     pub height: f64,
-    /// Words over the panels, with their place.
-    pub heading: Option<Words>,
+    /// Lines of words over the panels, with their places.
+    pub heading: Vec<Words>,
     /// Lines of words under the panels, with their places.
     pub small_print: Vec<Words>,
     /// Panels, from upper left to lower right.
@@ -78,6 +78,8 @@ pub struct Panel {
     pub y: Axis,
     /// Curves, drawn in this order.
     pub series: Vec<Series>,
+    /// Bands in place of parts of curves, filled in this order.
+    pub envelopes: Vec<Envelope>,
     /// Bars below the curves.
     pub bars: Vec<Bar>,
     /// A filled map below the curves.
@@ -147,6 +149,7 @@ impl Panel {
             x,
             y,
             series: Vec::new(),
+            envelopes: Vec::new(),
             bars: Vec::new(),
             map: None,
             cloud: None,
@@ -195,6 +198,18 @@ impl Series {
             marked: Vec::new(),
         }
     }
+}
+
+/// The band between the envelopes of a part of a curve, in points of the curve by rising index. Both edges go from the
+/// first to the last point of the part.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Envelope {
+    /// Which of the panel's curves.
+    pub series: usize,
+    /// The upper edge.
+    pub upper: Vec<usize>,
+    /// The lower edge.
+    pub lower: Vec<usize>,
 }
 
 /// A bar between two corners in the axes' units.

@@ -1,6 +1,7 @@
 //! Sobol' indices as bars with their intervals: a panel a metric, a pair of bars a parameter.
 
 use super::Shown;
+use super::guides;
 use super::layout;
 use super::legend::Key;
 use super::sheet::{Anchor, Axis, Bar, Panel, Rect, Series, Sheet, Tick, Words};
@@ -108,6 +109,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             .filter(|series| !series.label.is_empty());
         keys.extend(named.map(Key::of));
     }
+    keys.extend(guides::key(&sheet.panels, None));
     layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     layout::small_print(&mut sheet, WHISKERS);
     sheet

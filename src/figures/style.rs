@@ -37,6 +37,8 @@ pub const CONTOUR_LINE: f64 = 0.45;
 pub const RIDGE_LINE: f64 = 1.3;
 /// Width of a case's curve.
 pub const CASE_LINE: f64 = 0.9;
+/// Width of the edges of a band between envelopes.
+pub const BAND_LINE: f64 = 0.45;
 /// Width of a marker's outline.
 pub const MARKER_LINE: f64 = 0.7;
 /// Half the size of a marker.
@@ -116,6 +118,20 @@ impl Stroke {
             Stroke::Graded(place) => colour(f64::from(place) / 255.0),
             _ => [0, 0, 0],
         }
+    }
+
+    /// Red, green and blue of the band of a curve that is too dense to draw: light, and of another grey for each pattern.
+    pub fn fill(self) -> [u8; 3] {
+        let grey = match self {
+            Stroke::Solid => 240,
+            Stroke::Dashed => 226,
+            Stroke::DashDot => 208,
+            Stroke::Dotted => 190,
+            Stroke::DashDotDot => 172,
+            Stroke::LongDash => 154,
+            Stroke::Graded(_) => return self.colour().map(|part| 255 - (255 - part) / 3),
+        };
+        [grey; 3]
     }
 
     /// The pattern of the `i`-th curve of a panel.

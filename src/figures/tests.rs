@@ -133,7 +133,7 @@ fn a_history_shows_what_was_computed() {
     );
     assert_eq!([&response.letter, &error.letter], ["(a)", "(b)"]);
     assert!(response.zero && error.zero && !response.x.numbered && error.x.numbered);
-    assert_eq!(sheet.description, "exact; α = 0.1; α = 1; α = 5");
+    assert_eq!(sheet.description, "exact; α = 0.1; α = 1; α = 5; zero");
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
         by: None,
         panels: None,
     });
-    assert_eq!(sheet.legend.len(), 8);
+    assert_eq!(sheet.legend.len(), 9);
     for entry in &sheet.legend {
         assert!(entry.at[1] - style::LEADING / 2.0 >= style::EDGE);
         assert!(entry.at[1] + style::LEADING / 2.0 <= sheet.panels[0].frame.top);
@@ -352,7 +352,7 @@ fn svg_is_whole_and_needs_no_font() {
     assert_eq!(text, svg(&sheet).unwrap());
     assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
     assert!(text.contains("<title>a test</title>"));
-    assert!(text.contains("<desc>exact; α = 0.1; α = 1; α = 5</desc>"));
+    assert!(text.contains("<desc>exact; α = 0.1; α = 1; α = 5; zero</desc>"));
     assert!(!text.contains("NaN") && !text.contains("inf") && !text.contains("font"));
     for reference in text.split("href=\"#").skip(1) {
         let name = reference.split('"').next().unwrap();

@@ -162,5 +162,5 @@ fn panels_that_show_one_case_say_which() {
         ["(a)  *n* = 4, *γ* = 2.5", "(b)  *n* = 20, *γ* = 0.5"]
     );
     let labels: Vec<_> = sheet.legend.iter().map(|e| e.label.as_str()).collect();
-    assert_eq!(labels, ["exact", "computed"]);
+    assert_eq!(labels, ["exact", "computed", "zero"]);
 }

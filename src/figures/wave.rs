@@ -2,6 +2,7 @@
 //! between its fronts.
 
 use super::Shown;
+use super::guides;
 use super::layout;
 use super::map;
 use super::sheet::{Cell, FilledMap, Panel, Series, Sheet};
@@ -80,7 +81,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         sheet.panels.push(panel);
     }
     layout::letters(&mut sheet.panels);
-    layout::finish(&mut sheet, Vec::new(), figure.title.as_deref());
+    let keys = guides::key(&sheet.panels, Some("contact"));
+    let keys = keys.into_iter().collect();
+    layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }
 
