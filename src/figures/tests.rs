@@ -53,7 +53,10 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
         sha256: String::new(),
         problem,
         blocks: Vec::new(),
+        units: None,
+        measures: crate::study::measures(problem, None),
         metrics: Vec::new(),
+        columns: Vec::new(),
         figures: Vec::new(),
         checks: Vec::new(),
     };
