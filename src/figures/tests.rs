@@ -94,6 +94,7 @@ fn history(panels: Option<usize>) -> FigureKind {
         y: vec![0, 3],
         by: None,
         panels,
+        in_units: false,
     }
 }
 
@@ -157,6 +158,7 @@ fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
         y: vec![0],
         by: None,
         panels: None,
+        in_units: false,
     });
     assert_eq!(sheet.legend.len(), 8);
     for entry in &sheet.legend {

@@ -191,6 +191,17 @@ pub enum Source {
     VelocityError,
 }
 
+impl Source {
+    /// What its numbers measure.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Source::Displacement | Source::DisplacementError => Dimension::Length,
+            Source::Velocity | Source::VelocityError => Dimension::Velocity,
+            Source::Force => Dimension::Force,
+        }
+    }
+}
+
 /// What stands along the structure at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Snapshot {

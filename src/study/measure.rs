@@ -36,12 +36,11 @@ pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Meas
         metrics().filter_map(move |(row, metric)| {
             let mut known = problem.units().iter();
             let scale = known.find(|unit| unit.name == metric.unit)?;
-            let unit = units.of(scale.dimension);
             Some(Measure {
                 name: units.column(metric.name, scale.dimension),
-                symbol: format!("{} ({unit})", metric.symbol.replacen(scale.over, "", 1)),
+                symbol: units.title(problem, metric.symbol, scale.dimension),
+                unit: units.of(scale.dimension),
                 meaning: format!("{} times {}", metric.name, scale.name),
-                unit,
                 metric: row,
                 dimension: Some(scale.dimension),
             })

@@ -128,6 +128,8 @@ pub enum FigureKind {
         by: Option<usize>,
         /// Parameter whose values get panels of their own.
         panels: Option<usize>,
+        /// Whether the axes are in the units of the study.
+        in_units: bool,
     },
     /// Velocity and stress along the structure at given times.
     Profile {

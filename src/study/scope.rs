@@ -36,6 +36,11 @@ impl Scope {
         self.measures.iter().map(|m| m.name.as_str()).collect()
     }
 
+    /// Whether the study has results in units.
+    pub fn has_units(&self) -> bool {
+        self.measures.iter().any(|m| m.dimension.is_some())
+    }
+
     /// Decodes a `where`; a filter that no case meets is a fault.
     pub fn filter(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<Filter> {
         let table = self.problem.parameters();

@@ -17,6 +17,9 @@ pub(super) const KEYS: [(&str, &str); 3] = [
     ("time", "name of the unit of time, as in ms"),
 ];
 
+/// What is wrong where a study asks for results in units without saying which.
+pub(super) const NEEDS_UNITS: &str = "results in units need the key \"units\" of the study";
+
 /// Longest name of a unit, in characters.
 pub(super) const LONGEST: usize = 16;
 
@@ -65,6 +68,14 @@ impl Units {
     /// The name of a column in the units of the study: `peak_force` as `peak_force_in_kN`.
     pub fn column(&self, scaled: &str, dimension: Dimension) -> String {
         format!("{scaled}{IN}{}", self.joined(dimension, "_per_"))
+    }
+
+    /// A scaled title or symbol in units: `*F*/*F*_0_` as `*F* (kN)`.
+    pub fn title(&self, problem: &dyn Problem, scaled: &str, dimension: Dimension) -> String {
+        let mut known = problem.units().iter();
+        let scale = known.find(|unit| unit.dimension == dimension);
+        let bare = scaled.replacen(scale.map_or("", |scale| scale.over), "", 1);
+        format!("{bare} ({})", self.of(dimension))
     }
 
     fn joined(&self, dimension: Dimension, over: &str) -> String {

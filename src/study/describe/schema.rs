@@ -196,6 +196,8 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Budgets => several(names(problem.budgets().iter().map(|b| (b.name, b.title)))),
         Takes::Marks => marks(),
+        Takes::InUnits if problem.units().is_empty() => json!({ "const": false }),
+        Takes::InUnits => json!({ "type": "boolean", "default": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
     }

@@ -29,6 +29,12 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 "parameter whose values are told apart by line style; all that vary if left out",
             ),
             PANELS,
+            key(
+                "in_units",
+                Takes::InUnits,
+                false,
+                "true: axes in the units of the study, which it must give; scaled if left out",
+            ),
         ],
     },
     Kind {

@@ -3,7 +3,7 @@
 mod words;
 
 use super::expression::words::length_of_number;
-use super::units::scaled;
+use super::units::{NEEDS_UNITS, scaled};
 use words::{OUTSIDE, SCALED, SYNONYMS, UNITS};
 
 /// Longer than any right name: comparing would only cost time.
@@ -13,7 +13,7 @@ const LONGEST: usize = 100;
 pub(super) fn outside(name: &str, allowed: &[&str]) -> Option<String> {
     let in_units = |name: &str| scaled(name).is_some_and(|metric| allowed.contains(&metric));
     if in_units(name) && !allowed.iter().any(|known| in_units(known)) {
-        return Some("results in units need the key \"units\" of the study".into());
+        return Some(NEEDS_UNITS.into());
     }
     let name = plain(name);
     if synonym(&name, allowed).is_some() {
