@@ -1106,7 +1106,7 @@ fn units_are_named_completely_and_in_letters() {
     );
     assert_faults(
         &bars(&format!("\"units\": {{{all}, \"mass\": \"t\"}}")),
-        &["4:57: units.mass: unknown key \"mass\""],
+        &["4:62: units.mass: unknown key \"mass\""],
     );
     let named =
         "must be the name of a unit: 1 to 16 letters, digits and µ, first a letter or µ, got";
@@ -1121,7 +1121,7 @@ fn units_are_named_completely_and_in_letters() {
     ] {
         assert_faults(
             &bars(&format!("\"units\": {{{}}}", all.replace("kN", label))),
-            &[&format!("4:36: units.force: {named} {shown}")],
+            &[&format!("4:35: units.force: {named} {shown}")],
         );
     }
     assert_faults(
@@ -1168,12 +1168,12 @@ fn results_in_units_need_the_units_of_the_study() {
     );
     assert_faults(
         &bars(&figure("true")),
-        &[&format!("4:57: figures[0].in_units: {needs}")],
+        &[&format!("4:58: figures[0].in_units: {needs}")],
     );
     assert_faults(&bars(&figure("false")), &[]);
     assert_faults(
         &bars(&figure("1")),
-        &["4:57: figures[0].in_units: must be true or false, got 1"],
+        &["4:58: figures[0].in_units: must be true or false, got 1"],
     );
     for good in [check("peak_force_in_kN"), figure("true")] {
         assert_faults(&bars(&format!("{units}{good}")), &[]);

@@ -235,6 +235,20 @@ fn the_scaled_cells_are_the_same_with_and_without_units() {
 }
 
 #[test]
+fn a_column_in_units_has_its_metric_solved() {
+    // Metrics that are only computed where they are asked for.
+    let check = r#", "checks": [{"metric": "step_error_r_in_m", "min": 0}]"#;
+    let figure = r#", "figures": [{"name": "f", "kind": "metric", "x": "gamma", "y": "peak_force_exact_in_N"}]"#;
+    let table = table(&bars(r#""gamma": [1, 2]"#, &format!("{SI}{check}{figure}")));
+    // [I]: F0 = 0.1.
+    for found in column(&table, "peak_force_exact_in_N") {
+        assert_near(found, 0.1, ROUND_OFF);
+    }
+    assert!(column(&table, "step_error_r_in_m")[0] > 0.0);
+    assert!(!table[0].iter().any(|name| name == "mesh_error_r"));
+}
+
+#[test]
 fn a_result_beyond_double_precision_is_empty() {
     let fast = table(&bars(
         r#""gamma": 1, "V0": 1e300, "E": 1e20, "A": 1e20"#,

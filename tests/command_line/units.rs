@@ -74,10 +74,10 @@ fn checks_figures_and_histories_take_results_in_units() {
     assert!(history.starts_with("t,t_in_ms,r,r_in_mm,rdot,rdot_in_mm_per_ms,force,force_in_kN,"));
     assert!(bench.path("figures/s/h.png").is_file());
     // From the store, too.
-    bench.expect(0, &["report", "s.json", "--out", "page.html"]);
+    bench.expect(0, &["report", "s.json"]);
     assert!(
         bench
-            .text("page.html")
+            .text("figures/report.html")
             .contains("\"name\":\"peak_force_in_kN\"")
     );
     let done = bench.expect(0, &["explain", "s.json"]);
