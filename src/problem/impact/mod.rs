@@ -5,6 +5,7 @@ mod once;
 mod rules;
 pub mod run;
 pub mod scaled;
+mod scales;
 mod second;
 mod snapshot;
 mod sweep;
@@ -12,6 +13,7 @@ mod tables;
 
 use super::parameter::Parameter;
 use super::sweep::sweep;
+use super::unit::{Dimension, Unit};
 use super::{
     Budget, Case, Cases, Found, Metric, NOT_GIVEN, OUT_OF_RANGE, Problem, Profile, Quantity,
     Snapshot, Solution, Violation,
@@ -21,10 +23,11 @@ use crate::history::History;
 use crate::metrics::impact::{Sampled, Track};
 use crate::metrics::{self, cells, steps};
 use scaled::Scaled;
+use scales::Scales;
 use std::ops::Range;
 use tables::{
     BUDGET, BUDGETS, MAX_OVERLAP, METRICS, PARAMETERS, PROFILES, QUANTITIES, REFERENCE, SCALES,
-    rows,
+    UNITS, rows,
 };
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
@@ -66,6 +69,14 @@ impl Problem for BarImpact {
 
     fn scales(&self) -> &'static [[&'static str; 2]] {
         &SCALES
+    }
+
+    fn units(&self) -> &'static [Unit] {
+        &UNITS
+    }
+
+    fn size(&self, case: &Case, dimension: Dimension) -> Option<f64> {
+        Scales::new(case).map(|scales| scales.size(dimension))
     }
 
     fn time_title(&self) -> &'static str {
