@@ -11,7 +11,7 @@ pub struct Verdict {
     /// The case.
     pub case: u64,
     /// Name of the metric.
-    pub metric: &'static str,
+    pub metric: String,
     /// Its value; `None` where it is undefined, which fails.
     pub value: Option<f64>,
     /// Smallest value allowed.
@@ -57,7 +57,7 @@ pub fn verdict(study: &Study, check: usize, case: u64, value: Option<f64>) -> Ve
     let check = &study.checks[check];
     Verdict {
         case,
-        metric: study.problem.metrics()[check.metric].name,
+        metric: study.measures[check.metric].name.clone(),
         value,
         min: check.min,
         max: check.max,

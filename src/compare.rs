@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::problem::PROBLEMS;
+use crate::study::units::scaled;
 
 /// A table of results as text: results.csv, or the same from a store.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -45,7 +46,7 @@ pub struct Comparison {
     pub common: usize,
     /// Cases of the first side alone, and of the second.
     pub alone: [usize; 2],
-    /// Metrics of the first side alone, and of the second.
+    /// Metrics of the first side alone, and of the second; those in the units of a study are not counted.
     pub columns: [Vec<String>; 2],
 }
 
@@ -76,7 +77,8 @@ pub fn compare(a: &Rows, b: &Rows, tolerance: f64) -> Option<Comparison> {
         |rows: &Rows| -> Vec<String> { rows.columns.iter().filter(is_metric).cloned().collect() };
     let only = |one: &Rows, other: &Rows| {
         let mut only = metrics(one);
-        only.retain(|name| !has(other, name));
+        // What is worked out from other columns is no difference of its own.
+        only.retain(|name| !has(other, name) && scaled(name).is_none());
         only
     };
     let names: Vec<&str> = problem.parameters().iter().map(|p| p.name).collect();

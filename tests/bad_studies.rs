@@ -1090,3 +1090,101 @@ fn every_fault_has_a_place(text: &str) -> Result<(), TestCaseError> {
     prop_assert!(in_order, "{faults:?}");
     Ok(())
 }
+
+#[test]
+fn units_are_named_completely_and_in_letters() {
+    let bars = |more: &str| {
+        format!(
+            "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{\"gamma\": 1, \"n\": 4, \"dt\": 0.1, \"duration\": 2}},\n{more}\n}}"
+        )
+    };
+    let all = "\"length\": \"m\", \"force\": \"kN\", \"time\": \"s\"";
+    assert_faults(&bars(&format!("\"units\": {{{all}}}")), &[]);
+    assert_faults(
+        &bars(&format!("\"units\": {{{}}}", all.replace("kN", "µN2"))),
+        &[],
+    );
+    assert_faults(
+        &bars(&format!("\"units\": {{{all}, \"mass\": \"t\"}}")),
+        &["4:62: units.mass: unknown key \"mass\""],
+    );
+    let named =
+        "must be the name of a unit: 1 to 16 letters, digits and µ, first a letter or µ, got";
+    for (label, shown) in [
+        ("", "\"\""),
+        ("k N", "\"k N\""),
+        ("N/m", "\"N/m\""),
+        ("2N", "\"2N\""),
+        ("*N*", "\"*N*\""),
+        ("kg_m", "\"kg_m\""),
+        ("abcdefghijklmnopq", "\"abcdefghijklmnopq\""),
+    ] {
+        assert_faults(
+            &bars(&format!("\"units\": {{{}}}", all.replace("kN", label))),
+            &[&format!("4:35: units.force: {named} {shown}")],
+        );
+    }
+    assert_faults(
+        &bars("\"units\": {\"force\": 3}"),
+        &[
+            "4:10: units.length: missing: name of the unit of length",
+            "4:10: units.time: missing: name of the unit of time",
+            "4:20: units.force: must be a string, got 3",
+        ],
+    );
+    assert_faults(
+        &bars("\"units\": \"SI\""),
+        &["4:10: units: must be an object of length, force, time, got \"SI\""],
+    );
+    // The parameters of friction have no units.
+    assert_faults(
+        &with(GOOD, &format!(",\n\"units\": {{{all}}}")),
+        &[
+            "6:10: units: friction-oscillator has no units: all its parameters and results are dimensionless",
+        ],
+    );
+}
+
+#[test]
+fn results_in_units_need_the_units_of_the_study() {
+    let bars = |more: &str| {
+        format!(
+            "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{\"gamma\": 1, \"n\": 4, \"dt\": 0.1, \"duration\": 2}},\n{more}\n}}"
+        )
+    };
+    let units = "\"units\": {\"length\": \"m\", \"force\": \"kN\", \"time\": \"s\"},\n";
+    let check = |metric: &str| format!("\"checks\": [{{\"metric\": \"{metric}\", \"max\": 1}}]");
+    let figure = |in_units: &str| {
+        format!(
+            "\"figures\": [{{\"name\": \"f\", \"kind\": \"history\", \"in_units\": {in_units}}}]"
+        )
+    };
+    let needs = "results in units need the key \"units\" of the study";
+    assert_faults(
+        &bars(&check("peak_force_in_kN")),
+        &[&format!(
+            "4:23: checks[0].metric: unknown metric \"peak_force_in_kN\": {needs}; allowed: contact_duration"
+        )],
+    );
+    assert_faults(
+        &bars(&figure("true")),
+        &[&format!("4:58: figures[0].in_units: {needs}")],
+    );
+    assert_faults(&bars(&figure("false")), &[]);
+    assert_faults(
+        &bars(&figure("1")),
+        &["4:58: figures[0].in_units: must be true or false, got 1"],
+    );
+    for good in [check("peak_force_in_kN"), figure("true")] {
+        assert_faults(&bars(&format!("{units}{good}")), &[]);
+    }
+    // Another unit than the one that the study names, and a metric without a dimension.
+    assert_faults(
+        &bars(&format!("{units}{}", check("peak_force_in_N"))),
+        &[
+            "5:23: checks[0].metric: unknown metric \"peak_force_in_N\", did you mean \"peak_force_in_kN\"?",
+        ],
+    );
+    let none = faults(&bars(&format!("{units}{}", check("restitution_in_m"))));
+    assert!(none[0].starts_with("5:23: checks[0].metric: unknown metric \"restitution_in_m\""));
+}

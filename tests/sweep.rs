@@ -100,7 +100,7 @@ fn a_case_that_is_shown_by_itself_leaves_the_others_as_they_are() {
     let outcomes = |wishes: &Wishes| {
         let mut outcomes = Vec::new();
         batch::run(&study, &ProgressBar::hidden(), wishes, |done| {
-            outcomes.extend(done.outcomes(study.problem));
+            outcomes.extend(done.outcomes(&study));
             Ok(())
         })
         .unwrap();

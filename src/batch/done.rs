@@ -1,8 +1,9 @@
 //! What became of cases: a part as columns, or case by case.
 
 use crate::problem::cases::Cases;
-use crate::problem::{Case, Problem, Solution};
+use crate::problem::{Case, Solution};
 use crate::solve::{MetricTable, Unsolvable};
+use crate::study::Study;
 use std::collections::BTreeMap;
 
 /// What became of one case.
@@ -10,7 +11,7 @@ use std::collections::BTreeMap;
 pub struct Outcome {
     /// The case.
     pub case: Case,
-    /// In the order of `problem.metrics()`; `None` where one is undefined, was not asked for, or the case could not be
+    /// In the order of the study's measures; `None` where one is undefined, was not asked for, or the case could not be
     /// solved.
     pub metrics: Vec<Option<f64>>,
     /// The histories, where they were asked for.
@@ -50,8 +51,8 @@ impl Done {
     }
 
     /// The outcomes one by one, with the numbers of their cases.
-    pub fn outcomes(mut self, problem: &dyn Problem) -> Vec<(u64, Outcome)> {
-        let width = problem.metrics().len();
+    pub fn outcomes(mut self, study: &Study) -> Vec<(u64, Outcome)> {
+        let width = study.measures.len();
         let mut shown = self.cases.shown();
         let outcome = |place: usize| {
             let mut metrics = self.found.row(place).collect::<Vec<_>>();

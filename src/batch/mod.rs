@@ -11,6 +11,7 @@ pub mod pace;
 pub mod results;
 pub mod sobol;
 pub mod store;
+mod units;
 pub mod whole;
 
 pub use computed::solution;
@@ -138,7 +139,7 @@ pub fn keep_memory() {
 pub fn all(study: &Study, bar: &ProgressBar) -> Result<Vec<Outcome>, Error> {
     let mut outcomes = Vec::new();
     run(study, bar, &Wishes::METRICS, |done| {
-        let found = done.outcomes(study.problem).into_iter();
+        let found = done.outcomes(study).into_iter();
         outcomes.extend(found.map(|(_, outcome)| outcome));
         Ok(())
     })?;
@@ -209,8 +210,8 @@ fn one(study: &Study, part: Part, bar: &ProgressBar, wishes: &Wishes) -> Result<
     };
     Ok(Done {
         first,
+        found: units::added(study, &cases, found),
         cases,
-        found,
         solutions,
         kept,
         from_store,

@@ -2,7 +2,8 @@
 
 use super::Outcome;
 use crate::problem::parameter::{Value, shortest};
-use crate::problem::{Case, Problem, Solution};
+use crate::problem::unit::OF_HISTORY;
+use crate::problem::{Case, Solution};
 use crate::study::Study;
 use std::io::{self, Write};
 
@@ -15,20 +16,24 @@ pub struct Table<'a, W: Write> {
 impl<'a, W: Write> Table<'a, W> {
     /// Writes the header.
     pub fn new(study: &'a Study, out: W) -> io::Result<Table<'a, W>> {
-        let metrics = study.problem.metrics();
         let parameters = study.problem.parameters();
         let mut writer = csv::Writer::from_writer(out);
         let header = ["case"]
             .into_iter()
             .chain(parameters.iter().map(|p| p.name))
-            .chain(study.metrics.iter().map(|&m| metrics[m].name));
+            .chain(
+                study
+                    .columns
+                    .iter()
+                    .map(|&m| study.measures[m].name.as_str()),
+            );
         writer.write_record(header)?;
         Ok(Table { study, writer })
     }
 
     /// Writes one case.
     pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
-        let metrics = self.study.metrics.iter().map(|&m| cell(outcome.metrics[m]));
+        let metrics = self.study.columns.iter().map(|&m| cell(outcome.metrics[m]));
         let row = parameters(number, &outcome.case).chain(metrics);
         Ok(self.writer.write_record(row)?)
     }
@@ -70,11 +75,22 @@ fn parameters(number: u64, case: &Case) -> impl Iterator<Item = String> {
     std::iter::once(number.to_string()).chain(case.values.iter().map(value))
 }
 
-/// Writes a case's history: the problem's six columns, one row a step.
-pub fn history(problem: &dyn Problem, solution: &Solution, out: impl Write) -> io::Result<()> {
+/// Writes a case's history: the problem's six columns, each followed by the same in the units of the study, if it has any;
+/// one row a step.
+pub fn history(study: &Study, case: &Case, solution: &Solution, out: impl Write) -> io::Result<()> {
     let (c, e) = (&solution.computed, &solution.exact);
     let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(problem.history_columns())?;
+    let names = study.problem.history_columns().into_iter().zip(OF_HISTORY);
+    let header = names.flat_map(|(name, dimension)| {
+        let units = study.units.as_ref();
+        let in_units = units.map(|units| units.column(name, dimension));
+        [Some(name.to_owned()), in_units].into_iter().flatten()
+    });
+    writer.write_record(header)?;
+    let sizes = OF_HISTORY.map(|dimension| {
+        let size = study.problem.size(case, dimension);
+        size.filter(|_| study.units.is_some())
+    });
     for i in 0..c.len() {
         let row = [
             c.time[i],
@@ -84,11 +100,19 @@ pub fn history(problem: &dyn Problem, solution: &Solution, out: impl Write) -> i
             e.displacement[i],
             e.velocity[i],
         ];
-        writer.write_record(row.map(shortest))?;
+        let cells = row.into_iter().zip(sizes).flat_map(|(x, size)| {
+            let in_units = size.map(|size| cell(Some(x * size)));
+            [Some(shortest(x)), in_units].into_iter().flatten()
+        });
+        writer.write_record(cells)?;
     }
     writer.flush()
 }
 
+/// A number, or nothing where there is none.
 fn cell(value: Option<f64>) -> String {
-    value.map(shortest).unwrap_or_default()
+    value
+        .filter(|x| x.is_finite())
+        .map(shortest)
+        .unwrap_or_default()
 }

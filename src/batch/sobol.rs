@@ -51,7 +51,7 @@ impl<'a> Gathered<'a> {
         let chosen = blocks.filter(|(_, block)| saltelli(block));
         let begun = |(i, block): (usize, &Block)| {
             let column = |_| Vec::with_capacity(block.raw_len() as usize);
-            let columns = study.metrics.iter().map(column).collect();
+            let columns = study.columns.iter().map(column).collect();
             (study.first_of(i), i, columns)
         };
         Gathered {
@@ -66,7 +66,7 @@ impl<'a> Gathered<'a> {
             let end = *first + self.study.blocks[*block].raw_len();
             let of_design = (done.first..).take(done.len());
             let of_design = of_design.map(|number| (*first..end).contains(&number));
-            for (column, metric) in columns.iter_mut().zip(&self.study.metrics) {
+            for (column, metric) in columns.iter_mut().zip(&self.study.columns) {
                 let rows = done.found.column(*metric).zip(of_design.clone());
                 let rows = rows.filter(|(_, of_design)| *of_design);
                 column.extend(rows.map(|(value, _)| value.unwrap_or(f64::NAN)));
@@ -97,20 +97,20 @@ impl<'a> Gathered<'a> {
             let Some(design) = &self.study.blocks[*block].design else {
                 continue;
             };
-            for (values, metric) in columns.iter().zip(&self.study.metrics) {
+            for (values, metric) in columns.iter().zip(&self.study.columns) {
                 let values: Vec<Option<f64>> =
                     values.iter().map(|x| (!x.is_nan()).then_some(*x)).collect();
                 let found = indices(&values, design.parameters.len(), design.seed);
                 estimated();
                 if let Err(lack) = &found {
-                    let name = problem.metrics()[*metric].name;
+                    let name = &self.study.measures[*metric].name;
                     without.push(format!("{name} of block {block} is {lack}"));
                 }
                 let empty = found.as_ref().err().map_or(0, |lack| lack.empty_cases());
                 for (place, parameter) in design.parameters.iter().enumerate() {
                     let row = [
                         block.to_string(),
-                        problem.metrics()[*metric].name.to_owned(),
+                        self.study.measures[*metric].name.clone(),
                         problem.parameters()[*parameter].name.to_owned(),
                     ];
                     let of = found.as_ref().ok().map(|found| found[place]);

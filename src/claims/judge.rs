@@ -42,7 +42,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             (holds, format!("difference of {found}"))
         }
         (Looked::Metric(row), demand) => {
-            let name = study.problem.metrics()[*row].name;
+            let name = &study.measures[*row].name;
             let value = |o: &&Outcome| o.metrics[*row].filter(|x| x.is_finite());
             match demand {
                 Demand::Within { min, max } => {

@@ -54,9 +54,9 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     }
     text += &format!("\n{}", cost(study, &case)?);
     let metrics: Vec<&str> = study
-        .metrics
+        .columns
         .iter()
-        .map(|m| study.problem.metrics()[*m].name)
+        .map(|m| study.measures[*m].name.as_str())
         .collect();
     text += &format!("metrics: {}\n", metrics.join(", "));
     let figures = study
@@ -70,7 +70,7 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         .filter(|check| check.filter.matches(&case));
     text += &list(
         "checks",
-        checks.map(|check| study.problem.metrics()[check.metric].name),
+        checks.map(|check| study.measures[check.metric].name.as_str()),
     );
     let code = say(&text)?;
     Ok(broken.map_or(code, |_| UNSOLVED))

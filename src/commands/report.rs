@@ -67,7 +67,7 @@ fn section<'a>(
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
         designs.add(&done);
-        for (number, outcome) in done.outcomes(study.problem) {
+        for (number, outcome) in done.outcomes(study) {
             results.add(&outcome);
             counts.add(number, &outcome);
             checks.judge(study, number, &outcome);

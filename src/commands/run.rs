@@ -76,8 +76,10 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     let mut tally = Tally::new(store.is_empty());
     let mut shown = Vec::new();
     let visit = |case: u64, solution: &Solution| {
-        let name = history(case);
-        folder.put(&name, |out| results::history(study.problem, solution, out))?;
+        let (name, case) = (history(case), study.case(case));
+        if let Some(case) = &case {
+            folder.put(&name, |out| results::history(study, case, solution, out))?;
+        }
         Ok(())
     };
     let wishes = Wishes {
@@ -103,7 +105,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
         {
             return Ok(());
         }
-        for (number, outcome) in done.outcomes(study.problem) {
+        for (number, outcome) in done.outcomes(study) {
             tables.row(&folder, number, &outcome)?;
             match &outcome.failure {
                 Some(why) if manner.fail_fast => {

@@ -7,7 +7,8 @@ use super::sheet::{Series, Sheet};
 use super::style::{self, Marker, Stroke};
 use crate::history::History;
 use crate::problem::parameter::Value;
-use crate::problem::{Quantity, Solution, Source};
+use crate::problem::unit::Dimension;
+use crate::problem::{Case, Quantity, Solution, Source};
 use crate::study::Study;
 
 /// Points of an exact curve: less than a point of paper apart.
@@ -23,6 +24,8 @@ pub struct Curves<'a> {
     pub looks: &'a [usize],
     /// The different labels.
     pub labels: &'a [String],
+    /// Whether axes are in the units of the study.
+    pub in_units: bool,
     /// Last time of any case.
     pub end: f64,
     /// Markers along a curve: not a whole number a cycle, so that they do not gather at one phase.
@@ -60,7 +63,9 @@ impl Curves<'_> {
             let Some(solution) = self.cases[i].solution else {
                 continue;
             };
-            let points = points(quantity.source, solution);
+            let sizes = sizes(self.study, self.in_units, self.cases[i].case, quantity);
+            let points = points(quantity.source, solution).into_iter();
+            let points: Vec<[f64; 2]> = points.map(|p| times(p, sizes)).collect();
             let look = self.looks[i];
             series.push(Series {
                 label: self.labels[look].clone(),
@@ -79,12 +84,14 @@ impl Curves<'_> {
         if is_error(quantity) {
             return None;
         }
-        let time = |i| self.end * i as f64 / EXACT_POINTS as f64;
-        let times: Vec<f64> = (0..=EXACT_POINTS).map(time).collect();
-        let exact = self.study.problem.exact(shown.case, &times)?;
+        let sizes = sizes(self.study, self.in_units, shown.case, quantity);
+        let end = self.end / sizes[0];
+        let time = |i| end * i as f64 / EXACT_POINTS as f64;
+        let all: Vec<f64> = (0..=EXACT_POINTS).map(time).collect();
+        let exact = self.study.problem.exact(shown.case, &all)?;
         let values = column(quantity.source, &exact);
         let line = exact.time.iter().zip(values);
-        Some(line.map(|(t, x)| [*t, *x]).collect())
+        Some(line.map(|(t, x)| times([*t, *x], sizes)).collect())
     }
 
     /// Points that carry a marker: few, and not at the same times for two curves.
@@ -118,6 +125,19 @@ impl Curves<'_> {
         }
         keys
     }
+}
+
+/// Sizes of the units of time and of a quantity in a case; 1 where axes are scaled.
+fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f64; 2] {
+    let of = |dimension| match in_units {
+        true => study.problem.size(case, dimension).unwrap_or(f64::NAN),
+        false => 1.0,
+    };
+    [of(Dimension::Time), of(quantity.source.dimension())]
+}
+
+fn times(point: [f64; 2], sizes: [f64; 2]) -> [f64; 2] {
+    [point[0] * sizes[0], point[1] * sizes[1]]
 }
 
 fn points(source: Source, solution: &Solution) -> Vec<[f64; 2]> {

@@ -10,13 +10,22 @@ use super::sheet::{Axis, Panel, Series, Sheet};
 use super::style;
 use super::ticks;
 use crate::problem::Quantity;
+use crate::problem::unit::Dimension;
 use crate::study::{Figure, FigureKind, Study};
 
 /// The sheet of a `history` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
-    let FigureKind::History { y, by, panels } = &figure.kind else {
+    let FigureKind::History {
+        y,
+        by,
+        panels,
+        in_units,
+    } = &figure.kind
+    else {
         return Sheet::default();
     };
+    let units = study.units.as_ref().filter(|_| *in_units);
+    let in_units = units.is_some();
     let solved: Vec<Shown> = cases
         .iter()
         .copied()
@@ -41,16 +50,24 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     } else {
         style::MIDDLE
     };
-    let end = drawn
-        .iter()
-        .flat_map(|c| c.solution)
-        .filter_map(|s| s.computed.time.last());
-    let end = end.fold(0.0, |a: f64, b| a.max(*b));
+    let end = drawn.iter().filter_map(|c| {
+        let size = match in_units {
+            true => study.problem.size(c.case, Dimension::Time)?,
+            false => 1.0,
+        };
+        Some(c.solution?.computed.time.last()? * size)
+    });
+    let end = end.fold(0.0, f64::max);
+    let title = |scaled: &str, dimension| match units {
+        Some(units) => units.title(study.problem, scaled, dimension),
+        None => scaled.to_owned(),
+    };
     let curves = Curves {
         study,
         cases: drawn,
         looks: &looks,
         labels: &labels,
+        in_units,
         end,
         // Fewer in narrow panels.
         markers: 9.3 / (0.6 + 0.4 * columns as f64),
@@ -82,7 +99,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .map(|(q, quantity)| {
             let of_it = series.iter().flat_map(|group| &group[q]);
             let values = of_it.flat_map(|s| &s.points).map(|p| p[1]);
-            ticks::around(quantity.title, values, height(quantity).min(tallest) / 17.0)
+            let title = title(quantity.title, quantity.source.dimension());
+            ticks::around(&title, values, height(quantity).min(tallest) / 17.0)
         })
         .collect();
 
@@ -93,6 +111,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     };
     let time = time_axis(
         study,
+        &title(study.problem.time_title(), Dimension::Time),
         end,
         grids.first().map_or(1.0, |grid| grid.width / 38.0),
     );
@@ -142,9 +161,8 @@ fn height(quantity: &Quantity) -> f64 {
     if is_error(quantity) { 76.0 } else { 160.0 }
 }
 
-fn time_axis(study: &Study, end: f64, most: f64) -> Axis {
+fn time_axis(study: &Study, title: &str, end: f64, most: f64) -> Axis {
     let range = [0.0, if end > 0.0 { end } else { 1.0 }];
-    let title = study.problem.time_title();
     if study.problem.time_in_pi() {
         ticks::in_pi(title, range, most)
     } else {

@@ -103,7 +103,7 @@ fn of_map(
         return Vec::new();
     };
     let parameters = study.problem.parameters();
-    let symbol = plain(study.problem.metrics()[metric].symbol);
+    let symbol = plain(&study.measures[metric].symbol);
     let point = |shown: &Shown| {
         let [x, y] = axes.map(|row| shown.case.values[row].and_then(|v| v.as_f64()));
         let at = panel.place([x?, y?]);

@@ -30,7 +30,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     else {
         return Sheet::default();
     };
-    let (parameters, metric) = (study.problem.parameters(), &study.problem.metrics()[*z]);
+    let (parameters, metric) = (study.problem.parameters(), &study.measures[*z]);
     let number = |shown: &Shown, row: usize| shown.case.values[row].and_then(|v| v.as_f64());
     let (xs, ys) = (
         places(cases, scales[0], |c| number(c, *x)),
@@ -67,7 +67,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             Scale::Log => ticks::log_range(&title, range, most),
         }
     };
-    let colours = colours(metric.symbol, cells.iter().map(|c| c.value), scales[2]);
+    let colours = colours(&metric.symbol, cells.iter().map(|c| c.value), scales[2]);
     let colours = match contoured {
         true => bands::limited(colours, height),
         false => colours,

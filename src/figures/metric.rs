@@ -72,8 +72,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     };
     // The exact values below them.
     let exact = |metric: usize| {
-        let table = study.problem.metrics();
-        let row = reference::row(table, &study.metrics, metric).filter(|_| !orders);
+        let row = reference::row(&study.measures, &study.columns, metric).filter(|_| !orders);
         row.map_or(Vec::new(), |row| {
             reference::lines(&cases, &looks, &strokes, at, row)
         })
@@ -85,10 +84,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .iter()
         .zip(&panels)
         .map(|(metric, series)| {
-            let metric = &study.problem.metrics()[*metric];
             let values = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
-            let title = metric.symbol.to_owned();
-            axis(&title, values, *y_scale, height / 24.0)
+            let title = &study.measures[*metric].symbol;
+            axis(title, values, *y_scale, height / 24.0)
         })
         .collect();
     let grid = layout::grid(1.2 * style::SINGLE, 1, &vec![height; y.len()], &axes, 4.0);

@@ -69,7 +69,7 @@ use std::rc::Rc;
 pub struct Shown<'a> {
     /// Its parameters.
     pub case: &'a Case,
-    /// Its metrics, in the order of `problem.metrics()`; `None` where one is undefined.
+    /// Its metrics, in the order of the study's measures; `None` where one is undefined.
     pub metrics: &'a [Option<f64>],
     /// What was computed, for kinds that draw histories; `None` if the case could not be solved.
     pub solution: Option<&'a Solution>,

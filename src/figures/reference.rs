@@ -3,7 +3,7 @@
 use super::Shown;
 use super::sheet::Series;
 use super::style::{self, Stroke};
-use crate::problem::Metric;
+use crate::study::Measure;
 
 /// What the legend calls it.
 pub const LABEL: &str = "exact";
@@ -11,10 +11,14 @@ pub const LABEL: &str = "exact";
 /// What the legend calls several of them, each with the dashes of its curve.
 pub const SEVERAL: &str = "exact (thin, dashed like its curve)";
 
-/// Row of the metric that is the exact value of another, called `NAME_exact`, if it is among the `listed`.
-pub fn row(table: &[Metric], listed: &[usize], metric: usize) -> Option<usize> {
-    let name = format!("{}_exact", table[metric].name);
-    let row = table.iter().position(|metric| metric.name == name)?;
+/// Row of the metric that is the exact value of another, called `NAME_exact`, in units like the other or not, if it is
+/// among the `listed`.
+pub fn row(table: &[Measure], listed: &[usize], metric: usize) -> Option<usize> {
+    let own = &table[metric];
+    let name = format!("{}_exact", table[own.metric].name);
+    let exact = table.iter().position(|metric| metric.name == name)?;
+    let is_it = |row: &Measure| row.metric == exact && row.dimension == own.dimension;
+    let row = table.iter().position(is_it)?;
     listed.contains(&row).then_some(row)
 }
 
@@ -60,24 +64,35 @@ mod tests {
     use super::*;
     use crate::problem;
     use crate::problem::Case;
+    use crate::problem::unit::Dimension;
 
-    const fn metric(name: &'static str) -> Metric {
-        Metric {
-            name,
-            symbol: name,
-            unit: "1",
-            default: true,
-            meaning: "a test",
-        }
+    /// Metrics of these names, and the same in units.
+    fn table(names: [&str; 4]) -> Vec<Measure> {
+        let both = [None, Some(Dimension::Force)].into_iter();
+        let measure = |dimension: Option<Dimension>| {
+            let one = move |(metric, name): (usize, &&str)| Measure {
+                name: format!("{name}{}", dimension.map_or("", |_| "_in_N")),
+                symbol: String::new(),
+                unit: String::new(),
+                meaning: String::new(),
+                metric,
+                dimension,
+            };
+            names.iter().enumerate().map(one).collect::<Vec<_>>()
+        };
+        both.flat_map(measure).collect()
     }
 
     #[test]
     fn an_exact_value_is_found_by_name_and_only_where_it_is_listed() {
-        let table = ["drop", "drop_exact", "rise", "drop_exact_exact_"].map(metric);
+        let table = table(["drop", "drop_exact", "rise", "drop_exact_exact_"]);
         assert_eq!(row(&table, &[0, 1, 2], 0), Some(1));
         assert_eq!(row(&table, &[0, 2], 0), None);
         assert_eq!(row(&table, &[0, 1, 2, 3], 1), None);
         assert_eq!(row(&table, &[0, 1, 2, 3], 2), None);
+        // In units it is the exact value in units.
+        assert_eq!(row(&table, &[0, 4, 1, 5], 4), Some(5));
+        assert_eq!(row(&table, &[0, 4, 1], 4), None);
     }
 
     #[test]

@@ -18,10 +18,10 @@ pub fn value(shown: &Shown, column: Column) -> Option<f64> {
 }
 
 /// What figures call a column, in markup.
-pub fn title(study: &Study, column: Column) -> &'static str {
+pub fn title(study: &Study, column: Column) -> &str {
     match column {
         Column::Parameter(row) => study.problem.parameters()[row].symbol,
-        Column::Metric(row) => study.problem.metrics()[row].symbol,
+        Column::Metric(row) => &study.measures[row].symbol,
     }
 }
 

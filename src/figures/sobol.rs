@@ -33,7 +33,6 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     else {
         return Sheet::default();
     };
-    let metrics = study.problem.metrics();
     let height = if y.len() == 1 { 190.0 } else { 130.0 };
     let found: Vec<_> = y
         .iter()
@@ -51,7 +50,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .map(|(&metric, found)| {
             let both = found.iter().flatten().flat_map(|i| [i.first, i.total]);
             let ends = both.flat_map(|i| [i.interval[0], i.interval[1], i.value]);
-            let title = format!("indices of {}", metrics[metric].symbol);
+            let title = format!("indices of {}", study.measures[metric].symbol);
             ticks::around(&title, ends.chain([0.0, 1.0]), height / 24.0)
         })
         .collect();

@@ -53,7 +53,10 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
         sha256: String::new(),
         problem,
         blocks: Vec::new(),
+        units: None,
+        measures: crate::study::measures(problem, None),
         metrics: Vec::new(),
+        columns: Vec::new(),
         figures: Vec::new(),
         checks: Vec::new(),
     };
@@ -91,6 +94,7 @@ fn history(panels: Option<usize>) -> FigureKind {
         y: vec![0, 3],
         by: None,
         panels,
+        in_units: false,
     }
 }
 
@@ -154,6 +158,7 @@ fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
         y: vec![0],
         by: None,
         panels: None,
+        in_units: false,
     });
     assert_eq!(sheet.legend.len(), 9);
     for entry in &sheet.legend {

@@ -4,6 +4,7 @@ pub mod cases;
 pub mod friction;
 pub mod impact;
 pub mod parameter;
+pub mod unit;
 
 use crate::history::History;
 use crate::metrics::steps;
@@ -11,6 +12,7 @@ use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable};
 use cases::Cases;
 use parameter::{Parameter, Value};
+use unit::{Dimension, Unit};
 
 /// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
 #[derive(Debug, Clone)]
@@ -112,7 +114,7 @@ pub struct Metric {
     pub name: &'static str,
     /// How figures write it, with its scale.
     pub symbol: &'static str,
-    /// Unit, or `1`.
+    /// Name of one of the problem's units, or `1`.
     pub unit: &'static str,
     /// Formula in words, for schema and documentation.
     pub meaning: &'static str,
@@ -186,6 +188,17 @@ pub enum Source {
     DisplacementError,
     /// Relative velocity, computed minus exact.
     VelocityError,
+}
+
+impl Source {
+    /// What its numbers measure.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Source::Displacement | Source::DisplacementError => Dimension::Length,
+            Source::Velocity | Source::VelocityError => Dimension::Velocity,
+            Source::Force => Dimension::Force,
+        }
+    }
 }
 
 /// What stands along the structure at one time.
@@ -262,6 +275,14 @@ pub trait Problem: Sync + std::fmt::Debug {
     /// Symbols of the scales that results are given in, each with its formula and meaning.
     fn scales(&self) -> &'static [[&'static str; 2]] {
         &[]
+    }
+    /// The units of scaled results; none for a problem whose parameters have no units.
+    fn units(&self) -> &'static [Unit] {
+        &[]
+    }
+    /// Size of the unit of a dimension in a completed case, in the units of its parameters; `None` for a problem without.
+    fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
+        None
     }
     /// Title of the time axis.
     fn time_title(&self) -> &'static str;

@@ -102,7 +102,7 @@ mod tests {
                 0,
                 Verdict {
                     case,
-                    metric: "rms_error",
+                    metric: "rms_error".into(),
                     value,
                     min,
                     max,

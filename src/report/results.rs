@@ -37,7 +37,7 @@ pub struct Results<'a> {
 impl<'a> Results<'a> {
     /// No case yet; at most `most` bytes of a page.
     pub fn new(study: &'a Study, store: PathBuf, most: usize) -> Results<'a> {
-        let count = study.problem.parameters().len() + study.metrics.len();
+        let count = study.problem.parameters().len() + study.columns.len();
         Results {
             study,
             store,
@@ -55,7 +55,7 @@ impl<'a> Results<'a> {
         let parameters = study.problem.parameters().iter().zip(&outcome.case.values);
         let parameters = parameters.map(|(parameter, value)| number(parameter.kind, *value));
         let metrics = study
-            .metrics
+            .columns
             .iter()
             .map(|m| outcome.metrics[*m].unwrap_or(f64::NAN));
         let kept = self.whole || self.cases < FIRST;
@@ -128,8 +128,8 @@ impl<'a> Results<'a> {
         let problem = self.study.problem;
         let parameters = problem.parameters().iter();
         let parameters = parameters.map(|p| (p.name, p.unit, p.meaning, names(p.kind)));
-        let metrics = self.study.metrics.iter().map(|m| &problem.metrics()[*m]);
-        let metrics = metrics.map(|m| (m.name, m.unit, m.meaning, Vec::new()));
+        let metrics = self.study.columns.iter().map(|m| &self.study.measures[*m]);
+        let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning, Vec::new()));
         let columns = parameters
             .chain(metrics)
             .zip(&self.columns)

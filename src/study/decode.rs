@@ -7,18 +7,20 @@ use super::checks::check;
 use super::figure::figures;
 use super::hint::nearest;
 use super::input::Input;
+use super::measure::{self, Measure};
 use super::object::Object;
 use super::report::Faults;
 use super::rules::MOST_CASES;
 use super::scope::Scope;
 use super::tree::{Node, Tree};
+use super::units::Units;
 use super::value::{self, name};
 use super::{Check, Column, Figure, FigureKind, Study};
 use crate::error::Error;
 use crate::problem::{self, Budget, PROBLEMS, Problem};
 
 /// The keys of a study, each with what it holds.
-pub(super) const KEYS: [(&str, &str); 9] = [
+pub(super) const KEYS: [(&str, &str); 10] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -36,6 +38,10 @@ pub(super) const KEYS: [(&str, &str); 9] = [
     (
         "metrics",
         "metrics to compute in addition to the default ones; each is a column of results.csv",
+    ),
+    (
+        "units",
+        "names of the units of the parameters; results.csv then has the results in these units, too; nothing is converted",
     ),
     (
         "iteration",
@@ -70,14 +76,19 @@ pub(super) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Stud
     let title = string("title").unwrap_or_default();
     let problem = problem(&object, faults);
     let blocks = blocks(&object, problem, limit, faults);
+    let units = object
+        .get("units")
+        .and_then(|node| Units::decode(node, problem, faults));
     // Without a problem the names of parameters and metrics mean nothing.
     let problem = problem?;
     let once = object
         .get("iteration")
         .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
         == Some(1);
+    let measures = measure::measures(problem, units.as_ref());
     let scope = Scope {
         problem,
+        measures,
         blocks,
         once,
     };
@@ -89,11 +100,15 @@ pub(super) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Stud
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
+    let metrics = columns(problem, &scope.measures, &asked, &figures, &checks);
     Some(Study {
         title,
         problem,
         once,
-        metrics: columns(problem, &asked, &figures, &checks),
+        units,
+        columns: measure::columns(&scope.measures, &metrics),
+        metrics,
+        measures: scope.measures,
         blocks: scope.blocks,
         figures,
         checks,
@@ -113,9 +128,11 @@ fn problem(object: &Object, faults: &mut Faults) -> Option<&'static dyn Problem>
     }
 }
 
-/// The metrics that every study has, that the study lists, and that a figure or check needs, in the table's order.
+/// The metrics that every study has, that the study lists, and that a figure or check needs, in units or not, in the
+/// table's order.
 fn columns(
     problem: &dyn Problem,
+    measures: &[Measure],
     asked: &[usize],
     figures: &[Figure],
     checks: &[Check],
@@ -145,7 +162,8 @@ fn columns(
     });
     let checked = checks.iter().map(|check| check.metric);
     let listed = asked.iter().copied().chain(checked);
-    let needed: Vec<usize> = listed.chain(drawn).collect();
+    let needed = listed.chain(drawn).map(|row| measures[row].metric);
+    let needed: Vec<usize> = needed.collect();
     let metrics = problem.metrics().iter().enumerate();
     metrics
         .filter(|(row, metric)| metric.default || needed.contains(row))

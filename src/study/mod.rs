@@ -20,6 +20,7 @@ mod input;
 mod interval;
 mod kept;
 pub mod ledger;
+mod measure;
 mod object;
 mod parameters;
 mod place;
@@ -32,6 +33,7 @@ mod spread;
 #[cfg(test)]
 mod tests;
 mod tree;
+pub mod units;
 mod value;
 mod zip;
 
@@ -40,9 +42,13 @@ pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
 pub use design::{Design, Sampling};
 pub use input::{Input, STDIN};
+pub use measure::Measure;
+#[cfg(test)]
+pub(crate) use measure::measures;
 pub use plain::{printable, unprintable};
 pub use rules::MOST_CASES;
 pub use setting::Setting;
+pub use units::Units;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
@@ -58,8 +64,14 @@ pub struct Study {
     pub once: bool,
     /// Blocks of cases, one after the other.
     pub blocks: Vec<Block>,
-    /// Rows of `problem.metrics()` that results.csv has, in the table's order.
+    /// Names of the units of its parameters, if results are wanted in them.
+    pub units: Option<Units>,
+    /// What is known of a case: the rows of `problem.metrics()`, then those in the units of the study.
+    pub measures: Vec<Measure>,
+    /// Rows of `problem.metrics()` that are solved for and stored, in the table's order.
     pub metrics: Vec<usize>,
+    /// Rows of `measures` that results.csv has: each of the metrics, then the same in units.
+    pub columns: Vec<usize>,
     /// Figures to draw.
     pub figures: Vec<Figure>,
     /// Tolerances to hold.
@@ -77,7 +89,7 @@ pub struct Filter(pub Vec<(usize, Vec<Value>)>);
 /// A tolerance: every case of the filter has the metric within the limits.
 #[derive(Debug)]
 pub struct Check {
-    /// Row of `problem.metrics()`.
+    /// Row of the study's measures.
     pub metric: usize,
     /// Which cases.
     pub filter: Filter,
@@ -116,6 +128,8 @@ pub enum FigureKind {
         by: Option<usize>,
         /// Parameter whose values get panels of their own.
         panels: Option<usize>,
+        /// Whether the axes are in the units of the study.
+        in_units: bool,
     },
     /// Velocity and stress along the structure at given times.
     Profile {
@@ -133,7 +147,7 @@ pub enum FigureKind {
     Metric {
         /// Parameter along the horizontal axis.
         x: usize,
-        /// Rows of `problem.metrics()`, one panel each.
+        /// Rows of the study's measures, one panel each.
         y: Vec<usize>,
         /// Parameter whose values are told apart by line style; `None`: all others that vary.
         by: Option<usize>,
@@ -146,7 +160,7 @@ pub enum FigureKind {
     Convergence {
         /// The step, along the horizontal axis.
         x: usize,
-        /// Rows of `problem.metrics()`, one panel each.
+        /// Rows of the study's measures, one panel each.
         y: Vec<usize>,
         /// Parameter whose values are told apart by line style; `None`: all others that vary.
         by: Option<usize>,
@@ -166,7 +180,7 @@ pub enum FigureKind {
         x: usize,
         /// Parameter up the vertical axis.
         y: usize,
-        /// Row of `problem.metrics()`.
+        /// Row of the study's measures.
         z: usize,
         /// Scales of the two axes and of the colours.
         scales: [Scale; 3],
@@ -190,14 +204,14 @@ pub enum FigureKind {
     Samples {
         /// The parameters, with the scale on which each is sampled evenly.
         parameters: Vec<(usize, Scale)>,
-        /// Row of `problem.metrics()`.
+        /// Row of the study's measures.
         y: usize,
         /// Scale of the metric.
         y_scale: Scale,
     },
     /// Sobol' indices of metrics, from a saltelli design.
     Sobol {
-        /// Rows of `problem.metrics()`, one panel each.
+        /// Rows of the study's measures, one panel each.
         y: Vec<usize>,
     },
     /// The laws of the problem's cases: force over displacement or velocity.
@@ -230,7 +244,7 @@ impl FigureKind {
 pub enum Column {
     /// Row of `problem.parameters()`.
     Parameter(usize),
-    /// Row of `problem.metrics()`.
+    /// Row of the study's measures.
     Metric(usize),
 }
 

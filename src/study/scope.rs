@@ -4,7 +4,7 @@ use super::object::Object;
 use super::report::{Faults, join, quoted};
 use super::tree::{Member, Node, Tree};
 use super::value::{name, value};
-use super::{Block, Filter};
+use super::{Block, Filter, Measure};
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
 
@@ -15,6 +15,8 @@ const MOST_TRIED: u64 = 10_000_000;
 /// The problem of a study and its blocks.
 pub(super) struct Scope {
     pub problem: &'static dyn Problem,
+    /// What figures and checks may name of a case.
+    pub measures: Vec<Measure>,
     /// Empty when a block is faulty: then nothing is said of which cases a filter chooses.
     pub blocks: Vec<Block>,
     /// Whether steps are solved once, so that nothing is known along the structure.
@@ -30,8 +32,13 @@ impl Scope {
         self.problem.profiles().iter().map(|p| p.name).collect()
     }
 
-    pub fn metrics(&self) -> Vec<&'static str> {
-        self.problem.metrics().iter().map(|m| m.name).collect()
+    pub fn metrics(&self) -> Vec<&str> {
+        self.measures.iter().map(|m| m.name.as_str()).collect()
+    }
+
+    /// Whether the study has results in units.
+    pub fn has_units(&self) -> bool {
+        self.measures.iter().any(|m| m.dimension.is_some())
     }
 
     /// Decodes a `where`; a filter that no case meets is a fault.

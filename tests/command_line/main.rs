@@ -16,6 +16,7 @@ mod kept;
 mod same_bytes;
 mod settings;
 mod store;
+mod units;
 mod untouched;
 mod verbs;
 

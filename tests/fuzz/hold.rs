@@ -147,7 +147,7 @@ fn drawn(study: &Study) {
         ..Wishes::METRICS
     };
     let run = batch::run(study, &ProgressBar::hidden(), &wishes, |done| {
-        let found = done.outcomes(study.problem).into_iter();
+        let found = done.outcomes(study).into_iter();
         outcomes.extend(found.map(|(_, outcome)| outcome));
         Ok(())
     });

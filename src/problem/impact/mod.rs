@@ -5,12 +5,14 @@ pub mod case;
 mod once;
 mod rules;
 pub mod scaled;
+mod scales;
 mod second;
 mod snapshot;
 mod tables;
 
 use super::cases::Cases;
 use super::parameter::Parameter;
+use super::unit::{Dimension, Unit};
 use super::{
     Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation, sweep_cases,
 };
@@ -22,10 +24,11 @@ use crate::solve::sweep::LaneCase;
 use crate::solve::{self, MetricTable, Unsolvable};
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
+use scales::Scales;
 use std::ops::Range;
 use tables::{
     BUDGET, BUDGETS, MAX_OVERLAP, METRICS, PARAMETERS, PROFILES, QUANTITIES, REFERENCE, SCALES,
-    rows,
+    UNITS, rows,
 };
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
@@ -67,6 +70,14 @@ impl Problem for BarImpact {
 
     fn scales(&self) -> &'static [[&'static str; 2]] {
         &SCALES
+    }
+
+    fn units(&self) -> &'static [Unit] {
+        &UNITS
+    }
+
+    fn size(&self, case: &Case, dimension: Dimension) -> Option<f64> {
+        Scales::new(case).map(|scales| scales.size(dimension))
     }
 
     fn time_title(&self) -> &'static str {

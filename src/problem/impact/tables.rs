@@ -1,6 +1,7 @@
 //! The tables of the bar impact: parameters, metrics, quantities.
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::unit::{Dimension, Unit};
 use crate::problem::{self, Budget, Metric, Profile, Quantity, Source};
 use std::ops::Range as Rows;
 
@@ -275,6 +276,22 @@ pub(super) static SCALES: [[&str; 2]; 4] = [
         "F0",
         "c Z1 Z2/(Z1 + Z2), exact contact force of two bars while the wave travels; c Z1 on a wall",
     ],
+];
+
+const fn unit(dimension: Dimension, name: &'static str, over: &'static str) -> Unit {
+    Unit {
+        dimension,
+        name,
+        over,
+    }
+}
+
+/// The units of metrics and quantities.
+pub(super) static UNITS: [Unit; 4] = [
+    unit(Dimension::Time, "T_I", "/*T*_I_"),
+    unit(Dimension::Length, "c T_I/2", "/(*cT*_I_/2)"),
+    unit(Dimension::Velocity, "c", "/*c*"),
+    unit(Dimension::Force, "F0", "/*F*_0_"),
 ];
 
 pub(super) static METRICS: [Metric; 27] = [

@@ -11,7 +11,7 @@ use crate::study::figure::keys::{COMMON, Key};
 use crate::study::figure::kinds::KINDS;
 use crate::study::interval::INTERVALS;
 use crate::study::spread::RULES;
-use crate::study::{checks, decode, design};
+use crate::study::{checks, decode, design, units};
 
 /// docs/study-files.md.
 pub fn reference() -> String {
@@ -24,6 +24,7 @@ pub fn reference() -> String {
     let functions = FUNCTIONS.map(|function| function.0);
     include_str!("reference.md")
         .replace("{{study}}", &pairs(&decode::KEYS))
+        .replace("{{units}}", &pairs(&units::KEYS))
         .replace("{{rules}}", &pairs(&RULES))
         .replace("{{constants}}", &code(&CONSTANTS))
         .replace("{{functions}}", &code(&functions))

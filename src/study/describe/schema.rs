@@ -9,12 +9,12 @@ use super::values::{
     rule, value,
 };
 use crate::problem::parameter::{Kind, Parameter, Range};
-use crate::problem::{PROBLEMS, Problem};
+use crate::problem::{Metric, PROBLEMS, Problem};
 use crate::study::blocks::BESIDE;
 use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::taken::MARKS;
-use crate::study::{checks, decode, design};
+use crate::study::{checks, decode, design, units};
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
@@ -81,8 +81,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
         refer(&name_of(problem, what))
     };
     let parameters = define("parameters", parameters(problem.parameters(), ""));
-    let metric = names(problem.metrics().iter().map(|m| (m.name, m.meaning)));
-    let metric = define("metric", metric);
+    let metric = define("metric", metric(problem));
     define("where", filter(problem));
     let mut block = beside();
     block.insert("parameters".into(), parameters.clone());
@@ -100,10 +99,44 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "metrics": { "items": metric },
+            "units": if problem.units().is_empty() { json!(false) } else { units() },
             "figures": { "items": figure },
             "checks": { "items": check(problem) },
         } },
     })
+}
+
+/// The name of a metric, or of one in the units of the study.
+fn metric(problem: &dyn Problem) -> Json {
+    let metrics = || problem.metrics().iter();
+    let scaled = names(metrics().map(|m| (m.name, m.meaning)));
+    let has_unit = |m: &&Metric| problem.units().iter().any(|unit| unit.name == m.unit);
+    let of_unit: Vec<&str> = metrics().filter(has_unit).map(|m| m.name).collect();
+    if of_unit.is_empty() {
+        return scaled;
+    }
+    let in_units = json!({
+        "type": "string",
+        "pattern": format!("^({}){}{UNIT}(_per_{UNIT})?$", of_unit.join("|"), units::IN),
+        "description": "a metric in the units of the study",
+    });
+    json!({ "anyOf": [scaled, in_units] })
+}
+
+/// A name of a unit, as a regular expression.
+const UNIT: &str = "[A-Za-zµ][A-Za-z0-9µ]{0,15}";
+
+/// The key `units`.
+fn units() -> Json {
+    let one = |(key, meaning): (&str, &str)| {
+        let schema =
+            json!({ "type": "string", "pattern": format!("^{UNIT}$"), "description": meaning });
+        (key.to_owned(), schema)
+    };
+    object(
+        units::KEYS.into_iter().map(one).collect(),
+        &units::KEYS.map(|key| key.0),
+    )
 }
 
 /// The name of a definition that belongs to a problem.
@@ -163,6 +196,8 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Budgets => several(names(problem.budgets().iter().map(|b| (b.name, b.title)))),
         Takes::Marks => marks(),
+        Takes::InUnits if problem.units().is_empty() => json!({ "const": false }),
+        Takes::InUnits => json!({ "type": "boolean", "default": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
     }

@@ -45,6 +45,8 @@ pub(in crate::study) enum Takes {
     Scale,
     /// Which value a line follows.
     Ridge,
+    /// Whether axes are in the units of the study.
+    InUnits,
 }
 
 /// Names of the scales, as `Scale` has them.

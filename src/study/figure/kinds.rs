@@ -29,6 +29,12 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 "parameter with one line style for each value; if left out, all parameters that vary",
             ),
             PANELS,
+            key(
+                "in_units",
+                Takes::InUnits,
+                false,
+                "true: axes in the units of the study, which it must give; scaled if left out",
+            ),
         ],
     },
     Kind {

@@ -128,6 +128,7 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
                 .unwrap_or_else(|| response_and_error(scope)),
             by: values.row("by"),
             panels: values.row("panels"),
+            in_units: values.switch("in_units"),
         },
         "profile" => FigureKind::Profile {
             y: values

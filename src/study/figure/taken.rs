@@ -6,6 +6,7 @@ use crate::study::object::Object;
 use crate::study::report::{Faults, join};
 use crate::study::scope::{Scope, names};
 use crate::study::tree::{Node, Tree};
+use crate::study::units::NEEDS_UNITS;
 use crate::study::value::{name, number, text};
 use crate::study::{Column, Filter, Marks, Ridge, Scale};
 
@@ -22,6 +23,7 @@ pub(in crate::study) enum Taken {
     Scale(Scale),
     Ridge(Ridge),
     Marks(Marks),
+    Switch(bool),
 }
 
 /// The decoded values of one figure, by key.
@@ -76,6 +78,10 @@ impl Values<'_> {
             Taken::Marks(marks) => Some(marks.clone()),
             _ => None,
         }
+    }
+
+    pub fn switch(&self, key: &str) -> bool {
+        matches!(self.get(key), Some(Taken::Switch(true)))
     }
 
     pub fn times(&self, key: &str) -> Vec<f64> {
@@ -190,6 +196,16 @@ pub(in crate::study) fn take(
             names(node, path, "budget", &all, faults)
         }
         Takes::Marks => return marks(node, path, faults).map(Taken::Marks),
+        Takes::InUnits => {
+            let Tree::Bool(on) = node.tree else {
+                faults.must_be(node, path, "true or false");
+                return None;
+            };
+            if on && !scope.has_units() {
+                faults.add(node.at, path, NEEDS_UNITS);
+            }
+            return Some(Taken::Switch(on));
+        }
         Takes::Metric => name(node, path, "metric", &scope.metrics(), faults).map(|row| vec![row]),
         Takes::Metrics => names(node, path, "metric", &scope.metrics(), faults),
     };

@@ -3,6 +3,7 @@
 mod words;
 
 use super::expression::words::length_of_number;
+use super::units::{NEEDS_UNITS, scaled};
 use words::{OUTSIDE, SCALED, SYNONYMS, UNITS};
 
 /// Longer than any right name: comparing would only cost time.
@@ -10,6 +11,10 @@ const LONGEST: usize = 100;
 
 /// The sentence about a name that means something this program does not model, or that its equations are scaled by.
 pub(super) fn outside(name: &str, allowed: &[&str]) -> Option<String> {
+    let in_units = |name: &str| scaled(name).is_some_and(|metric| allowed.contains(&metric));
+    if in_units(name) && !allowed.iter().any(|known| in_units(known)) {
+        return Some(NEEDS_UNITS.into());
+    }
     let name = plain(name);
     if synonym(&name, allowed).is_some() {
         return None;

@@ -84,10 +84,11 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         let figures: Vec<String> = study.figures.iter().map(|f| f.name.clone()).collect();
         let scope = Scope {
             problem: study.problem,
+            measures: study.measures.clone(),
             blocks: study.blocks.clone(),
             once: study.once,
         };
-        (scope, figures, study.metrics.clone())
+        (scope, figures, study.columns.clone())
     };
     let claims = object.items("claims", faults, |node, path, faults| {
         claim(node, path, faults, &|node, path, faults| {

@@ -76,7 +76,7 @@ pub struct Expect {
 /// What an expectation looks at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Looked {
-    /// Row of `problem.metrics()`.
+    /// Row of the study's measures.
     Metric(usize),
     /// Row of `problem.profiles()`: the root mean square of its error away from fronts.
     Profile(usize),

@@ -1,0 +1,61 @@
+//! The table of what a study knows of a case: the metrics of its problem, and the same in the units of the study.
+
+use super::units::Units;
+use crate::problem::Problem;
+use crate::problem::unit::Dimension;
+
+/// A column of results beyond the parameters.
+#[derive(Debug, Clone)]
+pub struct Measure {
+    /// Column name.
+    pub name: String,
+    /// How figures write it, with its scale or unit, in markup.
+    pub symbol: String,
+    /// Unit, or `1`.
+    pub unit: String,
+    /// Formula in words.
+    pub meaning: String,
+    /// Row of `problem.metrics()`: the metric itself.
+    pub metric: usize,
+    /// In the units of the study: what it measures. `None` for the metric as it is solved.
+    pub dimension: Option<Dimension>,
+}
+
+/// The metrics of a problem, row by row, and after them those that have a dimension in the units of the study, if it has any.
+pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Measure> {
+    let metrics = || problem.metrics().iter().enumerate();
+    let scaled = metrics().map(|(row, metric)| Measure {
+        name: metric.name.into(),
+        symbol: metric.symbol.into(),
+        unit: metric.unit.into(),
+        meaning: metric.meaning.into(),
+        metric: row,
+        dimension: None,
+    });
+    let in_units = units.into_iter().flat_map(|units| {
+        metrics().filter_map(move |(row, metric)| {
+            let mut known = problem.units().iter();
+            let scale = known.find(|unit| unit.name == metric.unit)?;
+            Some(Measure {
+                name: units.column(metric.name, scale.dimension),
+                symbol: units.title(problem, metric.symbol, scale.dimension),
+                unit: units.of(scale.dimension),
+                meaning: format!("{} times {}", metric.name, scale.name),
+                metric: row,
+                dimension: Some(scale.dimension),
+            })
+        })
+    });
+    scaled.chain(in_units).collect()
+}
+
+/// The rows of the measures of these metrics, each followed by the same in units, if there is one.
+pub(super) fn columns(measures: &[Measure], metrics: &[usize]) -> Vec<usize> {
+    let of = |metric: &usize| {
+        let metric = *metric;
+        let rows = measures.iter().enumerate();
+        rows.filter(move |(_, measure)| measure.metric == metric)
+            .map(|(row, _)| row)
+    };
+    metrics.iter().flat_map(of).collect()
+}
