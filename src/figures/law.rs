@@ -43,19 +43,19 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         ),
     ];
     let models: Vec<_> = models.into_iter().filter(|m| !m.0.is_empty()).collect();
-    let width = if models.len() > 1 {
-        style::DOUBLE
-    } else {
-        style::SINGLE
-    };
+    let columns = layout::side_by_side(models.len().max(1), figure.width);
+    let width = figure.width.unwrap_or(match columns > 1 {
+        true => style::DOUBLE,
+        false => style::SINGLE,
+    });
     let force = Axis {
         range: [-1.65, 1.65],
         ..ticks::linear("*S*/*νN*", [-1.0, 1.0], 2.0)
     };
     let grid = layout::grid(
         width,
-        models.len().max(1),
-        &[HEIGHT],
+        columns,
+        &vec![HEIGHT; models.len().max(1).div_ceil(columns)],
         std::slice::from_ref(&force),
         4.0,
     );
@@ -70,11 +70,12 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         let most = grid.width / 32.0;
         let x = ticks::linear(title, [-1.2 * reach, 1.2 * reach], most);
         let mut y = force.clone();
-        if k > 0 {
+        if k % columns > 0 {
             y.title.clear();
             y.numbered = false;
         }
-        let mut panel = Panel::new(grid.frames[0][k], grid.margin, x, y);
+        let frame = grid.frames[k / columns][k % columns];
+        let mut panel = Panel::new(frame, grid.margin, x, y);
         panel.zero = true;
         panel.series.push(Series {
             label: "rigid (Coulomb)".into(),
@@ -95,7 +96,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
                 marked,
             });
         }
-        keys.push(panel.series.iter().map(Key::of).collect());
+        keys.push(panel.series.iter().map(Key::of).collect::<Vec<Key>>());
         if title.starts_with("*r*") {
             dimension(&mut panel, widest, [1.0, 1.25], "*r*^E^/Δ = *α*");
             dimension(&mut panel, reach - widest, [0.0, -1.25], "*r*^S^/Δ");
@@ -105,6 +106,16 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         sheet.panels.push(panel);
     }
     layout::letters(&mut sheet.panels);
+    // Below one another they share a legend.
+    if columns == 1 {
+        let mut all: Vec<Key> = Vec::new();
+        for key in std::mem::take(&mut keys).into_iter().flatten() {
+            if !all.iter().any(|other| other.label == key.label) {
+                all.push(key);
+            }
+        }
+        keys = vec![all];
+    }
     layout::finish(&mut sheet, keys, figure.title.as_deref());
     sheet
 }

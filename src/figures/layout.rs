@@ -7,6 +7,24 @@ use super::{style, text};
 /// Height of the line with the panel letter, over each frame.
 pub const LETTER_LINE: f64 = style::TITLE + style::LABEL_GAP;
 
+/// Least share of a sheet's width for each of several panels beside one another that share a vertical axis.
+const SHARED: f64 = 130.0;
+/// The same for panels that each have their own.
+const OWN: f64 = 160.0;
+
+/// How many of up to `columns` panels that share a vertical axis fit beside one another; all if no width is given.
+pub fn side_by_side(columns: usize, width: Option<f64>) -> usize {
+    match width {
+        Some(width) => columns.min((width / SHARED) as usize).max(1),
+        None => columns,
+    }
+}
+
+/// Whether panels with an axis each fit beside one another; they do if no width is given.
+pub fn own_axes(columns: usize, width: Option<f64>) -> bool {
+    width.is_none_or(|width| width / columns as f64 >= OWN)
+}
+
 /// Frames of a grid of panels over the width of a sheet, each row with its height.
 pub struct Grid {
     /// Room left of the first frame of a row; the others share its vertical axis.
@@ -86,13 +104,19 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         }
     };
     if let Some(heading) = heading {
-        move_down(sheet, style::TITLE + 6.0);
-        sheet.heading = Some(Words {
-            at: [sheet.width / 2.0, style::EDGE + style::TITLE],
-            anchor: Anchor::Middle,
-            text: heading.into(),
-            size: style::TITLE,
-        });
+        let lines = text::wrap(heading, style::TITLE, sheet.width - 2.0 * style::EDGE);
+        for (i, text) in lines.into_iter().enumerate() {
+            move_down(sheet, style::TITLE + if i == 0 { 6.0 } else { 3.0 });
+            sheet.heading.push(Words {
+                at: [
+                    sheet.width / 2.0,
+                    style::EDGE + style::TITLE + i as f64 * (style::TITLE + 3.0),
+                ],
+                anchor: Anchor::Middle,
+                text,
+                size: style::TITLE,
+            });
+        }
     }
     let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
@@ -116,17 +140,7 @@ pub fn below(axis: &Axis) -> f64 {
 /// Sets words small under a finished sheet, in as many lines as they need.
 pub fn small_print(sheet: &mut Sheet, markup: &str) {
     let free = sheet.width - 2.0 * style::EDGE;
-    let mut lines: Vec<String> = Vec::new();
-    for word in markup.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if text::width(&format!("{line} {word}"), style::LABEL) <= free => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    for text in lines {
+    for text in text::wrap(markup, style::LABEL, free) {
         sheet.height += style::LEADING;
         sheet.small_print.push(Words {
             at: [style::EDGE, sheet.height - style::EDGE],

@@ -20,6 +20,7 @@ mod label;
 mod law;
 mod layout;
 mod legend;
+mod limits;
 mod map;
 pub mod markup;
 mod metric;
@@ -94,11 +95,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         Some(title) => markup::plain(title),
         None => study.title.clone(),
     };
-    let labels = sheet.legend.iter().map(|entry| &entry.label);
-    let said: Vec<_> = labels
-        .chain(&figure.note)
-        .map(|s| markup::plain(s))
-        .collect();
+    let mut said: Vec<String> = Vec::new();
+    for entry in &sheet.legend {
+        let label = markup::plain(&entry.label);
+        match said.last_mut() {
+            Some(before) if entry.continues() => *before += &format!(" {label}"),
+            _ => said.push(label),
+        }
+    }
+    said.extend(figure.note.iter().map(|note| markup::plain(note)));
     sheet.description = said.join("; ");
     if let Some(note) = &figure.note {
         layout::small_print(&mut sheet, note);

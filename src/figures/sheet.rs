@@ -55,8 +55,8 @@ pub struct Sheet {
     pub width: f64,
     /// Height.
     pub height: f64,
-    /// Words over the panels, with their place.
-    pub heading: Option<Words>,
+    /// Lines of words over the panels, with their places.
+    pub heading: Vec<Words>,
     /// Lines of words under the panels, with their places.
     pub small_print: Vec<Words>,
     /// Panels, from upper left to lower right.
@@ -221,6 +221,13 @@ pub struct Entry {
     pub width: f64,
     /// Marker on the piece of line.
     pub marker: Option<Marker>,
+}
+
+impl Entry {
+    /// Whether it is a further line of the words before it, without a line or marker of its own.
+    pub fn continues(&self) -> bool {
+        self.width == 0.0 && self.marker.is_none()
+    }
 }
 
 /// Words at a place on the sheet.

@@ -79,6 +79,8 @@ impl Run {
             name: "figure".into(),
             title: None,
             note: None,
+            width: None,
+            ranges: [None; 2],
             filter: Filter::default(),
             kind,
         };

@@ -1,6 +1,8 @@
 //! The kinds of figure and the keys that each takes: the one table that decoding, schema and documentation read.
 
-use super::keys::{BY_OTHERS, COMMON, Key, METRICS, PANELS, Takes, X, X_SCALE, Y_SCALE, key};
+use super::keys::{
+    BY_OTHERS, COMMON, Key, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+};
 
 /// One kind of figure.
 pub(in crate::study) struct Kind {
@@ -29,6 +31,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 "parameter whose values are told apart by line style; all that vary if left out",
             ),
             PANELS,
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -47,6 +51,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 true,
                 "times in the problem's unit, one row of panels each; none beyond the duration of a case",
             ),
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -62,7 +68,7 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
     Kind {
         name: "metric",
         meaning: "metrics against a parameter",
-        keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE],
+        keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE, X_RANGE, Y_RANGE],
     },
     Kind {
         name: "convergence",
@@ -76,6 +82,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
             ),
             METRICS,
             BY_OTHERS,
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -90,6 +98,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 "whose error, one row of panels each; all that the problem has if left out",
             ),
             PANELS,
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -156,6 +166,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 false,
                 "scale of the colours, linear if left out",
             ),
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
