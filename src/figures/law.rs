@@ -74,7 +74,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             y.title.clear();
             y.numbered = false;
         }
-        let frame = grid.frames[k / columns][k % columns];
+        let mut frame = grid.frames[k / columns][k % columns];
+        // Each row has its own horizontal axis.
+        frame.top += (k / columns) as f64 * layout::below(&x).ceil();
         let mut panel = Panel::new(frame, grid.margin, x, y);
         panel.zero = true;
         panel.series.push(Series {

@@ -11,6 +11,7 @@ use super::reference;
 use super::sheet::{Anchor, Axis, Panel, Series, Sheet, Words};
 use super::slope;
 use super::style::{self, Marker, Stroke};
+use super::text;
 use super::ticks;
 use crate::study::{Figure, FigureKind, Scale, Study};
 
@@ -215,12 +216,16 @@ fn order_lines(panel: &mut Panel) {
             let y = bottom * libm::pow(reach, part);
             [left * libm::pow(y / bottom, 1.0 / f64::from(order)), y]
         };
-        let [x, y] = panel.place(at(0.93));
-        panel.notes.push(Words {
-            at: [x + 4.0, y + style::LABEL],
-            anchor: Anchor::Start,
-            text: order.to_string(),
-            size: style::LABEL,
-        });
+        let text = order.to_string();
+        let edge = panel.frame.right() - style::MAJOR_TICK - text::width(&text, style::LABEL) - 4.0;
+        let parts = (0..20).map(|i| panel.place(at(0.93 - 0.03 * f64::from(i))));
+        if let Some([x, y]) = parts.into_iter().find(|[x, _]| *x <= edge) {
+            panel.notes.push(Words {
+                at: [x + 4.0, y + style::LABEL],
+                anchor: Anchor::Start,
+                text,
+                size: style::LABEL,
+            });
+        }
     }
 }

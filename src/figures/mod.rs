@@ -46,6 +46,8 @@ mod tests_contents;
 #[cfg(test)]
 mod tests_extent;
 #[cfg(test)]
+mod tests_limits;
+#[cfg(test)]
 mod tests_samples;
 mod text;
 mod ticks;
@@ -111,7 +113,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     sheet
 }
 
-/// The sheet as a PNG file of `dpi` pixels an inch; fails only on a sheet too large for memory.
+/// The sheet as a PNG file of `dpi` pixels an inch; fails only on a sheet with too many of them.
 pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
     let raster = raster::Raster::new(sheet.width, sheet.height, dpi)?;
     let raster = Rc::new(RefCell::new(raster));

@@ -13,6 +13,9 @@ use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Rect, Stroke,
 
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
+/// Most pixels of a picture: half a gigabyte.
+const MOST_PIXELS: u64 = 1 << 27;
+
 /// A white sheet of pixels.
 pub struct Raster {
     pixels: Pixmap,
@@ -27,6 +30,11 @@ impl Raster {
     pub fn new(width: f64, height: f64, dpi: u32) -> Result<Raster, Error> {
         let dots = style::pixels(dpi);
         let [w, h] = [width, height].map(|length| (length * dots).round() as u32);
+        if u64::from(w) * u64::from(h) > MOST_PIXELS {
+            return Err(Error::Usage(format!(
+                "a figure of {w} x {h} pixels; allowed: at most {MOST_PIXELS} in all; give a smaller --dpi"
+            )));
+        }
         let mut pixels = Pixmap::new(w, h)
             .ok_or_else(|| Error::Internal(format!("a figure of {w} x {h} pixels")))?;
         pixels.fill(Color::WHITE);

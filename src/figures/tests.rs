@@ -13,7 +13,7 @@ const ALPHA: usize = 1;
 const DT: usize = 3;
 const X0: usize = 5;
 
-struct Run {
+pub(super) struct Run {
     study: Study,
     cases: Vec<Case>,
     solutions: Vec<Solution>,
@@ -21,7 +21,7 @@ struct Run {
 }
 
 /// Displacement-control cases with these alpha, dT and x0, solved.
-fn run(values: &[(f64, f64, f64)]) -> Run {
+pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
     let problem = problem::find("friction-oscillator").unwrap();
     let case = |(alpha, step, x0): &(f64, f64, f64)| {
         let mut case = Case::new(problem.parameters());
@@ -67,6 +67,16 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
 
 impl Run {
     fn sheet(&self, kind: FigureKind) -> Sheet {
+        self.limited(kind, None, [None; 2])
+    }
+
+    /// The sheet with a width in points and limits of its axes.
+    pub(super) fn limited(
+        &self,
+        kind: FigureKind,
+        width: Option<f64>,
+        ranges: [Option<[f64; 2]>; 2],
+    ) -> Sheet {
         let shown: Vec<Shown> = (0..self.cases.len())
             .map(|i| Shown {
                 case: &self.cases[i],
@@ -77,10 +87,11 @@ impl Run {
             .collect();
         let figure = Figure {
             name: "figure".into(),
-            title: None,
+            title: Some("Words over the panels that are longer than a narrow sheet is wide".into())
+                .filter(|_| width.is_some()),
             note: None,
-            width: None,
-            ranges: [None; 2],
+            width,
+            ranges,
             filter: Filter::default(),
             kind,
         };
@@ -96,7 +107,7 @@ fn history(panels: Option<usize>) -> FigureKind {
     }
 }
 
-fn fig5() -> Run {
+pub(super) fn fig5() -> Run {
     run(&[0.1, 1.0, 5.0].map(|alpha| (alpha, PI / 10.0, 12.0)))
 }
 
@@ -290,7 +301,7 @@ fn nothing_to_draw_is_drawn_all_the_same() {
 }
 
 /// A PNG's width, height, pixels in grey, and pixels a metre.
-fn decode(bytes: &[u8]) -> (usize, usize, Vec<u8>, u32) {
+pub(super) fn decode(bytes: &[u8]) -> (usize, usize, Vec<u8>, u32) {
     let decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];

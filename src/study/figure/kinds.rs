@@ -138,7 +138,7 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
     },
     Kind {
         name: "scatter",
-        meaning: "one column of the results against another, a dot a case; more than 2000 dots are one image in the SVG",
+        meaning: "one column of the results against another, a dot a case; more than 2000 dots are one image in SVG and PDF",
         keys: &[
             key(
                 "x",
