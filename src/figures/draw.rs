@@ -13,8 +13,7 @@ use plotters_backend::{BackendCoord, DrawingBackend};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Draws `sheet` on a backend whose size is the sheet's in virtual units.
-/// Images have `dpi` pixels an inch.
+/// Draws `sheet` on a backend whose size is the sheet's in virtual units; images have `dpi` pixels an inch.
 pub fn draw<B: DrawingBackend>(
     sheet: &Sheet,
     backend: &Rc<RefCell<B>>,
