@@ -15,7 +15,7 @@ const X0: usize = 5;
 
 pub(super) struct Run {
     study: Study,
-    cases: Vec<Case>,
+    pub(super) cases: Vec<Case>,
     solutions: Vec<Solution>,
     metrics: Vec<Vec<Option<f64>>>,
 }

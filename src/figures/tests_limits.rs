@@ -5,6 +5,7 @@ use super::sheet::{Rect, Sheet};
 use super::tests::{decode, fig5, run};
 use super::{png, slope, style, text};
 use crate::error::Error;
+use crate::problem::parameter::Value;
 use crate::study::{FigureKind, Scale};
 use std::f64::consts::PI;
 
@@ -127,14 +128,20 @@ fn panels_keep_their_places_at_every_width() {
                 marks: None,
                 ridge: None,
             },
-            FigureKind::Law,
         ]
     };
+    // One case of the other model: alpha does not apply, beta does.
+    let mut laws = fig5();
+    laws.cases[2].values[1] = None;
+    laws.cases[2].values[2] = Some(Value::Number(1.0));
     for mm in [70.0, 90.0, 140.0, 190.0, 400.0] {
         let width = mm * 72.0 / 25.4;
         for kind in kinds() {
             fits(&run.limited(kind, Some(width), [None; 2]), width);
         }
+        let sheet = laws.limited(FigureKind::Law, Some(width), [None; 2]);
+        assert_eq!(sheet.panels.len(), 2);
+        fits(&sheet, width);
     }
 }
 
