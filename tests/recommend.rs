@@ -591,7 +591,7 @@ fn each_request_keeps_its_folder() {
         "recommend-bar-impact-overlap-0.2-n-6-L-20-right.L-20",
     ];
     assert_eq!(names, wanted);
-    for file in ["front.csv", "front.png", "front.svg"] {
+    for file in ["front.csv", "front.png", "front.svg", "front.pdf"] {
         assert!(
             folder
                 .path()

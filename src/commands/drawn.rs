@@ -32,10 +32,11 @@ pub fn solve(study: &Study, shown: &mut [Outcome]) {
     }
 }
 
-/// Draws every figure of a study.
+/// Draws every figure of a study, its pixels `dpi` an inch.
 pub fn figures(
     study: &Study,
     shown: &mut [Outcome],
+    dpi: u32,
     folder: &mut Folder,
     lines: &mut Vec<PathBuf>,
 ) -> Result<(), Error> {
@@ -45,8 +46,10 @@ pub fn figures(
             Ok(figures::sheet(study, figure, cases))
         })?;
         let name = &figure.name;
-        lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet)?)?);
-        lines.push(folder.write(&format!("{name}.svg"), figures::svg(&sheet)?.as_bytes())?);
+        lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet, dpi)?)?);
+        let svg = figures::svg(&sheet, dpi)?;
+        lines.push(folder.write(&format!("{name}.svg"), svg.as_bytes())?);
+        lines.push(folder.write(&format!("{name}.pdf"), &figures::pdf(&sheet, dpi)?)?);
     }
     Ok(())
 }

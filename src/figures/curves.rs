@@ -26,8 +26,8 @@ pub struct Curves<'a> {
     pub labels: &'a [String],
     /// Whether axes are in the units of the study.
     pub in_units: bool,
-    /// Last time of any case.
-    pub end: f64,
+    /// First and last time shown.
+    pub window: [f64; 2],
     /// Markers along a curve: not a whole number a cycle, so that they do not gather at one phase.
     pub markers: f64,
 }
@@ -85,9 +85,14 @@ impl Curves<'_> {
             return None;
         }
         let sizes = sizes(self.study, self.in_units, shown.case, quantity);
-        let end = self.end / sizes[0];
-        let time = |i| end * i as f64 / EXACT_POINTS as f64;
-        let all: Vec<f64> = (0..=EXACT_POINTS).map(time).collect();
+        let [first, last] = self.window.map(|time| time / sizes[0]);
+        let time = |i| first + (last - first) * i as f64 / EXACT_POINTS as f64;
+        // From 0 on, wherever the first time shown is.
+        let start = (first > 0.0).then_some(0.0);
+        let all: Vec<f64> = start
+            .into_iter()
+            .chain((0..=EXACT_POINTS).map(time))
+            .collect();
         let exact = self.study.problem.exact(shown.case, &all)?;
         let values = column(quantity.source, &exact);
         let line = exact.time.iter().zip(values);
@@ -96,12 +101,13 @@ impl Curves<'_> {
 
     /// Points that carry a marker: few, and not at the same times for two curves.
     fn marked(&self, points: &[[f64; 2]], look: usize) -> Vec<usize> {
-        let spacing = self.end / self.markers;
+        let [begin, end] = self.window;
+        let spacing = (end - begin) / self.markers;
         let looks = self.labels.len().min(8) as f64;
-        let first = (look as f64 % looks + 0.5) / looks * spacing;
+        let first = begin + (look as f64 % looks + 0.5) / looks * spacing;
         let mut marked: Vec<usize> = Vec::new();
         let mut time = first;
-        while time < self.end && !points.is_empty() {
+        while time < end && !points.is_empty() {
             let after = points
                 .partition_point(|p| p[0] < time)
                 .min(points.len() - 1);

@@ -1,5 +1,6 @@
 //! What a reader of a report is told of the points of a figure.
 
+use super::cloud::Dot;
 use super::markup::plain;
 use super::sheet::{Panel, Sheet};
 use super::style::{self, UNITS};
@@ -73,7 +74,8 @@ fn of_panel(panel: &Panel) -> Vec<Point> {
     }
     // Dots that are one image are too many to point at.
     for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
-        for dot in &cloud.dots {
+        let shown = |dot: &&Dot| panel.frame.contains(panel.place(dot.at));
+        for dot in cloud.dots.iter().filter(shown) {
             let mut text = format!(
                 "{}, {}",
                 axis(&panel.x.title, dot.at[0]),

@@ -73,7 +73,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         false => colours,
     };
     let y_axis = along(*y, &ys, &y_edges, scales[1], height / 28.0);
-    let width = 1.3 * style::SINGLE;
+    let width = figure.width.unwrap_or(1.3 * style::SINGLE);
     let grid = layout::grid(
         width,
         1,
@@ -199,6 +199,6 @@ pub fn colours(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Sc
     match scale {
         Scale::Linear if low < high => ticks::linear(title, [low, high], most),
         Scale::Log if low < high => ticks::log_range(title, [low, high], most),
-        _ => super::metric::axis(title, [low].into_iter(), scale, most),
+        _ => super::limits::axis(title, [low].into_iter(), scale, None, most),
     }
 }

@@ -108,6 +108,10 @@ pub struct Figure {
     pub title: Option<String>,
     /// What stands small under the panels, if the study says anything.
     pub note: Option<String>,
+    /// Width in points, if the study gives one.
+    pub width: Option<f64>,
+    /// First and last value along the horizontal and the vertical axis, where the study gives them.
+    pub ranges: [Option<[f64; 2]>; 2],
     /// Which cases.
     pub filter: Filter,
     /// What is drawn.

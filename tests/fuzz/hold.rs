@@ -182,5 +182,6 @@ fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
             snapshots,
         });
     let shown: Vec<Shown> = shown.collect();
-    figures::svg(&figures::sheet(study, figure, &shown)).expect("a picture")
+    let sheet = figures::sheet(study, figure, &shown);
+    figures::svg(&sheet, figures::style::DPI).expect("a picture")
 }

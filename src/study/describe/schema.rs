@@ -13,6 +13,7 @@ use crate::problem::{Metric, PROBLEMS, Problem};
 use crate::study::blocks::BESIDE;
 use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
+use crate::study::figure::limits::WIDTHS;
 use crate::study::figure::taken::MARKS;
 use crate::study::{checks, decode, design, units};
 
@@ -195,6 +196,8 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Budgets => several(names(problem.budgets().iter().map(|b| (b.name, b.title)))),
+        Takes::Width => width(),
+        Takes::Range => pair(),
         Takes::Marks => marks(),
         Takes::InUnits if problem.units().is_empty() => json!({ "const": false }),
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
@@ -207,9 +210,20 @@ fn several(one: Json) -> Json {
     json!({ "anyOf": [one, { "type": "array", "minItems": 1, "items": one }] })
 }
 
+/// A width in mm.
+fn width() -> Json {
+    let [least, most] = WIDTHS;
+    let plain = json!({ "type": "number", "minimum": least, "maximum": most });
+    json!({ "anyOf": [plain, refer(EXPRESSION)] })
+}
+
+/// Two numbers.
+fn pair() -> Json {
+    json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": number(Range::Any) })
+}
+
 fn marks() -> Json {
-    let place =
-        json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": number(Range::Any) });
+    let place = pair();
     let mut properties = Map::new();
     for (key, meaning) in MARKS {
         properties.insert(

@@ -4,6 +4,7 @@ mod axis;
 mod fitness;
 pub(super) mod keys;
 pub(super) mod kinds;
+pub(super) mod limits;
 mod sampled;
 pub(super) mod taken;
 mod vary;
@@ -79,9 +80,12 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         name: values.text("name")?,
         title: values.text("title"),
         note: values.text("note"),
+        width: values.width("width"),
+        ranges: ["x_range", "y_range"].map(|key| values.range(key)),
         filter: values.filter(),
         kind: assembled(kind?.name, &values, scope)?,
     };
+    limits::check(&figure, &values, faults);
     let at = values.at("where");
     if !scope.blocks.is_empty() && scope.countable(&figure.filter, at, path, faults) {
         fitness::check(&figure, &values, scope, faults);

@@ -1,6 +1,7 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
 use super::keys::{Key, RIDGES, SCALES, Takes};
+use super::limits;
 use crate::problem::parameter::{self, Range};
 use crate::study::object::Object;
 use crate::study::report::{Faults, join};
@@ -20,6 +21,8 @@ pub(in crate::study) enum Taken {
     Rows(Vec<usize>),
     Column(Column),
     Times(Vec<f64>),
+    Width(f64),
+    Range([f64; 2]),
     Scale(Scale),
     Ridge(Ridge),
     Marks(Marks),
@@ -91,6 +94,20 @@ impl Values<'_> {
         }
     }
 
+    pub fn width(&self, key: &str) -> Option<f64> {
+        match self.get(key)? {
+            Taken::Width(width) => Some(*width),
+            _ => None,
+        }
+    }
+
+    pub fn range(&self, key: &str) -> Option<[f64; 2]> {
+        match self.get(key)? {
+            Taken::Range(range) => Some(*range),
+            _ => None,
+        }
+    }
+
     pub fn filter(&self) -> Filter {
         match self.get("where") {
             Some(Taken::Filter(filter)) => filter.clone(),
@@ -150,6 +167,8 @@ pub(in crate::study) fn take(
         Takes::Text | Takes::Kind => return text(node, path, faults).map(Taken::Text),
         Takes::Filter => return scope.filter(node, path, faults).map(Taken::Filter),
         Takes::Times => return times(node, path, faults).map(Taken::Times),
+        Takes::Width => return limits::width(node, path, faults).map(Taken::Width),
+        Takes::Range => return limits::range(node, path, faults).map(Taken::Range),
         Takes::Scale => {
             return name(node, path, "scale", &SCALES, faults).map(|row| match row {
                 0 => Taken::Scale(Scale::Linear),
