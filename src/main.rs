@@ -7,6 +7,7 @@ use commands::asked::Jobs;
 use commands::run::{Format, Manner};
 use commands::sources::Source;
 use slipgap::error::Error;
+use slipgap::figures::style;
 use slipgap::problem::Problem;
 use slipgap::study::Setting;
 use std::path::PathBuf;
@@ -90,6 +91,9 @@ struct Run {
     /// Format of the results; by default the store, and results.csv for up to 10^5 cases
     #[arg(long, value_enum)]
     format: Option<Format>,
+    /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
+    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = clap::value_parser!(u32).range(72..=1200))]
+    dpi: u32,
     #[command(flatten)]
     jobs: Jobs,
 }
@@ -120,7 +124,7 @@ struct Init {
     name: String,
     /// Problem of the study
     #[arg(long, value_parser = commands::init::problem)]
-    problem: &'static dyn Problem,
+    problem: std::sync::Arc<dyn Problem>,
 }
 
 #[derive(Args)]
@@ -196,6 +200,7 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
                 histories: run.histories,
                 fail_fast: run.fail_fast,
                 format: run.format,
+                dpi: run.dpi,
             };
             commands::pool(run.jobs.jobs)?
                 .install(|| commands::run::run(&studies, &run.out, &manner))
@@ -210,7 +215,7 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
                 .install(|| commands::report::report(&studies, &report.out))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
-        Verb::Init(init) => commands::init::init(&init.name, init.problem),
+        Verb::Init(init) => commands::init::init(&init.name, &*init.problem),
         Verb::Explain(of) => {
             if of.study.is_dir() {
                 let what = format!("{} is a folder; name one study", of.study.display());

@@ -795,6 +795,59 @@ fn figures() {
 }
 
 #[test]
+fn widths_and_limits_of_figures() {
+    let metric = r#""kind": "metric", "x": "alpha", "y": "rms_error""#;
+    for (keys, expected) in [
+        (
+            r#""kind": "law", "width": §60"#,
+            "figures[0].width: must be a width in mm from 70 to 400, got 60",
+        ),
+        (
+            r#""kind": "law", "width": §"4*200""#,
+            "figures[0].width: must be a width in mm from 70 to 400, got",
+        ),
+        (r#""kind": "law", "width": §"90 mm""#, "figures[0].width: "),
+        (
+            r#""kind": "law", "x_range": §[0, 1]"#,
+            "figures[0].x_range: a law figure takes no \"x_range\"; the kinds that do: history, profile, metric, convergence, budget, scatter",
+        ),
+        (
+            r#""kind": "history", "x_range": §[3, 3]"#,
+            "figures[0].x_range: the first value must be less than the last, got 3 and 3",
+        ),
+        (
+            r#""kind": "history", "x_range": §["2*pi"]"#,
+            "figures[0].x_range: must be a list of two numbers",
+        ),
+        (
+            r#""kind": "history", "y_range": §[0, 1]"#,
+            "figures[0].y_range: takes one quantity in \"y\", and the figure has 2",
+        ),
+        (
+            &format!(r#"{metric}, "x_scale": "log", "x_range": [§0, 1]"#),
+            "figures[0].x_range[0]: must be > 0 on a log scale, got 0",
+        ),
+        (
+            r#""kind": "convergence", "y": "rms_error", "y_range": [§-1, 1]"#,
+            "figures[0].y_range[0]: must be > 0 on a log scale, got -1",
+        ),
+    ] {
+        let figure = format!(", \"figures\": [\n{{\"name\": \"a\", {keys}}}]");
+        assert_marked(&with(GOOD, &figure), &[expected]);
+    }
+    let good = format!(r#"{metric}, "x_range": [0.01, "1/2"], "y_range": [-1, 2], "width": 84.5"#);
+    let figure = format!(", \"figures\": [{{\"name\": \"a\", {good}}}]");
+    assert_faults(&with(GOOD, &figure), &[]);
+    let samples = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "duration": 3,
+        "beta": {"uniform": [1, 2]}, "dT": {"uniform": [0.1, 0.5]}, "x0": {"uniform": [3, 15]}},
+        "design": {"kind": "sobol", "n": 8},
+        "figures": [{"name": "a", "kind": "samples", "y": "rms_error", "width": §89}]}"#;
+    let least = "figures[0].width: must be at least 90 for 3 sampled parameters, got 89";
+    assert_marked(samples, &[least]);
+    assert_faults(&samples.replace("§89", "90"), &[]);
+}
+
+#[test]
 fn figures_along_the_bars() {
     let bars = |keys: &str| {
         format!(

@@ -96,7 +96,7 @@ fn results(folder: &Path) -> BTreeSet<PathBuf> {
             entry.file_type().is_file() && !BESIDE.iter().any(|name| entry.file_name() == *name)
         })
         .map(|entry| entry.path().strip_prefix(folder).unwrap().to_owned())
-        .filter(|name| name.extension().is_none_or(|e| e != "svg"))
+        .filter(|name| name.extension().is_none_or(|e| e != "svg" && e != "pdf"))
         .collect()
 }
 

@@ -7,8 +7,9 @@ use serde_json::{Value as Json, json};
 use slipgap::problem::{Problem, cases_without_contact, find};
 use slipgap::solve::{MetricTable, Unsolvable};
 use slipgap::study::parse;
+use std::sync::Arc;
 
-fn problem() -> &'static dyn Problem {
+fn problem() -> Arc<dyn Problem> {
     find("bar-impact").unwrap()
 }
 
@@ -19,7 +20,7 @@ fn metrics(given: &Json) -> impl Fn(&str) -> Option<f64> + use<> {
         row.unwrap_or_else(|| panic!("{name}"))
     };
     let wanted = ["contact_duration_exact"].map(row);
-    let found = problem().solve(&case(problem(), given), &wanted).unwrap();
+    let found = problem().solve(&case(&*problem(), given), &wanted).unwrap();
     move |name| found.metrics[row(name)]
 }
 
@@ -210,7 +211,7 @@ fn cases_without_contact_are_counted_in_any_company() {
         let rows: Vec<u32> = (0..cases.len() as u32).collect();
         let found = study.problem.sweep(&cases, &rows);
         assert_eq!(
-            cases_without_contact(study.problem, &found),
+            cases_without_contact(&*study.problem, &found),
             wanted,
             "{gaps}"
         );
@@ -218,9 +219,9 @@ fn cases_without_contact_are_counted_in_any_company() {
     // A case without a solution is not one without contact, and friction has no contact to miss.
     let mut failed = MetricTable::new(2, 12);
     failed.fail(1, Unsolvable::OutOfRange);
-    assert_eq!(cases_without_contact(problem(), &failed), 1);
+    assert_eq!(cases_without_contact(&*problem(), &failed), 1);
     assert_eq!(
-        cases_without_contact(find("friction-oscillator").unwrap(), &failed),
+        cases_without_contact(&*find("friction-oscillator").unwrap(), &failed),
         0
     );
 }
@@ -236,7 +237,7 @@ fn profiles_of_unequal_lengths_stand_where_the_bars_do() {
         let t = 0.12;
         let given = json!({"gamma": 1.0, "n": 4, "dt": 0.01, "duration": t, "right": right});
         let snapshot = problem()
-            .snapshots(&case(problem(), &given), &[t])
+            .snapshots(&case(&*problem(), &given), &[t])
             .remove(0);
         let places = |line: &[[f64; 2]]| -> Vec<f64> { line.iter().map(|p| p[0]).collect() };
         let even = |n: u32, from: f64, to: f64| -> Vec<f64> {

@@ -12,13 +12,14 @@ use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Case, Problem, Snapshot, Solution, find};
 use slipgap::solve;
 use slipgap::solve::sweep::LaneCase;
+use std::sync::Arc;
 
-fn problem() -> &'static dyn Problem {
+fn problem() -> Arc<dyn Problem> {
     find("bar-impact").unwrap()
 }
 
 fn bars(given: &Json) -> Case {
-    case(problem(), given)
+    case(&*problem(), given)
 }
 
 fn solve(given: &Json) -> Solution {
@@ -141,9 +142,9 @@ fn density_and_common_velocity_do_not_reach_the_solver() {
 /// Largest difference of two histories' r, rdot and force, the second from row `from` on and with r times `length`.
 fn difference(a: &History, b: &History, from: usize, length: f64) -> f64 {
     let columns = [
-        (&a.displacement, &b.displacement, length),
-        (&a.velocity, &b.velocity, 1.0),
-        (&a.force, &b.force, 1.0),
+        (a.displacement(), b.displacement(), length),
+        (a.velocity(), b.velocity(), 1.0),
+        (a.force(), b.force(), 1.0),
     ];
     let mut largest: f64 = 0.0;
     for (a, b, scale) in columns {
@@ -180,7 +181,7 @@ fn a_gap_that_closes_at_a_step_shifts_the_history() {
     apart["gap"] = json!(0.25);
     apart["duration"] = json!(1.625);
     let (a, b) = (solve(&touching).computed, solve(&apart).computed);
-    assert_eq!(b.displacement[16], 0.0);
+    assert_eq!(b.displacement()[16], 0.0);
     assert_eq!(a.len() + 16, b.len());
     let shifted = difference(&a, &b, 16, 1.0);
     assert!(shifted < ROUND_OFF, "{shifted:e}");

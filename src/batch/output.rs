@@ -48,7 +48,7 @@ impl Folder {
     /// Notes what a run of the study may leave, before it writes any of it, with the histories of the first `cases`.
     pub fn begin(&self, study: &Study, file: &Path, cases: u64) -> Result<(), Error> {
         sweep(&self.path.join(HISTORIES));
-        let figure = |name: &String| [format!("{name}.png"), format!("{name}.svg")];
+        let figure = |name: &String| ["png", "svg", "pdf"].map(|end| format!("{name}.{end}"));
         let figures = study.figures.iter().flat_map(|f| figure(&f.name));
         let tables = [RESULTS, FAILURES, INDICES].map(String::from);
         let names = tables.into_iter().chain(figures).collect();

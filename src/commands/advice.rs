@@ -68,7 +68,7 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
     }
     let names = space.problem().metrics().iter().enumerate();
     for (i, metric) in names.filter(|(_, metric)| metric.default) {
-        let mut cells = vec![metric.name.to_owned()];
+        let mut cells = vec![metric.name.to_string()];
         cells.extend(
             own.iter()
                 .map(|own| own[i].map_or("undefined".into(), digits)),

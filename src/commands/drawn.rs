@@ -32,10 +32,11 @@ pub fn solve(study: &Study, shown: &mut [Outcome]) {
     }
 }
 
-/// Draws every figure of a study.
+/// Draws every figure of a study, its pixels `dpi` an inch.
 pub fn figures(
     study: &Study,
     shown: &mut [Outcome],
+    dpi: u32,
     folder: &mut Folder,
     lines: &mut Vec<PathBuf>,
 ) -> Result<(), Error> {
@@ -45,8 +46,10 @@ pub fn figures(
             Ok(figures::sheet(study, figure, cases))
         })?;
         let name = &figure.name;
-        lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet)?)?);
-        lines.push(folder.write(&format!("{name}.svg"), figures::svg(&sheet)?.as_bytes())?);
+        lines.push(folder.write(&format!("{name}.png"), &figures::png(&sheet, dpi)?)?);
+        let svg = figures::svg(&sheet, dpi)?;
+        lines.push(folder.write(&format!("{name}.svg"), svg.as_bytes())?);
+        lines.push(folder.write(&format!("{name}.pdf"), &figures::pdf(&sheet, dpi)?)?);
     }
     Ok(())
 }
@@ -76,7 +79,7 @@ pub fn with_shown<T>(
 
 /// What a figure draws along the structure; nothing of a case that could not be solved.
 fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
-    let (problem, case) = (study.problem, &outcome.case);
+    let (problem, case) = (&study.problem, &outcome.case);
     let duration = case.number("duration").unwrap_or(0.0);
     let times = figure.kind.snapshot_times(duration, problem.steps(case));
     if times.is_empty() || outcome.failure.is_some() {

@@ -5,6 +5,7 @@ use super::asked::Meant;
 use super::{NOT_MET, note, say};
 use slipgap::batch::output::Folder;
 use slipgap::error::Error;
+use slipgap::figures::style::DPI;
 use slipgap::figures::{self, Front};
 use slipgap::problem::parameter::shortest;
 use slipgap::recommend::{Answer, Request, Space, search};
@@ -48,8 +49,9 @@ pub fn recommend(meant: &Meant) -> Result<u8, Error> {
     let sheet = front.sheet();
     for path in [
         folder.write("front.csv", table(space, request, &answer).as_bytes())?,
-        folder.write("front.png", &figures::png(&sheet)?)?,
-        folder.write("front.svg", figures::svg(&sheet)?.as_bytes())?,
+        folder.write("front.png", &figures::png(&sheet, DPI)?)?,
+        folder.write("front.svg", figures::svg(&sheet, DPI)?.as_bytes())?,
+        folder.write("front.pdf", &figures::pdf(&sheet, DPI)?)?,
     ] {
         text += &format!("{}\n", path.display());
     }

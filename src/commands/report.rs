@@ -13,6 +13,7 @@ use slipgap::batch::store::Store;
 use slipgap::batch::{self, Wishes};
 use slipgap::claims::compute;
 use slipgap::error::Error;
+use slipgap::figures::style;
 use slipgap::report::{
     self, Checks, Counts, Drawing, Indices, MOST_BYTES, Results, Section, Settled,
 };
@@ -115,6 +116,7 @@ fn bring_up_to_date(source: &Source, out: &Path, results: &Path) -> Result<(), E
         histories: false,
         fail_fast: false,
         format: None,
+        dpi: style::DPI,
     };
     // Cases without a solution are on the page.
     run::run(std::slice::from_ref(source), out, &manner).map(|_| ())

@@ -38,6 +38,8 @@ pub struct Manner {
     pub fail_fast: bool,
     /// What is written; by default results.csv for up to 10^5 cases.
     pub format: Option<Format>,
+    /// Pixels an inch of figures.
+    pub dpi: u32,
 }
 
 /// Runs the studies into `out`; gives the exit code.
@@ -95,7 +97,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     let mut untouched = 0;
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
-        untouched += cases_without_contact(study.problem, &done.found);
+        untouched += cases_without_contact(&*study.problem, &done.found);
         designs.add(&done);
         // Where nobody looks at cases one by one, they stay columns.
         if !tables.has_results()
@@ -134,7 +136,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     if let Some(indices) = indices(source, &designs)? {
         lines.push(folder.write(INDICES, &indices)?);
     }
-    drawn::figures(study, &mut shown, &mut folder, &mut lines)?;
+    drawn::figures(study, &mut shown, manner.dpi, &mut folder, &mut lines)?;
     // A part of a former study that stays is told last: the results are there all the same.
     let store = store.close();
     folder.close(study, &source.file, untouched)?;

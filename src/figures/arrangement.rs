@@ -1,5 +1,7 @@
 //! How the panels of a history figure are arranged on its sheet.
 
+use super::layout;
+
 /// How panels of several quantities, for several values of a parameter, share a sheet.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Arrangement {
@@ -20,12 +22,23 @@ pub struct Cell {
 }
 
 impl Arrangement {
-    /// Rows and columns where that makes a page, else a stack.
-    pub fn of(quantities: usize, groups: usize) -> Arrangement {
+    /// Rows and columns where that makes a page and fits the `width`, if one is given, else a stack.
+    pub fn of(quantities: usize, groups: usize, width: Option<f64>) -> Arrangement {
         match (quantities, groups) {
-            (2.., 2..=3) => Arrangement::GroupsAcross,
-            (2..=3, 4..) => Arrangement::QuantitiesAcross,
+            (2.., 2..=3) if layout::side_by_side(groups, width) == groups => {
+                Arrangement::GroupsAcross
+            }
+            (2..=3, 4..) if layout::own_axes(quantities, width) => Arrangement::QuantitiesAcross,
             _ => Arrangement::Stack,
+        }
+    }
+
+    /// Number of columns.
+    pub fn columns(self, quantities: usize, groups: usize) -> usize {
+        match self {
+            Arrangement::Stack => 1,
+            Arrangement::GroupsAcross => groups,
+            Arrangement::QuantitiesAcross => quantities,
         }
     }
 

@@ -4,13 +4,13 @@ use super::Shown;
 use super::label;
 use super::layout;
 use super::legend::Key;
+use super::limits;
 use super::sheet::{Axis, Panel, Series, Sheet};
 use super::slope;
 use super::style::{self, Marker, Stroke};
-use super::ticks;
 use crate::problem::Budget;
 use crate::problem::parameter::Value;
-use crate::study::{Figure, FigureKind, Study};
+use crate::study::{Figure, FigureKind, Scale, Study};
 
 /// Most panels beside each other.
 const COLUMNS: usize = 3;
@@ -28,7 +28,10 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             .collect(),
         None => vec![None],
     };
-    let budgets: Vec<&Budget> = y.iter().map(|row| &study.problem.budgets()[*row]).collect();
+    let budgets: Vec<&Budget> = y
+        .iter()
+        .map(|row| &study.problem.schema().budgets[*row])
+        .collect();
     let member = |shown: &&Shown, group: &Option<Value>| {
         panels.is_none_or(|row| label::same(shown.case.values[row], *group))
     };
@@ -40,21 +43,23 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             content.push((*budget, *group, curves(budget, &members, *x)));
         }
     }
-    let columns = groups.len().min(COLUMNS);
+    let [x_range, y_range] = figure.ranges;
+    let columns = layout::side_by_side(groups.len().min(COLUMNS), figure.width);
     let rows = budgets.len() * groups.len().div_ceil(columns);
     let height = if columns == 1 { 190.0 } else { 165.0 };
     let axis_of = |budget: &Budget| {
         let own = content.iter().filter(|(b, ..)| b.name == budget.name);
-        let points = own
-            .flat_map(|(_, _, series)| series)
-            .flat_map(|s| &s.points);
-        ticks::log(budget.title, points.map(|p| p[1]), height / 24.0)
+        let series = own.flat_map(|(_, _, series)| series);
+        let heights = limits::heights(limits::points(series), x_range).into_iter();
+        limits::axis(&budget.title, heights, Scale::Log, y_range, height / 24.0)
     };
     let axes: Vec<Axis> = budgets.iter().map(|budget| axis_of(budget)).collect();
-    let width = [1.2 * style::SINGLE, 1.5 * style::SINGLE, style::DOUBLE][columns - 1];
+    let usual = [1.2 * style::SINGLE, 1.5 * style::SINGLE, style::DOUBLE][columns - 1];
+    let width = figure.width.unwrap_or(usual);
     let grid = layout::grid(width, columns, &vec![height; rows], &axes, 6.0);
     let at = cases.iter().filter_map(|c| c.case.values[*x]?.as_f64());
-    let across = ticks::log(parameters[*x].symbol, at, grid.width / 40.0);
+    let title = &parameters[*x].symbol;
+    let across = limits::axis(title, at, Scale::Log, x_range, grid.width / 40.0);
 
     let mut sheet = Sheet {
         width,
@@ -141,7 +146,7 @@ fn curves(budget: &Budget, members: &[&Shown], x: usize) -> Vec<Series> {
         .map(|(look, (name, metric))| {
             let points = of(*metric);
             Series {
-                label: (*name).to_owned(),
+                label: (*name).to_string(),
                 marked: (0..points.len()).collect(),
                 points,
                 stroke: Stroke::of_case(look),

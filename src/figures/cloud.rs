@@ -3,7 +3,7 @@
 use super::pen::{Drawn, Pen, at, line, unit};
 use super::raster::Raster;
 use super::sheet::{Axis, Panel};
-use super::style::{self, PIXELS};
+use super::style;
 use crate::error::Error;
 use plotters::element::{Circle, Drawable, PointCollection};
 use plotters::style::{Color, RGBColor};
@@ -71,15 +71,16 @@ impl Cloud {
 }
 
 /// The image of a panel's dots, where they are one.
-pub fn image(panel: &Panel) -> Result<Option<Image>, Error> {
+pub fn image(panel: &Panel, dpi: u32) -> Result<Option<Image>, Error> {
     let Some(cloud) = panel.cloud.as_ref().filter(|cloud| cloud.image) else {
         return Ok(None);
     };
     // Whole pixels round the frame.
+    let dots = style::pixels(dpi);
     let frame = &panel.frame;
-    let [left, top] = [frame.left, frame.top].map(|x| (x * PIXELS).floor() / PIXELS);
-    let [right, bottom] = [frame.right(), frame.bottom()].map(|x| (x * PIXELS).ceil() / PIXELS);
-    let raster = Raster::new(right - left, bottom - top)?;
+    let [left, top] = [frame.left, frame.top].map(|x| (x * dots).floor() / dots);
+    let [right, bottom] = [frame.right(), frame.bottom()].map(|x| (x * dots).ceil() / dots);
+    let raster = Raster::new(right - left, bottom - top, dpi)?;
     let raster = Rc::new(RefCell::new(raster));
     let mut pen = Pen::on(&raster);
     for dot in &cloud.dots {

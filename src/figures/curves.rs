@@ -5,10 +5,9 @@ use super::label;
 use super::legend::Key;
 use super::sheet::{Series, Sheet};
 use super::style::{self, Marker, Stroke};
-use crate::history::History;
 use crate::problem::parameter::Value;
 use crate::problem::unit::Dimension;
-use crate::problem::{Case, Quantity, Solution, Source};
+use crate::problem::{Case, Quantity, Solution};
 use crate::study::Study;
 
 /// Points of an exact curve: less than a point of paper apart.
@@ -26,8 +25,8 @@ pub struct Curves<'a> {
     pub labels: &'a [String],
     /// Whether axes are in the units of the study.
     pub in_units: bool,
-    /// Last time of any case.
-    pub end: f64,
+    /// First and last time shown.
+    pub window: [f64; 2],
     /// Markers along a curve: not a whole number a cycle, so that they do not gather at one phase.
     pub markers: f64,
 }
@@ -64,7 +63,7 @@ impl Curves<'_> {
                 continue;
             };
             let sizes = sizes(self.study, self.in_units, self.cases[i].case, quantity);
-            let points = points(quantity.source, solution).into_iter();
+            let points = points(quantity, solution).into_iter();
             let points: Vec<[f64; 2]> = points.map(|p| times(p, sizes)).collect();
             let look = self.looks[i];
             series.push(Series {
@@ -81,27 +80,33 @@ impl Curves<'_> {
 
     /// The exact curve, finer than any case's steps; none for an error.
     fn exact(&self, quantity: &Quantity, shown: &Shown) -> Option<Vec<[f64; 2]>> {
-        if is_error(quantity) {
+        if quantity.error {
             return None;
         }
         let sizes = sizes(self.study, self.in_units, shown.case, quantity);
-        let end = self.end / sizes[0];
-        let time = |i| end * i as f64 / EXACT_POINTS as f64;
-        let all: Vec<f64> = (0..=EXACT_POINTS).map(time).collect();
+        let [first, last] = self.window.map(|time| time / sizes[0]);
+        let time = |i| first + (last - first) * i as f64 / EXACT_POINTS as f64;
+        // From 0 on, wherever the first time shown is.
+        let start = (first > 0.0).then_some(0.0);
+        let all: Vec<f64> = start
+            .into_iter()
+            .chain((0..=EXACT_POINTS).map(time))
+            .collect();
         let exact = self.study.problem.exact(shown.case, &all)?;
-        let values = column(quantity.source, &exact);
+        let values = exact.channel(quantity.channel);
         let line = exact.time.iter().zip(values);
         Some(line.map(|(t, x)| times([*t, *x], sizes)).collect())
     }
 
     /// Points that carry a marker: few, and not at the same times for two curves.
     fn marked(&self, points: &[[f64; 2]], look: usize) -> Vec<usize> {
-        let spacing = self.end / self.markers;
+        let [begin, end] = self.window;
+        let spacing = (end - begin) / self.markers;
         let looks = self.labels.len().min(8) as f64;
-        let first = (look as f64 % looks + 0.5) / looks * spacing;
+        let first = begin + (look as f64 % looks + 0.5) / looks * spacing;
         let mut marked: Vec<usize> = Vec::new();
         let mut time = first;
-        while time < self.end && !points.is_empty() {
+        while time < end && !points.is_empty() {
             let after = points
                 .partition_point(|p| p[0] < time)
                 .min(points.len() - 1);
@@ -133,40 +138,24 @@ fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f6
         true => study.problem.size(case, dimension).unwrap_or(f64::NAN),
         false => 1.0,
     };
-    [of(Dimension::Time), of(quantity.source.dimension())]
+    [
+        of(Dimension::Time),
+        of(study.problem.schema().channels[quantity.channel].dimension),
+    ]
 }
 
 fn times(point: [f64; 2], sizes: [f64; 2]) -> [f64; 2] {
     [point[0] * sizes[0], point[1] * sizes[1]]
 }
 
-fn points(source: Source, solution: &Solution) -> Vec<[f64; 2]> {
-    let (computed, exact) = (&solution.computed, &solution.exact);
-    let values = column(source, computed);
-    let time = computed.time.iter();
-    match source {
-        Source::Displacement | Source::Velocity | Source::Force => {
-            time.zip(values).map(|(t, c)| [*t, *c]).collect()
-        }
-        Source::DisplacementError | Source::VelocityError => {
-            let pairs = values.iter().zip(column(source, exact));
-            time.zip(pairs).map(|(t, (c, e))| [*t, c - e]).collect()
-        }
+fn points(quantity: &Quantity, solution: &Solution) -> Vec<[f64; 2]> {
+    let computed = solution.computed.channel(quantity.channel);
+    let time = solution.computed.time.iter();
+    if !quantity.error {
+        return time.zip(computed).map(|(t, c)| [*t, *c]).collect();
     }
-}
-
-fn column(source: Source, history: &History) -> &[f64] {
-    match source {
-        Source::Displacement | Source::DisplacementError => &history.displacement,
-        Source::Velocity | Source::VelocityError => &history.velocity,
-        Source::Force => &history.force,
-    }
-}
-
-/// Whether a quantity is computed minus exact.
-pub fn is_error(quantity: &Quantity) -> bool {
-    matches!(
-        quantity.source,
-        Source::DisplacementError | Source::VelocityError
-    )
+    let pairs = computed
+        .iter()
+        .zip(solution.exact.channel(quantity.channel));
+    time.zip(pairs).map(|(t, (c, e))| [*t, c - e]).collect()
 }

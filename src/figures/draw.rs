@@ -14,9 +14,13 @@ use plotters_backend::{BackendCoord, DrawingBackend};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Draws `sheet` on a backend whose size is the sheet's in virtual units.
-pub fn draw<B: DrawingBackend>(sheet: &Sheet, backend: &Rc<RefCell<B>>) -> Result<(), Error> {
-    let images = sheet.panels.iter().map(cloud::image);
+/// Draws `sheet` on a backend whose size is the sheet's in virtual units; images have `dpi` pixels an inch.
+pub fn draw<B: DrawingBackend>(
+    sheet: &Sheet,
+    backend: &Rc<RefCell<B>>,
+    dpi: u32,
+) -> Result<(), Error> {
+    let images = sheet.panels.iter().map(|panel| cloud::image(panel, dpi));
     let images: Vec<Option<Image>> = images.collect::<Result<_, _>>()?;
     let mut pen = Pen::on(backend);
     pen.sheet(sheet, &images)

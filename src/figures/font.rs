@@ -8,21 +8,37 @@ const ROMAN: usize = 0;
 const ITALIC: usize = 1;
 const SYMBOLS: usize = 2;
 
+/// Number of embedded files.
+pub const COUNT: usize = 3;
+
+static FILES: [&[u8]; COUNT] = [
+    include_bytes!("../../assets/fonts/stix-two-text-regular.otf"),
+    include_bytes!("../../assets/fonts/stix-two-text-italic.otf"),
+    include_bytes!("../../assets/fonts/stix-two-math-symbols.otf"),
+];
+
 /// The three files are part of the program, so that they are sound is a matter for a test, not for the user.
-static FACES: LazyLock<[Face<'static>; 3]> = LazyLock::new(|| {
-    let face = |bytes| Face::parse(bytes, 0).expect("the embedded fonts are sound");
-    [
-        face(include_bytes!(
-            "../../assets/fonts/stix-two-text-regular.otf"
-        )),
-        face(include_bytes!(
-            "../../assets/fonts/stix-two-text-italic.otf"
-        )),
-        face(include_bytes!(
-            "../../assets/fonts/stix-two-math-symbols.otf"
-        )),
-    ]
-});
+static FACES: LazyLock<[Face<'static>; COUNT]> =
+    LazyLock::new(|| FILES.map(|file| Face::parse(file, 0).expect("the embedded fonts are sound")));
+
+/// A file as it is.
+pub fn bytes(face: usize) -> &'static [u8] {
+    FILES[face]
+}
+
+/// A file as a font.
+pub fn face(face: usize) -> &'static Face<'static> {
+    &FACES[face]
+}
+
+/// The PostScript name of a font, and whether it is italic.
+pub fn name(face: usize) -> (&'static str, bool) {
+    match face {
+        ROMAN => ("STIXTwoText-Regular", false),
+        ITALIC => ("STIXTwoText-Italic", true),
+        _ => ("STIXTwoMath-Regular", false),
+    }
+}
 
 /// A glyph of one of the embedded files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,8 +65,18 @@ impl Glyph {
         format!("{}{}", ["r", "i", "s"][self.face], self.id.0)
     }
 
+    /// Number of its file.
+    pub fn face(self) -> usize {
+        self.face
+    }
+
+    /// Number in its file.
+    pub fn id(self) -> u16 {
+        self.id.0
+    }
+
     /// Advance over the type size.
-    fn advance(self) -> f64 {
+    pub fn advance(self) -> f64 {
         f64::from(FACES[self.face].glyph_hor_advance(self.id).unwrap_or(0)) / self.per_em()
     }
 

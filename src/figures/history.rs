@@ -2,16 +2,17 @@
 
 use super::Shown;
 use super::arrangement::Arrangement;
-use super::curves::{Curves, is_error};
+use super::curves::Curves;
 use super::guides;
 use super::label;
 use super::layout;
+use super::limits;
 use super::sheet::{Axis, Panel, Series, Sheet};
 use super::style;
 use super::ticks;
 use crate::problem::Quantity;
 use crate::problem::unit::Dimension;
-use crate::study::{Figure, FigureKind, Study};
+use crate::study::{Figure, FigureKind, Scale, Study};
 
 /// The sheet of a `history` figure.
 pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
@@ -39,17 +40,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         Some(row) if !drawn.is_empty() => label::values(drawn, *row),
         _ => vec![None],
     };
-    let arranged = Arrangement::of(y.len(), groups.len());
-    let columns = match arranged {
-        Arrangement::Stack => 1,
-        Arrangement::GroupsAcross => groups.len(),
-        Arrangement::QuantitiesAcross => y.len(),
-    };
-    let width = if columns > 1 {
+    let arranged = Arrangement::of(y.len(), groups.len(), figure.width);
+    let columns = arranged.columns(y.len(), groups.len());
+    let usual = if columns > 1 {
         style::DOUBLE
     } else {
         style::MIDDLE
     };
+    let width = figure.width.unwrap_or(usual);
+    let [x_range, y_range] = figure.ranges;
     let end = drawn.iter().filter_map(|c| {
         let size = match in_units {
             true => study.problem.size(c.case, Dimension::Time)?,
@@ -59,7 +58,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     });
     let end = end.fold(0.0, f64::max);
     let title = |scaled: &str, dimension| match units {
-        Some(units) => units.title(study.problem, scaled, dimension),
+        Some(units) => units.title(&*study.problem, scaled, dimension),
         None => scaled.to_owned(),
     };
     let curves = Curves {
@@ -68,12 +67,15 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         looks: &looks,
         labels: &labels,
         in_units,
-        end,
+        window: window(x_range, end),
         // Fewer in narrow panels.
-        markers: 9.3 / (0.6 + 0.4 * columns as f64),
+        markers: 9.3 * (width / usual) / (0.6 + 0.4 * columns as f64),
     };
 
-    let quantities: Vec<&Quantity> = y.iter().map(|q| &study.problem.quantities()[*q]).collect();
+    let quantities: Vec<&Quantity> = y
+        .iter()
+        .map(|q| &study.problem.schema().quantities[*q])
+        .collect();
     let members: Vec<Vec<usize>> = groups
         .iter()
         .map(|group| curves.members(panels.map(|row| (row, *group))))
@@ -98,9 +100,13 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .enumerate()
         .map(|(q, quantity)| {
             let of_it = series.iter().flat_map(|group| &group[q]);
-            let values = of_it.flat_map(|s| &s.points).map(|p| p[1]);
-            let title = title(quantity.title, quantity.source.dimension());
-            ticks::around(&title, values, height(quantity).min(tallest) / 17.0)
+            let values = limits::heights(limits::points(of_it), x_range).into_iter();
+            let most = height(quantity).min(tallest) / 17.0;
+            let title = title(
+                &quantity.title,
+                study.problem.schema().channels[quantity.channel].dimension,
+            );
+            limits::axis(&title, values, Scale::Linear, y_range, most)
         })
         .collect();
 
@@ -111,8 +117,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     };
     let time = time_axis(
         study,
-        &title(study.problem.time_title(), Dimension::Time),
-        end,
+        &title(&study.problem.schema().time.title, Dimension::Time),
+        x_range.unwrap_or([0.0, if end > 0.0 { end } else { 1.0 }]),
         grids.first().map_or(1.0, |grid| grid.width / 38.0),
     );
     let mut sheet = Sheet {
@@ -158,12 +164,19 @@ const LOW: f64 = 92.0;
 
 /// Errors lie flatter than the response.
 fn height(quantity: &Quantity) -> f64 {
-    if is_error(quantity) { 76.0 } else { 160.0 }
+    if quantity.error { 76.0 } else { 160.0 }
 }
 
-fn time_axis(study: &Study, title: &str, end: f64, most: f64) -> Axis {
-    let range = [0.0, if end > 0.0 { end } else { 1.0 }];
-    if study.problem.time_in_pi() {
+/// The part of the time up to `end` that the axis shows; all of it where it shows none.
+fn window(range: Option<[f64; 2]>, end: f64) -> [f64; 2] {
+    match range.map(|[a, b]| [a.max(0.0), b.min(end)]) {
+        Some([a, b]) if a < b => [a, b],
+        _ => [0.0, end],
+    }
+}
+
+fn time_axis(study: &Study, title: &str, range: [f64; 2], most: f64) -> Axis {
+    if study.problem.schema().time.in_pi {
         ticks::in_pi(title, range, most)
     } else {
         ticks::linear(title, range, most)

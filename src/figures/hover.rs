@@ -1,5 +1,6 @@
 //! What a reader of a report is told of the points of a figure.
 
+use super::cloud::Dot;
 use super::markup::plain;
 use super::sheet::{Panel, Sheet};
 use super::style::{self, UNITS};
@@ -73,7 +74,8 @@ fn of_panel(panel: &Panel) -> Vec<Point> {
     }
     // Dots that are one image are too many to point at.
     for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
-        for dot in &cloud.dots {
+        let shown = |dot: &&Dot| panel.frame.contains(panel.place(dot.at));
+        for dot in cloud.dots.iter().filter(shown) {
             let mut text = format!(
                 "{}, {}",
                 axis(&panel.x.title, dot.at[0]),
@@ -109,7 +111,7 @@ fn of_map(
         let at = panel.place([x?, y?]);
         let value = shown.metrics.get(metric).copied().flatten();
         let value = value.map_or("undefined".into(), number::told);
-        let [across, up] = axes.map(|row| plain(parameters[row].symbol));
+        let [across, up] = axes.map(|row| plain(&parameters[row].symbol));
         let (x, y) = (number::told(x?), number::told(y?));
         let text = format!("{across} = {x}, {up} = {y}: {symbol} = {value}");
         panel.frame.contains(at).then_some(Point { at, text })

@@ -44,19 +44,19 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         ),
     ];
     let models: Vec<_> = models.into_iter().filter(|m| !m.0.is_empty()).collect();
-    let width = if models.len() > 1 {
-        style::DOUBLE
-    } else {
-        style::SINGLE
-    };
+    let columns = layout::side_by_side(models.len().max(1), figure.width);
+    let width = figure.width.unwrap_or(match columns > 1 {
+        true => style::DOUBLE,
+        false => style::SINGLE,
+    });
     let force = Axis {
         range: [-1.65, 1.65],
         ..ticks::linear("*S*/*νN*", [-1.0, 1.0], 2.0)
     };
     let grid = layout::grid(
         width,
-        models.len().max(1),
-        &[HEIGHT],
+        columns,
+        &vec![HEIGHT; models.len().max(1).div_ceil(columns)],
         std::slice::from_ref(&force),
         4.0,
     );
@@ -71,11 +71,14 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         let most = grid.width / 32.0;
         let x = ticks::linear(title, [-1.2 * reach, 1.2 * reach], most);
         let mut y = force.clone();
-        if k > 0 {
+        if k % columns > 0 {
             y.title.clear();
             y.numbered = false;
         }
-        let mut panel = Panel::new(grid.frames[0][k], grid.margin, x, y);
+        let mut frame = grid.frames[k / columns][k % columns];
+        // Each row has its own horizontal axis.
+        frame.top += (k / columns) as f64 * layout::below(&x).ceil();
+        let mut panel = Panel::new(frame, grid.margin, x, y);
         panel.zero = true;
         panel.series.push(Series {
             label: "rigid (Coulomb)".into(),
@@ -100,7 +103,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         keys.push(
             curves
                 .chain(guides::key(std::slice::from_ref(&panel), None))
-                .collect(),
+                .collect::<Vec<Key>>(),
         );
         if title.starts_with("*r*") {
             dimension(&mut panel, widest, [1.0, 1.25], "*r*^E^/Δ = *α*");
@@ -111,6 +114,16 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         sheet.panels.push(panel);
     }
     layout::letters(&mut sheet.panels);
+    // Below one another they share a legend.
+    if columns == 1 {
+        let mut all: Vec<Key> = Vec::new();
+        for key in std::mem::take(&mut keys).into_iter().flatten() {
+            if !all.iter().any(|other| other.label == key.label) {
+                all.push(key);
+            }
+        }
+        keys = vec![all];
+    }
     layout::finish(&mut sheet, keys, figure.title.as_deref());
     sheet
 }

@@ -7,6 +7,24 @@ use super::{style, text};
 /// Height of the line with the panel letter, over each frame.
 pub const LETTER_LINE: f64 = style::TITLE + style::LABEL_GAP;
 
+/// Least share of a sheet's width for each of several panels beside one another that share a vertical axis.
+const SHARED: f64 = 130.0;
+/// The same for panels that each have their own.
+const OWN: f64 = 160.0;
+
+/// How many of up to `columns` panels that share a vertical axis fit beside one another; all if no width is given.
+pub fn side_by_side(columns: usize, width: Option<f64>) -> usize {
+    match width {
+        Some(width) => columns.min((width / SHARED) as usize).max(1),
+        None => columns,
+    }
+}
+
+/// Whether panels with an axis each fit beside one another; they do if no width is given.
+pub fn own_axes(columns: usize, width: Option<f64>) -> bool {
+    width.is_none_or(|width| width / columns as f64 >= OWN)
+}
+
 /// Frames of a grid of panels over the width of a sheet, each row with its height.
 pub struct Grid {
     /// Room left of the first frame of a row; the others share its vertical axis.
@@ -86,15 +104,14 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
         }
     };
     if let Some(heading) = heading {
-        let leading = style::TITLE + 2.0;
-        for (i, text) in lines(heading, style::TITLE, sheet.width)
-            .into_iter()
-            .enumerate()
-        {
-            let under = i as f64 * leading;
-            move_down(sheet, if i > 0 { leading } else { style::TITLE + 6.0 });
+        let lines = text::wrap(heading, style::TITLE, sheet.width - 2.0 * style::EDGE);
+        for (i, text) in lines.into_iter().enumerate() {
+            move_down(sheet, style::TITLE + if i == 0 { 6.0 } else { 3.0 });
             sheet.heading.push(Words {
-                at: [sheet.width / 2.0, style::EDGE + style::TITLE + under],
+                at: [
+                    sheet.width / 2.0,
+                    style::EDGE + style::TITLE + i as f64 * (style::TITLE + 3.0),
+                ],
                 anchor: Anchor::Middle,
                 text,
                 size: style::TITLE,
@@ -122,7 +139,8 @@ pub fn below(axis: &Axis) -> f64 {
 
 /// Sets words small under a finished sheet, in as many lines as they need.
 pub fn small_print(sheet: &mut Sheet, markup: &str) {
-    for text in lines(markup, style::LABEL, sheet.width) {
+    let free = sheet.width - 2.0 * style::EDGE;
+    for text in text::wrap(markup, style::LABEL, free) {
         sheet.height += style::LEADING;
         sheet.small_print.push(Words {
             at: [style::EDGE, sheet.height - style::EDGE],
@@ -131,23 +149,6 @@ pub fn small_print(sheet: &mut Sheet, markup: &str) {
             size: style::LABEL,
         });
     }
-}
-
-/// Words in as many lines as they need on a sheet of this width.
-fn lines(markup: &str, size: f64, width: f64) -> Vec<String> {
-    let free = width - 2.0 * style::EDGE;
-    let mut lines: Vec<String> = Vec::new();
-    // Other spaces than those of ASCII hold together what they part.
-    for word in markup.split_ascii_whitespace() {
-        match lines.last_mut() {
-            Some(line) if text::width(&format!("{line} {word}"), size) <= free => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 fn move_down(sheet: &mut Sheet, by: f64) {

@@ -33,6 +33,24 @@ impl Key {
         style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
     }
 
+    /// As many lines as the words need up to `right`, the first with the piece of line.
+    fn lines(&self, [x, y]: [f64; 2], right: f64) -> Vec<Entry> {
+        let room = right - x - style::SAMPLE - style::SAMPLE_GAP;
+        let lines = text::wrap(&self.label, style::LABEL, room);
+        let line = |(i, label): (usize, String)| Entry {
+            label,
+            ..match i {
+                0 => self.placed([x, y]),
+                _ => Entry {
+                    width: 0.0,
+                    marker: None,
+                    ..self.placed([x, y + i as f64 * style::LEADING])
+                },
+            }
+        };
+        lines.into_iter().enumerate().map(line).collect()
+    }
+
     fn placed(&self, at: [f64; 2]) -> Entry {
         Entry {
             at,
@@ -131,8 +149,9 @@ pub fn over(sheet: &Sheet, keys: &[Vec<Key>]) -> (Vec<Entry>, f64) {
                 x = left;
                 y += style::LEADING;
             }
+            entries.extend(key.lines([x, y], right));
+            y = entries.last().map_or(y, |entry| entry.at[1]);
             lowest = lowest.max(y);
-            entries.push(key.placed([x, y]));
             x += length + 14.0;
         }
     }

@@ -61,7 +61,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         // Contours reach from the first place to the last, cells half-way beyond them.
         let ends = if contoured { places } else { edges };
         let range = [ends[0], ends[ends.len() - 1]];
-        let title = parameters[row].symbol.to_owned();
+        let title = parameters[row].symbol.to_string();
         match scale {
             Scale::Linear => ticks::linear(&title, range, most),
             Scale::Log => ticks::log_range(&title, range, most),
@@ -73,7 +73,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         false => colours,
     };
     let y_axis = along(*y, &ys, &y_edges, scales[1], height / 28.0);
-    let width = 1.3 * style::SINGLE;
+    let width = figure.width.unwrap_or(1.3 * style::SINGLE);
     let grid = layout::grid(
         width,
         1,
@@ -94,7 +94,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         };
         let along = ridge.map(|which| {
             let [xs, ys] = values.places.each_ref().map(Vec::as_slice);
-            let label = ridge::label(which, parameters[*x].symbol);
+            let label = ridge::label(which, &parameters[*x].symbol);
             ridge::line(&panel, [xs, ys], &ridge::rows(&values, which), label)
         });
         let along = along.filter(|line| !line.points.is_empty());
@@ -199,6 +199,6 @@ pub fn colours(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Sc
     match scale {
         Scale::Linear if low < high => ticks::linear(title, [low, high], most),
         Scale::Log if low < high => ticks::log_range(title, [low, high], most),
-        _ => super::metric::axis(title, [low].into_iter(), scale, most),
+        _ => super::limits::axis(title, [low].into_iter(), scale, None, most),
     }
 }

@@ -6,11 +6,13 @@ use super::guides;
 use super::label;
 use super::layout;
 use super::legend::Key;
+use super::limits;
 use super::number;
 use super::reference;
 use super::sheet::{Anchor, Axis, Panel, Series, Sheet, Words};
 use super::slope;
 use super::style::{self, Marker, Stroke};
+use super::text;
 use super::ticks;
 use crate::study::{Figure, FigureKind, Scale, Study};
 
@@ -80,30 +82,34 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let panel = |metric: &usize| [exact(*metric), curves(*metric)].concat();
     let panels: Vec<Vec<Series>> = y.iter().map(panel).collect();
     let height = if y.len() == 1 { 190.0 } else { 130.0 };
+    let width_of_sheet = figure.width.unwrap_or(1.2 * style::SINGLE);
+    let [x_range, y_range] = figure.ranges;
     let axes: Vec<Axis> = y
         .iter()
         .zip(&panels)
         .map(|(metric, series)| {
-            let values = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
+            let values = limits::heights(limits::points(series.iter()), x_range);
             let title = &study.measures[*metric].symbol;
-            axis(title, values, *y_scale, height / 24.0)
+            limits::axis(title, values.into_iter(), *y_scale, y_range, height / 24.0)
         })
         .collect();
-    let grid = layout::grid(1.2 * style::SINGLE, 1, &vec![height; y.len()], &axes, 4.0);
+    let grid = layout::grid(width_of_sheet, 1, &vec![height; y.len()], &axes, 4.0);
     let values: Vec<f64> = cases.iter().filter_map(at).collect();
-    let title = parameter.symbol.to_owned();
+    let title = parameter.symbol.to_string();
     let in_pi = |v: &f64| number::of_pi(*v).is_some();
     let (low, high) = values
         .iter()
         .fold((0.0, 0.0), |(a, b): (f64, f64), v| (a.min(*v), b.max(*v)));
     let across = if low < high && *x_scale == Scale::Linear && values.iter().all(in_pi) {
-        ticks::in_pi(&title, [1.05 * low, 1.05 * high], grid.width / 40.0)
+        let range = x_range.unwrap_or([1.05 * low, 1.05 * high]);
+        ticks::in_pi(&title, range, grid.width / 40.0)
     } else {
-        axis(&title, values.into_iter(), *x_scale, grid.width / 40.0)
+        let values = values.into_iter();
+        limits::axis(&title, values, *x_scale, x_range, grid.width / 40.0)
     };
 
     let mut sheet = Sheet {
-        width: 1.2 * style::SINGLE,
+        width: width_of_sheet,
         ..Sheet::default()
     };
     let count = axes.len();
@@ -210,20 +216,16 @@ fn order_lines(panel: &mut Panel) {
             let y = bottom * libm::pow(reach, part);
             [left * libm::pow(y / bottom, 1.0 / f64::from(order)), y]
         };
-        let [x, y] = panel.place(at(0.93));
-        panel.notes.push(Words {
-            at: [x + 4.0, y + style::LABEL],
-            anchor: Anchor::Start,
-            text: order.to_string(),
-            size: style::LABEL,
-        });
-    }
-}
-
-/// An axis round the values, on the scale asked for.
-pub fn axis(title: &str, values: impl Iterator<Item = f64>, scale: Scale, most: f64) -> Axis {
-    match scale {
-        Scale::Linear => ticks::around(title, values, most),
-        Scale::Log => ticks::log(title, values, most),
+        let text = order.to_string();
+        let edge = panel.frame.right() - style::MAJOR_TICK - text::width(&text, style::LABEL) - 4.0;
+        let parts = (0..20).map(|i| panel.place(at(0.93 - 0.03 * f64::from(i))));
+        if let Some([x, y]) = parts.into_iter().find(|[x, _]| *x <= edge) {
+            panel.notes.push(Words {
+                at: [x + 4.0, y + style::LABEL],
+                anchor: Anchor::Start,
+                text,
+                size: style::LABEL,
+            });
+        }
     }
 }

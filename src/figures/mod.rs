@@ -1,4 +1,4 @@
-//! Figures: a study's cases as sheets of panels, drawn as PNG and SVG by the same strokes. Draws data, never simulates.
+//! Figures: a study's cases as sheets of panels, drawn as PNG, SVG and PDF by the same strokes. Draws data, never simulates.
 //!
 //! A kind of figure (`history`, `profile`, `wave`, `metric`, `convergence`, `budget`, `map`, `scatter`, `samples`,
 //! `sobol`, `law`) builds a [`Sheet`], which is plain data; `draw` puts it on paper.
@@ -22,11 +22,13 @@ mod label;
 mod law;
 mod layout;
 mod legend;
+mod limits;
 mod map;
 pub mod markup;
 mod metric;
 mod number;
 mod outline;
+mod pdf;
 mod pen;
 mod profile;
 mod raster;
@@ -47,6 +49,8 @@ mod tests_contents;
 mod tests_extent;
 #[cfg(test)]
 mod tests_guides;
+#[cfg(test)]
+mod tests_limits;
 #[cfg(test)]
 mod tests_samples;
 mod text;
@@ -101,15 +105,17 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     if let FigureKind::History { .. } | FigureKind::Profile { .. } = &figure.kind {
         envelope::find(&mut sheet);
     }
+    let mut said: Vec<String> = Vec::new();
+    for entry in &sheet.legend {
+        let label = markup::plain(&entry.label);
+        match said.last_mut() {
+            Some(before) if entry.continues() => *before += &format!(" {label}"),
+            _ => said.push(label),
+        }
+    }
     let bands = envelope::any(&sheet).then_some(envelope::MEANING);
-    let labels = sheet.legend.iter().map(|entry| &entry.label);
-    let notes = figure.note.as_deref();
-    let said: Vec<_> = labels
-        .map(String::as_str)
-        .chain(bands)
-        .chain(notes)
-        .map(markup::plain)
-        .collect();
+    let notes = bands.into_iter().chain(figure.note.as_deref());
+    said.extend(notes.map(markup::plain));
     sheet.description = said.join("; ");
     if let Some(note) = &figure.note {
         layout::small_print(&mut sheet, note);
@@ -117,20 +123,28 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     sheet
 }
 
-/// The sheet as a PNG file; fails only on a sheet too large for memory.
-pub fn png(sheet: &Sheet) -> Result<Vec<u8>, Error> {
-    let raster = Rc::new(RefCell::new(raster::Raster::new(
-        sheet.width,
-        sheet.height,
-    )?));
-    draw::draw(sheet, &raster)?;
+/// The sheet as a PNG file of `dpi` pixels an inch; fails only on a sheet with too many of them.
+pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
+    let raster = raster::Raster::new(sheet.width, sheet.height, dpi)?;
+    let raster = Rc::new(RefCell::new(raster));
+    draw::draw(sheet, &raster, dpi)?;
     raster.borrow().png()
 }
 
-/// The sheet as the text of an SVG file.
-pub fn svg(sheet: &Sheet) -> Result<String, Error> {
-    let vector = vector::Vector::new(sheet.width, sheet.height, &sheet.title, &sheet.description);
+/// The sheet as the text of an SVG file, whose images have `dpi` pixels an inch.
+pub fn svg(sheet: &Sheet, dpi: u32) -> Result<String, Error> {
+    let (title, description) = (&sheet.title, &sheet.description);
+    let vector = vector::Vector::new(sheet.width, sheet.height, title, description, dpi);
     let vector = Rc::new(RefCell::new(vector));
-    draw::draw(sheet, &vector)?;
+    draw::draw(sheet, &vector, dpi)?;
     Ok(vector.borrow_mut().svg())
+}
+
+/// The sheet as a PDF file, whose images have `dpi` pixels an inch.
+pub fn pdf(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
+    let dots = style::pixels(dpi);
+    let page = pdf::Page::new(sheet.width, sheet.height, &sheet.title, dots);
+    let page = Rc::new(RefCell::new(page));
+    draw::draw(sheet, &page, dpi)?;
+    page.borrow_mut().pdf()
 }

@@ -6,11 +6,11 @@ use super::guides;
 use super::label;
 use super::layout;
 use super::legend::Key;
+use super::limits;
 use super::number;
 use super::sheet::{Axis, Panel, Series, Sheet};
 use super::style::{self, Marker, Stroke};
-use super::ticks;
-use crate::study::{Figure, FigureKind, Study};
+use crate::study::{Figure, FigureKind, Scale, Study};
 
 /// Most markers along a part of the structure.
 const MARKERS: usize = 12;
@@ -20,7 +20,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let FigureKind::Profile { y, times } = &figure.kind else {
         return Sheet::default();
     };
-    let (problem, width) = (study.problem, style::DOUBLE);
+    let problem = &*study.problem;
+    let width = figure.width.unwrap_or(style::DOUBLE);
+    let [x_range, y_range] = figure.ranges;
     let solved = cases.iter().copied();
     let solved: Vec<Shown> = solved
         .filter(|c| c.snapshots.len() == times.len())
@@ -35,20 +37,27 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         })
         .collect();
     let height = if times.len() > 1 { 92.0 } else { 160.0 };
-    let along = |k: usize, panel: fn(&[f64; 2]) -> f64| {
-        let series = panels.iter().flat_map(move |row| &row[k]);
-        series.flat_map(|s| &s.points).map(panel)
-    };
+    let along = |k: usize| limits::points(panels.iter().flat_map(move |row| &row[k]));
     let axes: Vec<Axis> = (0..y.len())
         .map(|k| {
-            let title = problem.profiles()[y[k]].title;
-            ticks::around(title, along(k, |p| p[1]), height / 17.0)
+            let title = &problem.schema().profiles[y[k]].title;
+            let heights = limits::heights(along(k), x_range).into_iter();
+            limits::axis(title, heights, Scale::Linear, y_range, height / 17.0)
         })
         .collect();
-    let grids = layout::columns(width, &vec![height; times.len()], &axes);
-    let places = (0..y.len()).flat_map(|k| along(k, |p| p[0]));
+    // A column for each quantity, or all panels below one another.
+    let across = layout::own_axes(y.len(), figure.width);
+    let grids = match across {
+        true => layout::columns(width, &vec![height; times.len()], &axes),
+        false => {
+            let heights = vec![height; times.len() * y.len()];
+            vec![layout::grid(width, 1, &heights, &axes, 6.0)]
+        }
+    };
+    let places = (0..y.len()).flat_map(along).map(|point| point[0]);
     let most = grids.first().map_or(1.0, |grid| grid.width / 32.0);
-    let place = ticks::around(problem.place_title(), places, most);
+    let title = &problem.schema().place_title;
+    let place = limits::axis(title, places, Scale::Linear, x_range, most);
     let ends = ends(drawn);
 
     let mut sheet = Sheet {
@@ -58,12 +67,16 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     for (r, row) in panels.into_iter().enumerate() {
         for (k, series) in row.into_iter().enumerate() {
             let mut x = place.clone();
-            if r + 1 < times.len() {
+            let (grid, frame) = match across {
+                true => (&grids[k], grids[k].frames[r][0]),
+                false => (&grids[0], grids[0].frames[r * y.len() + k][0]),
+            };
+            if r + 1 < times.len() || (!across && k + 1 < y.len()) {
                 x.title.clear();
                 x.numbered = false;
             }
             let [low, high] = axes[k].range;
-            let mut panel = Panel::new(grids[k].frames[r][0], grids[k].margin, x, axes[k].clone());
+            let mut panel = Panel::new(frame, grid.margin, x, axes[k].clone());
             panel.zero = low < 0.0 && high > 0.0;
             // Where the parts end: at the contact, and free.
             let rules = ends
@@ -163,7 +176,7 @@ fn moment(study: &Study, cases: &[Shown], row: usize) -> String {
     let mut times: Vec<f64> = cases.iter().map(|c| c.snapshots[row].time).collect();
     times.sort_by(f64::total_cmp);
     times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
-    let title = study.problem.time_title();
+    let title = &study.problem.schema().time.title;
     let symbol = title.strip_prefix("Time ").unwrap_or(title);
     let digits = number::digits(times.iter().copied());
     let times: Vec<String> = times

@@ -2,7 +2,7 @@
 
 use super::font;
 use super::outline::ToPixels;
-use super::style::{PIXELS, UNITS};
+use super::style::{self, UNITS};
 use crate::error::Error;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -13,30 +13,43 @@ use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Rect, Stroke,
 
 type Drawn = Result<(), DrawingErrorKind<Infallible>>;
 
-/// Pixels of a virtual unit.
-const SCALE: f64 = PIXELS / UNITS;
+/// Most pixels of a picture: half a gigabyte.
+const MOST_PIXELS: u64 = 1 << 27;
 
 /// A white sheet of pixels.
 pub struct Raster {
     pixels: Pixmap,
     size: (u32, u32),
+    dpi: u32,
+    /// Pixels of a virtual unit.
+    scale: f64,
 }
 
 impl Raster {
     /// A sheet of the given size in points.
-    pub fn new(width: f64, height: f64) -> Result<Raster, Error> {
-        let [w, h] = [width, height].map(|length| (length * PIXELS).round() as u32);
+    pub fn new(width: f64, height: f64, dpi: u32) -> Result<Raster, Error> {
+        let dots = style::pixels(dpi);
+        let [w, h] = [width, height].map(|length| (length * dots).round() as u32);
+        if u64::from(w) * u64::from(h) > MOST_PIXELS {
+            return Err(Error::Usage(format!(
+                "a figure of {w} x {h} pixels; allowed: at most {MOST_PIXELS} in all; give a smaller --dpi"
+            )));
+        }
         let mut pixels = Pixmap::new(w, h)
             .ok_or_else(|| Error::Internal(format!("a figure of {w} x {h} pixels")))?;
         pixels.fill(Color::WHITE);
-        let size = ((width * UNITS) as u32, (height * UNITS) as u32);
-        Ok(Raster { pixels, size })
+        Ok(Raster {
+            pixels,
+            size: (style::units(width), style::units(height)),
+            dpi,
+            scale: dots / UNITS,
+        })
     }
 
     /// The sheet as a PNG file.
     pub fn png(&self) -> Result<Vec<u8>, Error> {
         let (size, bytes) = self.rgb();
-        png(size, bytes)
+        png(size, bytes, self.dpi)
     }
 
     /// Its size in pixels, and red, green and blue of each, row by row.
@@ -45,6 +58,57 @@ impl Raster {
         let bytes = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]);
         let size = (self.pixels.width(), self.pixels.height());
         (size, bytes.collect())
+    }
+
+    fn pixel(&self, coordinate: i32) -> f32 {
+        (f64::from(coordinate) * self.scale) as f32
+    }
+
+    /// The line through points, in pixels.
+    fn outline(&self, points: &[BackendCoord], closed: bool) -> Option<Path> {
+        let mut path = PathBuilder::new();
+        for (i, (x, y)) in points.iter().enumerate() {
+            match i {
+                0 => path.move_to(self.pixel(*x), self.pixel(*y)),
+                _ => path.line_to(self.pixel(*x), self.pixel(*y)),
+            }
+        }
+        if closed {
+            path.close();
+        }
+        path.finish()
+    }
+
+    /// An upright or level line (a tick, a side of a frame) as whole pixels, so that it is crisp.
+    fn crisp(&self, points: &[BackendCoord], width: f64) -> Option<Rect> {
+        let [(x0, y0), (x1, y1)] = *points else {
+            return None;
+        };
+        let thick = (width * self.scale).round().max(1.0);
+        // The middle on the nearest place at which both edges fall between pixels.
+        let across = |middle: i32| (f64::from(middle) * self.scale - thick / 2.0).round();
+        let (left, top, right, bottom) = if x0 == x1 {
+            let left = across(x0);
+            let (a, b) = (y0.min(y1), y0.max(y1));
+            (
+                left,
+                f64::from(a) * self.scale,
+                left + thick,
+                f64::from(b) * self.scale,
+            )
+        } else if y0 == y1 {
+            let top = across(y0);
+            let (a, b) = (x0.min(x1), x0.max(x1));
+            (
+                f64::from(a) * self.scale,
+                top,
+                f64::from(b) * self.scale,
+                top + thick,
+            )
+        } else {
+            return None;
+        };
+        Rect::from_ltrb(left as f32, top as f32, right as f32, bottom as f32)
     }
 
     fn fill(&mut self, path: Option<Path>, colour: BackendColor, smooth: bool) {
@@ -58,7 +122,7 @@ impl Raster {
 }
 
 /// Red, green and blue bytes of pixels as a PNG file, in grey where they have no colour, with its resolution.
-pub fn png((width, height): (u32, u32), bytes: Vec<u8>) -> Result<Vec<u8>, Error> {
+pub fn png((width, height): (u32, u32), bytes: Vec<u8>, dpi: u32) -> Result<Vec<u8>, Error> {
     let (pixels, _) = bytes.as_chunks::<3>();
     let (colour, bytes) = if pixels.iter().all(|[r, g, b]| r == g && g == b) {
         let grey = pixels.iter().map(|pixel| pixel[0]).collect();
@@ -72,7 +136,7 @@ pub fn png((width, height): (u32, u32), bytes: Vec<u8>) -> Result<Vec<u8>, Error
     encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
-    let per_metre = (PIXELS * 72.0 / 0.0254).round() as u32;
+    let per_metre = (f64::from(dpi) / 0.0254).round() as u32;
     encoder.set_pixel_dims(Some(png::PixelDimensions {
         xppu: per_metre,
         yppu: per_metre,
@@ -92,52 +156,6 @@ fn paint(colour: BackendColor, smooth: bool) -> Paint<'static> {
     let (r, g, b) = colour.rgb;
     paint.set_color_rgba8(r, g, b, (colour.alpha * 255.0).round() as u8);
     paint
-}
-
-fn pixel(coordinate: i32) -> f32 {
-    (f64::from(coordinate) * SCALE) as f32
-}
-
-/// The line through points, in pixels.
-fn outline(points: &[BackendCoord], closed: bool) -> Option<Path> {
-    let mut path = PathBuilder::new();
-    for (i, (x, y)) in points.iter().enumerate() {
-        match i {
-            0 => path.move_to(pixel(*x), pixel(*y)),
-            _ => path.line_to(pixel(*x), pixel(*y)),
-        }
-    }
-    if closed {
-        path.close();
-    }
-    path.finish()
-}
-
-/// An upright or level line (a tick, a side of a frame) as whole pixels, so that it is crisp.
-fn crisp(points: &[BackendCoord], width: f64) -> Option<Rect> {
-    let [(x0, y0), (x1, y1)] = *points else {
-        return None;
-    };
-    let thick = (width * SCALE).round().max(1.0);
-    // The middle on the nearest place at which both edges fall between pixels.
-    let across = |middle: i32| (f64::from(middle) * SCALE - thick / 2.0).round();
-    let (left, top, right, bottom) = if x0 == x1 {
-        let left = across(x0);
-        let (a, b) = (y0.min(y1), y0.max(y1));
-        (
-            left,
-            f64::from(a) * SCALE,
-            left + thick,
-            f64::from(b) * SCALE,
-        )
-    } else if y0 == y1 {
-        let top = across(y0);
-        let (a, b) = (x0.min(x1), x0.max(x1));
-        (f64::from(a) * SCALE, top, f64::from(b) * SCALE, top + thick)
-    } else {
-        return None;
-    };
-    Rect::from_ltrb(left as f32, top as f32, right as f32, bottom as f32)
 }
 
 impl DrawingBackend for Raster {
@@ -170,11 +188,11 @@ impl DrawingBackend for Raster {
     ) -> Drawn {
         let points: Vec<_> = points.into_iter().collect();
         let width = f64::from(style.stroke_width());
-        if let Some(rect) = crisp(&points, width) {
+        if let Some(rect) = self.crisp(&points, width) {
             self.fill(Some(PathBuilder::from_rect(rect)), style.color(), true);
-        } else if let Some(path) = outline(&points, points.first() == points.last()) {
+        } else if let Some(path) = self.outline(&points, points.first() == points.last()) {
             let stroke = Stroke {
-                width: (width * SCALE) as f32,
+                width: (width * self.scale) as f32,
                 ..Stroke::default()
             };
             let (paint, place) = (paint(style.color(), true), Transform::identity());
@@ -202,7 +220,7 @@ impl DrawingBackend for Raster {
             return Ok(());
         }
         // Whole pixels, so that neighbouring cells of a map leave no seam.
-        let [left, top, right, bottom] = [x0, y0, x1, y1].map(|v| pixel(v).round());
+        let [left, top, right, bottom] = [x0, y0, x1, y1].map(|v| self.pixel(v).round());
         let rect = Rect::from_ltrb(left, top, right, bottom);
         self.fill(rect.map(PathBuilder::from_rect), style.color(), false);
         Ok(())
@@ -215,13 +233,13 @@ impl DrawingBackend for Raster {
         style: &S,
         fill: bool,
     ) -> Drawn {
-        let radius = (f64::from(radius) * SCALE) as f32;
-        let path = PathBuilder::from_circle(pixel(x), pixel(y), radius);
+        let radius = (f64::from(radius) * self.scale) as f32;
+        let path = PathBuilder::from_circle(self.pixel(x), self.pixel(y), radius);
         if fill {
             self.fill(path, style.color(), true);
         } else if let Some(path) = path {
             let stroke = Stroke {
-                width: (f64::from(style.stroke_width()) * SCALE) as f32,
+                width: (f64::from(style.stroke_width()) * self.scale) as f32,
                 ..Stroke::default()
             };
             let (paint, place) = (paint(style.color(), true), Transform::identity());
@@ -236,12 +254,13 @@ impl DrawingBackend for Raster {
         style: &S,
     ) -> Drawn {
         let points: Vec<_> = points.into_iter().collect();
-        self.fill(outline(&points, true), style.color(), true);
+        let path = self.outline(&points, true);
+        self.fill(path, style.color(), true);
         Ok(())
     }
 
     fn blit_bitmap(&mut self, (x, y): BackendCoord, (w, h): (u32, u32), bytes: &[u8]) -> Drawn {
-        let [left, top] = [x, y].map(|v| pixel(v).round() as i32);
+        let [left, top] = [x, y].map(|v| self.pixel(v).round() as i32);
         let (width, height) = (self.pixels.width() as i32, self.pixels.height() as i32);
         let (colours, _) = bytes.as_chunks::<3>();
         let places = (0..h as i32).flat_map(|j| (0..w as i32).map(move |i| (left + i, top + j)));
@@ -255,10 +274,10 @@ impl DrawingBackend for Raster {
     }
 
     fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Drawn {
-        let size = style.size() * SCALE;
+        let size = style.size() * self.scale;
         let mut pen = ToPixels {
             path: PathBuilder::new(),
-            origin: [f64::from(at.0) * SCALE, f64::from(at.1) * SCALE],
+            origin: [f64::from(at.0) * self.scale, f64::from(at.1) * self.scale],
             along: 0.0,
             scale: 1.0,
             upwards: matches!(style.transform(), FontTransform::Rotate270),

@@ -3,8 +3,8 @@
 use super::Shown;
 use super::cloud::Cloud;
 use super::layout;
+use super::limits;
 use super::map;
-use super::metric;
 use super::scatter::{fits, title, value, without_dot};
 use super::sheet::{Axis, FilledMap, Panel, Sheet};
 use super::style;
@@ -41,14 +41,13 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let drawn: Vec<&Shown> = cases.iter().filter(complete).collect();
     let column = |of_it| drawn.iter().filter_map(move |shown| of(shown, of_it));
     let count = across.len();
-    let width = if count > 2 {
-        style::DOUBLE
-    } else {
-        style::MIDDLE
-    };
+    let width = figure.width.unwrap_or(match count > 2 {
+        true => style::DOUBLE,
+        false => style::MIDDLE,
+    });
     let height = (width / count.max(1) as f64 - 20.0).clamp(40.0, 150.0);
     let axis = |of_it: (Column, Scale), room: f64| -> Axis {
-        metric::axis(title(study, of_it.0), column(of_it), of_it.1, room)
+        limits::axis(title(study, of_it.0), column(of_it), of_it.1, None, room)
     };
     let ys: Vec<Axis> = up.iter().map(|row| axis(*row, height / 24.0)).collect();
     // The colours have the axis of the last row, so that the bar continues it.

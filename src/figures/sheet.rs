@@ -238,6 +238,13 @@ pub struct Entry {
     pub marker: Option<Marker>,
 }
 
+impl Entry {
+    /// Whether it is a further line of the words before it, without a line or marker of its own.
+    pub fn continues(&self) -> bool {
+        self.width == 0.0 && self.marker.is_none()
+    }
+}
+
 /// Words at a place on the sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Words {

@@ -54,11 +54,11 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
             ticks::around(&title, ends.chain([0.0, 1.0]), height / 24.0)
         })
         .collect();
-    let width = 1.2 * style::SINGLE;
+    let width = figure.width.unwrap_or(1.2 * style::SINGLE);
     let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
     let tick = |(i, row): (usize, &usize)| Tick {
         at: i as f64,
-        label: study.problem.parameters()[*row].symbol.to_owned(),
+        label: study.problem.parameters()[*row].symbol.to_string(),
     };
     let across = Axis {
         title: String::new(),

@@ -9,8 +9,18 @@ pub const DOUBLE: f64 = 510.0;
 
 /// Virtual units of the drawing backends in a point, so that integer coordinates do not show.
 pub const UNITS: f64 = 64.0;
-/// Pixels of a PNG in a point: twice the 96 dots an inch of a plain screen.
-pub const PIXELS: f64 = 2.0 * 96.0 / 72.0;
+/// A length in virtual units.
+pub fn units(length: f64) -> u32 {
+    (length * UNITS).round() as u32
+}
+
+/// Pixels an inch that figures have if nobody asks for others: twice those of a plain screen.
+pub const DPI: u32 = 192;
+
+/// Pixels of a point.
+pub fn pixels(dpi: u32) -> f64 {
+    f64::from(dpi) / 72.0
+}
 
 /// Type size of axis titles, headings and panel letters.
 pub const TITLE: f64 = 9.5;

@@ -13,20 +13,20 @@ const ALPHA: usize = 1;
 const DT: usize = 3;
 const X0: usize = 5;
 
-struct Run {
+pub(super) struct Run {
     study: Study,
-    cases: Vec<Case>,
+    pub(super) cases: Vec<Case>,
     solutions: Vec<Solution>,
     metrics: Vec<Vec<Option<f64>>>,
 }
 
 /// Displacement-control cases with these alpha, dT and x0, solved.
-fn run(values: &[(f64, f64, f64)]) -> Run {
+pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
     let problem = problem::find("friction-oscillator").unwrap();
     let case = |(alpha, step, x0): &(f64, f64, f64)| {
-        let mut case = Case::new(problem.parameters());
+        let mut case = Case::new(problem.schema());
         for (slot, parameter) in case.values.iter_mut().zip(problem.parameters()) {
-            *slot = match parameter.name {
+            *slot = match &*parameter.name {
                 "law" => Some(Value::Name("displacement-control")),
                 "alpha" => Some(Value::Number(*alpha)),
                 "dT" => Some(Value::Number(*step)),
@@ -51,10 +51,10 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
         title: "a test".into(),
         settings: Vec::new(),
         sha256: String::new(),
-        problem,
+        problem: problem.clone(),
         blocks: Vec::new(),
         units: None,
-        measures: crate::study::measures(problem, None),
+        measures: crate::study::measures(&*problem, None),
         metrics: Vec::new(),
         columns: Vec::new(),
         figures: Vec::new(),
@@ -70,6 +70,16 @@ fn run(values: &[(f64, f64, f64)]) -> Run {
 
 impl Run {
     fn sheet(&self, kind: FigureKind) -> Sheet {
+        self.limited(kind, None, [None; 2])
+    }
+
+    /// The sheet with a width in points and limits of its axes.
+    pub(super) fn limited(
+        &self,
+        kind: FigureKind,
+        width: Option<f64>,
+        ranges: [Option<[f64; 2]>; 2],
+    ) -> Sheet {
         let shown: Vec<Shown> = (0..self.cases.len())
             .map(|i| Shown {
                 case: &self.cases[i],
@@ -80,8 +90,11 @@ impl Run {
             .collect();
         let figure = Figure {
             name: "figure".into(),
-            title: None,
+            title: Some("Words over the panels that are longer than a narrow sheet is wide".into())
+                .filter(|_| width.is_some()),
             note: None,
+            width,
+            ranges,
             filter: Filter::default(),
             kind,
         };
@@ -98,7 +111,7 @@ fn history(panels: Option<usize>) -> FigureKind {
     }
 }
 
-fn fig5() -> Run {
+pub(super) fn fig5() -> Run {
     run(&[0.1, 1.0, 5.0].map(|alpha| (alpha, PI / 10.0, 12.0)))
 }
 
@@ -115,9 +128,12 @@ fn a_history_shows_what_was_computed() {
         let (curve, miss) = (&response.series[i + 1], &error.series[i]);
         assert_eq!((curve.points.len(), miss.points.len()), (81, 81));
         for k in 0..81 {
-            let (time, x) = (solution.computed.time[k], solution.computed.displacement[k]);
+            let (time, x) = (
+                solution.computed.time[k],
+                solution.computed.displacement()[k],
+            );
             assert_eq!(curve.points[k], [time, x]);
-            assert_eq!(miss.points[k], [time, x - solution.exact.displacement[k]]);
+            assert_eq!(miss.points[k], [time, x - solution.exact.displacement()[k]]);
         }
         assert_eq!(curve.stroke, Stroke::of_case(i));
         assert_eq!(curve.marker, Some(Marker::of_case(i)));
@@ -209,7 +225,7 @@ fn a_metric_figure_has_the_metrics_and_leaves_gaps() {
     assert!(points[1][0] == PI / 10.0 && points[1][1].is_nan());
     assert_eq!(points[2], [PI / 5.0, run.metrics[0][0].unwrap()]);
     assert!(sheet.legend.is_empty());
-    assert!(png(&sheet).is_ok());
+    assert!(png(&sheet, style::DPI).is_ok());
 }
 
 #[test]
@@ -288,12 +304,12 @@ fn nothing_to_draw_is_drawn_all_the_same() {
         profile,
     ] {
         let sheet = run.sheet(kind);
-        assert!(png(&sheet).is_ok() && svg(&sheet).is_ok());
+        assert!(png(&sheet, style::DPI).is_ok() && svg(&sheet, style::DPI).is_ok());
     }
 }
 
 /// A PNG's width, height, pixels in grey, and pixels a metre.
-fn decode(bytes: &[u8]) -> (usize, usize, Vec<u8>, u32) {
+pub(super) fn decode(bytes: &[u8]) -> (usize, usize, Vec<u8>, u32) {
     let decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
@@ -306,14 +322,23 @@ fn decode(bytes: &[u8]) -> (usize, usize, Vec<u8>, u32) {
 #[test]
 fn pixels_are_where_the_sheet_says() {
     let sheet = fig5().sheet(history(None));
-    let bytes = png(&sheet).unwrap();
-    assert_eq!(bytes, png(&sheet).unwrap());
+    let bytes = png(&sheet, style::DPI).unwrap();
+    assert_eq!(bytes, png(&sheet, style::DPI).unwrap());
     let (width, height, pixels, per_metre) = decode(&bytes);
-    assert_eq!(width, (sheet.width * style::PIXELS).round() as usize);
-    assert_eq!(height, (sheet.height * style::PIXELS).round() as usize);
+    assert_eq!(
+        width,
+        (sheet.width * style::pixels(style::DPI)).round() as usize
+    );
+    assert_eq!(
+        height,
+        (sheet.height * style::pixels(style::DPI)).round() as usize
+    );
     assert_eq!(per_metre, 7559);
     let darkest = |[x, y]: [f64; 2]| {
-        let (x, y) = ((x * style::PIXELS) as usize, (y * style::PIXELS) as usize);
+        let (x, y) = (
+            (x * style::pixels(style::DPI)) as usize,
+            (y * style::pixels(style::DPI)) as usize,
+        );
         let near = (y - 1..=y + 1).flat_map(|y| (x - 1..=x + 1).map(move |x| (x, y)));
         near.map(|(x, y)| pixels[y * width + x]).min().unwrap()
     };
@@ -338,10 +363,10 @@ fn a_peak_out_of_range_has_no_flat_top() {
     let top = panel.frame.top;
     let (frame, crossing) = (panel.frame, panel.place([2.0 * PI, 0.0])[0]);
     assert!(frame.contains([crossing, top]));
-    let (width, _, pixels, _) = decode(&png(&sheet).unwrap());
+    let (width, _, pixels, _) = decode(&png(&sheet, style::DPI).unwrap());
     // Just below the frame over the peak at 2 pi, which lies outside, all is white but the tick.
-    let y = ((top + style::MAJOR_TICK + 1.0) * style::PIXELS) as usize;
-    let x = (crossing * style::PIXELS) as usize;
+    let y = ((top + style::MAJOR_TICK + 1.0) * style::pixels(style::DPI)) as usize;
+    let x = (crossing * style::pixels(style::DPI)) as usize;
     assert!(
         pixels[y * width + x - 12..y * width + x + 12]
             .iter()
@@ -353,8 +378,8 @@ fn a_peak_out_of_range_has_no_flat_top() {
 fn svg_is_whole_and_needs_no_font() {
     let run = fig5();
     let sheet = run.sheet(history(None));
-    let text = svg(&sheet).unwrap();
-    assert_eq!(text, svg(&sheet).unwrap());
+    let text = svg(&sheet, style::DPI).unwrap();
+    assert_eq!(text, svg(&sheet, style::DPI).unwrap());
     assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
     assert!(text.contains("<title>a test</title>"));
     assert!(text.contains("<desc>exact; α = 0.1; α = 1; α = 5; zero</desc>"));

@@ -22,7 +22,7 @@ fn bars() -> Study {
 
 /// The sheet of one of the figures, with the snapshots of its cases.
 fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
-    let (problem, figure) = (study.problem, &study.figures[figure]);
+    let (problem, figure) = (&study.problem, &study.figures[figure]);
     let cases: Vec<_> = study.cases().filter(|c| figure.filter.matches(c)).collect();
     let solutions: Vec<_> = cases
         .iter()
@@ -87,7 +87,7 @@ fn a_profile_shows_the_snapshots() {
     assert_eq!(sheet.panels[0].frame.width, sheet.panels[1].frame.width);
     assert_eq!(sheet.small_print[0].text, "a *note*");
     assert!(sheet.description.ends_with("a note"));
-    assert!(svg(&sheet).is_ok_and(|text| !text.contains("NaN")));
+    assert!(svg(&sheet, style::DPI).is_ok_and(|text| !text.contains("NaN")));
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn a_wave_has_a_cell_for_every_element_and_step() {
 #[test]
 fn compression_is_darker_than_none() {
     let (sheet, _) = drawn(&bars(), 1);
-    let bytes = png(&sheet).unwrap();
+    let bytes = png(&sheet, style::DPI).unwrap();
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
         .read_info()
         .unwrap();
@@ -141,7 +141,7 @@ fn compression_is_darker_than_none() {
     let grey = |point: [f64; 2]| {
         let [x, y] = exact
             .place(point)
-            .map(|length| (length * style::PIXELS) as usize);
+            .map(|length| (length * style::pixels(style::DPI)) as usize);
         let at = 3 * (y * info.width as usize + x);
         let [r, g, b] = [0, 1, 2].map(|k| f64::from(pixels[at + k]));
         0.2126 * r + 0.7152 * g + 0.0722 * b

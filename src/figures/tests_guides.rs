@@ -12,7 +12,7 @@ fn drawn(problem: &str, parameters: &str, figure: &str) -> Sheet {
         r#"{{"problem": "{problem}", "parameters": {{{parameters}}}, "figures": [{{"name": "f", {figure}}}]}}"#
     );
     let study = study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
-    let (problem, figure) = (study.problem, &study.figures[0]);
+    let (problem, figure) = (&study.problem, &study.figures[0]);
     let cases: Vec<_> = study.cases().collect();
     let solutions: Vec<_> = cases
         .iter()
@@ -59,7 +59,7 @@ fn every_thin_line_has_a_name() {
         let entry = sheet.legend.iter().find(|entry| entry.label == name);
         let entry = entry.unwrap_or_else(|| panic!("{figure}: {:?}", sheet.legend));
         assert_eq!(entry.width, style::ZERO_LINE);
-        let text = svg(&sheet).unwrap();
+        let text = svg(&sheet, style::DPI).unwrap();
         let description = text.split(['<', '>']).skip_while(|part| *part != "desc");
         let description = description.collect::<Vec<_>>()[1];
         assert!(
@@ -136,5 +136,5 @@ fn a_stiff_contact_on_a_fine_mesh_is_a_band_as_high_as_its_mode() {
     }
     assert!(sheet.description.contains(MEANING));
     assert!(!sheet.small_print.is_empty());
-    assert!(png(&sheet).is_ok());
+    assert!(png(&sheet, style::DPI).is_ok());
 }

@@ -2,6 +2,7 @@
 
 use super::cloud::{Cloud, MOST_SHAPES};
 use super::sheet::Sheet;
+use super::style;
 use super::{Shown, png, sheet, svg};
 use crate::problem::Case;
 use crate::study::{self, Scale, Study};
@@ -40,7 +41,7 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>) {
             "max_error" => Some(2.0 * number(case, "dT")),
             _ => None,
         };
-        table.iter().map(|metric| value(metric.name)).collect()
+        table.iter().map(|metric| value(&metric.name)).collect()
     };
     let metrics: Vec<_> = cases.iter().map(row).collect();
     let shown = cases.iter().zip(&metrics).map(|(case, metrics)| Shown {
@@ -90,7 +91,7 @@ fn a_scatter_has_a_dot_for_every_case_that_has_a_value() {
     }
     assert!(!cloud.image);
     // A circle and its outline each.
-    let text = svg(&sheet).unwrap();
+    let text = svg(&sheet, style::DPI).unwrap();
     assert_eq!(text.matches("<circle").count(), 2 * expected.len());
 }
 
@@ -168,7 +169,7 @@ fn many_dots_are_one_image_of_the_same_dots() {
         r#""kind": "scatter", "x": "alpha", "y": "x0", "x_scale": "log", "colour": "max_error""#,
     );
     let (mut sheet, _) = drawn(&study);
-    let text = svg(&sheet).unwrap();
+    let text = svg(&sheet, style::DPI).unwrap();
     assert_eq!(text.matches("<circle").count(), 0);
     assert_eq!(
         text.matches("<image").count() + text.matches("data:image/png;base64,").count(),
@@ -183,7 +184,7 @@ fn many_dots_are_one_image_of_the_same_dots() {
     assert!(cloud.image && cloud.dots.len() == 20_000);
     cloud.dots.truncate(MOST_SHAPES);
     let dark = |sheet: &Sheet| -> f64 {
-        let bytes = png(sheet).unwrap();
+        let bytes = png(sheet, style::DPI).unwrap();
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
             .read_info()
             .unwrap();

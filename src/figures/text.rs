@@ -48,6 +48,39 @@ pub fn width(markup: &str, size: f64) -> f64 {
     set(markup, size).1
 }
 
+/// A line of markup as lines of at most this length, each complete markup; a word alone may be longer.
+pub fn wrap(markup: &str, size: f64, room: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words(markup) {
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}"), size) <= room => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            _ => lines.push(word),
+        }
+    }
+    lines
+}
+
+/// The words of a line of markup; words inside a pair of marks stay together.
+fn words(markup: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    // Other spaces than those of ASCII do not separate words.
+    let mut rest: Vec<&str> = markup.split_ascii_whitespace().collect();
+    let whole = |parts: &[&str]| markup::plain(&parts.join(" "));
+    while !rest.is_empty() {
+        let closed = |count: &usize| {
+            let (word, behind) = rest.split_at(*count);
+            format!("{} {}", whole(word), whole(behind)) == whole(&rest)
+        };
+        let count = (1..rest.len()).find(closed).unwrap_or(rest.len());
+        words.push(rest[..count].join(" "));
+        rest.drain(..count);
+    }
+    words
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

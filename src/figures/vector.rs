@@ -4,7 +4,7 @@ use super::base64;
 use super::font::{self, Glyph};
 use super::outline::ToData;
 use super::raster;
-use super::style::{PIXELS, UNITS};
+use super::style::{self, UNITS};
 use crate::error::Error;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -18,6 +18,8 @@ type Drawn = Result<(), DrawingErrorKind<Error>>;
 /// An SVG drawing under way; its user units are the virtual units of the drawing.
 pub struct Vector {
     size: (u32, u32),
+    /// Pixels an inch of images.
+    dpi: u32,
     title: String,
     description: String,
     glyphs: BTreeSet<Glyph>,
@@ -30,9 +32,10 @@ pub struct Vector {
 
 impl Vector {
     /// A drawing of the given size in points, with its title and description in plain words.
-    pub fn new(width: f64, height: f64, title: &str, description: &str) -> Vector {
+    pub fn new(width: f64, height: f64, title: &str, description: &str, dpi: u32) -> Vector {
         Vector {
-            size: ((width * UNITS) as u32, (height * UNITS) as u32),
+            size: (style::units(width), style::units(height)),
+            dpi,
             title: escape(title),
             description: escape(description),
             glyphs: BTreeSet::new(),
@@ -220,8 +223,10 @@ impl DrawingBackend for Vector {
     }
 
     fn blit_bitmap(&mut self, (x, y): BackendCoord, (w, h): (u32, u32), bytes: &[u8]) -> Drawn {
-        let png = raster::png((w, h), bytes.to_vec()).map_err(DrawingErrorKind::DrawingError)?;
-        let [width, height] = [w, h].map(|pixels| f64::from(pixels) * UNITS / PIXELS);
+        let png = raster::png((w, h), bytes.to_vec(), self.dpi)
+            .map_err(DrawingErrorKind::DrawingError)?;
+        let dots = style::pixels(self.dpi);
+        let [width, height] = [w, h].map(|pixels| f64::from(pixels) * UNITS / dots);
         self.element(format_args!(
             "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
              href=\"data:image/png;base64,{}\"/>",
@@ -275,7 +280,7 @@ mod tests {
         // All 29 control characters but three, and U+FFFE and U+FFFF; U+FFFD is there itself.
         assert_eq!(escaped.matches('\u{fffd}').count(), 29 + 2 + 1);
         assert_eq!(escape("\u{1b}[1m & \u{ffff}"), "\u{fffd}[1m &amp; \u{fffd}");
-        let drawn = Vector::new(10.0, 10.0, "a\0b", "\u{fffe}").svg();
+        let drawn = Vector::new(10.0, 10.0, "a\0b", "\u{fffe}", style::DPI).svg();
         assert!(drawn.contains("<title>a\u{fffd}b</title>") && drawn.chars().all(is_char));
     }
 }

@@ -42,7 +42,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
     let panels = [("computed", cells(computed)), ("exact", cells(exact))];
 
     let all = panels.iter().flat_map(|panel| &panel.1);
-    let title = study.problem.profiles()[y].title;
+    let title = &study.problem.schema().profiles[y].title;
     let colours = map::colours(title, all.clone().map(|cell| cell.value), Scale::Linear);
     let [left, right] = all.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
         [a.min(cell.x[0]), b.max(cell.x[1])]
@@ -57,26 +57,42 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[Shown]) -> Sheet {
         .copied()
         .filter(|end| *end > 0.0)
         .unwrap_or(1.0);
-    let time = ticks::linear(study.problem.time_title(), [0.0, end], HEIGHT / 28.0);
-    let width = style::DOUBLE;
+    let time = ticks::linear(
+        &study.problem.schema().time.title,
+        [0.0, end],
+        HEIGHT / 28.0,
+    );
+    let width = figure.width.unwrap_or(style::DOUBLE);
     let axis = std::slice::from_ref(&time);
-    let grid = layout::grid(width, 2, &[HEIGHT], axis, map::beside(&colours));
-    let place = ticks::linear(study.problem.place_title(), across, grid.width / 32.0);
+    let columns = layout::side_by_side(2, figure.width);
+    let heights = vec![HEIGHT; 2 / columns];
+    let grid = layout::grid(width, columns, &heights, axis, map::beside(&colours));
+    let place = ticks::linear(
+        &study.problem.schema().place_title,
+        across,
+        grid.width / 32.0,
+    );
     let mut sheet = Sheet {
         width,
         ..Sheet::default()
     };
     for (k, (what, cells)) in panels.into_iter().enumerate() {
-        let (frame, mut y) = (grid.frames[0][k], time.clone());
-        if k > 0 {
+        let frame = grid.frames[k / columns][k % columns];
+        let (mut x, mut y) = (place.clone(), time.clone());
+        if k % columns > 0 {
             y.title.clear();
             y.numbered = false;
         }
-        let mut panel = Panel::new(frame, grid.margin, place.clone(), y);
+        if k + columns < 2 {
+            x.title.clear();
+            x.numbered = false;
+        }
+        let mut panel = Panel::new(frame, grid.margin, x, y);
         panel.letter = what.into();
         // The contact.
         panel.series.push(Series::rule([[0.0, 0.0], [0.0, end]]));
-        let bar = (k == 1).then(|| map::bar(&frame));
+        // At the end of each row.
+        let bar = ((k + 1) % columns == 0).then(|| map::bar(&frame));
         panel.map = Some(FilledMap::of_cells(cells, colours.clone(), bar));
         sheet.panels.push(panel);
     }

@@ -139,10 +139,10 @@ pub fn budget(x0: f64, c: &History, e: &History, g: &History) -> [Option<f64>; 4
 
 /// Displacements of two histories, step by step.
 fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)> + 'a {
-    c.displacement
+    c.displacement()
         .iter()
         .copied()
-        .zip(e.displacement.iter().copied())
+        .zip(e.displacement().iter().copied())
 }
 
 /// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`; rows [X, V, S].
@@ -188,9 +188,9 @@ mod tests {
 
     /// Rows at T = i pi/2 with these X and S.
     fn history(rows: &[(f64, f64)]) -> History {
-        let mut history = History::default();
+        let mut history = History::of_contact(rows.len());
         for (i, &(x, s)) in rows.iter().enumerate() {
-            history.push(i as f64 * 0.5 * PI, x, 0.0, s);
+            history.push(i as f64 * 0.5 * PI, [x, 0.0, s]);
         }
         history
     }
@@ -198,12 +198,12 @@ mod tests {
     fn metrics(x0: f64, c: &History) -> [Option<f64>; COUNT] {
         let (last, x) = (
             c.len() as u64 - 1,
-            c.displacement.iter().map(|x| Lane([*x])),
+            c.displacement().iter().map(|x| Lane([*x])),
         );
         let exact = Sampled::new(x0, 0.5 * PI, last, last as f64 * 0.5 * PI);
         let x: Vec<_> = x.collect();
         let rows: Vec<_> = (0..c.len())
-            .map(|i| [c.displacement[i], c.velocity[i], c.force[i]])
+            .map(|i| [c.displacement()[i], c.velocity()[i], c.force()[i]])
             .collect();
         cells(evaluate(&x, Lane([work(&rows, x0.abs())]), &exact))
     }
@@ -240,7 +240,7 @@ mod tests {
         // Mirrored, everything stays.
         let mirror = |h: &History| {
             let mut h = h.clone();
-            for x in h.displacement.iter_mut().chain(&mut h.force) {
+            for x in h.channels.iter_mut().flatten() {
                 *x = -*x;
             }
             h

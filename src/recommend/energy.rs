@@ -12,9 +12,9 @@ pub fn gain(case: &Case, computed: &History) -> Option<f64> {
     let start = Linear::Bars(Scaled::new(case)?.pair).energy();
     let lanes = |of: &[f64]| of.iter().map(|x| Lane([*x])).collect();
     let track = Track {
-        displacement: lanes(&computed.displacement),
+        displacement: lanes(computed.displacement()),
         velocity: Vec::new(),
-        force: lanes(&computed.force),
+        force: lanes(computed.force()),
     };
     let energy = energy_of_books(&track, Lane([start]), computed.len());
     let (Lane([start]), Lane([greatest])) = (energy.start, energy.greatest);

@@ -4,6 +4,7 @@ use super::text::{escape, printable};
 use crate::error::Error;
 use crate::figures::base64;
 use crate::figures::sheet::Sheet;
+use crate::figures::style;
 use crate::figures::{self, Shown};
 use crate::study::{Figure, Study};
 use std::io::{self, Write};
@@ -40,12 +41,12 @@ impl Drawing {
         prefix: &str,
     ) -> Result<Drawing, Error> {
         let sheet = figures::sheet(study, figure, cases);
-        let svg = figures::svg(&sheet)?;
+        let svg = figures::svg(&sheet, style::DPI)?;
         let picture = if svg.len() <= MOST_BYTES {
             let svg = figures::with_hover(study, figure, cases, &sheet, &svg, prefix);
             Picture::Lines(svg)
         } else {
-            Picture::Pixels(figures::png(&sheet)?)
+            Picture::Pixels(figures::png(&sheet, style::DPI)?)
         };
         Ok(Drawing::of(figure, &sheet, picture))
     }

@@ -52,6 +52,7 @@ pub use units::Units;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
+use std::sync::Arc;
 
 /// A validated study.
 #[derive(Debug)]
@@ -59,7 +60,7 @@ pub struct Study {
     /// What the study shows, in one line; empty if the study does not say.
     pub title: String,
     /// The problem whose cases it runs.
-    pub problem: &'static dyn Problem,
+    pub problem: Arc<dyn Problem>,
     /// Whether each step is solved once, by the papers' matrices, in place of its root.
     pub once: bool,
     /// Blocks of cases, one after the other.
@@ -108,6 +109,10 @@ pub struct Figure {
     pub title: Option<String>,
     /// What stands small under the panels, if the study says anything.
     pub note: Option<String>,
+    /// Width in points, if the study gives one.
+    pub width: Option<f64>,
+    /// First and last value along the horizontal and the vertical axis, where the study gives them.
+    pub ranges: [Option<[f64; 2]>; 2],
     /// Which cases.
     pub filter: Filter,
     /// What is drawn.
@@ -122,7 +127,7 @@ const MOST_ROWS: u64 = 300;
 pub enum FigureKind {
     /// Curves over time, one panel for each quantity, the exact solution thin.
     History {
-        /// Rows of `problem.quantities()`, one panel each.
+        /// Rows of `problem.schema().quantities`, one panel each.
         y: Vec<usize>,
         /// Parameter whose values are told apart by line style; `None`: all that vary.
         by: Option<usize>,
@@ -140,7 +145,7 @@ pub enum FigureKind {
     },
     /// One case over place and time, computed and exact, as shades with a colour bar.
     Wave {
-        /// Row of `problem.profiles()`.
+        /// Row of `problem.schema().profiles`.
         y: usize,
     },
     /// Metrics against a parameter.
@@ -169,7 +174,7 @@ pub enum FigureKind {
     Budget {
         /// Parameter along the horizontal axis.
         x: usize,
-        /// Rows of `problem.budgets()`, one row of panels each.
+        /// Rows of `problem.schema().budgets`, one row of panels each.
         y: Vec<usize>,
         /// Parameter whose values get panels of their own.
         panels: Option<usize>,

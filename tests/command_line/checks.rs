@@ -110,7 +110,7 @@ fn a_case_without_a_solution_keeps_its_row() {
     let written = bench.tree("figures/s").join(" ");
     assert_eq!(
         written,
-        "failures.csv histories/0.csv histories/2.csv history.png history.svg law.png law.svg manifest.json metric.png metric.svg results.csv"
+        "failures.csv histories/0.csv histories/2.csv history.pdf history.png history.svg law.pdf law.png law.svg manifest.json metric.pdf metric.png metric.svg results.csv"
     );
     let done = bench.expect(3, &["check", "s.json"]);
     assert!(done.err.contains("3 checks, 1 not met"), "{}", done.err);

@@ -132,7 +132,7 @@ fn what_a_former_run_left_goes_and_nothing_else() {
     bench.file("s.json", friction(TWO, &figure("old")));
     bench.expect(0, &["run", "s.json", "--histories"]);
     bench.file("figures/s/notes.txt", "mine");
-    bench.file("figures/s/old.pdf", "mine");
+    bench.file("figures/s/old.eps", "mine");
     bench.file("figures/s/histories/mine.csv", "mine");
     bench.file("figures/other/results.csv", "mine");
     bench.file("s.json", friction(TWO, &figure("new")));
@@ -143,10 +143,11 @@ fn what_a_former_run_left_goes_and_nothing_else() {
             "other/results.csv",
             "s/histories/mine.csv",
             "s/manifest.json",
+            "s/new.pdf",
             "s/new.png",
             "s/new.svg",
             "s/notes.txt",
-            "s/old.pdf",
+            "s/old.eps",
             "s/results.csv"
         ]
     );

@@ -13,6 +13,7 @@ mod files;
 #[cfg(unix)]
 mod interrupted;
 mod kept;
+mod pictures;
 mod same_bytes;
 mod settings;
 mod store;

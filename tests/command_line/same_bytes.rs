@@ -23,6 +23,7 @@ fn with_1_2_and_7_threads() {
     for name in [
         "friction/map.png",
         "friction/history.svg",
+        "friction/history.pdf",
         "bars/r.png",
         "bars/results.csv",
         "bars/histories/5.csv",

@@ -146,7 +146,13 @@ fn a_reader_that_has_gone_away_is_no_failure() {
         assert_eq!(done.code, Some(0), "{words:?}: {done:?}");
         assert!(!done.err.contains("panicked"), "{words:?}: {done:?}");
     }
-    let written = ["history.png", "history.svg", "manifest.json", "results.csv"];
+    let written = [
+        "history.pdf",
+        "history.png",
+        "history.svg",
+        "manifest.json",
+        "results.csv",
+    ];
     assert_eq!(bench.tree("figures/a"), written);
 }
 

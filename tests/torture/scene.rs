@@ -114,7 +114,7 @@ impl Scene {
                 continue;
             }
             let known = [&self.former, &self.wanted].map(|tree| tree.get(name));
-            let ending = [".csv", ".png", ".svg", ".html", ".md", ".parquet"];
+            let ending = [".csv", ".png", ".svg", ".pdf", ".html", ".md", ".parquet"];
             let result = ending.iter().any(|ending| name.ends_with(ending));
             match known.iter().any(Option::is_some) {
                 true => assert!(known.contains(&Some(bytes)), "{what}: {name} is not whole"),

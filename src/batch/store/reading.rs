@@ -62,7 +62,7 @@ fn values(
     file: &SerializedFileReader<Bytes>,
     count: usize,
 ) -> Result<Vec<Option<Value>>> {
-    let place = place(file, parameter.name)?;
+    let place = place(file, &parameter.name)?;
     let other = || general("a parameter has the wrong type");
     Ok(
         match (
@@ -126,7 +126,7 @@ fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Res
     let table = study.problem.metrics();
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
-        let place = place(file, table[metric].name)?;
+        let place = place(file, &table[metric].name)?;
         let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
             return Err(general("a metric is not a number"));
         };

@@ -253,7 +253,7 @@ fn only_the_dense_part_of_a_curve_is_replaced() {
     assert_eq!(lines.join(" "), MEANING);
     // One filled polygon, in the grey of dashed curves.
     let grey = format!("fill=\"#{0:02x}{0:02x}{0:02x}\"", Stroke::Dashed.fill()[0]);
-    assert_eq!(svg(&sheet).unwrap().matches(&grey).count(), 1);
+    assert_eq!(svg(&sheet, style::DPI).unwrap().matches(&grey).count(), 1);
 }
 
 #[test]

@@ -68,9 +68,11 @@ impl Track<1> {
             time: (0..self.displacement.len())
                 .map(|i| i as f64 * dt)
                 .collect(),
-            displacement: own(&self.displacement),
-            velocity: own(&self.velocity),
-            force: own(&self.force),
+            channels: vec![
+                own(&self.displacement),
+                own(&self.velocity),
+                own(&self.force),
+            ],
         }
     }
 }

@@ -4,67 +4,25 @@ mod case;
 mod tables;
 
 use super::cases::Cases;
-use super::parameter::Parameter;
-use super::{
-    Budget, Case, Metric, Problem, Quantity, Solution, Violation, sweep_cases, time_rules,
-};
+use super::{Case, Problem, Schema, Solution, Violation, sweep_cases, time_rules};
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::metrics::{self, cells, steps};
+use crate::metrics::{self, cells};
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, ContactTrack, MetricTable, Unsolvable};
 use case::{FrictionLaw, LANES, OscillatorCase};
-use tables::{BUDGETS, METRICS, PARAMETERS, QUANTITIES, SCALES, rows};
+use std::sync::Arc;
+use tables::{METRICS, SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
 pub struct FrictionOscillator;
 
 impl Problem for FrictionOscillator {
-    fn name(&self) -> &'static str {
-        "friction-oscillator"
-    }
-
-    fn meaning(&self) -> &'static str {
-        "free vibration of a mass on a spring with Coulomb friction, released at rest from x0 [F]"
-    }
-
-    fn parameters(&self) -> &'static [Parameter] {
-        &PARAMETERS
-    }
-
-    fn metrics(&self) -> &'static [Metric] {
-        &METRICS
-    }
-
-    fn quantities(&self) -> &'static [Quantity] {
-        &QUANTITIES
-    }
-
-    fn budgets(&self) -> &'static [Budget] {
-        &BUDGETS
-    }
-
-    fn step(&self) -> &'static str {
-        "dT"
-    }
-
-    fn scales(&self) -> &'static [[&'static str; 2]] {
-        &SCALES
-    }
-
-    fn time_title(&self) -> &'static str {
-        "Dimensionless time *T* = *ω*_n_*t*"
-    }
-
-    fn time_in_pi(&self) -> bool {
-        true
-    }
-
-    fn history_columns(&self) -> [&'static str; 6] {
-        ["T", "X", "V", "S", "X_exact", "V_exact"]
+    fn schema(&self) -> &Arc<Schema> {
+        &SCHEMA
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
@@ -72,11 +30,6 @@ impl Problem for FrictionOscillator {
             return Vec::new();
         };
         time_rules("dT", step, duration)
-    }
-
-    fn steps(&self, case: &Case) -> u64 {
-        let number = |row| case.at(row).unwrap_or(f64::NAN);
-        steps(number(rows::DURATION), number(rows::DT))
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -118,14 +71,14 @@ impl FrictionOscillator {
         work: f64,
         wanted: &[usize],
     ) -> Result<Solution, Unsolvable> {
-        let mut computed = History::with_capacity(track.0.len());
+        let mut computed = History::of_contact(track.0.len());
         for (i, [x, v, s]) in track.0.iter().enumerate() {
-            computed.push(i as f64 * case.step, *x, *v, *s);
+            computed.push(i as f64 * case.step, [*x, *v, *s]);
         }
         if !computed.is_finite() {
             return Err(Unsolvable::OutOfRange);
         }
-        let x: Vec<_> = computed.displacement.iter().map(|x| Lane([*x])).collect();
+        let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
         let own = metrics::friction::evaluate(&x, Lane([work]), &case.exact_at_steps());
         let exact = coulomb(case.x0, &computed.time);
         let budget = wanted
@@ -149,10 +102,10 @@ impl FrictionOscillator {
 /// The exact motion at these times.
 fn coulomb(x0: f64, times: &[f64]) -> History {
     let coulomb = Coulomb::new(x0);
-    let mut exact = History::with_capacity(times.len());
+    let mut exact = History::of_contact(times.len());
     for &time in times {
         let state = coulomb.at(time);
-        exact.push(time, state.displacement, state.velocity, state.force);
+        exact.push(time, [state.displacement, state.velocity, state.force]);
     }
     exact
 }
@@ -167,10 +120,10 @@ fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
         FrictionLaw::Velocity(law) => regularised::holds(x0, law.compliance, 0.0, end)
             .then(|| Regularised::velocity(x0, law.compliance)),
     }?;
-    let mut history = History::with_capacity(times.len());
+    let mut history = History::of_contact(times.len());
     for &time in times {
         let state = motion.at(time);
-        history.push(time, state.displacement, state.velocity, state.force);
+        history.push(time, [state.displacement, state.velocity, state.force]);
     }
     Some(history)
 }

@@ -19,13 +19,13 @@ pub fn references(scaled: &Scaled, times: &[f64]) -> Option<[History; 2]> {
     let gap = scaled.bars.gap;
     let continuum = Spring::new(0.5 * scaled.spring, gap)?;
     let mut elements = Chain::new(&scaled.pair.left, scaled.spring, gap)?;
-    let mut spring = History::with_capacity(times.len());
-    let mut chain = History::with_capacity(times.len());
+    let mut spring = History::of_contact(times.len());
+    let mut chain = History::of_contact(times.len());
     for &time in times {
         let state = continuum.at(time);
-        spring.push(time, state.displacement, state.velocity, state.force);
+        spring.push(time, [state.displacement, state.velocity, state.force]);
         let state = elements.at(time)?;
-        chain.push(time, state.displacement, state.velocity, state.force);
+        chain.push(time, [state.displacement, state.velocity, state.force]);
     }
     Some([spring, chain])
 }

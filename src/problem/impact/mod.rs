@@ -11,98 +11,36 @@ mod snapshot;
 mod tables;
 
 use super::cases::Cases;
-use super::parameter::Parameter;
-use super::unit::{Dimension, Unit};
-use super::{
-    Budget, Case, Metric, Problem, Profile, Quantity, Snapshot, Solution, Violation, sweep_cases,
-};
+use super::unit::Dimension;
+use super::{Case, Problem, Schema, Snapshot, Solution, Violation, sweep_cases};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::impact::{Energy, Track, energy_of_books};
-use crate::metrics::{self, cells, steps};
+use crate::metrics::{self, cells};
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, MetricTable, Unsolvable};
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
-use tables::{
-    BUDGET, BUDGETS, MAX_OVERLAP, METRICS, PARAMETERS, PROFILES, QUANTITIES, REFERENCE, SCALES,
-    UNITS, rows,
-};
+use std::sync::Arc;
+use tables::{BUDGET, REFERENCE, SCHEMA, rows};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
 pub struct BarImpact;
 
 impl Problem for BarImpact {
-    fn name(&self) -> &'static str {
-        "bar-impact"
-    }
-
-    fn meaning(&self) -> &'static str {
-        "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]"
-    }
-
-    fn parameters(&self) -> &'static [Parameter] {
-        &PARAMETERS
-    }
-
-    fn metrics(&self) -> &'static [Metric] {
-        &METRICS
-    }
-
-    fn contact(&self) -> Option<usize> {
-        Some(MAX_OVERLAP)
-    }
-
-    fn quantities(&self) -> &'static [Quantity] {
-        &QUANTITIES
-    }
-
-    fn budgets(&self) -> &'static [Budget] {
-        &BUDGETS
-    }
-
-    fn step(&self) -> &'static str {
-        "dt"
-    }
-
-    fn scales(&self) -> &'static [[&'static str; 2]] {
-        &SCALES
-    }
-
-    fn units(&self) -> &'static [Unit] {
-        &UNITS
+    fn schema(&self) -> &Arc<Schema> {
+        &SCHEMA
     }
 
     fn size(&self, case: &Case, dimension: Dimension) -> Option<f64> {
         Scales::new(case).map(|scales| scales.size(dimension))
     }
 
-    fn time_title(&self) -> &'static str {
-        "Time *t*/*T*_I_"
-    }
-
-    fn time_in_pi(&self) -> bool {
-        false
-    }
-
-    fn history_columns(&self) -> [&'static str; 6] {
-        ["t", "r", "rdot", "force", "r_exact", "rdot_exact"]
-    }
-
-    fn alternatives(&self) -> &'static [[&'static str; 2]] {
-        &[["gamma", "k_I"]]
-    }
-
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         rules::complete(case)
-    }
-
-    fn steps(&self, case: &Case) -> u64 {
-        let number = |row| case.at(row).unwrap_or(f64::NAN);
-        steps(number(rows::DURATION), number(rows::DT))
     }
 
     fn work(&self, case: &Case) -> u64 {
@@ -144,14 +82,6 @@ impl Problem for BarImpact {
         judge(&own, &track, &energy, restitution, wanted)
     }
 
-    fn profiles(&self) -> &'static [Profile] {
-        &PROFILES
-    }
-
-    fn place_title(&self) -> &'static str {
-        "*x*/*L*"
-    }
-
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
         match (Scaled::new(case), case.at(rows::DT)) {
             (Some(scaled), Some(dt)) => {
@@ -160,10 +90,6 @@ impl Problem for BarImpact {
             }
             _ => Vec::new(),
         }
-    }
-
-    fn later(&self) -> &'static [&'static str] {
-        &second::QUANTITIES
     }
 
     fn after(&self, case: &Case, flight: f64) -> Vec<Option<f64>> {

@@ -39,7 +39,7 @@ impl Axis {
             && let Some(bad) = numbers.find(|x| *x <= 0.0)
         {
             let key = format!("{}_scale", self.key);
-            let name = scope.problem.parameters()[self.row].name;
+            let name = &scope.problem.parameters()[self.row].name;
             let bad = Value::Number(bad);
             let message =
                 format!("a log scale needs numbers > 0, but {name} is {bad} in a case shown");
@@ -64,7 +64,7 @@ impl Axis {
         });
         let slack = 1e-12 * place.abs();
         if low <= high && !(place >= low - slack && place <= high + slack) {
-            let name = scope.problem.parameters()[self.row].name;
+            let name = &scope.problem.parameters()[self.row].name;
             let (low, high, place) = (shortest(low), shortest(high), shortest(place));
             let message =
                 format!("{name} of mark {mark} must lie within {low}..{high}, got {place}");

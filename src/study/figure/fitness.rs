@@ -172,7 +172,7 @@ fn curves(
     }
     let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
     let mut steps = 0u64;
-    let case = |index| crate::study::cases::case(scope.problem, &scope.blocks, index);
+    let case = |index| crate::study::cases::case(&*scope.problem, &scope.blocks, index);
     for case in scope.select(&figure.filter).filter_map(case) {
         let panel = panels.and_then(|row| case.values[row]).map(Value::identity);
         let count = counts.entry(panel).or_default();
@@ -227,7 +227,7 @@ fn saltelli(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults
         let fits =
             |d: &crate::study::Design| d.sampling == Sampling::Saltelli && d.points() == chosen;
         design.is_some_and(fits)
-            && block.select(scope.problem, &figure.filter).count() as u64 == chosen
+            && block.select(&*scope.problem, &figure.filter).count() as u64 == chosen
     };
     if !scope.blocks.iter().any(|block| whole(&block)) {
         let message = "a sobol figure shows all cases of one block with a saltelli design, and no other cases";

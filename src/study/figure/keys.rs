@@ -39,6 +39,10 @@ pub(in crate::study) enum Takes {
     Times,
     /// One or several of the problem's budgets.
     Budgets,
+    /// A width in mm.
+    Width,
+    /// The first and last value of an axis.
+    Range,
     /// Places on a map and their name.
     Marks,
     /// `linear` or `log`.
@@ -70,7 +74,7 @@ pub(super) const fn key(
 }
 
 /// The keys of every figure.
-pub(in crate::study) static COMMON: [Key; 5] = [
+pub(in crate::study) static COMMON: [Key; 6] = [
     key(
         "name",
         Takes::FileName,
@@ -84,6 +88,12 @@ pub(in crate::study) static COMMON: [Key; 5] = [
         Takes::Text,
         false,
         "remark in small type under the panels; if left out, none",
+    ),
+    key(
+        "width",
+        Takes::Width,
+        false,
+        "width of the picture in mm, 70 to 400, as in 90 for one column and 190 for the page of many journals; letters keep their size, and panels side by side move below one another where they do not fit; a width that suits the kind if left out",
     ),
     key(
         "where",
@@ -124,4 +134,16 @@ pub(super) const Y_SCALE: Key = key(
     Takes::Scale,
     false,
     "vertical scale; if left out, linear",
+);
+pub(super) const X_RANGE: Key = key(
+    "x_range",
+    Takes::Range,
+    false,
+    "first and last value of the horizontal axis, as in [0, 10]; curves end at the frame; all values if left out",
+);
+pub(super) const Y_RANGE: Key = key(
+    "y_range",
+    Takes::Range,
+    false,
+    "first and last value of the vertical axis, for a figure with one quantity in y; all values if left out",
 );

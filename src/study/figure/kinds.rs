@@ -1,6 +1,8 @@
 //! The kinds of figure and the keys that each takes: the one table that decoding, schema and documentation read.
 
-use super::keys::{BY_OTHERS, COMMON, Key, METRICS, PANELS, Takes, X, X_SCALE, Y_SCALE, key};
+use super::keys::{
+    BY_OTHERS, COMMON, Key, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+};
 
 /// One kind of figure.
 pub(in crate::study) struct Kind {
@@ -35,6 +37,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 false,
                 "true: axes in the units of the study, which it must give; scaled if left out",
             ),
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -53,6 +57,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 true,
                 "times in the unit of the problem, one row of panels each; at most the duration of every case",
             ),
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -68,7 +74,7 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
     Kind {
         name: "metric",
         meaning: "metrics over a parameter",
-        keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE],
+        keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE, X_RANGE, Y_RANGE],
     },
     Kind {
         name: "convergence",
@@ -82,6 +88,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
             ),
             METRICS,
             BY_OTHERS,
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -96,6 +104,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 "quantities, one row of panels for the error of each; if left out, all of the problem",
             ),
             PANELS,
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {
@@ -134,7 +144,7 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
     },
     Kind {
         name: "scatter",
-        meaning: "one column of the results over another, one dot for each case; more than 2000 dots become one image in the SVG",
+        meaning: "one column of the results over another, one dot for each case; more than 2000 dots become one image in SVG and PDF",
         keys: &[
             key(
                 "x",
@@ -162,6 +172,8 @@ pub(in crate::study) static KINDS: [Kind; 11] = [
                 false,
                 "scale of the colours; if left out, linear",
             ),
+            X_RANGE,
+            Y_RANGE,
         ],
     },
     Kind {

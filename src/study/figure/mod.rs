@@ -4,13 +4,13 @@ mod axis;
 mod fitness;
 pub(super) mod keys;
 pub(super) mod kinds;
+pub(super) mod limits;
 mod sampled;
 pub(super) mod taken;
 mod vary;
 
 use std::collections::HashSet;
 
-use crate::problem::Source;
 use crate::study::object::Object;
 use crate::study::report::{Faults, join, quoted};
 use crate::study::scope::Scope;
@@ -79,9 +79,12 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         name: values.text("name")?,
         title: values.text("title"),
         note: values.text("note"),
+        width: values.width("width"),
+        ranges: ["x_range", "y_range"].map(|key| values.range(key)),
         filter: values.filter(),
         kind: assembled(kind?.name, &values, scope)?,
     };
+    limits::check(&figure, &values, faults);
     let at = values.at("where");
     if !scope.blocks.is_empty() && scope.countable(&figure.filter, at, path, faults) {
         fitness::check(&figure, &values, scope, faults);
@@ -108,7 +111,9 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
                 kind.name
             );
             faults.add(member.node.at, &object.path("kind"), message);
-        } else if member.key == "kind" && kind.needs_extent() && scope.problem.profiles().is_empty()
+        } else if member.key == "kind"
+            && kind.needs_extent()
+            && scope.problem.schema().profiles.is_empty()
         {
             let problem = scope.problem.name();
             let others = KINDS.iter().filter(|other| !other.needs_extent());
@@ -133,13 +138,13 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
         "profile" => FigureKind::Profile {
             y: values
                 .rows("y")
-                .unwrap_or_else(|| (0..scope.problem.profiles().len()).collect()),
+                .unwrap_or_else(|| (0..scope.problem.schema().profiles.len()).collect()),
             times: values.times("times"),
         },
         "wave" => FigureKind::Wave {
             y: match values.row("y") {
                 Some(row) => row,
-                None => scope.problem.profiles().len().checked_sub(1)?,
+                None => scope.problem.schema().profiles.len().checked_sub(1)?,
             },
         },
         "metric" => FigureKind::Metric {
@@ -154,7 +159,9 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
                 Some(row) => row,
                 None => {
                     let table = scope.problem.parameters();
-                    table.iter().position(|p| p.name == scope.problem.step())?
+                    table
+                        .iter()
+                        .position(|p| p.name == scope.problem.schema().step_name())?
                 }
             },
             y: values.rows("y")?,
@@ -164,7 +171,7 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
             x: values.row("x")?,
             y: values
                 .rows("y")
-                .unwrap_or_else(|| (0..scope.problem.budgets().len()).collect()),
+                .unwrap_or_else(|| (0..scope.problem.schema().budgets.len()).collect()),
             panels: values.row("panels"),
         },
         "map" => FigureKind::Map {
@@ -195,13 +202,8 @@ fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
 
 /// The first quantity, and the first that is an error.
 fn response_and_error(scope: &Scope) -> Vec<usize> {
-    let quantities = scope.problem.quantities();
-    let error = quantities.iter().position(|quantity| {
-        matches!(
-            quantity.source,
-            Source::DisplacementError | Source::VelocityError
-        )
-    });
+    let quantities = &scope.problem.schema().quantities;
+    let error = quantities.iter().position(|quantity| quantity.error);
     let response = (!quantities.is_empty()).then_some(0);
     response.into_iter().chain(error).collect()
 }

@@ -17,7 +17,7 @@ pub(super) fn parameters(scope: &Scope, filter: &Filter) -> Vec<(usize, Scale)> 
             continue;
         };
         for (row, scale) in design.parameters.iter().zip(&design.scales) {
-            if block.levels(scope.problem, filter, *row).len() < 2 {
+            if block.levels(&*scope.problem, filter, *row).len() < 2 {
                 continue;
             }
             match found.iter_mut().find(|(other, _)| other == row) {
@@ -35,7 +35,7 @@ pub(super) fn parameters(scope: &Scope, filter: &Filter) -> Vec<(usize, Scale)> 
 pub(super) fn refuse(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) -> bool {
     let table = scope.problem.parameters();
     let sampled = parameters(scope, &figure.filter);
-    let names: Vec<&str> = sampled.iter().map(|(row, _)| table[*row].name).collect();
+    let names: Vec<&str> = sampled.iter().map(|(row, _)| &*table[*row].name).collect();
     let kind = values.text("kind").unwrap_or_default();
     let are = match names.as_slice() {
         [] => return false,

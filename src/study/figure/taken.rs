@@ -1,6 +1,7 @@
 //! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
 
 use super::keys::{Key, RIDGES, SCALES, Takes};
+use super::limits;
 use crate::problem::parameter::{self, Range};
 use crate::study::object::Object;
 use crate::study::report::{Faults, join};
@@ -20,6 +21,8 @@ pub(in crate::study) enum Taken {
     Rows(Vec<usize>),
     Column(Column),
     Times(Vec<f64>),
+    Width(f64),
+    Range([f64; 2]),
     Scale(Scale),
     Ridge(Ridge),
     Marks(Marks),
@@ -91,6 +94,20 @@ impl Values<'_> {
         }
     }
 
+    pub fn width(&self, key: &str) -> Option<f64> {
+        match self.get(key)? {
+            Taken::Width(width) => Some(*width),
+            _ => None,
+        }
+    }
+
+    pub fn range(&self, key: &str) -> Option<[f64; 2]> {
+        match self.get(key)? {
+            Taken::Range(range) => Some(*range),
+            _ => None,
+        }
+    }
+
     pub fn filter(&self) -> Filter {
         match self.get("where") {
             Some(Taken::Filter(filter)) => filter.clone(),
@@ -150,6 +167,8 @@ pub(in crate::study) fn take(
         Takes::Text | Takes::Kind => return text(node, path, faults).map(Taken::Text),
         Takes::Filter => return scope.filter(node, path, faults).map(Taken::Filter),
         Takes::Times => return times(node, path, faults).map(Taken::Times),
+        Takes::Width => return limits::width(node, path, faults).map(Taken::Width),
+        Takes::Range => return limits::range(node, path, faults).map(Taken::Range),
         Takes::Scale => {
             return name(node, path, "scale", &SCALES, faults).map(|row| match row {
                 0 => Taken::Scale(Scale::Linear),
@@ -175,7 +194,7 @@ pub(in crate::study) fn take(
             let numeric =
                 |row: &usize| !matches!(parameters[*row].kind, parameter::Kind::Choice(_));
             let rows: Vec<usize> = (0..parameters.len()).filter(numeric).collect();
-            let named = rows.iter().map(|row| parameters[*row].name);
+            let named = rows.iter().map(|row| &*parameters[*row].name);
             let all: Vec<&str> = named.chain(scope.metrics()).collect();
             let place = name(node, path, "parameter or metric", &all, faults)?;
             return Some(Taken::Column(match rows.get(place) {
@@ -184,7 +203,13 @@ pub(in crate::study) fn take(
             }));
         }
         Takes::Quantities => {
-            let all: Vec<&str> = scope.problem.quantities().iter().map(|q| q.name).collect();
+            let all: Vec<&str> = scope
+                .problem
+                .schema()
+                .quantities
+                .iter()
+                .map(|q| &*q.name)
+                .collect();
             names(node, path, "quantity", &all, faults)
         }
         Takes::Profile => {
@@ -192,7 +217,13 @@ pub(in crate::study) fn take(
         }
         Takes::Profiles => names(node, path, "profile", &scope.profiles(), faults),
         Takes::Budgets => {
-            let all: Vec<&str> = scope.problem.budgets().iter().map(|b| b.name).collect();
+            let all: Vec<&str> = scope
+                .problem
+                .schema()
+                .budgets
+                .iter()
+                .map(|b| &*b.name)
+                .collect();
             names(node, path, "budget", &all, faults)
         }
         Takes::Marks => return marks(node, path, faults).map(Taken::Marks),

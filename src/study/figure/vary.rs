@@ -23,7 +23,7 @@ pub(super) fn check(
     };
     let names: Vec<&str> = (0..table.len())
         .filter(free)
-        .map(|row| table[row].name)
+        .map(|row| &*table[row].name)
         .collect();
     if names.is_empty() {
         return;
@@ -71,7 +71,7 @@ pub(super) fn check(
 /// Whether no two cases have the same values of the parameters told apart.
 fn one_case_a_place(figure: &Figure, told: &[usize], scope: &Scope) -> bool {
     let mut places = HashSet::new();
-    let case = |index| crate::study::cases::case(scope.problem, &scope.blocks, index);
+    let case = |index| crate::study::cases::case(&*scope.problem, &scope.blocks, index);
     let mut cases = scope.select(&figure.filter).filter_map(case);
     cases.all(|case| {
         let its = told
