@@ -237,7 +237,7 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
 mod tests {
     use super::*;
     use crate::system::Modal;
-    use nalgebra::{DVector, dmatrix, dvector};
+    use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
     /// A prescribed force.
     #[derive(Clone, Copy)]
@@ -300,19 +300,18 @@ mod tests {
         let b = dvector![-1.0, 0.0, 1.0];
         let (gap, force) = (0.25, 0.6);
         let (mut u, mut v) = (dvector![0.7, -1.3, 2.1], dvector![1.0, 0.0, -0.5]);
-        let modal = Modal::new(&m, &k, &b).unwrap();
+        let modal = Modal::new(&m, &k, &DMatrix::from_column_slice(3, 1, b.as_slice())).unwrap();
+        let modes = modal.modes(0);
         for dt in [0.01, 0.3, 2.0] {
-            let (x, xdot) = (&modal.to_modes * &u, &modal.to_modes * &v);
-            let start =
-                modal
-                    .modes
-                    .iter()
-                    .zip(x.iter().zip(xdot.iter()))
-                    .map(|(&mode, (&x, &v))| ModeStart {
-                        mode: [mode],
-                        displacement: Lane([x]),
-                        velocity: Lane([v]),
-                    });
+            let (x, xdot) = (modal.shares(0, &u), modal.shares(0, &v));
+            let start = modes
+                .iter()
+                .zip(x.iter().zip(xdot.iter()))
+                .map(|(&mode, (&x, &v))| ModeStart {
+                    mode: [mode],
+                    displacement: Lane([x]),
+                    velocity: Lane([v]),
+                });
             let mut stepper =
                 AverageAcceleration::<1>::new(Lane([dt]), start, Lane([gap]), Lane([force]))
                     .unwrap();
@@ -340,7 +339,7 @@ mod tests {
                 );
                 assert_eq!(contact.force.0[0], s);
                 let energy = 0.5 * (v.dot(&(&m * &v)) + u.dot(&(&k * &u)));
-                let modes = modal.modes.iter().zip(stepper.modes());
+                let modes = modes.iter().zip(stepper.modes());
                 let sum: f64 = modes
                     .map(|(mode, (x, v))| mode.energy(x.0[0], v.0[0]))
                     .sum();

@@ -17,6 +17,7 @@ use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable};
+use crate::system::System;
 use cases::Cases;
 use parameter::Parameter;
 use std::sync::{Arc, LazyLock};
@@ -28,6 +29,8 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn schema(&self) -> &Arc<Schema>;
     /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
+    /// The system of a completed case, ready to be solved.
+    fn system(&self, case: &Case) -> Result<System, Unsolvable>;
     /// Cost of a completed case: steps times modes.
     fn work(&self, case: &Case) -> u64 {
         self.steps(case)

@@ -12,6 +12,7 @@ use crate::lane::Lane;
 use crate::metrics::{self, cells};
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, ContactTrack, MetricTable, Unsolvable};
+use crate::system::System;
 use case::{FrictionLaw, LANES, OscillatorCase};
 use std::sync::Arc;
 use tables::{METRICS, SCHEMA, rows};
@@ -30,6 +31,10 @@ impl Problem for FrictionOscillator {
             return Vec::new();
         };
         time_rules("dT", step, duration)
+    }
+
+    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        Ok(self.lane_case(case)?.system())
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {

@@ -19,6 +19,7 @@ use crate::metrics::impact::{Energy, Track, energy_of_books};
 use crate::metrics::{self, cells};
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, MetricTable, Unsolvable};
+use crate::system::System;
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use scales::Scales;
@@ -41,6 +42,11 @@ impl Problem for BarImpact {
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         rules::complete(case)
+    }
+
+    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        Ok(own.system())
     }
 
     fn work(&self, case: &Case) -> u64 {
