@@ -11,7 +11,7 @@ use slipgap::problem::impact::case::{ImpactCase, system};
 use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Case, Problem, Snapshot, Solution, find};
 use slipgap::solve;
-use slipgap::solve::sweep::LaneCase;
+use slipgap::solve::ToSystem;
 use std::sync::Arc;
 
 fn problem() -> Arc<dyn Problem> {

@@ -62,11 +62,18 @@ pub struct ModeStart<const L: usize> {
 pub trait Modes<const L: usize>: AsRef<[ModeState<L>]> + AsMut<[ModeState<L>]> + Clone {
     /// Stores the modes, at least one.
     fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self>;
+
+    /// Moves the modes out, without a copy of a list.
+    fn take(&mut self) -> Self;
 }
 
 impl<const L: usize> Modes<L> for Vec<ModeState<L>> {
     fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
         Some(Iterator::collect(modes))
+    }
+
+    fn take(&mut self) -> Self {
+        std::mem::take(self)
     }
 }
 
@@ -74,6 +81,11 @@ impl<const L: usize> Modes<L> for [ModeState<L>; 1] {
     #[inline(always)]
     fn collect(mut modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
         modes.next().map(|mode| [mode])
+    }
+
+    #[inline(always)]
+    fn take(&mut self) -> Self {
+        *self
     }
 }
 
@@ -151,6 +163,20 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
             increment,
             modes,
         })
+    }
+
+    /// Moves the state out. A loop over steps works on a local state: the compiler keeps it in registers, since what the loop
+    /// writes elsewhere cannot change it.
+    #[inline(always)]
+    pub fn take(&mut self) -> Self {
+        AverageAcceleration {
+            modes: self.modes.take(),
+            rate: self.rate,
+            compliance: self.compliance,
+            predictor: self.predictor,
+            contact: self.contact,
+            increment: self.increment,
+        }
     }
 
     /// The contact after the last step.

@@ -118,7 +118,7 @@ fn sweep_cases<const L: usize, C: LaneCase<L>>(
     for (place, row) in rows.iter().enumerate() {
         let case = shown.at(*row as usize);
         match lane_case(case) {
-            Ok(own) if problem.steps(case) <= LONGEST => together.push((place, own)),
+            Ok(own) if own.system().last <= LONGEST => together.push((place, own)),
             Ok(_) => {
                 let solution = problem.solve(case, &[]);
                 table.put(place, solution.map(|solution| solution.metrics));

@@ -10,8 +10,7 @@ use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::{self, cells};
-use crate::solve::sweep::LaneCase;
-use crate::solve::{self, ContactTrack, MetricTable, Unsolvable};
+use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
 use case::{FrictionLaw, LANES, OscillatorCase};
 use std::sync::Arc;
@@ -65,7 +64,7 @@ impl Problem for FrictionOscillator {
 
 impl FrictionOscillator {
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
-        OscillatorCase::new(case, self.steps(case)).ok_or(Unsolvable::ParameterMissing)
+        OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }
 
     /// The computed and the exact history, with the metrics; `work` over |x0|.

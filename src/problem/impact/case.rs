@@ -7,9 +7,10 @@ use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeState;
 use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate};
-use crate::problem::{Case, Problem};
-use crate::solve::Motion;
+use crate::metrics::steps;
+use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
+use crate::solve::{Motion, ToSystem};
 use crate::system::{Linear, System};
 use multiversion::multiversion;
 
@@ -32,11 +33,12 @@ pub struct ImpactCase {
 impl ImpactCase {
     /// The parameters; `None` where one is not given.
     pub fn new(case: &Case) -> Option<ImpactCase> {
+        let (dt, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(ImpactCase {
             scaled: Scaled::new(case)?,
-            dt: case.at(rows::DT)?,
-            duration: case.at(rows::DURATION)?,
-            last: super::BarImpact.steps(case),
+            dt,
+            duration,
+            last: steps(duration, dt),
         })
     }
 
@@ -61,16 +63,19 @@ pub fn system(scaled: &Scaled, step: f64, last: u64) -> System {
     }
 }
 
+impl ToSystem for ImpactCase {
+    #[inline(always)]
+    fn system(&self) -> System {
+        system(&self.scaled, self.dt, self.last)
+    }
+}
+
 impl LaneCase<LANES> for ImpactCase {
     type Reference = Sampled;
     type Modes = Vec<ModeState<LANES>>;
     type Track = Track<LANES>;
     type Metrics = [Lane<LANES>; COUNT];
     type OneMetrics = [Lane<1>; COUNT];
-
-    fn system(&self) -> System {
-        system(&self.scaled, self.dt, self.last)
-    }
 
     fn reference_key(&self) -> ReferenceKey {
         let bars = self.scaled.bars;

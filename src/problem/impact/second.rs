@@ -30,7 +30,7 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if scaled.pair.right.is_some() && !scaled.pair.equal() {
         return [None; 2];
     }
-    let Some((mut stepper, law)) = solve::start::<1, Vec<_>>(&[system(scaled, dt, 0)]) else {
+    let Some((mut stepper, law)) = solve::start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]) else {
         return [None; 2];
     };
     let parted = 0.5 * scaled.bars.gap + CONTACT;
