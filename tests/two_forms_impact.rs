@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 use slipgap::contact::element::ImpactElement;
+use slipgap::contact::{ContactLaw, ImpactSpring};
 use slipgap::exact::wave::Bars;
 use slipgap::lane::Lane;
 use slipgap::problem::impact::case::system;
@@ -31,6 +32,9 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
             gap: 0.0,
         },
         spring: 2.0 * gamma * f64::from(n),
+        law: ContactLaw::ImpactSpring(ImpactSpring {
+            stiffness: 2.0 * gamma * f64::from(n),
+        }),
         length_ratio: 1.0,
     }
 }

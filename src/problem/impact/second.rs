@@ -99,6 +99,7 @@ fn behind(stepper: &Stepper) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
@@ -125,6 +126,9 @@ mod tests {
                 gap,
             },
             spring: gamma * f64::from(n) * 4.0 * mass,
+            law: ContactLaw::ImpactSpring(ImpactSpring {
+                stiffness: gamma * f64::from(n) * 4.0 * mass,
+            }),
             length_ratio: 1.0,
         }
     }
