@@ -281,10 +281,7 @@ mod tests {
         for w in [1e-3, 0.1, 1.0, 2.0, 20.0] {
             let omega = 3.0;
             let start = ModeStart {
-                mode: [Mode {
-                    omega2: omega * omega,
-                    phi2: 0.7,
-                }],
+                mode: [Mode::new(omega * omega, 0.7)],
                 displacement: Lane([1.0]),
                 velocity: Lane([0.4 * omega]),
             };

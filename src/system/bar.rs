@@ -44,10 +44,7 @@ impl Bar {
     /// Mode `j` as the contact end feels it.
     pub fn mode(&self, j: u32) -> Mode {
         let (omega2, mass) = self.modal(j);
-        Mode {
-            omega2,
-            phi2: 1.0 / mass,
-        }
+        Mode::new(omega2, 1.0 / mass)
     }
 
     /// omega^2 and modal mass of mode `j`, its shape being 1 at the contact end.

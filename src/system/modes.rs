@@ -14,6 +14,11 @@ pub struct Mode {
 }
 
 impl Mode {
+    /// An undamped mode with omega^2 and phi^2.
+    pub const fn new(omega2: f64, phi2: f64) -> Mode {
+        Mode { omega2, phi2 }
+    }
+
     /// Kinetic and strain energy at coordinate `x` and velocity `v`; zero for a mode that the contact does not move, whose
     /// coordinate is always zero.
     pub fn energy(&self, x: f64, v: f64) -> f64 {
@@ -75,10 +80,7 @@ impl Modal {
         let phi = self.phi.column(contact);
         let modes = self.omega2.iter().zip(phi.iter());
         modes
-            .map(|(&omega2, phi)| Mode {
-                omega2,
-                phi2: phi * phi,
-            })
+            .map(|(&omega2, phi)| Mode::new(omega2, phi * phi))
             .collect()
     }
 
@@ -165,10 +167,7 @@ mod tests {
         let (u, v) = (dvector![0.3, 0.3], dvector![0.5, 0.5]);
         assert!(modal.shares(0, &u).amax() < 1e-15);
         assert!((modal.energy(&u, &v) - 0.5 * (2.0 * 0.25 + 2.0 * 0.09)).abs() < 1e-14);
-        let unmoved = Mode {
-            omega2: 1.0,
-            phi2: 0.0,
-        };
+        let unmoved = Mode::new(1.0, 0.0);
         assert_eq!(unmoved.energy(0.0, 0.0), 0.0);
     }
 

@@ -13,10 +13,7 @@ use crate::system::{Linear, Mode, System};
 use multiversion::multiversion;
 
 /// The oscillator itself: X'' + X + S = 0.
-const UNIT: Mode = Mode {
-    omega2: 1.0,
-    phi2: 1.0,
-};
+const UNIT: Mode = Mode::new(1.0, 1.0);
 
 /// Cases side by side: as many as keep the adders busy while each waits for its own last result.
 pub const LANES: usize = 32;
