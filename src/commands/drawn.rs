@@ -3,7 +3,7 @@
 use slipgap::batch::output::Folder;
 use slipgap::batch::{self, Outcome};
 use slipgap::error::Error;
-use slipgap::figures::{self, Shown};
+use slipgap::figures::{self, DrawnCase};
 use slipgap::problem::{Case, Snapshot};
 use slipgap::study::{Figure, Study};
 use std::path::PathBuf;
@@ -59,15 +59,15 @@ pub fn with_shown<T>(
     study: &Study,
     figure: &Figure,
     outcomes: &[Outcome],
-    draw: impl FnOnce(&[Shown]) -> Result<T, Error>,
+    draw: impl FnOnce(&[DrawnCase]) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
     let chosen: Vec<&Outcome> = chosen.collect();
     let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
-    let shown: Vec<Shown> = chosen
+    let shown: Vec<DrawnCase> = chosen
         .iter()
         .zip(&snapshots)
-        .map(|(outcome, snapshots)| Shown {
+        .map(|(outcome, snapshots)| DrawnCase {
             case: &outcome.case,
             metrics: &outcome.metrics,
             solution: outcome.solution.as_deref(),

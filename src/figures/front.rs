@@ -1,10 +1,10 @@
 //! What accuracy costs: the best that each cost buys, the target, and the case recommended.
 
-use super::layout;
-use super::legend::Key;
-use super::sheet::{Panel, Series, Sheet};
-use super::style::{self, Marker, Stroke};
-use super::ticks;
+use crate::figures::layout;
+use crate::figures::layout::legend::Key;
+use crate::figures::layout::sheet::{Panel, Series, Sheet};
+use crate::figures::layout::ticks;
+use crate::figures::style::{self, Marker, Stroke};
 use libm::log10;
 
 /// A front to draw.

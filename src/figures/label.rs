@@ -1,9 +1,9 @@
 //! Which parameters tell the cases of a figure apart, and how its legend says so.
 
-use super::Shown;
-use super::number;
+use crate::figures::DrawnCase;
+use crate::figures::text::{markup, number};
 use crate::problem::Case;
-use crate::problem::parameter::{Default, Kind, Parameter, Value};
+use crate::problem::parameter::{Default, Parameter, Value};
 use crate::study::Study;
 use std::collections::HashMap;
 
@@ -12,12 +12,12 @@ pub fn same(a: Option<Value>, b: Option<Value>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => a.matches(b),
         (None, None) => true,
-        _ => false,
+        (Some(_), None) | (None, Some(_)) => false,
     }
 }
 
 /// The different values of parameter `row` among the cases, in order of appearance.
-pub fn values(cases: &[Shown], row: usize) -> Vec<Option<Value>> {
+pub fn values(cases: &[DrawnCase], row: usize) -> Vec<Option<Value>> {
     let mut found: Vec<Option<Value>> = Vec::new();
     for shown in cases {
         let value = shown.case.values[row];
@@ -29,7 +29,7 @@ pub fn values(cases: &[Shown], row: usize) -> Vec<Option<Value>> {
 }
 
 /// The parameters that vary, and are the same wherever `by` is: panels of `by` tell them all. `by` is the first.
-pub fn bound(table: &[Parameter], cases: &[Shown], by: usize) -> Vec<usize> {
+pub fn bound(table: &[Parameter], cases: &[DrawnCase], by: usize) -> Vec<usize> {
     let groups = values(cases, by);
     let settled = |row: &usize| {
         groups.iter().all(|group| {
@@ -44,32 +44,43 @@ pub fn bound(table: &[Parameter], cases: &[Shown], by: usize) -> Vec<usize> {
 }
 
 /// What a case has for these parameters, in markup, without those that only repeat another.
-pub fn all_said(table: &[Parameter], cases: &[Shown], rows: &[usize], case: &Case) -> String {
-    let telling = rows.iter().filter(|row| !echoes(cases, **row));
-    let part = |row: &usize| Some(said(&table[*row], case.values[*row]?, digits(cases, *row)));
-    let parts = telling.filter_map(part);
+pub fn value_labels(
+    table: &[Parameter],
+    cases: &[DrawnCase],
+    rows: &[usize],
+    case: &Case,
+) -> String {
+    let distinguishing = rows.iter().filter(|row| !repeats_another(cases, **row));
+    let part = |row: &usize| {
+        Some(value_label(
+            &table[*row],
+            case.values[*row]?,
+            digits(cases, *row),
+        ))
+    };
+    let parts = distinguishing.filter_map(part);
     parts.collect::<Vec<_>>().join(", ")
 }
 
 /// The parameters that tell no curves over `x` apart: `x`, what follows from it, and what the problem works out from it
 /// and others.
-pub fn along(study: &Study, cases: &[Shown], x: usize) -> Vec<usize> {
+pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
     let table = study.problem.parameters();
     let given = |row: usize| study.blocks.iter().any(|block| block.gives(row));
     let worked_out =
         |row: &usize| matches!(table[*row].default, Default::Follows(_)) && !given(*row);
     let follows = |row: &usize| study.blocks.iter().all(|block| block.follows(*row, &[x]));
-    let (mut along, mut telling) = (vec![x], Vec::new());
+    let (mut along, mut distinguishing) = (vec![x], Vec::new());
     for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
         match !worked_out(&row) && !study.blocks.is_empty() && follows(&row) {
             true => along.push(row),
-            false if !worked_out(&row) => telling.push(row),
+            false if !worked_out(&row) => distinguishing.push(row),
             false => {}
         }
     }
     // A value that the problem works out tells a curve apart if all cases of one have it.
-    let curve = |shown: &Shown| -> Vec<Option<(u64, &str)>> {
-        let its = telling.iter().map(|row| shown.case.values[*row]);
+    let curve = |shown: &DrawnCase| -> Vec<Option<(u64, &str)>> {
+        let its = distinguishing.iter().map(|row| shown.case.values[*row]);
         its.map(|value| value.map(Value::identity)).collect()
     };
     let settled = |row: &usize| {
@@ -84,14 +95,14 @@ pub fn along(study: &Study, cases: &[Shown], x: usize) -> Vec<usize> {
     along
 }
 
-fn varies(cases: &[Shown], row: usize) -> bool {
+fn varies(cases: &[DrawnCase], row: usize) -> bool {
     values(cases, row).iter().flatten().count() > 1
 }
 
 /// Whether a parameter has in every case the value of one before it: the right bar's mesh is as the left one's.
-fn echoes(cases: &[Shown], row: usize) -> bool {
+fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
     let repeats = |other| {
-        let alike = |c: &Shown| same(c.case.values[other], c.case.values[row]);
+        let alike = |c: &DrawnCase| same(c.case.values[other], c.case.values[row]);
         cases.iter().all(alike)
     };
     (0..row).any(repeats)
@@ -100,14 +111,16 @@ fn echoes(cases: &[Shown], row: usize) -> bool {
 /// The parameters that labels name: `by`, or else all that vary but the rows `except`.
 pub fn named(
     table: &[Parameter],
-    cases: &[Shown],
+    cases: &[DrawnCase],
     by: Option<usize>,
     except: &[usize],
 ) -> Vec<usize> {
     let rows = match by {
         Some(row) => vec![row],
         None => (0..table.len())
-            .filter(|row| !except.contains(row) && varies(cases, *row) && !echoes(cases, *row))
+            .filter(|row| {
+                !except.contains(row) && varies(cases, *row) && !repeats_another(cases, *row)
+            })
             .collect(),
     };
     // A law need not be named where each case's own parameter tells it.
@@ -128,7 +141,7 @@ pub fn named(
 /// The labels of the cases by the parameters that `named` finds. Never empty ones.
 pub fn labels(
     table: &[Parameter],
-    cases: &[Shown],
+    cases: &[DrawnCase],
     by: Option<usize>,
     except: &[usize],
 ) -> Vec<String> {
@@ -144,16 +157,18 @@ pub fn labels(
 }
 
 /// Significant digits that tell the values of a parameter apart.
-pub fn digits(cases: &[Shown], row: usize) -> usize {
+pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
     let values = cases.iter().filter_map(|shown| shown.case.values[row]);
     number::digits(values.filter_map(|value| value.as_f64()))
 }
 
 /// The label of a case by these parameters, each with its number of digits.
-fn label(table: &[Parameter], shown: &Shown, rows: &[(usize, usize)]) -> String {
+fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> String {
     let parts: Vec<_> = rows
         .iter()
-        .filter_map(|(row, digits)| Some(said(&table[*row], shown.case.values[*row]?, *digits)))
+        .filter_map(|(row, digits)| {
+            Some(value_label(&table[*row], shown.case.values[*row]?, *digits))
+        })
         .collect();
     if parts.is_empty() {
         "computed".into()
@@ -163,14 +178,16 @@ fn label(table: &[Parameter], shown: &Shown, rows: &[(usize, usize)]) -> String 
 }
 
 /// `symbol = value` in markup, with so many significant digits; a name speaks for itself.
-pub fn said(parameter: &Parameter, value: Value, digits: usize) -> String {
-    match (parameter.kind, value) {
-        (Kind::Choice(_), Value::Name(name)) => super::markup::escape(name),
-        _ => format!("{} = {}", parameter.symbol, number::value(value, digits)),
+pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
+    match value {
+        Value::Name(name) => markup::escape(name),
+        Value::Number(_) | Value::Whole(_) => {
+            format!("{} = {}", parameter.symbol, number::value(value, digits))
+        }
     }
 }
 
-/// Numbers the labels by first appearance, so that equal labels look alike: for each label its number, and all of them.
+/// Numbers the labels by first appearance, so that equal labels index alike: for each label its number, and all of them.
 pub fn numbered(labels: &[String]) -> (Vec<usize>, Vec<String>) {
     let mut distinct: Vec<String> = Vec::new();
     let numbers = labels

@@ -1,4 +1,4 @@
-//! The look of the figures, in one place. Lengths are points of 1/72 inch.
+//! The index of the figures, in one place. Lengths are points of 1/72 inch.
 
 /// Width of a figure over one column of a journal, 90 mm.
 pub const SINGLE: f64 = 255.0;
@@ -126,7 +126,12 @@ impl Stroke {
     pub fn colour(self) -> [u8; 3] {
         match self {
             Stroke::Graded(place) => colour(f64::from(place) / 255.0),
-            _ => [0, 0, 0],
+            Stroke::Solid
+            | Stroke::Dashed
+            | Stroke::DashDot
+            | Stroke::Dotted
+            | Stroke::DashDotDot
+            | Stroke::LongDash => [0, 0, 0],
         }
     }
 
@@ -158,7 +163,7 @@ impl Stroke {
 }
 
 /// More curves than strokes and markers can tell apart are not drawn.
-pub const MOST_LOOKS: usize = 30;
+pub const MOST_STYLES: usize = 30;
 
 /// An open marker, filled white so that the line does not run through it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

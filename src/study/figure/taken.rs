@@ -170,10 +170,8 @@ pub(in crate::study) fn take(
         Takes::Width => return limits::width(node, path, faults).map(Taken::Width),
         Takes::Range => return limits::range(node, path, faults).map(Taken::Range),
         Takes::Scale => {
-            return name(node, path, "scale", &SCALES, faults).map(|row| match row {
-                0 => Taken::Scale(Scale::Linear),
-                _ => Taken::Scale(Scale::Log),
-            });
+            let all = [Scale::Linear, Scale::Log];
+            return name(node, path, "scale", &SCALES, faults).map(|row| Taken::Scale(all[row]));
         }
         Takes::Ridge => {
             let all = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];

@@ -1,0 +1,152 @@
+//! The kinds of figure, one file each: its keys, what is decoded from them, its checks, and which results it needs. The
+//! sheet of each is in `figures/kind`, since a study is read below the drawing.
+
+mod budget;
+mod convergence;
+mod history;
+mod law;
+mod map;
+mod metric;
+mod profile;
+mod samples;
+mod scatter;
+mod sobol;
+mod wave;
+
+pub use budget::Budget;
+pub use convergence::Convergence;
+pub use history::History;
+pub use law::Law;
+pub use map::Map;
+pub use metric::Metric;
+pub use profile::Profile;
+pub use samples::Samples;
+pub use scatter::Scatter;
+pub use sobol::Sobol;
+pub use wave::Wave;
+
+use super::checker::Checker;
+use super::keys::{COMMON, Key, Takes};
+use super::taken::Values;
+use crate::problem::Problem;
+use crate::study::Scale;
+use crate::study::scope::Scope;
+
+/// One kind of figure.
+pub(in crate::study) struct Kind {
+    pub name: &'static str,
+    pub meaning: &'static str,
+    /// Keys beyond those of every figure.
+    pub keys: &'static [Key],
+    /// What its values mean; `None` where a required one is missing.
+    pub decode: fn(&Values, &Scope) -> Option<FigureKind>,
+}
+
+/// A kind of figure with its values.
+pub(in crate::study) trait Decoded {
+    /// Scales of the two axes that `x_range` and `y_range` limit, and how many quantities share the vertical axis; `None`
+    /// for a kind without these keys.
+    fn limited_axes(&self) -> Option<([Scale; 2], usize)>;
+
+    /// Reports faults for any cases.
+    fn check_keys(&self, _: &mut Checker) {}
+
+    /// Reports cases that the figure cannot show.
+    fn check_cases(&self, checker: &mut Checker);
+
+    /// The rows of the study's measures that it shows.
+    fn measures(&self, _: &dyn Problem) -> Vec<usize> {
+        Vec::new()
+    }
+
+    /// Whether it draws histories.
+    fn draws_histories(&self) -> bool {
+        false
+    }
+
+    /// The times of its snapshots of a case that ends at `end`, of this number of steps; none for a kind without snapshots.
+    fn snapshot_times(&self, _end: f64, _steps: u64) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+macro_rules! kinds {
+    ($($module:ident :: $kind:ident),+ $(,)?) => {
+        /// What a figure shows.
+        #[derive(Debug)]
+        pub enum FigureKind {
+            $(#[doc = concat!("See [`", stringify!($kind), "`].")] $kind($kind)),+
+        }
+
+        impl FigureKind {
+            pub(in crate::study) fn decoded(&self) -> &dyn Decoded {
+                match self {
+                    $(FigureKind::$kind(kind) => kind),+
+                }
+            }
+        }
+
+        /// Every kind of figure: the table that decoding, schema and documentation read.
+        pub(in crate::study) static KINDS: &[Kind] = &[$($module::KIND),+];
+    };
+}
+
+kinds! {
+    history::History,
+    profile::Profile,
+    wave::Wave,
+    metric::Metric,
+    convergence::Convergence,
+    budget::Budget,
+    map::Map,
+    scatter::Scatter,
+    samples::Samples,
+    sobol::Sobol,
+    law::Law,
+}
+
+impl FigureKind {
+    /// Whether the figure draws histories of the cases.
+    pub fn draws_histories(&self) -> bool {
+        self.decoded().draws_histories()
+    }
+
+    /// The times at which it draws quantities along the structure, for a case that ends at `end` after this number of
+    /// steps; none for kinds without them.
+    pub fn snapshot_times(&self, end: f64, steps: u64) -> Vec<f64> {
+        self.decoded().snapshot_times(end, steps)
+    }
+}
+
+impl Kind {
+    /// Whether it draws what only a problem with extent has.
+    pub fn needs_extent(&self) -> bool {
+        let along = |key: &Key| matches!(key.takes, Takes::Profile | Takes::Profiles);
+        self.keys.iter().any(along)
+    }
+}
+
+/// Names of all kinds.
+pub(in crate::study) fn names() -> Vec<&'static str> {
+    KINDS.iter().map(|kind| kind.name).collect()
+}
+
+/// Names of all keys of figures, each once.
+pub(in crate::study) fn all_keys() -> Vec<&'static str> {
+    let mut names: Vec<&str> = COMMON.iter().map(|key| key.name).collect();
+    for key in KINDS.iter().flat_map(|kind| kind.keys) {
+        if !names.contains(&key.name) {
+            names.push(key.name);
+        }
+    }
+    names
+}
+
+/// Names of the kinds that take `key`.
+pub(in crate::study) fn takers(key: &str) -> Vec<&'static str> {
+    KINDS
+        .iter()
+        .filter(|kind| kind.keys.iter().any(|k| k.name == key))
+        .map(|kind| kind.name)
+        .collect()
+}
