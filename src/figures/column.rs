@@ -24,7 +24,7 @@ pub fn has_place(scale: Scale, x: f64) -> bool {
     x.is_finite() && (scale == Scale::Linear || x > 0.0)
 }
 
-/// Says how many of the cases have no dot, if there are any.
+/// The caption that gives the number of cases without a dot; empty if there are none.
 pub fn without_dot(some: usize, all: usize) -> String {
     match all - some {
         0 => String::new(),

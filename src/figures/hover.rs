@@ -10,10 +10,10 @@ use crate::figures::{DrawnCase, kind};
 use crate::study::{Figure, Study};
 use std::fmt::Write;
 
-/// Most points of a figure that can be pointed at.
+/// Most points of a figure that show their values.
 const MOST: usize = 5000;
 
-/// A place on the sheet and what is there.
+/// A point on the sheet with its values.
 pub struct Point {
     /// The place.
     pub at: [f64; 2],
@@ -21,7 +21,7 @@ pub struct Point {
     pub text: String,
 }
 
-/// The figure as SVG with its points to point at; `prefix` keeps its names apart from those of other figures.
+/// The figure as SVG whose points show their values; `prefix` makes its names different from those of other figures.
 pub fn with_hover(
     study: &Study,
     figure: &Figure,
@@ -77,7 +77,7 @@ fn of_panel(panel: &Panel) -> Vec<Point> {
             }
         }
     }
-    // Dots that are one image are too many to point at.
+    // Dots that are one image are too many.
     for cloud in panel.cloud.iter().filter(|cloud| !cloud.image) {
         let shown = |dot: &&Dot| panel.frame.contains(panel.place(dot.at));
         for dot in cloud.dots.iter().filter(shown) {

@@ -1,4 +1,4 @@
-//! Which parameters tell the cases of a figure apart, and how its legend says so.
+//! The parameters that distinguish the cases of a figure, and the labels of the legend.
 
 use crate::figures::DrawnCase;
 use crate::figures::text::{markup, number};
@@ -28,7 +28,7 @@ pub fn values(cases: &[DrawnCase], row: usize) -> Vec<Option<Value>> {
     found
 }
 
-/// The parameters that vary, and are the same wherever `by` is: panels of `by` tell them all. `by` is the first.
+/// `by`, and the parameters that vary but are the same in all cases with the same `by`: the captions of panels give them.
 pub fn bound(table: &[Parameter], cases: &[DrawnCase], by: usize) -> Vec<usize> {
     let groups = values(cases, by);
     let settled = |row: &usize| {
@@ -43,7 +43,7 @@ pub fn bound(table: &[Parameter], cases: &[DrawnCase], by: usize) -> Vec<usize> 
     std::iter::once(by).chain(others.filter(settled)).collect()
 }
 
-/// What a case has for these parameters, in markup, without those that only repeat another.
+/// The values of these parameters in a case, in markup, without those that only repeat another.
 pub fn value_labels(
     table: &[Parameter],
     cases: &[DrawnCase],
@@ -62,7 +62,7 @@ pub fn value_labels(
     parts.collect::<Vec<_>>().join(", ")
 }
 
-/// The parameters that tell no curves over `x` apart: `x`, what follows from it, and what the problem works out from it
+/// The parameters that do not distinguish curves over `x`: `x`, what follows from it, and what the problem works out from it
 /// and others.
 pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
     let table = study.problem.parameters();
@@ -78,7 +78,7 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
             false => {}
         }
     }
-    // A value that the problem works out tells a curve apart if all cases of one have it.
+    // A value that the problem computes distinguishes a curve if all cases of the curve have it.
     let curve = |shown: &DrawnCase| -> Vec<Option<(u64, &str)>> {
         let its = distinguishing.iter().map(|row| shown.case.values[*row]);
         its.map(|value| value.map(Value::identity)).collect()
@@ -99,7 +99,7 @@ fn varies(cases: &[DrawnCase], row: usize) -> bool {
     values(cases, row).iter().flatten().count() > 1
 }
 
-/// Whether a parameter has in every case the value of one before it: the right bar's mesh is as the left one's.
+/// Whether a parameter has the value of an earlier one in every case, as the mesh of the right bar that of the left one.
 fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
     let repeats = |other| {
         let alike = |c: &DrawnCase| same(c.case.values[other], c.case.values[row]);
@@ -123,7 +123,7 @@ pub fn named(
             })
             .collect(),
     };
-    // A law need not be named where each case's own parameter tells it.
+    // A choice is not named if each case has a parameter that applies only to its choice.
     let implied = |row: usize| {
         cases.iter().all(|shown| {
             let depends = |other: &usize| {
@@ -138,7 +138,7 @@ pub fn named(
     rows.iter().copied().filter(|row| !implied(*row)).collect()
 }
 
-/// The labels of the cases by the parameters that `named` finds. Never empty ones.
+/// The labels of the cases by the parameters that `named` finds; none is empty.
 pub fn labels(
     table: &[Parameter],
     cases: &[DrawnCase],
@@ -156,7 +156,7 @@ pub fn labels(
         .collect()
 }
 
-/// Significant digits that tell the values of a parameter apart.
+/// Significant digits that distinguish the values of a parameter.
 pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
     let values = cases.iter().filter_map(|shown| shown.case.values[row]);
     number::digits(values.filter_map(|value| value.as_f64()))
@@ -177,7 +177,7 @@ fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> Str
     }
 }
 
-/// `symbol = value` in markup, with so many significant digits; a name speaks for itself.
+/// `symbol = value` in markup, with this number of significant digits; only the name for a choice.
 pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
     match value {
         Value::Name(name) => markup::escape(name),
@@ -187,7 +187,7 @@ pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String
     }
 }
 
-/// Numbers the labels by first appearance, so that equal labels index alike: for each label its number, and all of them.
+/// For each label its index among the different labels, and the different labels in order of first appearance.
 pub fn numbered(labels: &[String]) -> (Vec<usize>, Vec<String>) {
     let mut distinct: Vec<String> = Vec::new();
     let numbers = labels

@@ -1,7 +1,7 @@
-//! Figures: a study's cases as sheets of panels, drawn as PNG, SVG and PDF by the same strokes. Draws data, never simulates.
+//! Figures: a study's cases as sheets of panels, drawn as PNG, SVG and PDF in the same way. They compute no results.
 //!
-//! The way of a figure: a `kind` makes a [`Sheet`], which is plain data, of the cases; `layout` has what its panels, axes
-//! and legends are made of, and `colour_map` the parts of maps; `draw` draws the sheet. Text is set by `text`.
+//! A `kind` makes a [`Sheet`] of the cases, which is plain data; `layout` has its panels, axes
+//! and legends, `colour_map` the parts of maps; `draw` draws the sheet; `text` sets its text.
 
 mod colour_map;
 mod column;
@@ -31,7 +31,7 @@ use sheet::Sheet;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// A case as figures see it.
+/// A case that a figure draws.
 #[derive(Debug, Clone, Copy)]
 pub struct DrawnCase<'a> {
     /// Its parameters.
@@ -73,7 +73,7 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
     sheet
 }
 
-/// The sheet as a PNG file of `dpi` pixels an inch; fails only on a sheet with too many of them.
+/// The sheet as a PNG file of `dpi` pixels an inch; an error if the sheet has too many of them.
 pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
     let raster = raster::Raster::new(sheet.width, sheet.height, dpi)?;
     let raster = Rc::new(RefCell::new(raster));

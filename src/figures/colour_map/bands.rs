@@ -8,13 +8,13 @@ use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::number;
 use crate::study::{Marks, Scale};
 
-/// Most levels that are told apart.
+/// Most levels.
 const MOST_LEVELS: usize = 10;
 
-/// Places along both axes from which on what changes from one to the next would fill the picture with lines.
+/// Places along both axes from which on contour lines would fill the picture.
 const FINE: usize = 200;
 
-/// A metric over two parameters, one value a place.
+/// A metric over two parameters, one value for each place.
 pub struct Values {
     /// Places along x and y, rising.
     pub places: [Vec<f64>; 2],
@@ -65,8 +65,8 @@ pub fn levels(colours: &Axis) -> Vec<f64> {
     }
 }
 
-/// The axis of the colours of contours, with a tick at every level and at both ends, so that every band has its limits.
-/// Over a bar of this height the number of a level that would touch another is left out.
+/// The axis of the colours of contours, with a tick at every level and at both ends.
+/// Numbers that would touch another one along a bar of this height are left out.
 pub fn limited(colours: Axis, height: f64) -> Axis {
     let [low, high] = colours.range;
     let levels = levels(&colours);
@@ -95,7 +95,7 @@ pub fn limited(colours: Axis, height: f64) -> Axis {
 }
 
 impl Values {
-    /// Fills the panel with bands, their lines and numbers; `occupied` places stay free of numbers.
+    /// Fills the panel with bands, their lines and numbers; no number covers an `occupied` place.
     pub fn fill(&self, panel: &mut Panel, map: FilledMap, occupied: &[[f64; 2]]) {
         let levels = levels(&map.colours);
         let scale = |axis: &Axis, x: f64| match axis.scale {
@@ -125,7 +125,7 @@ impl Values {
             .iter()
             .map(|ring| (number::short(levels[ring.level]), line(ring)))
             .collect();
-        // On a fine map the edges of the colours are lines enough.
+        // A fine map has no contour lines: the edges of its colours are enough.
         for (_, points) in lines.iter().filter(|_| !self.is_fine()) {
             panel.series.push(Series {
                 label: String::new(),
@@ -137,7 +137,7 @@ impl Values {
             });
         }
         let labels = labels::place(panel, lines, occupied);
-        // Inside a rise begins the band above its level, inside a hollow the one below.
+        // Inside of a rise is the band above its level, inside of a hollow the one below.
         let band = |ring: &Ring| ring.level + usize::from(ring.area > 0.0);
         panel.map = Some(FilledMap {
             areas: rings.into_iter().map(|r| (band(&r), r.points)).collect(),
@@ -148,7 +148,7 @@ impl Values {
         });
     }
 
-    /// Whether there are so many places that each is a dot of the picture.
+    /// Whether it has so many places that contour lines would fill the picture.
     fn is_fine(&self) -> bool {
         self.places.iter().all(|places| places.len() >= FINE)
     }
@@ -169,7 +169,7 @@ impl Values {
     }
 }
 
-/// A ring as a line, broken where it only closes along the edge of what is known.
+/// A ring as a line, without the parts along the edge of the known values.
 fn line(ring: &Ring) -> Vec<[f64; 2]> {
     let points = ring.points.iter().zip(&ring.real);
     let mut line: Vec<[f64; 2]> = points

@@ -10,7 +10,7 @@ use crate::study::Scale;
 const BAR_GAP: f64 = 12.0;
 const BAR_WIDTH: f64 = 11.0;
 
-/// Room that a colour bar and its numbers take right of a frame.
+/// Width of a colour bar and its numbers right of a frame.
 pub fn room(colours: &Axis) -> f64 {
     let labels = colours.ticks.iter().map(|t| &t.label);
     let numbers = labels.map(|label| text::width(label, style::LABEL));
@@ -26,7 +26,7 @@ pub fn frame(frame: &Rect) -> Rect {
     }
 }
 
-/// The axis of the colours: from the smallest to the largest of the values that have a place on the scale.
+/// The axis of the colours: from the smallest to the largest value with a place on the scale.
 pub fn axis(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Scale) -> Axis {
     let most = 7.0;
     let usable = values.filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0));

@@ -1,8 +1,8 @@
-//! Contours of a field on a grid by marching squares, as closed rings that can be filled one over the other.
+//! Contours of a field on a grid by marching squares, as closed rings that can be filled one after the other.
 //!
 //! Outside the grid and where a value is missing the field counts as low, so that every ring closes. A ring that has the
 //! high side on its left runs counter-clockwise round a rise and clockwise round a hollow; painted by falling area, each
-//! in the colour of the band just inside, rings give the filled map, whatever lies within what.
+//! in the colour of the band just inside, rings give the filled map for any nesting.
 
 /// Values over a grid.
 #[derive(Debug, Clone)]
@@ -22,7 +22,7 @@ pub struct Ring {
     pub level: usize,
     /// Points; the last is joined to the first.
     pub points: Vec<[f64; 2]>,
-    /// For each point, whether it lies between two values, and not at the edge of what is known.
+    /// For each point, whether it is between two values, and not at the edge of the known values.
     pub real: Vec<bool>,
     /// Area, negative round a hollow.
     pub area: f64,

@@ -1,4 +1,4 @@
-//! The numbers on contour lines: level with the reader, on white, one or two a line, none over another.
+//! The numbers on contour lines: horizontal, on white, one or two for each level, without overlaps.
 
 use crate::figures::layout::clip;
 use crate::figures::layout::sheet::{Anchor, Panel, PlacedText, Rect};
@@ -9,7 +9,7 @@ use crate::figures::text;
 /// Most numbers on the lines of one level.
 const MOST: usize = 2;
 
-/// White round a number.
+/// Width of the white margin of a number.
 pub const RIM: f64 = 1.5;
 
 /// Numbers for lines in the axes' units, each with its text; long lines first, away from `occupied` places.

@@ -1,4 +1,4 @@
-//! The parts of maps: the colour bar, filled contours, the numbers on them, and the line along a valley.
+//! The parts of maps: the colour bar, filled contours, the numbers on them, and the line along a ridge.
 
 pub mod bands;
 pub mod bar;

@@ -1,4 +1,4 @@
-//! The line along a map through the place in each column where the metric is least, greatest or nearest to 1.
+//! The line along a map: in each column through the place where the metric is least, greatest or nearest to 1.
 
 use crate::figures::colour_map::bands::Values;
 use crate::figures::layout::axis::Axis;
@@ -6,13 +6,13 @@ use crate::figures::layout::sheet::{Panel, Series};
 use crate::figures::style::{self, Stroke};
 use crate::study::{Ridge, Scale};
 
-/// Part of the height that neighbours of one line lie apart at most.
+/// Largest distance of neighbours of one line, as a fraction of the height.
 const JUMP: f64 = 0.03;
 
-/// Places of the grid that neighbours of one line lie apart at most, where that is more.
+/// Largest distance of neighbours of one line in places of the grid, if that is more.
 const STEPS: usize = 2;
 
-/// What the legend calls it: the colour bar names the metric.
+/// Its label in the legend; the colour bar names the metric.
 pub fn label(ridge: Ridge, x: &str) -> String {
     let what = match ridge {
         Ridge::Least => "least",
@@ -22,7 +22,7 @@ pub fn label(ridge: Ridge, x: &str) -> String {
     format!("{what} at each {x}")
 }
 
-/// The row of each column's place; none where it lies at the edge, since what it follows may lie outside.
+/// The row of each column's place; none at the edge, because the extreme value may be outside of the map.
 pub fn rows(values: &Values, ridge: Ridge) -> Vec<Option<usize>> {
     let [x, y] = &values.places;
     let rank = |z: f64| match ridge {
@@ -39,7 +39,7 @@ pub fn rows(values: &Values, ridge: Ridge) -> Vec<Option<usize>> {
     (0..x.len()).map(row).collect()
 }
 
-/// The line: broken where the place jumps from one column to the next. A place alone is a stroke over its column.
+/// The line: broken where the place jumps from one column to the next. A single place is a stroke over its column.
 pub fn line(panel: &Panel, [x, y]: [&[f64]; 2], rows: &[Option<usize>], label: String) -> Series {
     let height = |row: usize| panel.y.fraction(y[row]);
     let linked = |a: usize, b: usize| match (rows.get(a), rows.get(b)) {

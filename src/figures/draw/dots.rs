@@ -21,7 +21,7 @@ pub struct Image {
     pub bytes: Vec<u8>,
 }
 
-/// The image of a panel's dots, where they are one.
+/// The image of a panel's dots, if they are one image.
 pub fn image(panel: &Panel, dpi: u32) -> Result<Option<Image>, Error> {
     let Some(cloud) = panel.cloud.as_ref().filter(|cloud| cloud.image) else {
         return Ok(None);

@@ -69,7 +69,7 @@ impl BackendTextStyle for Lettering {
         FontFamily::Serif
     }
 
-    // Our backends set text themselves and ask for neither of these.
+    // Our backends set text themselves and use neither of these.
 
     fn layout_box(&self, _: &str) -> Result<((i32, i32), (i32, i32)), Infallible> {
         Ok(((0, 0), (0, 0)))

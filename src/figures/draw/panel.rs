@@ -10,7 +10,7 @@ use plotters_backend::DrawingBackend;
 
 impl<B: DrawingBackend> Canvas<B> {
     pub(super) fn panel(&mut self, panel: &Panel, image: Option<&Image>) -> DrawResult<B> {
-        // White between its dots, so below all else.
+        // First, because it is white between its dots.
         if let Some(image) = image {
             self.image(image)?;
         }

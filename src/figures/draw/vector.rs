@@ -1,4 +1,4 @@
-//! The drawing backend behind SVG files: text written by us, glyphs as outlines, so no reader needs the font.
+//! The drawing backend behind SVG files: glyphs are outlines, so that no font is needed.
 
 use super::base64;
 use super::raster;
@@ -15,7 +15,7 @@ use std::fmt::Write;
 
 type Drawn = Result<(), DrawingErrorKind<Error>>;
 
-/// An SVG drawing under way; its user units are the virtual units of the drawing.
+/// An SVG drawing; its user units are the virtual units of the drawing.
 pub struct Vector {
     size: (u32, u32),
     /// Pixels an inch of images.
@@ -31,7 +31,7 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// A drawing of the given size in points, with its title and description in plain words.
+    /// A drawing of the given size in points, with its title and description in plain text.
     pub fn new(width: f64, height: f64, title: &str, description: &str, dpi: u32) -> Vector {
         Vector {
             size: (style::units(width), style::units(height)),
@@ -45,7 +45,7 @@ impl Vector {
         }
     }
 
-    /// The whole file.
+    /// The complete file.
     pub fn svg(&mut self) -> String {
         self.flush();
         let (w, h) = self.size;

@@ -1,4 +1,4 @@
-//! The error of a study and its parts against a parameter: a row of panels for each quantity, the total beside.
+//! The error and its parts over a parameter: a row of panels for each quantity.
 
 use super::Draw;
 use crate::figures::DrawnCase;
@@ -15,7 +15,7 @@ use crate::problem::parameter::Value;
 use crate::study::kinds::Budget;
 use crate::study::{Figure, Scale, Study};
 
-/// Most panels beside each other.
+/// Most panels side by side.
 const COLUMNS: usize = 3;
 
 impl Draw for Budget {
@@ -119,7 +119,7 @@ impl Draw for Budget {
     }
 }
 
-/// The total, unbroken, and its parts.
+/// The total, as an unbroken line, and its parts.
 fn curves(budget: &problem::Budget, members: &[&DrawnCase], x: usize) -> Vec<Series> {
     let of = |metric: usize| {
         let mut points: Vec<[f64; 2]> = members

@@ -22,10 +22,10 @@ impl Draw for Convergence {
     }
 }
 
-/// What the legend calls the lines of order 1 and 2.
+/// Label of the lines of order 1 and 2.
 pub(super) const ORDERS: &str = "orders 1 and 2";
 
-/// Thin lines of order 1 and 2 from the lower left corner, to compare with.
+/// Adds thin lines of order 1 and 2 from the lower left corner, for comparison.
 pub(super) fn order_lines(panel: &mut Panel) {
     let [[left, right], [bottom, top]] = [panel.x.range, panel.y.range];
     for order in [1, 2] {
@@ -34,7 +34,7 @@ pub(super) fn order_lines(panel: &mut Panel) {
         line.stroke = Stroke::Dotted;
         line.width = style::EXACT_LINE;
         panel.series.push(line);
-        // Its name a little before the line leaves the frame.
+        // Its label a little before the line leaves the frame.
         let reach = (top / bottom).min(end / bottom);
         let at = |part: f64| {
             let y = bottom * libm::pow(reach, part);

@@ -52,7 +52,7 @@ impl Draw for Law {
                 y.numbered = false;
             }
             let mut frame = grid.frames[k / columns][k % columns];
-            // Each row has its own horizontal axis.
+            // Each row has a horizontal axis.
             frame.top += (k / columns) as f64 * layout::below(&x).ceil();
             let mut panel = Panel::new(frame, grid.margin, x, y);
             panel.zero = true;
@@ -85,7 +85,7 @@ impl Draw for Law {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        // Below one another they share a legend.
+        // Panels below one another share a legend.
         if columns == 1 {
             let mut all: Vec<Key> = Vec::new();
             for key in std::mem::take(&mut keys).into_iter().flatten() {
@@ -167,7 +167,7 @@ fn widths(model: Model, study: &Study, cases: &[DrawnCase]) -> Vec<(f64, String)
     widths
 }
 
-/// A curve of a law: its points, and which of them carry a marker.
+/// A curve of a law: its points, and the indices of those with a marker.
 type Curve = (Vec<[f64; 2]>, Vec<usize>);
 
 /// S over r from rest through a whole cycle of slip between -`reach` and `reach` [F (9)]; width 0 is the rigid law.
@@ -203,7 +203,7 @@ fn velocity(width: f64, reach: f64) -> Curve {
     (points, vec![2, 3])
 }
 
-/// A dimension line from the origin to `reach` at height `to`, with thin lines from the height `from` and words beyond.
+/// A dimension line from the origin to `reach` at height `to`, with thin lines from the height `from` and a label beyond.
 fn dimension(panel: &mut Panel, reach: f64, [from, to]: [f64; 2], text: &str) {
     for x in [0.0, reach] {
         let rule = Series::rule([[x, from], [x, 1.06 * to]]);

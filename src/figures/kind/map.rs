@@ -1,4 +1,4 @@
-//! A metric over two parameters with a colour bar: filled contours, or cells where there are too few places for them.
+//! A metric over two parameters with a colour bar: filled contours, or cells if there are too few places for contours.
 
 use super::Draw;
 use crate::figures::DrawnCase;
@@ -123,7 +123,7 @@ impl Draw for Map {
             panels: vec![panel],
             ..Sheet::default()
         };
-        // A map without either has no legend, nor room for one.
+        // A map without either has no legend and no space for one.
         let keys = if keys.is_empty() {
             Vec::new()
         } else {
@@ -133,7 +133,7 @@ impl Draw for Map {
         sheet
     }
 
-    /// The cases, where their dots would be.
+    /// The cases at their places.
     fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
         let Some(panel) = sheet.panels.first() else {
             return Vec::new();
@@ -172,7 +172,7 @@ fn places(
     places
 }
 
-/// Edges of the cells round rising places: half-way between neighbours on the scale, and as far out at the ends.
+/// Edges of the cells round rising places: half-way between neighbours on the scale, and the same distance outside of the ends.
 fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
     let to = |x: f64| match scale {
         Scale::Linear => x,
@@ -194,7 +194,7 @@ fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
                     .map(|pair| back(pair[0] / 2.0 + pair[1] / 2.0)),
             );
             edges.push(back(1.5 * at[n - 1] - 0.5 * at[n - 2]));
-            // Beyond the range of double precision the axis ends too.
+            // The axis ends at the range of double precision.
             let finite = |x: f64| x.clamp(-f64::MAX, f64::MAX);
             edges.into_iter().map(finite).collect()
         }

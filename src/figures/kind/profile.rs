@@ -1,5 +1,5 @@
 //! Quantities along the structure: a row of panels for each time, a column for each quantity, the exact profile thin
-//! below the cases ([I] Fig. 6).
+//! under the cases ([I] Fig. 6).
 
 use super::Draw;
 use crate::figures::DrawnCase;
@@ -79,7 +79,7 @@ impl Draw for Profile {
                 let [low, high] = axes[k].range;
                 let mut panel = Panel::new(frame, grid.margin, x, axes[k].clone());
                 panel.zero = low < 0.0 && high > 0.0;
-                // Where the parts end: at the contact, and free.
+                // The contact and the free ends.
                 let rules = ends
                     .iter()
                     .map(|end| Series::rule([[*end, low], [*end, high]]));
@@ -152,7 +152,7 @@ fn alike(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
     a.len() == b.len() && pairs.into_iter().all(|(a, b)| same(*a, *b))
 }
 
-/// Which points of the joined lines carry a marker: of many, every second, third, ..., other ones for other curves.
+/// The points of the joined lines with a marker: of many, every second, third, ..., different ones for each curve.
 fn marked(lines: &[Vec<[f64; 2]>], index: usize, indices: usize) -> Vec<usize> {
     let mut marked = Vec::new();
     let mut start = 0;
@@ -160,7 +160,7 @@ fn marked(lines: &[Vec<[f64; 2]>], index: usize, indices: usize) -> Vec<usize> {
         let every = line.len().div_ceil(MARKERS).max(1);
         let first = index * every / indices.max(1);
         marked.extend((first..line.len()).step_by(every).map(|i| start + i));
-        // One point further is the gap.
+        // The next point is the gap.
         start += line.len() + 1;
     }
     marked
@@ -177,7 +177,7 @@ fn ends(cases: &[DrawnCase]) -> Vec<f64> {
     ends
 }
 
-/// The time of a row in words: those of the steps, where cases have other ones than asked for.
+/// The time of a row: those of the steps of the cases.
 fn moment(study: &Study, cases: &[DrawnCase], row: usize) -> String {
     let mut times: Vec<f64> = cases.iter().map(|c| c.snapshots[row].time).collect();
     times.sort_by(f64::total_cmp);
@@ -192,7 +192,7 @@ fn moment(study: &Study, cases: &[DrawnCase], row: usize) -> String {
     format!("{symbol} = {}", times.join(", "))
 }
 
-/// The legend: exact, then every index once.
+/// The legend: exact, then each label once.
 fn keys(sheet: &Sheet) -> Vec<Key> {
     let series = sheet.panels.first().map_or(&[][..], |panel| &panel.series);
     let mut keys: Vec<Key> = Vec::new();

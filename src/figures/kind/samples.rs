@@ -1,4 +1,4 @@
-//! The parameters that a design samples against one another and one metric: the lower half of a matrix of panels.
+//! The parameters that a design samples, in pairs, and one metric: the lower half of a matrix of panels.
 
 use super::Draw;
 use crate::figures::DrawnCase;

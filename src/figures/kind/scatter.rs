@@ -1,4 +1,4 @@
-//! One column of the results against another, a dot a case.
+//! One column of the results over another, a dot for each case.
 
 use super::Draw;
 use crate::figures::DrawnCase;
@@ -22,7 +22,7 @@ impl Draw for Scatter {
             colour,
             scales,
         } = self;
-        // A case has a dot if it has a place along all that is shown.
+        // A case has a dot if it has a place along both axes and the colour bar.
         let place = |shown: &DrawnCase| {
             let of = |column, scale| value(shown, column).filter(|x| has_place(scale, *x));
             let at = [of(*x, scales[0])?, of(*y, scales[1])?];
@@ -49,7 +49,7 @@ impl Draw for Scatter {
         let frame = grid.frames[0][0];
         let mut panel = Panel::new(frame, grid.margin, x_axis, y_axis);
         let lacking = without_dot(points.len(), cases.len());
-        // Over the frame where the title of the colours leaves room, else under it.
+        // Over the frame if the title of the colour bar leaves space, or else under it.
         let beside = colours
             .as_ref()
             .map_or(0.0, |c| text::width(&c.title, style::TITLE));

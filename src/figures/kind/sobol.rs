@@ -1,4 +1,4 @@
-//! Sobol' indices as bars with their intervals: a panel a metric, a pair of bars a parameter.
+//! Sobol' indices as bars with their intervals: a panel for each metric, a pair of bars for each parameter.
 
 use super::Draw;
 use crate::figures::DrawnCase;
@@ -77,7 +77,7 @@ impl Draw for Sobol {
             x.numbered = i + 1 == grid.frames.len();
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
             panel.zero = true;
-            // In the legend; what is drawn are the bars.
+            // Only for the legend: the bars are drawn separately.
             panel.series = vec![
                 named("first order", Marker::Dark),
                 named("total", Marker::Light),

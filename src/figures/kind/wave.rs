@@ -13,7 +13,7 @@ use crate::problem::Lines;
 use crate::study::kinds::Wave;
 use crate::study::{Figure, Scale, Study};
 
-/// What stands between two places.
+/// A value between two places.
 type Piece = ([f64; 2], f64);
 
 const HEIGHT: f64 = 240.0;
@@ -23,7 +23,7 @@ impl Draw for Wave {
         let Wave { y } = *self;
         let mut rows: Vec<(f64, &Lines)> = Vec::new();
         for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots) {
-            // Times closer than steps have the same one.
+            // Several times can have the same step.
             if rows.last().is_none_or(|(time, _)| *time < snapshot.time) {
                 rows.push((snapshot.time, &snapshot.profiles[y]));
             }

@@ -2,18 +2,18 @@
 
 use crate::study::Scale;
 
-/// An axis: its range, and what stands along it.
+/// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// Title in markup; empty where another panel shares the axis and has it.
+    /// Title in markup; empty if another panel shows it.
     pub title: String,
     /// First and last value.
     pub range: [f64; 2],
-    /// Evenly or by the logarithm.
+    /// Linear or logarithmic.
     pub scale: Scale,
     /// Ticks inside the range.
     pub ticks: Vec<Tick>,
-    /// Whether the ticks have their numbers here.
+    /// Whether this panel shows the numbers of the ticks.
     pub numbered: bool,
 }
 
@@ -27,12 +27,12 @@ pub struct Tick {
 }
 
 impl Axis {
-    /// Where `value` lies: 0 at the first, 1 at the last value of the range; not finite where it has no place.
+    /// The fraction of the range at `value`: 0 at its first, 1 at its last value; not finite for a value without a place.
     pub fn fraction(&self, value: f64) -> f64 {
         let [a, b] = self.range;
         match self.scale {
             Scale::Linear if (b - a).is_finite() => (value - a) / (b - a),
-            // Ends that lie further apart, or in a larger ratio, than the largest number.
+            // The difference or ratio of the ends is larger than the largest number.
             Scale::Linear => (value / 2.0 - a / 2.0) / (b / 2.0 - a / 2.0),
             Scale::Log if value > 0.0 && (b / a).is_finite() => {
                 libm::log10(value / a) / libm::log10(b / a)

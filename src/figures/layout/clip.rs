@@ -1,4 +1,4 @@
-//! Lines cut at a frame and into dashes, so that the drawing layer only sees what is to be seen.
+//! Clips lines and areas at a frame, and cuts lines into dashes.
 
 use crate::figures::layout::sheet::Rect;
 
@@ -42,7 +42,7 @@ pub fn segment(a: [f64; 2], b: [f64; 2], frame: &Rect) -> Option<[[f64; 2]; 2]> 
     }
     let at = |t: f64| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
     (enter <= leave).then(|| {
-        // The ends themselves, not their rounded images, so that neighbours join.
+        // The given ends without rounding, so that neighbours join.
         let from = if enter == 0.0 { a } else { at(enter) };
         let to = if leave == 1.0 { b } else { at(leave) };
         [from, to]
@@ -80,7 +80,7 @@ pub fn polygon(corners: &[[f64; 2]], frame: &Rect) -> Line {
     kept
 }
 
-/// A line cut into the dashes of a pattern (lengths of line and gap in turn); whole for an empty pattern.
+/// A line cut into the dashes of a pattern (lengths of line and gap in turn); complete for an empty pattern.
 pub fn dashes(line: &[[f64; 2]], pattern: &[f64]) -> Vec<Line> {
     if pattern.is_empty() {
         return vec![line.to_vec()];

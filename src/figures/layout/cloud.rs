@@ -22,9 +22,9 @@ pub struct Cloud {
 pub struct Dot {
     /// Its place in the axes' units.
     pub at: [f64; 2],
-    /// Its value on the axis of the colours, if it has one.
+    /// Its value along the colour bar, if it has one.
     pub value: Option<f64>,
-    /// The place of its colour on the scale of colours.
+    /// The fraction of the scale of colours for it.
     pub shade: f64,
 }
 
@@ -42,7 +42,7 @@ impl Cloud {
             };
             Dot { at, value, shade }
         };
-        // The dots together cover the same area however many there are, until the smallest radius.
+        // The dots together cover the same area for any number of them, down to the smallest radius.
         let less = libm::sqrt(MOST_SHAPES as f64 / count.max(1) as f64);
         Cloud {
             dots: points.map(dot).collect(),

@@ -5,10 +5,10 @@ use crate::figures::layout::sheet::{Entry, Panel, Rect, Series, Sheet};
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text;
 
-/// A line of the legend before it has its place.
+/// An entry of the legend without its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Key {
-    /// PlacedText in markup.
+    /// Label in markup.
     pub label: String,
     /// Pattern of the line.
     pub stroke: Stroke,
@@ -33,7 +33,7 @@ impl Key {
         style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
     }
 
-    /// As many lines as the words need up to `right`, the first with the piece of line.
+    /// As many lines as the label needs up to `right`, the first with the piece of line.
     fn lines(&self, [x, y]: [f64; 2], right: f64) -> Vec<Entry> {
         let room = right - x - style::SAMPLE - style::SAMPLE_GAP;
         let lines = text::wrap(&self.label, style::LABEL, room);
@@ -62,7 +62,7 @@ impl Key {
     }
 }
 
-/// The legends in corners of their panels, where each has one that is free.
+/// The legends in free corners of their panels; `None` if a panel has none.
 pub fn within(panels: &[Panel], keys: &[Vec<Key>]) -> Option<Vec<Entry>> {
     let pairs = keys.iter().zip(panels);
     let corners = pairs.map(|(keys, panel)| free_corner(panel, keys));
@@ -77,7 +77,7 @@ pub fn within(panels: &[Panel], keys: &[Vec<Key>]) -> Option<Vec<Entry>> {
     Some(placed.collect())
 }
 
-/// A place in a panel for its legend where it hides nothing.
+/// A place for the legend of a panel where it covers nothing.
 fn free_corner(panel: &Panel, keys: &[Key]) -> Option<Rect> {
     let width = keys.iter().map(Key::length).fold(0.0, f64::max);
     let height = keys.len() as f64 * style::LEADING;

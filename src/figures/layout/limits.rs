@@ -1,11 +1,11 @@
-//! The limits of axes: those that the study gives, or else round the values that are drawn.
+//! The limits of axes: those of the study, or else round the values that are drawn.
 
 use crate::figures::layout::axis::Axis;
 use crate::figures::layout::sheet::Series;
 use crate::figures::layout::ticks;
 use crate::study::Scale;
 
-/// An axis on the scale asked for: of the `range` given, or else round the values; `most` labels at most.
+/// An axis over `range`, or else round the values; `most` labels at most.
 pub fn axis(
     title: &str,
     values: impl Iterator<Item = f64>,
@@ -21,7 +21,7 @@ pub fn axis(
     }
 }
 
-/// The heights of points whose places lie in `x`; of all points where fewer than two do, or nothing limits them.
+/// The heights of points inside of `x`; of all points if fewer than two are inside, or `x` is not given.
 pub fn heights<'a>(
     points: impl Iterator<Item = &'a [f64; 2]> + Clone,
     x: Option<[f64; 2]>,

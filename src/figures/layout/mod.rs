@@ -1,4 +1,4 @@
-//! Where frames, legend and heading stand on a sheet.
+//! The layout of a sheet: frames, legend, heading.
 
 pub mod axis;
 pub mod clip;
@@ -16,15 +16,15 @@ use axis::Axis;
 use legend::Key;
 use sheet::{Anchor, Panel, PlacedText, Rect, Sheet};
 
-/// Height of the line with the panel letter, over each frame.
+/// Height of the caption over each frame.
 pub const CAPTION_LINE: f64 = style::TITLE + style::LABEL_GAP;
 
-/// Least share of a sheet's width for each of several panels beside one another that share a vertical axis.
+/// Least width of each of several panels side by side that share a vertical axis.
 const SHARED: f64 = 130.0;
-/// The same for panels that each have their own.
+/// Least width of each of several panels side by side that have separate vertical axes.
 const OWN: f64 = 160.0;
 
-/// How many of up to `columns` panels that share a vertical axis fit beside one another; all if no width is given.
+/// How many of up to `columns` panels that share a vertical axis fit side by side; all if no width is given.
 pub fn side_by_side(columns: usize, width: Option<f64>) -> usize {
     match width {
         Some(width) => columns.min((width / SHARED) as usize).max(1),
@@ -32,14 +32,14 @@ pub fn side_by_side(columns: usize, width: Option<f64>) -> usize {
     }
 }
 
-/// Whether panels with an axis each fit beside one another; they do if no width is given.
+/// Whether panels with separate vertical axes fit side by side; they do if no width is given.
 pub fn own_axes(columns: usize, width: Option<f64>) -> bool {
     width.is_none_or(|width| width / columns as f64 >= OWN)
 }
 
 /// Frames of a grid of panels over the width of a sheet, each row with its height.
 pub struct Grid {
-    /// Room left of the first frame of a row; the others share its vertical axis.
+    /// Width of the numbers and title left of the first frame of a row.
     pub margin: f64,
     /// Width of each frame.
     pub width: f64,
@@ -47,8 +47,8 @@ pub struct Grid {
     pub frames: Vec<Vec<Rect>>,
 }
 
-/// Lays out rows of the given heights in `columns`, with room for the numbers of the vertical axes `y` and `right` of
-/// the last frame.
+/// Lays out rows of the given heights in `columns`, with space for the numbers of the vertical axes `y`, and `right`
+/// points right of the last frame.
 pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right: f64) -> Grid {
     let labels = y
         .iter()
@@ -62,7 +62,7 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
     let between = 18.0;
     let columns_wide = columns as f64;
     let free = sheet_width - 2.0 * style::EDGE - margin - right - (columns_wide - 1.0) * between;
-    // Whole points, so that frames of one sheet index the same in pixels.
+    // Whole points, so that the frames of a sheet have the same pixels.
     let width = (free / columns_wide).floor();
     let mut top = style::EDGE;
     let mut frames = Vec::new();
@@ -84,11 +84,11 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
     }
 }
 
-/// Lays out rows of the given heights with a column for each of the vertical axes `y`, each with room for its own.
+/// Lays out rows of the given heights with a column for each of the vertical axes `y`, each with space for its numbers.
 pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
     let share = (sheet_width / y.len() as f64).floor();
     let column = |k: usize| {
-        // Room for the longest numbers in every column, so that frames are alike.
+        // Space for the longest numbers in every column, so that frames have equal widths.
         let mut grid = grid(share, 1, heights, y, 6.0);
         for frame in grid.frames.iter_mut().flatten() {
             frame.left += k as f64 * share;
@@ -102,7 +102,7 @@ pub fn columns(sheet_width: f64, heights: &[f64], y: &[Axis]) -> Vec<Grid> {
 ///
 /// `keys` has the legend of the first panel, of the second and so on; panels without one may be left out.
 pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
-    // No room for letters where there are none, before the legend takes its place.
+    // Without captions, no space for them.
     let bare = |panel: &Panel| panel.caption.is_empty() && panel.map.is_none();
     if sheet.panels.iter().all(bare) {
         move_down(sheet, style::LABEL_GAP - CAPTION_LINE);
@@ -134,7 +134,7 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
     sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
 }
 
-/// Room that the numbers and title of a horizontal axis take below its frame.
+/// Height of the numbers and title of a horizontal axis below its frame.
 pub fn below(axis: &Axis) -> f64 {
     let numbers = if axis.numbered {
         style::LABEL_GAP + style::LABEL
@@ -149,7 +149,7 @@ pub fn below(axis: &Axis) -> f64 {
     numbers + title
 }
 
-/// Sets words small under a finished sheet, in as many lines as they need.
+/// Adds small text under a finished sheet, in as many lines as needed.
 pub fn small_print(sheet: &mut Sheet, markup: &str) {
     let free = sheet.width - 2.0 * style::EDGE;
     for text in text::wrap(markup, style::LABEL, free) {
@@ -184,7 +184,7 @@ fn move_down(sheet: &mut Sheet, by: f64) {
     }
 }
 
-/// Says over the first panel that only `some` of `all` curves are shown, where that is so.
+/// Adds to the caption of the first panel that only `some` of `all` curves are shown, if they are fewer.
 pub fn left_out(sheet: &mut Sheet, some: usize, all: usize) {
     if let (true, Some(first)) = (some < all, sheet.panels.first_mut()) {
         let space = if first.caption.is_empty() { "" } else { "  " };
@@ -192,7 +192,7 @@ pub fn left_out(sheet: &mut Sheet, some: usize, all: usize) {
     }
 }
 
-/// Letters for panels, `(a)`, `(b)`, ..., with what else is said over the frame; none for a panel alone.
+/// Letters for panels, `(a)`, `(b)`, ..., before the caption; none for a single panel.
 pub fn letter_panels(panels: &mut [Panel]) {
     if panels.len() < 2 {
         return;

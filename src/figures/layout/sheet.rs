@@ -1,4 +1,4 @@
-//! A figure as data: what is drawn where, before anything is drawn. Lengths are points, y downwards.
+//! A figure as data, before it is drawn. Lengths are points, y downwards.
 
 use crate::figures::layout::axis::Axis;
 use crate::figures::layout::cloud::Cloud;
@@ -44,33 +44,33 @@ impl Rect {
     }
 }
 
-/// A whole figure.
+/// A figure.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Sheet {
-    /// What it shows, in plain words, for readers that cannot see it.
+    /// Its title in plain text, for screen readers.
     pub title: String,
-    /// Which curves there are, in plain words.
+    /// Its curves in plain text.
     pub description: String,
     /// Width.
     pub width: f64,
     /// Height.
     pub height: f64,
-    /// Lines of words over the panels, with their places.
+    /// Lines of text over the panels.
     pub heading: Vec<PlacedText>,
-    /// Lines of words under the panels, with their places.
+    /// Lines of text under the panels.
     pub small_print: Vec<PlacedText>,
     /// Panels, from upper left to lower right.
     pub panels: Vec<Panel>,
-    /// The legend, once for the whole sheet: inside a panel where it hides nothing, else above the panels.
+    /// The legend, once for the whole sheet: inside a panel if it covers nothing there, or else above the panels.
     pub legend: Vec<Entry>,
 }
 
-/// One frame with what is in it.
+/// A frame with its contents.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     /// The frame.
     pub frame: Rect,
-    /// Room left of the frame for the numbers and title of the vertical axis.
+    /// Width of the numbers and title of the vertical axis left of the frame.
     pub margin: f64,
     /// Horizontal axis.
     pub x: Axis,
@@ -78,7 +78,7 @@ pub struct Panel {
     pub y: Axis,
     /// Curves, drawn in this order.
     pub series: Vec<Series>,
-    /// Bands in place of parts of curves, filled in this order.
+    /// Bands instead of parts of curves, filled in this order.
     pub envelopes: Vec<Envelope>,
     /// Bars below the curves.
     pub bars: Vec<Bar>,
@@ -88,9 +88,9 @@ pub struct Panel {
     pub cloud: Option<Cloud>,
     /// Whether the line y = 0 is drawn.
     pub zero: bool,
-    /// Letter and what else stands over the frame, in markup; empty for none.
+    /// Text over the frame, in markup; empty for none.
     pub caption: String,
-    /// PlacedText inside the frame.
+    /// Text inside the frame.
     pub notes: Vec<PlacedText>,
     /// Dimension lines with an arrow at both ends, in the axes' units.
     pub arrows: Vec<[[f64; 2]; 2]>,
@@ -116,7 +116,7 @@ impl Panel {
         }
     }
 
-    /// The place on the sheet of a point in the axes' units; not finite where it has none.
+    /// The place on the sheet of a point in the axes' units; not finite for a point without one.
     pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.frame.left + self.frame.width * self.x.fraction(x),
@@ -128,7 +128,7 @@ impl Panel {
 /// A curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// What the legend calls it, in markup.
+    /// Label in the legend, in markup.
     pub label: String,
     /// Points in the axes' units; one that is not finite leaves a gap.
     pub points: Vec<[f64; 2]>,
@@ -138,12 +138,12 @@ pub struct Series {
     pub width: f64,
     /// Marker at the points `marked`.
     pub marker: Option<Marker>,
-    /// Indices of the points that carry a marker.
+    /// Indices of the points with a marker.
     pub marked: Vec<usize>,
 }
 
 impl Series {
-    /// A thin line that is no curve: it has no name and no place in the legend.
+    /// A thin line without an entry in the legend.
     pub fn rule(points: [[f64; 2]; 2]) -> Series {
         Series {
             label: String::new(),
@@ -175,7 +175,7 @@ pub struct Bar {
     pub x: [f64; 2],
     /// Its lower and upper end.
     pub y: [f64; 2],
-    /// Its place on the scale of colours.
+    /// Its fraction of the scale of colours.
     pub shade: f64,
 }
 
@@ -184,7 +184,7 @@ pub struct Bar {
 pub struct Entry {
     /// Left end of the piece of line, at the height of the line.
     pub at: [f64; 2],
-    /// PlacedText in markup.
+    /// Label in markup.
     pub label: String,
     /// Pattern of the line.
     pub stroke: Stroke,
@@ -195,26 +195,26 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Whether it is a further line of the words before it, without a line or marker of its own.
+    /// Whether it continues the label of the entry before it, without a line or marker.
     pub fn continues(&self) -> bool {
         self.width == 0.0 && self.marker.is_none()
     }
 }
 
-/// PlacedText at a place on the sheet.
+/// Text at a place on the sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedText {
     /// The place: the end or middle of the base line, as `anchor` says.
     pub at: [f64; 2],
-    /// Which part of the words stands there.
+    /// Which part of the text is there.
     pub anchor: Anchor,
-    /// The words in markup.
+    /// The text in markup.
     pub text: String,
     /// Type size.
     pub size: f64,
 }
 
-/// Which part of a line of words stands at its place.
+/// Which part of a line of text is at its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// Its beginning.
@@ -228,13 +228,13 @@ pub enum Anchor {
 /// A quantity over two axes as filled cells or bands.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilledMap {
-    /// The cells; where there is none the panel stays white.
+    /// The cells; the panel is white where there is none.
     pub cells: Vec<Cell>,
-    /// Where bands of colour meet, rising; none for cells.
+    /// Levels between bands of colour, rising; none for cells.
     pub levels: Vec<f64>,
     /// Areas painted one over the other, over the lowest band, each with the number of its band.
     pub areas: Vec<(usize, Vec<[f64; 2]>)>,
-    /// Where nothing is known, as two corners: left white.
+    /// Rectangles without values, as two corners: white.
     pub blank: Vec<[[f64; 2]; 2]>,
     /// Numbers on the lines between bands, with their places on the sheet.
     pub labels: Vec<PlacedText>,
@@ -266,6 +266,6 @@ pub struct Cell {
     pub x: [f64; 2],
     /// Its edges along y, rising.
     pub y: [f64; 2],
-    /// What its colour shows.
+    /// The value that its colour shows.
     pub value: f64,
 }

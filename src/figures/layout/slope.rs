@@ -1,4 +1,4 @@
-//! The slope of a curve on logarithmic scales, where it is straight.
+//! The slope of a curve on logarithmic scales, if it is straight.
 
 use crate::figures::layout::legend;
 use crate::figures::layout::sheet::{Anchor, Panel, PlacedText, Rect};
@@ -12,7 +12,7 @@ const STRAIGHT: f64 = 0.15;
 /// Fewest points of a straight stretch.
 const FEWEST: usize = 4;
 
-/// Least slope that is written: a level line says so itself.
+/// Least slope that is written: a level line needs no number.
 const LEAST: f64 = 0.25;
 
 /// Shortest straight stretch, as the ratio of its ends.
@@ -49,7 +49,7 @@ pub fn straight(points: &[[f64; 2]]) -> Option<Stretch> {
     best
 }
 
-/// The slope of the line through the points, if they lie straight.
+/// The slope of the line through the points, if they are on a straight line.
 fn fitted(points: &[[f64; 2]]) -> Option<f64> {
     let count = points.len() as f64;
     let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / count;
@@ -62,7 +62,7 @@ fn fitted(points: &[[f64; 2]]) -> Option<f64> {
     points.windows(2).all(straight).then_some(slope)
 }
 
-/// Writes the slope of every curve of a panel beside it, where it is straight and there is room.
+/// Writes the slope of every curve of a panel next to it, if it is straight and there is space.
 pub fn write(panel: &mut Panel) {
     let mut taken: Vec<Rect> = Vec::new();
     let mut notes = Vec::new();
@@ -77,7 +77,7 @@ pub fn write(panel: &mut Panel) {
         };
         let (width, height) = (text::width(&text, style::LABEL), style::LABEL);
         let place = |i: usize| panel.place(series.points[i]);
-        // From the middle of the stretch to its ends, over and under the line, ever further from it.
+        // From the middle of the stretch to its ends, over and under the line, then farther from it.
         let middle = (stretch.from + stretch.to) / 2;
         let mut order: Vec<usize> = (stretch.from..=stretch.to).collect();
         order.sort_by_key(|i| i.abs_diff(middle));

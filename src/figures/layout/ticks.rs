@@ -15,7 +15,7 @@ const FINEST: f64 = 1e-300;
 /// Most powers of ten that each have a tick.
 const MOST_DECADES: usize = 40;
 
-/// A linear axis whose range is the data's, a little wider, out to the next minor ticks; `most` labels at most.
+/// A linear axis round the values, a little wider, to the next minor ticks; `most` labels at most.
 pub fn around(title: &str, values: impl Iterator<Item = f64>, most: f64) -> Axis {
     let [low, high] = span(values, |x| if x == 0.0 { 1.0 } else { 0.1 * x.abs() });
     let pad = 0.03 * high - 0.03 * low;
@@ -38,11 +38,11 @@ pub fn linear(title: &str, range: [f64; 2], most: f64) -> Axis {
 fn stepped(title: &str, range: [f64; 2], (major, minor): (f64, f64)) -> Axis {
     let decimals = (-floor(log10(major) + 1e-9)).max(0.0);
     let largest = range[0].abs().max(range[1].abs());
-    // What tells neighbours apart, and two digits more.
+    // As many digits as distinguish neighbours, and two more.
     let digits = (log10(largest / major) + 2.0).clamp(10.0, 16.0) as usize;
     let label = |x: f64| {
         if decimals > 4.0 || largest >= 1e5 {
-            // Freed of the last digits, where the product of count and step has its rounding.
+            // Without the last digits, which have the rounding of the product of count and step.
             number::plain(format!("{x:.digits$e}").parse().unwrap_or(x))
         } else {
             format!("{x:.0$}", decimals as usize).replace('-', "−")
@@ -99,7 +99,7 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
         .filter(|k| inside(pow(10.0, f64::from(*k))))
         .count();
     let every = ceil((decades as f64 - 1.0) / most).max(1.0) as i32;
-    // Three numbers a decade, where that is not much more than asked for.
+    // Three numbers a decade if that is not much more than `most`.
     let fine = decades < 2 || 3.0 * (log10(range[1]) - log10(range[0])) <= 1.5 * most;
     let mut ticks = Vec::new();
     for k in first..=last {
@@ -125,7 +125,7 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
             ticks.push(Tick { at, label });
         }
     }
-    // Between two round numbers, steps of a linear axis; they are not even here, and need not be.
+    // Between two round numbers, steps of a linear axis; they are not evenly spaced here.
     let numbers = |ticks: &[Tick]| ticks.iter().filter(|tick| !tick.label.is_empty()).count();
     for most in [most.min(4.0), 5.0] {
         if numbers(&ticks) < 2 {
@@ -141,7 +141,7 @@ pub fn log_range(title: &str, range: [f64; 2], most: f64) -> Axis {
     }
 }
 
-/// Smallest and largest of the finite values; where they are one, widened by `wider`.
+/// Smallest and largest of the finite values; if they are equal, widened by `wider`.
 fn span(values: impl Iterator<Item = f64>, wider: impl Fn(f64) -> f64) -> [f64; 2] {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for x in values.filter(|x| x.is_finite()) {
@@ -166,7 +166,7 @@ fn finite(x: f64) -> f64 {
 /// Major and minor step for at most `most` steps over a range: 1, 2 or 5 times a power of ten.
 fn steps(range: [f64; 2], most: f64) -> (f64, f64) {
     let length = range[1] - range[0];
-    // Ends that lie further apart than the largest number.
+    // The difference of the ends is larger than the largest number.
     let raw = match length.is_finite() {
         true => length / most,
         false => range[1] / most - range[0] / most,
@@ -189,7 +189,7 @@ fn spaced(
     minor: f64,
     label: impl Fn(f64) -> String,
 ) -> Axis {
-    // Neighbours of which double precision, or a step of full precision, knows too few: the ends alone.
+    // Too few numbers in the range in double precision: only the ends have ticks.
     let largest = range[0].abs().max(range[1].abs());
     if major < 2.0 * FINEST || minor < 4.0 * f64::EPSILON * largest {
         let end = |at| Tick {
@@ -210,7 +210,7 @@ fn spaced(
     let ticks = (first..=last)
         .map(|k| {
             let numbered = k.rem_euclid(each) == 0;
-            // From the major step where there is one, so that 3 steps of 0.1 are not 0.30000000000000004 twice over.
+            // A multiple of the major step if it is one, so that 3 steps of 0.1 are not 0.30000000000000004 twice over.
             let at = if numbered {
                 (k / each) as f64 * major
             } else {

@@ -23,11 +23,11 @@ static NAMES: [(&str, bool); COUNT] = [
     ("STIXTwoMath-Regular", false),
 ];
 
-/// The three files are part of the program, so that they are sound is a matter for a test, not for the user.
+/// The three files are part of the program, so that a test, not the user, finds a damaged one.
 static FACES: LazyLock<[Face<'static>; COUNT]> =
     LazyLock::new(|| FILES.map(|file| Face::parse(file, 0).expect("the embedded fonts are sound")));
 
-/// A file as it is.
+/// The bytes of a file.
 pub fn bytes(face: usize) -> &'static [u8] {
     FILES[face]
 }
@@ -87,7 +87,7 @@ impl Glyph {
         f64::from(FACES[self.face].units_per_em())
     }
 
-    /// Hands the outline to `builder`, y upwards, in units of the font.
+    /// Gives the outline to `builder`, y upwards, in units of the font.
     pub fn outline(self, builder: &mut dyn OutlineBuilder) {
         // A glyph without outline is a space.
         let _ = FACES[self.face].outline_glyph(self.id, builder);
@@ -109,7 +109,7 @@ pub fn set(text: &str, italic: bool) -> (Vec<(Glyph, f64)>, f64) {
     (glyphs, x)
 }
 
-/// How much closer two neighbours stand, over the type size.
+/// How much closer two neighbours are, relative to the type size.
 fn kerning(left: Glyph, right: Glyph) -> f64 {
     if left.face != right.face {
         return 0.0;

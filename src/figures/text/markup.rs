@@ -1,5 +1,5 @@
-//! The little markup of titles and symbols: `*italic*`, `_subscript_`, `^superscript^`, a backslash before a
-//! character that stands for itself. Nothing nests; a mark without its partner stands for itself too.
+//! The markup of titles and symbols: `*italic*`, `_subscript_`, `^superscript^`, a backslash before a
+//! character that is meant literally. Marks do not nest; a mark without its partner is literal too.
 
 /// A piece of text set in one way.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -92,7 +92,7 @@ fn until(mut rest: &str, mark: char) -> Option<(String, &str)> {
     None
 }
 
-/// The next character, freed of its backslash; `rest` is not empty.
+/// The next character without its backslash; `rest` is not empty.
 fn literal(rest: &str) -> (char, &str) {
     let mut chars = rest.chars();
     let first = chars.next().unwrap_or(' ');

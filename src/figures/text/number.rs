@@ -1,16 +1,16 @@
-//! Numbers as figures write them: a true minus, powers of ten, multiples of pi.
+//! Numbers as figures write them: a minus sign, powers of ten, multiples of pi.
 
 use crate::problem::parameter::{Value, shortest};
 use std::collections::HashSet;
 use std::f64::consts::PI;
 
-/// Most significant digits of a number that somebody wrote; numbers with more were worked out.
+/// Most significant digits of a number in a study; numbers with more were computed.
 const WRITTEN: usize = 5;
 
 /// Fewest significant digits of a rounded number.
 const FEWEST: usize = 3;
 
-/// Significant digits that tell all these numbers apart.
+/// Significant digits that distinguish all these numbers.
 pub fn digits(numbers: impl Iterator<Item = f64>) -> usize {
     let mut numbers: Vec<f64> = numbers.collect();
     numbers.sort_by(f64::total_cmp);
@@ -22,10 +22,10 @@ pub fn digits(numbers: impl Iterator<Item = f64>) -> usize {
     (FEWEST..MOST).find(apart).unwrap_or(MOST)
 }
 
-/// Significant digits that tell any two doubles apart.
+/// Significant digits that distinguish any two doubles.
 const MOST: usize = 17;
 
-/// A number in markup, to so many significant digits where it has more than somebody writes; multiples of pi as such.
+/// A number in markup, rounded to `digits` if it has more than [`WRITTEN`]; multiples of pi as such.
 pub fn rounded(x: f64, digits: usize) -> String {
     let written = shortest(x);
     let mantissa = written.split('e').next().unwrap_or_default();
@@ -42,7 +42,7 @@ pub fn number(x: f64) -> String {
     of_pi(x).unwrap_or_else(|| plain(x))
 }
 
-/// A parameter's value in markup, a number rounded to so many digits.
+/// A parameter's value in markup, rounded as by [`rounded`].
 pub fn value(value: Value, digits: usize) -> String {
     match value {
         Value::Number(x) => rounded(x, digits),
@@ -62,7 +62,7 @@ pub fn plain(x: f64) -> String {
     }
 }
 
-/// A number in markup, as `3/4` where that says it with a denominator up to 12.
+/// A number in markup, as `3/4` if it is a fraction with a denominator up to 12.
 pub fn fraction(x: f64, digits: usize) -> String {
     let parts = (2..=12_u32).find_map(|q| {
         let p = x * f64::from(q);
@@ -93,8 +93,8 @@ pub fn of_pi(x: f64) -> Option<String> {
     Some(format!("{sign}{times}π{over}"))
 }
 
-/// A round number on a scale: without the last digits, where a product of digit and power has its rounding, and without
-/// a power of ten where it can be read without.
+/// A round number on a scale: without the last digits, which have the rounding of a product, and without
+/// a power of ten if it is short without one.
 pub fn short(x: f64) -> String {
     let freed: f64 = format!("{x:.6e}").parse().unwrap_or(x);
     match freed.abs() {
@@ -103,7 +103,7 @@ pub fn short(x: f64) -> String {
     }
 }
 
-/// A number in plain words, as a reader is told it: six digits, multiples of pi as such.
+/// A number in plain text: six digits, multiples of pi as such.
 pub fn plain_text(x: f64) -> String {
     let short = |x: f64| shortest(format!("{x:.5e}").parse().unwrap_or(x));
     of_pi(x).unwrap_or_else(|| short(x))

@@ -1,10 +1,10 @@
-//! Takes glyph outlines from the font to the sheet: as a path of pixels, and as the path data of SVG.
+//! Glyph outlines as a path of pixels, and as the path data of SVG.
 
 use std::fmt::Write;
 use tiny_skia::PathBuilder;
 use ttf_parser::OutlineBuilder;
 
-/// Takes outlines from the font to their place on the sheet.
+/// Adds outlines to a path at their place on the sheet.
 pub struct ToPixels {
     /// The path so far, in pixels.
     pub path: PathBuilder,
@@ -14,7 +14,7 @@ pub struct ToPixels {
     pub along: f64,
     /// Pixels of a unit of the font.
     pub scale: f64,
-    /// Whether the line reads from below.
+    /// Whether the line is turned to read from below.
     pub upwards: bool,
 }
 

@@ -25,7 +25,7 @@ pub(super) fn check(checker: &mut Checker, distinguished: &[usize], what: &str, 
     if names.is_empty() {
         return;
     }
-    // What the problem works out has no values of its own: it takes the place of one that it follows from, where each
+    // What the problem computes has no given values: it replaces one parameter that it follows from, if each
     // of its values belongs to one case.
     let empty = |row: &&usize| checker.levels(**row).is_empty();
     let (worked_out, lacking): (Vec<usize>, Vec<usize>) = distinguished

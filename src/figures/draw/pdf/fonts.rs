@@ -131,7 +131,7 @@ impl Subset {
         Ok(())
     }
 
-    /// Six letters that tell one subset of a font from another.
+    /// Six letters that distinguish the subsets of a font.
     fn tag(&self) -> String {
         let ids = self.glyphs.iter().map(|(glyph, _)| u64::from(glyph.id()));
         // FNV-1a.

@@ -25,7 +25,7 @@ const SEAM: f64 = 0.5;
 /// Distance of the control points of a quarter circle from its ends, over the radius.
 const QUARTER: f32 = 0.552_284_8;
 
-/// A PDF page under way; its user units are the virtual units of the drawing, y downwards.
+/// A PDF page; its user units are the virtual units of the drawing, y downwards.
 pub struct Page {
     /// Size in points.
     size: [f64; 2],
@@ -42,7 +42,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// A page of the given size in points with its title in plain words, on which images have `dots` pixels a point.
+    /// A page of the given size in points with its title in plain text, on which images have `dots` pixels a point.
     pub fn new(width: f64, height: f64, title: &str, dots: f64) -> Page {
         let mut content = Content::new();
         let unit = (1.0 / UNITS) as f32;
@@ -62,7 +62,7 @@ impl Page {
         }
     }
 
-    /// The whole file.
+    /// The complete file.
     pub fn pdf(&mut self) -> Result<Vec<u8>, Error> {
         self.flush();
         let content = std::mem::replace(&mut self.content, Content::new()).finish();
@@ -75,7 +75,7 @@ impl Page {
         )
     }
 
-    /// Writes the filled rectangles that wait. A reader smooths their edges, so neighbours would leave a light seam: all
+    /// Writes the pending filled rectangles. A viewer smooths their edges, so neighbours would leave a light seam: all
     /// are painted a little larger first, and then to their size.
     fn flush(&mut self) {
         let cells = std::mem::take(&mut self.cells);

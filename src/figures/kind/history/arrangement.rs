@@ -22,7 +22,7 @@ pub struct Cell {
 }
 
 impl Arrangement {
-    /// Rows and columns where that makes a page and fits the `width`, if one is given, else a stack.
+    /// Rows and columns if they fit on a page and in the `width`, if one is given, or else a stack.
     pub fn of(quantities: usize, groups: usize, width: Option<f64>) -> Arrangement {
         match (quantities, groups) {
             (2.., 2..=3) if layout::side_by_side(groups, width) == groups => {

@@ -11,16 +11,16 @@ use crate::problem::unit::Dimension;
 use crate::problem::{Case, Quantity, Solution, Source};
 use crate::study::Study;
 
-/// Points of an exact curve: less than a point of paper apart.
+/// Points of an exact curve: less than a typographic point apart.
 const EXACT_POINTS: usize = 800;
 
-/// What the panels draw from.
+/// The cases of a history figure, with their labels.
 pub struct Curves<'a> {
     /// The study.
     pub study: &'a Study,
     /// The cases drawn, all solved.
     pub cases: &'a [DrawnCase<'a>],
-    /// Number of each case's label.
+    /// Index of each case's label.
     pub indices: &'a [usize],
     /// The different labels.
     pub labels: &'a [String],
@@ -28,7 +28,7 @@ pub struct Curves<'a> {
     pub in_units: bool,
     /// First and last time shown.
     pub window: [f64; 2],
-    /// Markers along a curve: not a whole number a cycle, so that they do not gather at one phase.
+    /// Markers along a curve: not a whole number for each cycle, so that they are at different phases.
     pub markers: f64,
 }
 
@@ -87,7 +87,7 @@ impl Curves<'_> {
         let sizes = sizes(self.study, self.in_units, shown.case, quantity);
         let [first, last] = self.window.map(|time| time / sizes[0]);
         let time = |i| first + (last - first) * i as f64 / EXACT_POINTS as f64;
-        // From 0 on, wherever the first time shown is.
+        // It starts at 0 even if the first time shown is later.
         let start = (first > 0.0).then_some(0.0);
         let all: Vec<f64> = start
             .into_iter()
@@ -99,7 +99,7 @@ impl Curves<'_> {
         Some(line.map(|(t, x)| times([*t, *x], sizes)).collect())
     }
 
-    /// Points that carry a marker: few, and not at the same times for two curves.
+    /// The points with a marker: few, at different times for different curves.
     fn marked(&self, points: &[[f64; 2]], index: usize) -> Vec<usize> {
         let [begin, end] = self.window;
         let spacing = (end - begin) / self.markers;
@@ -121,7 +121,7 @@ impl Curves<'_> {
         marked
     }
 
-    /// The legend: exact, then every index once.
+    /// The legend: exact, then each label once.
     pub fn keys(&self, sheet: &Sheet) -> Vec<Key> {
         let mut keys: Vec<Key> = Vec::new();
         for series in sheet.panels.iter().flat_map(|panel| &panel.series) {
@@ -133,7 +133,7 @@ impl Curves<'_> {
     }
 }
 
-/// Sizes of the units of time and of a quantity in a case; 1 where axes are scaled.
+/// Sizes of the units of time and of a quantity in a case; 1 if the axes are scaled.
 fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f64; 2] {
     let of = |dimension| match in_units {
         true => study.problem.size(case, dimension).unwrap_or(f64::NAN),

@@ -1,4 +1,4 @@
-//! Curves over time: one row of panels a quantity, the exact solution thin below the cases.
+//! Curves over time: one row of panels for each quantity, the exact solution thin under the cases.
 
 mod arrangement;
 mod curves;
@@ -108,7 +108,7 @@ impl Draw for History {
             })
             .collect();
 
-        // One grid for the whole sheet, or one for each column where each has its own vertical axis.
+        // One grid for the whole sheet, or one for each column with a separate vertical axis.
         let grids = match arranged {
             Arrangement::QuantitiesAcross => layout::columns(width, &heights, &axes),
             Arrangement::Stack | Arrangement::GroupsAcross => {
@@ -167,12 +167,12 @@ impl Draw for History {
 /// Height of panels in a sheet of many rows.
 const LOW: f64 = 92.0;
 
-/// Errors lie flatter than the response.
+/// Height of a panel; lower for errors than for the response.
 fn height(quantity: &Quantity) -> f64 {
     if is_error(quantity) { 76.0 } else { 160.0 }
 }
 
-/// The part of the time up to `end` that the axis shows; all of it where it shows none.
+/// The part of the time up to `end` that the axis shows; all of it if it shows no part.
 fn window(range: Option<[f64; 2]>, end: f64) -> [f64; 2] {
     match range.map(|[a, b]| [a.max(0.0), b.min(end)]) {
         Some([a, b]) if a < b => [a, b],

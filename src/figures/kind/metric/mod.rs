@@ -42,7 +42,7 @@ pub(super) struct Curves<'a> {
     pub by: Option<usize>,
     /// Scales of the axes.
     pub scales: [Scale; 2],
-    /// Whether the observed orders are given, in place of exact values.
+    /// Whether it shows the observed orders, instead of exact values.
     pub orders: bool,
 }
 
@@ -99,7 +99,7 @@ impl Curves<'_> {
             };
             labels.iter().enumerate().map(curve).collect()
         };
-        // The exact values below them.
+        // The exact values under the curves.
         let exact = |metric: usize| {
             let row = reference::row(&study.measures, &study.columns, metric).filter(|_| !orders);
             row.map_or(Vec::new(), |row| {
@@ -160,7 +160,7 @@ impl Curves<'_> {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, labels.len(), all);
-        // In a panel alone the legend says the orders; in several they stand at the curves.
+        // The legend of a single panel gives the orders; in several panels they are at the curves.
         if let (true, [panel]) = (orders, &sheet.panels[..]) {
             for (label, series) in labels.iter_mut().zip(&panel.series) {
                 if let Some(stretch) = slope::straight(&series.points) {
@@ -181,7 +181,7 @@ impl Curves<'_> {
             named.next().map(Key::of)
         };
         let exact = exact(reference::SEVERAL).or_else(|| exact(reference::LABEL));
-        // A curve alone needs no name.
+        // A single curve needs no legend.
         let mut keys: Vec<Key> = match labels.len() > 1 || exact.is_some() {
             true => exact.into_iter().chain(keys).collect(),
             false => Vec::new(),
@@ -200,7 +200,7 @@ impl Curves<'_> {
     }
 }
 
-/// The indices by rising number, where one numeric parameter tells more curves apart than there are markers.
+/// The indices of the labels by rising number, if one numeric parameter distinguishes more curves than there are markers.
 fn order(
     named: &[usize],
     cases: &[DrawnCase],
@@ -223,7 +223,7 @@ fn order(
     Some(order)
 }
 
-/// The stroke of each index by its place in the order.
+/// The stroke of each curve by its place in the order.
 fn graded(order: &[usize]) -> Vec<Stroke> {
     let mut strokes = vec![Stroke::Solid; order.len()];
     for (place, index) in order.iter().enumerate() {

@@ -1,14 +1,14 @@
-//! The exact value of a metric, where the study lists it, as a thin line below the curves.
+//! The exact value of a metric, if the study lists it, as a thin line under the curves.
 
 use crate::figures::DrawnCase;
 use crate::figures::layout::sheet::Series;
 use crate::figures::style::{self, Stroke};
 use crate::study::Measure;
 
-/// What the legend calls it.
+/// Its label in the legend.
 pub const LABEL: &str = "exact";
 
-/// What the legend calls several of them, each with the dashes of its curve.
+/// The label of several of them, each with the dashes of its curve.
 pub const SEVERAL: &str = "exact (thin, dashed like its curve)";
 
 /// Row of the metric that is the exact value of another, called `NAME_exact`, in units like the other or not, if it is
@@ -22,8 +22,8 @@ pub fn row(table: &[Measure], listed: &[usize], metric: usize) -> Option<usize> 
     listed.contains(&row).then_some(row)
 }
 
-/// The lines of an exact value over a parameter: for the cases of each index its own, those that are the same once. Several
-/// lines have the `strokes` of their curves, so that a reader can tell them apart.
+/// The lines of an exact value over a parameter: one for each curve, equal ones once. Several
+/// lines have the `strokes` of their curves, so that a reader can distinguish them.
 pub fn lines(
     cases: &[DrawnCase],
     indices: &[usize],
@@ -106,7 +106,7 @@ mod tests {
             case
         };
         let cases: Vec<Case> = places.iter().cycle().take(9).map(case).collect();
-        // Looks 0 and 1 have one exact value, 2 another; it is unknown in one case.
+        // Curves 0 and 1 have the same exact values, 2 has others; it is unknown in one case.
         let metrics: Vec<[Option<f64>; 2]> = (0..9)
             .map(|i| {
                 let off = if i < 6 { 0.0 } else { 5.0 };

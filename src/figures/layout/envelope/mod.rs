@@ -1,7 +1,7 @@
-//! Bands in place of curves that oscillate faster than paper can show: where they lie, and their edges.
+//! Bands instead of curves that oscillate too fast to draw: their places and edges.
 //!
-//! The turns of a curve are those of its places on the sheet. A turn counts where the curve swings further than strokes
-//! lie apart. Where [`PERIODS`] periods in a row take less room than their strokes, a band replaces the curve, as far as
+//! Turns are those of the curve on the sheet. A turn counts if the curve swings farther than strokes
+//! are apart. Where [`PERIODS`] periods in a row are shorter than their strokes are wide, a band replaces the curve, as far as
 //! periods are hardly longer. Its edges are hulls of the points, so the band contains every point and touches every peak.
 
 #[cfg(test)]
@@ -13,13 +13,13 @@ use crate::figures::layout::sheet::{Envelope, Panel, Sheet};
 /// Shortest period that can be drawn, in line widths: two strokes and as much white after each.
 const PERIOD: f64 = 4.0;
 
-/// How much longer periods may get along a band: else it would come and go where they are near the shortest.
+/// How much longer periods may be along a band, so that it does not break where they are near the shortest.
 const LONGER: f64 = 1.1;
 
-/// Least swing between turns, in line widths: a lower one does not blacken the paper.
+/// Least swing between turns, in line widths: a lower one is not dense.
 const SWING: f64 = 2.0;
 
-/// Periods in a row that make a band: fewer strokes can be seen one by one.
+/// Periods in a row that make a band: fewer strokes can be distinguished.
 const PERIODS: usize = 5;
 
 /// Ratio of the two swings of the first and last period of a band at most: a jump or a shoulder is no oscillation.
@@ -32,7 +32,7 @@ const COLUMN: f64 = 2.0;
 pub const MEANING: &str = "Band: between the envelopes of an oscillation too dense to draw; its edges have the dashes of \
                            its curve.";
 
-/// Finds the bands of a finished sheet, and says under it what they mean.
+/// Finds the bands of a finished sheet, and adds their meaning under it.
 pub fn find(sheet: &mut Sheet) {
     for panel in &mut sheet.panels {
         panel.envelopes = of(panel);
@@ -129,7 +129,7 @@ fn stretches(places: &[[f64; 2]], turns: &[usize], width: f64) -> Vec<(usize, us
     let room = |a: usize, b: usize| places[turns[b]][0] - places[turns[a]][0];
     // First and last turn, and whether periods are too short somewhere between them.
     let mut stretches: Vec<(usize, usize, bool)> = Vec::new();
-    // The mean period of several, since points beside a peak move each turn a little.
+    // The mean period of several, because points next to a peak move each turn a little.
     for to in 2 * PERIODS..turns.len() {
         let from = to - 2 * PERIODS;
         let period = room(from, to) / PERIODS as f64;

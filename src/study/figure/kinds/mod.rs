@@ -13,18 +13,6 @@ mod scatter;
 mod sobol;
 mod wave;
 
-pub use budget::Budget;
-pub use convergence::Convergence;
-pub use history::History;
-pub use law::Law;
-pub use map::Map;
-pub use metric::Metric;
-pub use profile::Profile;
-pub use samples::Samples;
-pub use scatter::Scatter;
-pub use sobol::Sobol;
-pub use wave::Wave;
-
 use super::checker::Checker;
 use super::keys::{COMMON, Key, Takes};
 use super::taken::Values;
@@ -72,6 +60,8 @@ pub(in crate::study) trait Decoded {
 
 macro_rules! kinds {
     ($($module:ident :: $kind:ident),+ $(,)?) => {
+        $(pub use $module::$kind;)+
+
         /// What a figure shows.
         #[derive(Debug)]
         pub enum FigureKind {
@@ -149,4 +139,71 @@ pub(in crate::study) fn takers(key: &str) -> Vec<&'static str> {
         .filter(|kind| kind.keys.iter().any(|k| k.name == key))
         .map(|kind| kind.name)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::{Study, parse};
+    use std::collections::HashSet;
+    use std::mem::discriminant;
+
+    /// A study of bars with a figure of each kind.
+    fn studies() -> [Study; 2] {
+        let study = |parameters: &str, figures: &str| {
+            let text = format!(
+                r#"{{"problem": "bar-impact", "parameters": {{"n": 4, "duration": 1, {parameters}, "figures": [{figures}]}}"#
+            );
+            parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
+        };
+        [
+            study(
+                r#""gamma": [1, 2], "dt": [0.01, 0.02]}"#,
+                r#"{"name": "a", "kind": "history"}, {"name": "b", "kind": "profile", "times": [0, 1]},
+                   {"name": "c", "kind": "wave", "where": {"gamma": 1, "dt": 0.01}},
+                   {"name": "d", "kind": "metric", "x": "gamma", "y": "peak_force"},
+                   {"name": "e", "kind": "convergence", "y": "peak_force"},
+                   {"name": "f", "kind": "budget", "x": "dt", "where": {"gamma": 1}},
+                   {"name": "g", "kind": "map", "x": "gamma", "y": "dt", "z": "peak_force"},
+                   {"name": "h", "kind": "scatter", "x": "gamma", "y": "peak_force"}, {"name": "i", "kind": "law"}"#,
+            ),
+            study(
+                r#""gamma": {"uniform": [1, 2]}, "dt": {"uniform": [0.01, 0.02]}},
+                   "design": {"kind": "saltelli", "n": 4}"#,
+                r#"{"name": "a", "kind": "samples", "y": "peak_force"},
+                   {"name": "b", "kind": "sobol", "y": "peak_force"}"#,
+            ),
+        ]
+    }
+
+    #[test]
+    fn every_kind_decodes_to_its_variant_with_axes_for_its_ranges() {
+        let studies = studies();
+        let figures: Vec<_> = studies.iter().flat_map(|study| &study.figures).collect();
+        let variants: HashSet<_> = figures.iter().map(|f| discriminant(&f.kind)).collect();
+        assert_eq!([figures.len(), variants.len()], [KINDS.len(); 2]);
+        for figure in figures {
+            // Debug writes the name of the variant, which is that of the kind.
+            let written = format!("{:?}", figure.kind).to_lowercase();
+            let named = |kind: &&Kind| {
+                written.split(|c: char| !c.is_alphabetic()).next() == Some(kind.name)
+            };
+            let kind = KINDS.iter().find(named).unwrap();
+            let has = |name: &str| kind.keys.iter().any(|key| key.name == name);
+            let limited = figure.kind.decoded().limited_axes().is_some();
+            assert_eq!(
+                [has("x_range"), has("y_range")],
+                [limited; 2],
+                "{}",
+                kind.name
+            );
+            let metrics = kind.keys.iter().any(|key| {
+                use Takes::{Budgets, Column, Metric, Metrics};
+                matches!(key.takes, Metric | Metrics | Column | Budgets)
+            });
+            let problem = studies[0].problem;
+            let measures = figure.kind.decoded().measures(problem);
+            assert_eq!(!measures.is_empty(), metrics, "{}", kind.name);
+        }
+    }
 }
