@@ -1,8 +1,9 @@
 //! Two tables of results of one study, held against each other: case by case, metric by metric.
 
 use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
-use crate::problem::PROBLEMS;
+use crate::problem::{PROBLEMS, Problem};
 use crate::study::units::scaled;
 
 /// A table of results as text: results.csv, or the same from a store.
@@ -62,10 +63,9 @@ impl Comparison {
 pub fn compare(a: &Rows, b: &Rows, tolerance: f64) -> Option<Comparison> {
     let has = |rows: &Rows, name: &str| rows.columns.iter().any(|column| column == name);
     let of = |rows: &Rows| {
-        let all = |problem: &&&dyn crate::problem::Problem| {
-            problem.parameters().iter().all(|p| has(rows, p.name))
-        };
-        PROBLEMS.iter().find(all).copied()
+        let all =
+            |problem: &&Arc<dyn Problem>| problem.parameters().iter().all(|p| has(rows, &p.name));
+        PROBLEMS.iter().find(all).cloned()
     };
     let problem = of(a)?;
     if of(b)?.name() != problem.name() {
@@ -81,7 +81,7 @@ pub fn compare(a: &Rows, b: &Rows, tolerance: f64) -> Option<Comparison> {
         only.retain(|name| !has(other, name) && scaled(name).is_none());
         only
     };
-    let names: Vec<&str> = problem.parameters().iter().map(|p| p.name).collect();
+    let names: Vec<&str> = problem.parameters().iter().map(|p| &*p.name).collect();
     let (keys_a, keys_b) = (keys(a, &names), keys(b, &names));
     let mut waiting: HashMap<&[&str], Vec<usize>> = HashMap::new();
     for (row, key) in keys_b.iter().enumerate().rev() {
@@ -168,12 +168,13 @@ mod tests {
 
     /// Rows of friction with these values of alpha and of two metrics.
     fn table(rows: &[(&str, &str, &str)]) -> Rows {
-        let parameters = find("friction-oscillator").unwrap().parameters();
-        let names = parameters.iter().map(|p| p.name.to_owned());
+        let problem = find("friction-oscillator").unwrap();
+        let parameters = problem.parameters();
+        let names = parameters.iter().map(|p| p.name.to_string());
         let metrics = ["rms_error", "max_error"].map(String::from);
         let columns = ["case".to_owned()].into_iter().chain(names).chain(metrics);
         let row = |(i, (alpha, rms, max)): (usize, &(&str, &str, &str))| {
-            let value = |p: &crate::problem::parameter::Parameter| match p.name {
+            let value = |p: &crate::problem::parameter::Parameter| match &*p.name {
                 "alpha" => (*alpha).to_owned(),
                 _ => "1".into(),
             };

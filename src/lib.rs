@@ -7,34 +7,37 @@
 //!
 //! # The idea
 //!
-//! A structure is its modes, a contact is one scalar law, a step is one recursion per mode and one scalar root.
+//! A structure answers the forces of its contact, a contact is one scalar law, a method is a small recursion, a step is one
+//! scalar root.
 //!
 //! ```text
-//! x_k'' + omega_k^2 x_k = -phi_k^2 S            modes, scaled so that r = sum x_k (+ gap)      structure
-//! W' = W - K P - G (S + S'),  P' = P + W'       constant average acceleration, exactly         stepper
-//! r' = r* - h S'(r', state)                     the law's root, in closed form                 law
+//! x_k'' + omega_k^2 x_k = -phi_k^2 S            modes, scaled so that r = sum x_k (+ gap)      system
+//! W' = W - K P - G (S + S'),  P' = P + W'       constant average acceleration, exactly         methods
+//! r' = r* - h S'(r', state)                     the law's root, in closed form                 contact
 //! ```
 //!
-//! # The way of the data
+//! # The data flow
 //!
 //! ```text
-//! studies/*.json -> study -> cases -> [ solve -> history -> metrics, beside exact -> history ] -> results -> figures, checks
+//! studies/*.json -> study -> cases -> problem -> System -> [ solve -> history -> metrics, with exact -> history ]
+//!                -> results -> figures, checks, reports
 //! ```
 //!
-//! From the top down, each room using only those below it: [`report`], [`claims`] and [`checks`], [`figures`], [`batch`] with
-//! the store, [`compare`], [`indices`], [`study`], [`recommend`], [`problem`], [`metrics`], [`exact`], [`stepper`], [`law`],
-//! [`structure`], [`lane`], [`history`], [`error`]. Beside them stands [`textbook`]: the papers' matrices and iteration,
-//! which the fast form is tested against.
+//! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`checks`], [`compare`],
+//! [`recommend`], [`figures`], [`batch`] with the store, [`indices`], [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
+//! [`exact`], [`methods`], [`system`], [`contact`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
+//! iteration, which the fast form is tested against.
 //!
 //! # Principal types
 //!
-//! - [`study::Study`]: a study file, read and validated; [`study::read`] names every fault with its place.
+//! - [`study::Study`]: a study file, read and validated; [`study::read`] reports every error with its place.
 //! - [`problem::Problem`]: one of the two problems, [`problem::friction::FrictionOscillator`] and
 //!   [`problem::impact::BarImpact`], with the tables of parameters and metrics that everything else reads.
-//! - [`problem::Solution`]: a case's [`history::History`], the exact one beside it, and the metrics.
-//! - [`problem::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each alone has.
-//! - [`stepper::Stepper`] and [`law::Law`]: the method and the contact.
-//! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the stepper.
+//! - [`system::System`]: what a problem makes of a case: the modes, the contact, the start, the step.
+//! - [`problem::Solution`]: a case's [`history::History`], the exact history, and the metrics.
+//! - [`solve::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each has by itself.
+//! - [`methods::average_acceleration::AverageAcceleration`] and [`contact::Law`]: the method and the contact.
+//! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the method.
 //!
 //! # An example
 //!
@@ -62,18 +65,19 @@ pub mod batch;
 pub mod checks;
 pub mod claims;
 pub mod compare;
+pub mod contact;
 pub mod error;
 pub mod exact;
 pub mod figures;
 pub mod history;
 pub mod indices;
 pub mod lane;
-pub mod law;
+pub mod methods;
 pub mod metrics;
 pub mod problem;
 pub mod recommend;
 pub mod report;
-pub mod stepper;
-pub mod structure;
+pub mod solve;
 pub mod study;
+pub mod system;
 pub mod textbook;

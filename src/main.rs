@@ -124,7 +124,7 @@ struct Init {
     name: String,
     /// Problem of the study
     #[arg(long, value_parser = commands::init::problem)]
-    problem: &'static dyn Problem,
+    problem: std::sync::Arc<dyn Problem>,
 }
 
 #[derive(Args)]
@@ -215,7 +215,7 @@ fn carry_out(cli: Cli) -> Result<u8, Error> {
                 .install(|| commands::report::report(&studies, &report.out))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
-        Verb::Init(init) => commands::init::init(&init.name, init.problem),
+        Verb::Init(init) => commands::init::init(&init.name, &*init.problem),
         Verb::Explain(of) => {
             if of.study.is_dir() {
                 let what = format!("{} is a folder; name one study", of.study.display());

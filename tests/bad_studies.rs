@@ -809,7 +809,7 @@ fn widths_and_limits_of_figures() {
         (r#""kind": "law", "width": §"90 mm""#, "figures[0].width: "),
         (
             r#""kind": "law", "x_range": §[0, 1]"#,
-            "figures[0].x_range: a law figure takes no \"x_range\"; the kinds that do: history, profile, metric, convergence, budget, scatter",
+            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, profile, metric, convergence, budget, scatter",
         ),
         (
             r#""kind": "history", "x_range": §[3, 3]"#,
@@ -1187,7 +1187,7 @@ fn units_are_named_completely_and_in_letters() {
     );
     assert_faults(
         &bars("\"units\": \"SI\""),
-        &["4:10: units: must be an object of length, force, time, got \"SI\""],
+        &["4:10: units: must be an object with keys from length, force, time, got \"SI\""],
     );
     // The parameters of friction have no units.
     assert_faults(

@@ -10,38 +10,28 @@ const BUDGET: [usize; 4] = [9, 10, 11, 12];
 
 fn solve(law: &'static str, width: f64, x0: f64, step: f64, duration: f64) -> Solution {
     let problem = find("friction-oscillator").unwrap();
-    let mut case = Case::new(problem.parameters());
-    let given = [
-        ("law", Value::Name(law)),
-        (
-            if law == "velocity-control" {
-                "beta"
-            } else {
-                "alpha"
-            },
-            Value::Number(width),
-        ),
-        ("x0", Value::Number(x0)),
-        ("dT", Value::Number(step)),
-        ("duration", Value::Number(duration)),
-        ("initial_slip", Value::Name("unloaded")),
-    ];
-    for (name, value) in given {
-        let row = problem
-            .parameters()
-            .iter()
-            .position(|p| p.name == name)
-            .unwrap();
-        if name != "initial_slip" || law == "displacement-control" {
-            case.values[row] = Some(value);
-        }
-    }
+    let width = match law {
+        "velocity-control" => ("beta", Value::Number(width)),
+        _ => ("alpha", Value::Number(width)),
+    };
+    let (case, broken) = Case::given(
+        &*problem,
+        &[
+            ("law", Value::Name(law)),
+            width,
+            ("x0", Value::Number(x0)),
+            ("dT", Value::Number(step)),
+            ("duration", Value::Number(duration)),
+        ],
+    );
+    assert_eq!(broken, []);
     problem.solve(&case, &BUDGET).unwrap()
 }
 
 #[test]
 fn the_rows_are_the_budget() {
-    let metrics = find("friction-oscillator").unwrap().metrics();
+    let problem = find("friction-oscillator").unwrap();
+    let metrics = problem.metrics();
     let names = [
         "regularisation_error",
         "step_error",
@@ -49,19 +39,17 @@ fn the_rows_are_the_budget() {
         "step_share",
     ];
     for (row, name) in BUDGET.into_iter().zip(names) {
-        assert_eq!((metrics[row].name, metrics[row].default), (name, false));
+        assert_eq!((&*metrics[row].name, metrics[row].default), (name, false));
     }
-    let problem = find("friction-oscillator").unwrap();
-    let mut case = Case::new(problem.parameters());
-    for (row, value) in [
-        (0, Value::Name("velocity-control")),
-        (2, Value::Number(0.1)),
-    ] {
-        case.values[row] = Some(value);
-    }
-    for (row, value) in [(3, 0.1), (4, 20.0), (5, 12.0)] {
-        case.values[row] = Some(Value::Number(value));
-    }
+    let (case, _) = Case::given(
+        &*problem,
+        &[
+            ("law", Value::Name("velocity-control")),
+            ("beta", Value::Number(0.1)),
+            ("dT", Value::Number(0.1)),
+            ("duration", Value::Number(20.0)),
+        ],
+    );
     let unasked = problem.solve(&case, &[0, 8]).unwrap().metrics;
     assert_eq!(unasked[9..], [None; 4]);
     assert!(
@@ -147,7 +135,7 @@ fn halvings(law: &'static str, width: f64, x0: f64, duration: f64) -> Vec<f64> {
             computed
                 .time
                 .iter()
-                .zip(&computed.displacement)
+                .zip(computed.displacement())
                 .map(difference)
                 .fold(0.0, f64::max)
         })

@@ -28,7 +28,7 @@ const FIRST: usize = 12;
 fn metrics(given: Json) -> Vec<Option<f64>> {
     let problem = find("bar-impact").unwrap();
     problem
-        .solve(&case(problem, &given), &[FIRST])
+        .solve(&case(&*problem, &given), &[FIRST])
         .unwrap()
         .metrics
 }
@@ -38,10 +38,10 @@ fn the_rows_are_the_budget_and_come_when_asked_for() {
     let problem = find("bar-impact").unwrap();
     for (row, name) in NAMES.into_iter().enumerate() {
         let metric = &problem.metrics()[FIRST + row];
-        assert_eq!((metric.name, metric.default), (name, false));
+        assert_eq!((&*metric.name, metric.default), (name, false));
     }
     let case = case(
-        problem,
+        &*problem,
         &json!({"gamma": 1.0, "n": 10, "dt": 0.01, "duration": 1.5}),
     );
     // The exact columns below them do not ask for them, nor they for those.

@@ -4,7 +4,7 @@
 use serde_json::Value as Json;
 use slipgap::exact::chain::Chain;
 use slipgap::exact::spring::Spring;
-use slipgap::structure::bar::{Bar, Mass};
+use slipgap::system::bar::{Bar, Mass};
 
 fn bar(n: u32, kind: Mass) -> Bar {
     Bar {

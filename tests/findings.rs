@@ -246,7 +246,7 @@ fn away_from_fronts_the_difference_is_that_of_the_contact_nodes() {
     let problem = find("bar-impact").unwrap();
     for n in [10, 40] {
         for (t, front) in [(0.25, 0.5), (0.5, 1.0), (0.75, 0.5)] {
-            let (all, count, contact) = away(problem, 1.0, n, t, front);
+            let (all, count, contact) = away(&*problem, 1.0, n, t, front);
             let share = contact / all;
             assert!((0.615..0.955).contains(&share), "n = {n}, t = {t}: {share}");
             let rest = ((all - contact) / (count - 2.0)).sqrt();
@@ -255,7 +255,7 @@ fn away_from_fronts_the_difference_is_that_of_the_contact_nodes() {
     }
     // A front at 9 is outside the bar, so nothing is left out, not even at the free end where the front stands.
     for (t, front, expected) in [(0.49, 0.98, 0.020), (0.5, 9.0, 0.183), (0.51, 0.98, 0.018)] {
-        let (all, count, _) = away(problem, 0.25, 40, t, front);
+        let (all, count, _) = away(&*problem, 0.25, 40, t, front);
         near((all / count).sqrt(), expected, 0.5e-3, "velocity");
     }
 }
@@ -266,7 +266,7 @@ fn a_disturbance_grows_a_thousand_times_more_in_the_force_than_in_r() {
     let solve = |gap: f64| {
         let case = json!({ "k_I": 1e5, "n": 10, "dt": 0.001, "duration": 0.37, "gap": gap });
         problem
-            .solve(&self::case(problem, &case), &[])
+            .solve(&self::case(&*problem, &case), &[])
             .unwrap()
             .computed
     };
@@ -276,8 +276,8 @@ fn a_disturbance_grows_a_thousand_times_more_in_the_force_than_in_r() {
         differences.fold(0.0, f64::max) / 1e-13
     };
     // The size of a growth: its digits depend on round-off.
-    let force = most(&calm.force, &disturbed.force);
-    let r = most(&calm.displacement, &disturbed.displacement);
+    let force = most(calm.force(), disturbed.force());
+    let r = most(calm.displacement(), disturbed.displacement());
     assert!((0.5e9..2e9).contains(&force), "{force}");
     assert!((3.5e5..14e5).contains(&r), "{r}");
 }

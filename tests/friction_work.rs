@@ -18,26 +18,24 @@ fn lost(mut motion: Regularised, time: f64) -> f64 {
 
 /// The work of the computed motion by trapezoids, which is what the method itself takes from the energy.
 fn worked(law: &'static str, width: f64, step: f64) -> f64 {
-    let mut case = Case::new(FrictionOscillator.parameters());
-    let displacement = law == "displacement-control";
-    let mut set = |name: &str, value| {
-        let row = case.table.iter().position(|p| p.name == name).unwrap();
-        case.values[row] = Some(value);
+    let width_name = match law {
+        "displacement-control" => "alpha",
+        _ => "beta",
     };
-    set("law", Value::Name(law));
-    set(
-        if displacement { "alpha" } else { "beta" },
-        Value::Number(width),
+    let (case, broken) = Case::given(
+        &FrictionOscillator,
+        &[
+            ("law", Value::Name(law)),
+            (width_name, Value::Number(width)),
+            ("dT", Value::Number(step)),
+            ("duration", Value::Number(END)),
+            ("x0", Value::Number(X0)),
+        ],
     );
-    set("dT", Value::Number(step));
-    set("duration", Value::Number(END));
-    set("x0", Value::Number(X0));
-    if displacement {
-        set("initial_slip", Value::Name("unloaded"));
-    }
+    assert_eq!(broken, []);
     let c = FrictionOscillator.solve(&case, &[]).unwrap().computed;
     assert_eq!(c.len() as u64, steps(END, step) + 1);
-    let pairs = c.force.windows(2).zip(c.displacement.windows(2));
+    let pairs = c.force().windows(2).zip(c.displacement().windows(2));
     pairs
         .map(|(s, x)| 0.5 * (s[0] + s[1]) * (x[1] - x[0]))
         .sum()

@@ -6,13 +6,14 @@ use common::case;
 use serde_json::{Value as Json, json};
 use slipgap::exact::wave::Bars;
 use slipgap::problem::{Case, Problem, Solution, find};
+use std::sync::Arc;
 
-fn problem() -> &'static dyn Problem {
+fn problem() -> Arc<dyn Problem> {
     find("bar-impact").unwrap()
 }
 
 fn bars(given: &Json) -> Case {
-    case(problem(), given)
+    case(&*problem(), given)
 }
 
 fn solve(given: &Json) -> Solution {
@@ -83,7 +84,7 @@ fn force_on_a_continuum_follows_its_closed_form() {
         let squares = c
             .time
             .iter()
-            .zip(&c.force)
+            .zip(c.force())
             .map(|(&t, f)| (f - exact(t)) * (f - exact(t)));
         (squares.sum::<f64>() / c.len() as f64).sqrt()
     };
@@ -155,10 +156,10 @@ fn unequal_lengths_end_force_and_touch_at_different_times() {
         let (a, b) = ((from * 1000.0) as usize, (to * 1000.0) as usize);
         values[a..b].iter().sum::<f64>() / (b - a) as f64
     };
-    let force = mean(&c.force, 0.1, 0.9);
-    let still = mean(&c.force, 1.2, 1.9);
-    let apart = mean(&c.velocity, 2.2, 2.5);
-    let furthest = c.displacement[1200..1900]
+    let force = mean(c.force(), 0.1, 0.9);
+    let still = mean(c.force(), 1.2, 1.9);
+    let apart = mean(c.velocity(), 2.2, 2.5);
+    let furthest = c.displacement()[1200..1900]
         .iter()
         .fold(0.0, |a: f64, r| a.max(r.abs()));
     // Between T_I and 2 T_I both ends move with -c/2; then the left bar's end stays at that and the right one's, which the
@@ -183,7 +184,7 @@ fn finer_meshes_approach_dalembert_away_from_fronts() {
         let (c, e) = (&solution.computed, &solution.exact);
         let r = (0..c.len())
             .filter(|&i| (c.time[i] - 1.0).abs() > 0.2)
-            .map(|i| (c.displacement[i] - e.displacement[i]).abs())
+            .map(|i| (c.displacement()[i] - e.displacement()[i]).abs())
             .fold(0.0, f64::max);
         // At 0.375 T_I the front has gone three quarters of each bar's length.
         let wave = Bars {

@@ -8,8 +8,10 @@ mod common;
 use common::case;
 use serde_json::json;
 use slipgap::lane::Lane;
-use slipgap::problem::impact::{run, scaled::Scaled};
+use slipgap::problem::impact::case::system;
+use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Solution, find};
+use slipgap::solve::start;
 
 /// sqrt(1 + 4 gamma^2), amplitude of rdot/(2 V0), Omega.
 fn mode(gamma: f64) -> [f64; 3] {
@@ -20,7 +22,7 @@ fn mode(gamma: f64) -> [f64; 3] {
 fn solve(gamma: f64, n: u32, dt: f64) -> Solution {
     let problem = find("bar-impact").unwrap();
     let given = json!({"gamma": gamma, "n": n, "dt": dt, "duration": 0.95});
-    problem.solve(&case(problem, &given), &[]).unwrap()
+    problem.solve(&case(&*problem, &given), &[]).unwrap()
 }
 
 #[test]
@@ -31,7 +33,7 @@ fn projection_has_the_modes_amplitude_and_frequency() {
             let [root, amplitude, omega] = mode(gamma);
             let problem = find("bar-impact").unwrap();
             let given = json!({"gamma": gamma, "n": n, "dt": dt, "duration": 0.9});
-            let scaled = Scaled::new(&case(problem, &given)).unwrap();
+            let scaled = Scaled::new(&case(&*problem, &given)).unwrap();
             let x = root - 2.0 * gamma;
             // Shape (-x)^i weighed by the lumped masses, half of one at the ends, and its product with the cosine of
             // each of the bar's own modes.
@@ -45,14 +47,14 @@ fn projection_has_the_modes_amplitude_and_frequency() {
             let shares: Vec<f64> = (0..=n)
                 .map(|j| {
                     (0..=n)
-                        .map(|i| weight(i) * scaled.left.shape(j, i))
+                        .map(|i| weight(i) * scaled.pair.left.shape(j, i))
                         .sum::<f64>()
                         / norm
                 })
                 .collect();
             // The shape does not quite vanish at the free end; and round-off of sums over n modes and the steps.
             let tolerance = libm::pow(x, f64::from(n)) + 1e-11;
-            let (mut stepper, law) = run::start(&[scaled], Lane([dt]));
+            let (mut stepper, law) = start::<1, Vec<_>>(&[system(&scaled, dt, 0)]).unwrap();
             let mut worst: f64 = 0.0;
             for step in 1..=4500 {
                 stepper.step(&law);
@@ -102,17 +104,17 @@ fn crests_of_force_and_velocity_are_the_modes() {
                 continue;
             }
             let c = solve(gamma, n, 0.002 / f64::from(n)).computed;
-            let peak = largest(&c.time, &c.force, 0.0, 0.9);
+            let peak = largest(&c.time, c.force(), 0.0, 0.9);
             assert!(
                 (peak - highest).abs() < 0.0006,
                 "n = {n}, gamma = {gamma}: {peak}"
             );
-            let late = largest(&c.time, &c.force, 0.3, 0.85);
+            let late = largest(&c.time, c.force(), 0.3, 0.85);
             assert!(
                 (late / alone - 1.0).abs() < 0.005,
                 "n = {n}, gamma = {gamma}: {late}"
             );
-            let swing = largest(&c.time, &c.velocity, 0.3, 0.85);
+            let swing = largest(&c.time, c.velocity(), 0.3, 0.85);
             assert!(
                 (swing / amplitude - 1.0).abs() < 0.025,
                 "n = {n}, gamma = {gamma}: {swing}"

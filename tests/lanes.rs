@@ -1,10 +1,11 @@
 //! Cases side by side: the same bits as each case alone, whatever the number of lanes.
 
+use slipgap::contact::{DisplacementControl, ImpactSpring, Law, StepLaw, VelocityControl};
 use slipgap::lane::Lane;
-use slipgap::law::{DisplacementControl, ImpactSpring, Law, VelocityControl};
-use slipgap::stepper::{Contact, Moving, Start, Stepper};
-use slipgap::structure::Mode;
-use slipgap::structure::bar::{Bar, Mass};
+use slipgap::methods::ContactState;
+use slipgap::methods::average_acceleration::{AverageAcceleration, ModeStart, ModeState, Modes};
+use slipgap::system::Mode;
+use slipgap::system::bar::{Bar, Mass};
 use std::array;
 
 /// dt, compliance of the law, x0: eight cases that have nothing in common.
@@ -22,17 +23,16 @@ const CASES: [[f64; 3]; 8] = [
 const STEPS: usize = 500;
 
 /// The bits of r, rdot and S over the steps, one list a lane.
-fn bits<const L: usize, M>(mut stepper: Stepper<L, M>, law: impl Law<L>) -> [Vec<[u64; 3]>; L]
-where
-    M: AsRef<[Moving<L>]> + AsMut<[Moving<L>]>,
-{
+fn bits<const L: usize, M: Modes<L>>(
+    mut stepper: AverageAcceleration<L, M>,
+    law: impl StepLaw<L>,
+) -> [Vec<[u64; 3]>; L] {
     let mut lists = array::from_fn(|_| Vec::new());
     for _ in 0..STEPS {
-        let Contact {
+        let ContactState {
             displacement,
             velocity,
             force,
-            ..
         } = stepper.step(&law);
         for (l, list) in lists.iter_mut().enumerate() {
             list.push([displacement, velocity, force].map(|lane| lane.0[l].to_bits()));
@@ -46,29 +46,42 @@ fn lane<const L: usize>(first: usize, which: usize) -> Lane<L> {
     Lane(array::from_fn(|l| CASES[(first + l) % 8][which]))
 }
 
-fn oscillators<const L: usize>(first: usize) -> Stepper<L, [Moving<L>; 1]> {
+/// The compliances of L cases from the `first` on.
+fn numbers<const L: usize>(first: usize) -> [f64; L] {
+    lane::<L>(first, 1).0
+}
+
+fn oscillators<const L: usize>(first: usize) -> AverageAcceleration<L, [ModeState<L>; 1]> {
     let unit = Mode {
         omega2: 1.0,
         phi2: 1.0,
     };
-    let start = Start {
+    let start = ModeStart {
         mode: [unit; L],
         displacement: lane(first, 2),
         velocity: Lane::splat(0.0),
     };
     let zero = Lane::splat(0.0);
-    Stepper::single(lane(first, 0), &start, zero, zero)
+    AverageAcceleration::new(lane(first, 0), [start].into_iter(), zero, zero).unwrap()
 }
 
 fn displacement<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
     let stepper = oscillators(first);
-    let law = DisplacementControl::new(lane(first, 1), Lane::splat(1.0), stepper.flexibility());
+    let laws = numbers(first).map(|compliance| DisplacementControl {
+        compliance,
+        limit: 1.0,
+    });
+    let law = DisplacementControl::step(&laws, &stepper.flexibility());
     bits(stepper, law)
 }
 
 fn velocity<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
     let stepper = oscillators(first);
-    let law = VelocityControl::new(lane(first, 1), Lane::splat(1.0), stepper.flexibility());
+    let laws = numbers(first).map(|compliance| VelocityControl {
+        compliance,
+        limit: 1.0,
+    });
+    let law = VelocityControl::step(&laws, &stepper.flexibility());
     bits(stepper, law)
 }
 
@@ -81,16 +94,17 @@ fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
         kind: Mass::Lumped,
     });
     let modes: [Vec<Mode>; L] = array::from_fn(|l| bars[l].modes().collect());
-    let start: Vec<_> = (0..=6)
-        .map(|j| Start {
-            mode: array::from_fn(|l| modes[l][j]),
-            displacement: Lane::splat(0.0),
-            velocity: Lane::splat(if j == 0 { -2.0 } else { 0.0 }),
-        })
-        .collect();
+    let start = (0..=6).map(|j| ModeStart {
+        mode: array::from_fn(|l| modes[l][j]),
+        displacement: Lane::splat(0.0),
+        velocity: Lane::splat(if j == 0 { -2.0 } else { 0.0 }),
+    });
     let (dt, gap) = (lane(first, 0) * 0.02, lane(first, 0) * 0.07);
-    let stepper = Stepper::new(dt, &start, gap, Lane::splat(0.0));
-    let law = ImpactSpring::new(lane(first, 1), stepper.flexibility());
+    let stepper = AverageAcceleration::<L>::new(dt, start, gap, Lane::splat(0.0)).unwrap();
+    let laws = numbers(first).map(|compliance| ImpactSpring {
+        stiffness: 1.0 / compliance,
+    });
+    let law = ImpactSpring::step(&laws, &stepper.flexibility());
     bits(stepper, law)
 }
 

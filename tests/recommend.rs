@@ -208,14 +208,14 @@ fn no_answer_gains_energy() {
     };
     let unlike = Fixed {
         bars: vec![
-            ("right.A", Value::Number(0.4)),
-            ("right.L", Value::Number(20.0)),
+            ("right.A".into(), Value::Number(0.4)),
+            ("right.L".into(), Value::Number(20.0)),
         ],
         n: Some(8),
         ..Fixed::default()
     };
     let wall = Fixed {
-        bars: vec![("right", Value::Name("wall"))],
+        bars: vec![("right".into(), Value::Name("wall"))],
         n: Some(12),
         ..Fixed::default()
     };
@@ -333,7 +333,7 @@ fn neighbours_reach_the_target_too() {
 fn values_given_are_kept() {
     let fixed = Fixed {
         spring: Some(("k_I", 100.0)),
-        bars: vec![("right.L", Value::Number(20.0))],
+        bars: vec![("right.L".into(), Value::Number(20.0))],
         ..Fixed::default()
     };
     let space = Impact::new(fixed).unwrap();
@@ -463,8 +463,9 @@ fn what_is_printed_is_what_a_study_computes() {
             csv::Reader::from_path(folder.path().join("figures/study/results.csv")).unwrap();
         let header = table.headers().unwrap().clone();
         let computed = table.records().next().unwrap().unwrap();
-        let all = slipgap::problem::find(problem).unwrap().metrics().iter();
-        let names = all.filter(|m| m.default).map(|m| m.name);
+        let problem = slipgap::problem::find(problem).unwrap();
+        let all = problem.metrics().iter();
+        let names = all.filter(|m| m.default).map(|m| &*m.name);
         for name in names {
             let column = header.iter().position(|h| h == name).unwrap();
             let line = text

@@ -82,7 +82,7 @@ fn a_motion_without_bounds_is_told_beside_others() {
                     bits(&study, &alone.metrics)
                 );
             }
-            (Some(why), Err(alone)) => assert_eq!(why, alone),
+            (Some(why), Err(alone)) => assert_eq!(*why, alone),
             (why, alone) => panic!("{why:?} beside others, {} alone", alone.is_ok()),
         }
     }

@@ -1,11 +1,12 @@
 //! The modal form with its closed-form root against the textbook form with the papers' matrices and iteration.
 
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+use slipgap::contact::element::{DisplacementFriction, Element, VelocityFriction};
+use slipgap::contact::{DisplacementControl, Law, StepLaw, VelocityControl, friction_limit};
 use slipgap::lane::Lane;
-use slipgap::law::{DisplacementControl, Law, VelocityControl, friction_limit};
-use slipgap::stepper::{Start, Stepper};
-use slipgap::structure::Modal;
-use slipgap::textbook::element::{DisplacementFriction, Element, VelocityFriction};
+use slipgap::methods::average_acceleration::ModeStart;
+use slipgap::solve::Stepper;
+use slipgap::system::Modal;
 use slipgap::textbook::{Assembly, Cycle, Iteration, Newmark};
 use std::f64::consts::PI;
 
@@ -51,30 +52,29 @@ impl Set {
         }
     }
 
-    fn modal(&self, force: f64) -> Stepper<1> {
-        let mut b = DVector::zeros(self.u.len());
+    fn modal(&self, force: f64) -> Stepper {
+        let mut b = DMatrix::zeros(self.u.len(), 1);
         for (node, sign) in self.assembly.nodes.iter().zip([-1.0, 1.0]) {
             if let Some(i) = node {
-                b[*i] += sign;
+                b[(*i, 0)] += sign;
             }
         }
         let modal = Modal::new(&self.assembly.mass, &self.assembly.stiffness, &b).unwrap();
-        let (x, v) = (&modal.to_modes * &self.u, &modal.to_modes * &self.v);
-        let start: Vec<_> = modal
-            .modes
-            .iter()
+        let (x, v) = (modal.shares(0, &self.u), modal.shares(0, &self.v));
+        let start = modal
+            .modes(0)
+            .into_iter()
             .enumerate()
-            .map(|(k, &mode)| Start {
+            .map(|(k, mode)| ModeStart {
                 mode: [mode],
                 displacement: Lane([x[k]]),
                 velocity: Lane([v[k]]),
-            })
-            .collect();
-        Stepper::new(Lane([self.dt]), &start, Lane([0.0]), Lane([force]))
+            });
+        Stepper::new(Lane([self.dt]), start, Lane([0.0]), Lane([force])).unwrap()
     }
 
     /// Largest difference of r, rdot and S over all steps, `change` preparing both laws for a step.
-    fn difference<W: Law<1>, E: Element>(
+    fn difference<W: StepLaw<1>, E: Element>(
         &self,
         mut law: W,
         element: E,
@@ -112,21 +112,25 @@ fn displacement(
     set: &Set,
     alpha: f64,
     slip: f64,
-) -> (DisplacementControl<1>, DisplacementFriction) {
-    let limit = Lane([friction_limit(0.5, -2.0)]);
-    let on = set.modal(0.0).flexibility();
+) -> (<DisplacementControl as Law>::Step<1>, DisplacementFriction) {
+    let law = DisplacementControl {
+        compliance: alpha,
+        limit: friction_limit(0.5, -2.0),
+    };
     (
-        DisplacementControl::new(Lane([alpha]), limit, on),
+        Law::step(&[law], &set.modal(0.0).flexibility()),
         DisplacementFriction::new(1.0 / alpha, 0.5, -2.0, slip, 0.0),
     )
 }
 
 /// Both velocity-control forms with c^C = 1/beta.
-fn velocity(set: &Set, beta: f64) -> (VelocityControl<1>, VelocityFriction) {
-    let limit = Lane([friction_limit(0.5, -2.0)]);
-    let on = set.modal(0.0).flexibility();
+fn velocity(set: &Set, beta: f64) -> (<VelocityControl as Law>::Step<1>, VelocityFriction) {
+    let law = VelocityControl {
+        compliance: beta,
+        limit: friction_limit(0.5, -2.0),
+    };
     (
-        VelocityControl::new(Lane([beta]), limit, on),
+        Law::step(&[law], &set.modal(0.0).flexibility()),
         VelocityFriction::new(1.0 / beta, 0.5, -2.0),
     )
 }
@@ -234,8 +238,9 @@ fn the_papers_dimensional_data_are_gravitational_units() {
     let elastic = alpha * delta; // r^E
     let limit = friction_limit(nu, -m * g);
     let (mut a, mut b) = (dimensional.modal(0.0), scaled.modal(0.0));
-    let compliance = Lane([elastic / limit]);
-    let law = DisplacementControl::new(compliance, Lane([limit]), a.flexibility());
+    let compliance = elastic / limit;
+    let law = DisplacementControl { compliance, limit };
+    let law = DisplacementControl::step(&[law], &a.flexibility());
     let (scaled_law, _) = displacement(&scaled, alpha, 12.0);
     for _ in 0..80 {
         let (x, y) = (a.step(&law), b.step(&scaled_law));

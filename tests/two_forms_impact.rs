@@ -1,12 +1,15 @@
 //! Bars: the modal form against the textbook form, up to where the problem itself lets round-off grow.
 
 use nalgebra::DVector;
+use slipgap::contact::element::ImpactElement;
 use slipgap::exact::wave::Bars;
 use slipgap::lane::Lane;
-use slipgap::problem::impact::{run, scaled::Scaled};
-use slipgap::structure::bar::{Bar, Mass};
-use slipgap::textbook::element::ImpactElement;
-use slipgap::textbook::{Assembly, Iteration, Newmark, bars::assemble};
+use slipgap::problem::impact::case::system;
+use slipgap::problem::impact::scaled::{CLOSING, Scaled};
+use slipgap::solve::start;
+use slipgap::system::BarPair;
+use slipgap::system::bar::{Bar, Mass};
+use slipgap::textbook::{Assembly, Iteration, Newmark, assemble_bars};
 
 /// Equal bars, gamma and n as given.
 fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
@@ -17,8 +20,11 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
         kind,
     };
     Scaled {
-        left: bar,
-        right: Some(bar),
+        pair: BarPair {
+            left: bar,
+            right: Some(bar),
+            velocity: CLOSING,
+        },
         bars: Bars {
             impedance_ratio: 1.0,
             time_ratio: 1.0,
@@ -30,10 +36,10 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
 }
 
 fn textbook(scaled: &Scaled, dt: f64) -> Newmark<ImpactElement> {
-    let assembly: Assembly = assemble(scaled.left, scaled.right, scaled.bars.gap);
+    let assembly: Assembly = assemble_bars(scaled.pair.left, scaled.pair.right, scaled.bars.gap);
     let size = assembly.mass.nrows();
-    let first = scaled.left.elements as usize + 1;
-    let [left, right] = match scaled.right {
+    let first = scaled.pair.left.elements as usize + 1;
+    let [left, right] = match scaled.pair.right {
         Some(_) => [1.0, -1.0],
         None => [2.0, 0.0],
     };
@@ -45,17 +51,17 @@ fn textbook(scaled: &Scaled, dt: f64) -> Newmark<ImpactElement> {
 /// How far both forms were compared, in T_I, and the largest difference over what round-off may be by then.
 fn compare(scaled: &Scaled, dt: f64, duration: f64) -> (f64, f64) {
     let steps = (duration / dt).round() as usize;
-    let (mut modal, law) = run::start(&[*scaled], Lane([dt]));
+    let (mut modal, law) = start::<1, Vec<_>>(&[system(scaled, dt, 0)]).unwrap();
     // The same with a gap of 1e-13 more: how much the problem itself makes of a disturbance.
     let mut moved = *scaled;
     moved.bars.gap += 1e-13;
-    let (mut disturbed, other_law) = run::start(&[moved], Lane([dt]));
+    let (mut disturbed, other_law) = start::<1, Vec<_>>(&[system(&moved, dt, 0)]).unwrap();
     let mut book = textbook(scaled, dt);
     let (mut growth, mut largest): (f64, f64) = (1.0, 0.0);
     for step in 1..=steps {
         let (a, b) = (modal.step(&law), disturbed.step(&other_law));
         book.step(Iteration::Converged).unwrap();
-        let rows = |c: slipgap::stepper::Contact<1>| [c.displacement, c.velocity, c.force];
+        let rows = |c: slipgap::methods::ContactState<1>| [c.displacement, c.velocity, c.force];
         for ((Lane([x]), Lane([y])), z) in rows(a).into_iter().zip(rows(b)).zip(book.contact()) {
             growth = growth.max((x - y).abs() / 1e-13);
             largest = largest.max((x - z).abs() / growth);
@@ -107,14 +113,14 @@ fn both_forms_agree_for_other_meshes_steps_and_bars() {
     }
     let mut unlike = equal(1.0, 10, Mass::Lumped);
     unlike.bars.gap = 0.3;
-    unlike.right = Some(Bar {
+    unlike.pair.right = Some(Bar {
         elements: 7,
         mass: 0.9,
         trip: 1.7,
         kind: Mass::Lumped,
     });
     assert!(compare(&unlike, 0.01, 3.0).1 < round_off(0.01));
-    unlike.right = None;
+    unlike.pair.right = None;
     assert!(compare(&unlike, 0.01, 3.0).1 < round_off(0.01));
 }
 

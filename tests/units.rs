@@ -6,7 +6,7 @@ use slipgap::batch::{self, Outcome};
 use slipgap::figures::sheet::Sheet;
 use slipgap::figures::{DrawnCase, sheet};
 use slipgap::problem::PROBLEMS;
-use slipgap::problem::unit::{Dimension, OF_HISTORY};
+use slipgap::problem::unit::Dimension;
 use slipgap::study::{Study, parse};
 
 /// Few roundings in a row: scales have at most nine operations, each off by half a unit in the last place.
@@ -378,30 +378,36 @@ fn a_metric_figure_shows_the_unit() {
 
 #[test]
 fn every_unit_of_a_table_is_known_and_can_be_taken_out_of_symbols() {
-    for problem in PROBLEMS {
+    for problem in PROBLEMS.iter() {
         for metric in problem.metrics() {
             // The name of a column in units can be told from all others.
             assert!(!metric.name.contains("_in_"), "{}", metric.name);
-            let mut units = problem.units().iter();
+            let mut units = problem.schema().units.iter();
             let Some(unit) = units.find(|unit| unit.name == metric.unit) else {
                 assert_eq!(metric.unit, "1", "{}", metric.name);
                 continue;
             };
-            let count = metric.symbol.matches(unit.over).count();
+            let count = metric.symbol.matches(&*unit.over).count();
             assert_eq!(count, 1, "{} {}", metric.name, metric.symbol);
         }
-        let over = |dimension: Dimension| problem.units().iter().find(|u| u.dimension == dimension);
-        for quantity in problem.quantities() {
-            if let Some(unit) = over(quantity.source.dimension()) {
+        let over = |dimension: Dimension| {
+            problem
+                .schema()
+                .units
+                .iter()
+                .find(|u| u.dimension == dimension)
+        };
+        for quantity in problem.schema().quantities.iter() {
+            if let Some(unit) = over(problem.schema().channels[quantity.channel].dimension) {
                 let error = quantity.name.ends_with("_error");
                 assert_eq!(
-                    quantity.title.matches(unit.over).count(),
+                    quantity.title.matches(&*unit.over).count(),
                     usize::from(!error)
                 );
             }
         }
-        if let Some(unit) = over(OF_HISTORY[0]) {
-            assert_eq!(problem.time_title().matches(unit.over).count(), 1);
+        if let Some(unit) = over(Dimension::Time) {
+            assert_eq!(problem.schema().time.title.matches(&*unit.over).count(), 1);
         }
     }
 }

@@ -5,8 +5,8 @@ use super::chunk::WORK;
 use super::done::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
 use crate::problem::{Case, Solution};
+use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 use rayon::prelude::*;
 
@@ -45,7 +45,7 @@ pub(super) fn computed(
     (cases, rows): (&Cases, &[u32]),
     tick: &(dyn Fn(usize) + Sync),
     wishes: &Wishes,
-) -> Result<(Found, Solutions), Error> {
+) -> Result<(MetricTable, Solutions), Error> {
     let table = study.problem.metrics();
     let beside = side_by_side(study, wishes);
     let mut shown = cases.shown();
@@ -61,8 +61,8 @@ pub(super) fn computed(
         tick(rows.len());
         swept
     };
-    let swept: Vec<Found> = together.par_chunks(size).map(sweep).collect();
-    let swept = swept.into_iter().reduce(Found::followed_by);
+    let swept: Vec<MetricTable> = together.par_chunks(size).map(sweep).collect();
+    let swept = swept.into_iter().reduce(MetricTable::followed_by);
     if together.len() == cases.len() {
         return Ok((swept.unwrap_or_default(), Solutions::new()));
     }
@@ -75,14 +75,14 @@ pub(super) fn computed(
         solved.map(|solved| (*row, solved))
     };
     let solved: Vec<(usize, Solved)> = alone.par_iter().map(solve).collect::<Result<_, Error>>()?;
-    let (mut found, mut solutions) = (Found::new(cases.len(), table.len()), Solutions::new());
+    let (mut found, mut solutions) = (MetricTable::new(cases.len(), table.len()), Solutions::new());
     for (place, row) in together.into_iter().enumerate() {
         if let Some(swept) = &swept {
             found.copy(row as usize, swept, place);
         }
     }
     for (row, why) in cases.refused() {
-        found.fail(row, why.to_owned());
+        found.fail(row, Unsolvable::BrokenRules(why.to_owned()));
     }
     for (row, (metrics, solution)) in solved {
         found.put(row, metrics);
@@ -92,7 +92,7 @@ pub(super) fn computed(
 }
 
 /// The metrics of one case, or why there are none, and its histories where they are kept.
-type Solved = (Result<Vec<Option<f64>>, String>, Option<Box<Solution>>);
+type Solved = (Result<Vec<Option<f64>>, Unsolvable>, Option<Box<Solution>>);
 
 /// One case alone, with its histories on the way.
 fn solved(study: &Study, number: u64, case: &Case, wishes: &Wishes) -> Result<Solved, Error> {
@@ -108,7 +108,7 @@ fn solved(study: &Study, number: u64, case: &Case, wishes: &Wishes) -> Result<So
 }
 
 /// The solution of one case by the study's way of solving.
-pub fn solution(study: &Study, case: &Case) -> Result<Solution, String> {
+pub fn solution(study: &Study, case: &Case) -> Result<Solution, Unsolvable> {
     match study.once {
         true => study.problem.solve_once(case, &study.metrics),
         false => study.problem.solve(case, &study.metrics),

@@ -109,12 +109,12 @@ fn sample(study: &Study, from: u64, size: u64) -> Cases {
     let (_, cases) = study.columns(from, (from + size).min(study.raw_len()));
     let rows = sound(&cases);
     let share = MOST_WORK / work(study, &cases, &rows);
-    let table = study.problem.parameters();
-    let duration = table.iter().position(|p| p.name == "duration");
-    let (Some(duration), true) = (duration, share < 1.0) else {
+    if share >= 1.0 {
         return cases;
-    };
-    let (mut short, mut shown) = (Cases::new(table), cases.shown());
+    }
+    let schema = study.problem.schema();
+    let duration = schema.duration;
+    let (mut short, mut shown) = (Cases::new(schema), cases.shown());
     for row in rows {
         let mut case = shown.at(row as usize).clone();
         case.values[duration] = case.at(duration).map(|time| Value::Number(time * share));

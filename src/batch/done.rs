@@ -1,8 +1,8 @@
 //! What became of cases: a part as columns, or case by case.
 
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
 use crate::problem::{Case, Solution};
+use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 use std::collections::BTreeMap;
 
@@ -31,7 +31,7 @@ pub struct Done {
     /// The cases.
     pub cases: Cases,
     /// What was found of each.
-    pub found: Found,
+    pub found: MetricTable,
     pub(super) solutions: Solutions,
     /// Whether they were kept from a former run; if not, and something was there, why it could not serve.
     pub kept: Result<(), Option<String>>,
@@ -61,7 +61,7 @@ impl Done {
                 case: shown.at(place).clone(),
                 metrics,
                 solution: self.solutions.remove(&place),
-                failure: self.found.failure(place).map(str::to_owned),
+                failure: self.found.failure(place).map(Unsolvable::to_string),
             };
             (self.first + place as u64, outcome)
         };

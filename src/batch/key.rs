@@ -49,7 +49,7 @@ impl Key {
             hasher.write(why.as_bytes());
         }
         let metrics = study.problem.metrics();
-        let names: Vec<&str> = study.metrics.iter().map(|m| metrics[*m].name).collect();
+        let names: Vec<&str> = study.metrics.iter().map(|m| &*metrics[*m].name).collect();
         let once = if study.once { "once" } else { "converged" };
         Key {
             solver: format!("{SOLVER_VERSION} {SOLVER_SOURCES}"),

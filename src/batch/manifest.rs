@@ -140,7 +140,7 @@ impl Manifest {
     ) -> Result<(), Error> {
         let mut said = about(study, file);
         said.insert("files".into(), json!(files));
-        if study.problem.contact().is_some() {
+        if study.problem.schema().contact_metric.is_some() {
             said.insert("cases_without_contact".into(), json!(untouched));
         }
         write(folder, &said)

@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use crate::problem::parameter::{Value, shortest};
-use crate::problem::unit::OF_HISTORY;
+use crate::problem::unit::Dimension;
 use crate::problem::{Case, Solution};
 use crate::study::Study;
 use std::io::{self, Write};
@@ -20,7 +20,7 @@ impl<'a, W: Write> Table<'a, W> {
         let mut writer = csv::Writer::from_writer(out);
         let header = ["case"]
             .into_iter()
-            .chain(parameters.iter().map(|p| p.name))
+            .chain(parameters.iter().map(|p| &*p.name))
             .chain(
                 study
                     .columns
@@ -51,7 +51,7 @@ impl<W: Write> Failures<W> {
     /// Writes the header.
     pub fn new(study: &Study, out: W) -> io::Result<Failures<W>> {
         let mut writer = csv::Writer::from_writer(out);
-        let names = study.problem.parameters().iter().map(|p| p.name);
+        let names = study.problem.parameters().iter().map(|p| &*p.name);
         let header = ["case"].into_iter().chain(names).chain(["reason"]);
         writer.write_record(header)?;
         Ok(Failures(writer))
@@ -75,35 +75,46 @@ fn parameters(number: u64, case: &Case) -> impl Iterator<Item = String> {
     std::iter::once(number.to_string()).chain(case.values.iter().map(value))
 }
 
-/// Writes a case's history: the problem's six columns, each followed by the same in the units of the study, if it has any;
-/// one row a step.
+/// Writes a case's history, one row a step: the time, the computed channels, the exact ones; each column followed by the same
+/// in the units of the study, if it has any.
 pub fn history(study: &Study, case: &Case, solution: &Solution, out: impl Write) -> io::Result<()> {
-    let (c, e) = (&solution.computed, &solution.exact);
+    let schema = study.problem.schema();
+    let (computed, exact) = (&solution.computed, &solution.exact);
+    let mut columns = vec![(
+        schema.time.column.to_string(),
+        Dimension::Time,
+        &computed.time[..],
+    )];
+    let channels = || schema.channels.iter().enumerate();
+    columns.extend(channels().map(|(i, channel)| {
+        let name = channel.name.to_string();
+        (name, channel.dimension, computed.channel(i))
+    }));
+    columns.extend(
+        channels()
+            .filter(|(_, channel)| channel.exact)
+            .map(|(i, channel)| {
+                let name = format!("{}_exact", channel.name);
+                (name, channel.dimension, exact.channel(i))
+            }),
+    );
     let mut writer = csv::Writer::from_writer(out);
-    let names = study.problem.history_columns().into_iter().zip(OF_HISTORY);
-    let header = names.flat_map(|(name, dimension)| {
-        let units = study.units.as_ref();
-        let in_units = units.map(|units| units.column(name, dimension));
-        [Some(name.to_owned()), in_units].into_iter().flatten()
+    let units = study.units.as_ref();
+    let header = columns.iter().flat_map(|(name, dimension, _)| {
+        let in_units = units.map(|units| units.column(name, *dimension));
+        [Some(name.clone()), in_units].into_iter().flatten()
     });
     writer.write_record(header)?;
-    let sizes = OF_HISTORY.map(|dimension| {
-        let size = study.problem.size(case, dimension);
-        size.filter(|_| study.units.is_some())
-    });
-    for i in 0..c.len() {
-        let row = [
-            c.time[i],
-            c.displacement[i],
-            c.velocity[i],
-            c.force[i],
-            e.displacement[i],
-            e.velocity[i],
-        ];
-        let cells = row.into_iter().zip(sizes).flat_map(|(x, size)| {
-            let in_units = size.map(|size| cell(Some(x * size)));
-            [Some(shortest(x)), in_units].into_iter().flatten()
-        });
+    let size = |dimension| units.and_then(|_| study.problem.size(case, dimension));
+    let sizes: Vec<Option<f64>> = columns.iter().map(|column| size(column.1)).collect();
+    for i in 0..computed.len() {
+        let cells = columns
+            .iter()
+            .zip(&sizes)
+            .flat_map(|((_, _, values), size)| {
+                let in_units = size.map(|size| cell(Some(values[i] * size)));
+                [Some(shortest(values[i])), in_units].into_iter().flatten()
+            });
         writer.write_record(cells)?;
     }
     writer.flush()

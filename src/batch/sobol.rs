@@ -92,7 +92,7 @@ impl<'a> Gathered<'a> {
         let failed = |e: csv::Error| Error::Internal(e.to_string());
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record(COLUMNS).map_err(failed)?;
-        let problem = self.study.problem;
+        let problem = &self.study.problem;
         for (_, block, columns) in &self.designs {
             let Some(design) = &self.study.blocks[*block].design else {
                 continue;
@@ -111,7 +111,7 @@ impl<'a> Gathered<'a> {
                     let row = [
                         block.to_string(),
                         self.study.measures[*metric].name.clone(),
-                        problem.parameters()[*parameter].name.to_owned(),
+                        problem.parameters()[*parameter].name.to_string(),
                     ];
                     let of = found.as_ref().ok().map(|found| found[place]);
                     let cells = |index: Option<Index>| match index {

@@ -1,15 +1,15 @@
 //! Results in the units of the study, worked out from the scaled ones: the store never has them.
 
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
+use crate::solve::MetricTable;
 use crate::study::Study;
 
 /// What was found, with the metrics in the units of the study, if it has any.
-pub fn added(study: &Study, cases: &Cases, found: Found) -> Found {
+pub fn added(study: &Study, cases: &Cases, found: MetricTable) -> MetricTable {
     if study.units.is_none() {
         return found;
     }
-    let mut wide = Found::new(found.len(), study.measures.len());
+    let mut wide = MetricTable::new(found.len(), study.measures.len());
     let mut shown = cases.shown();
     for place in 0..found.len() {
         wide.copy(place, &found, place);

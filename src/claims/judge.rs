@@ -29,15 +29,15 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
         (Looked::Profile(row), Demand::Away { times, away, max }) => {
             let errors = cases
                 .iter()
-                .map(|o| away_from_fronts(study.problem, o, *row, times, *away));
-            let name = study.problem.profiles()[*row].name;
+                .map(|o| away_from_fronts(&*study.problem, o, *row, times, *away));
+            let name = &study.problem.schema().profiles[*row].name;
             within(errors.collect(), name, None, Some(*max))
         }
         (Looked::Later(row), Demand::After { flights, min, max }) => {
             let errors = cases
                 .iter()
-                .map(|o| off_by(study.problem, o, *row, flights));
-            let name = study.problem.later()[*row];
+                .map(|o| off_by(&*study.problem, o, *row, flights));
+            let name = &study.problem.schema().later[*row];
             let (holds, found) = within(errors.collect(), name, *min, *max);
             (holds, format!("difference of {found}"))
         }
@@ -55,7 +55,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
                             (pair[1][1] > pair[0][1]) == *rising && pair[1][1] != pair[0][1]
                         })
                     });
-                    let parameter = study.problem.parameters()[*along].name;
+                    let parameter = &study.problem.parameters()[*along].name;
                     (
                         holds,
                         format!("`{name}` along `{parameter}`: {}", listed(&line)),
@@ -65,7 +65,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
                     let line = ordered(&cases, *along, value);
                     let least =
                         line.and_then(|line| line.into_iter().min_by(|a, b| a[1].total_cmp(&b[1])));
-                    let parameter = study.problem.parameters()[*along].name;
+                    let parameter = &study.problem.parameters()[*along].name;
                     match least {
                         Some([at, x]) => (
                             at >= range[0] && at <= range[1],

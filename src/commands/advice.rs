@@ -37,7 +37,10 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
         cells.extend(row.tried.misses.iter().map(|miss| digits(*miss)));
         let mut gains: Vec<f64> = Vec::new();
         for (i, case) in row.tried.cases.iter().enumerate() {
-            let solution = space.problem().solve(case, &[]).map_err(Error::Internal)?;
+            let solution = space
+                .problem()
+                .solve(case, &[])
+                .map_err(|why| Error::Internal(why.to_string()))?;
             gains.extend(space.energy_gain(case, &solution.computed));
             if i == 0 {
                 own.push(solution.metrics);
@@ -65,7 +68,7 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
     }
     let names = space.problem().metrics().iter().enumerate();
     for (i, metric) in names.filter(|(_, metric)| metric.default) {
-        let mut cells = vec![metric.name.to_owned()];
+        let mut cells = vec![metric.name.to_string()];
         cells.extend(
             own.iter()
                 .map(|own| own[i].map_or("undefined".into(), digits)),
@@ -81,7 +84,9 @@ pub fn tables(space: &dyn Space, request: &Request, rows: &[Row]) -> Result<Stri
 fn with_finer_step(space: &dyn Space, row: &Row) -> Result<Vec<Option<f64>>, Error> {
     let problem = space.problem();
     let finer = with_a_finer_step(problem, &row.tried.cases[0]);
-    let solution = problem.solve(&finer, &[]).map_err(Error::Internal)?;
+    let solution = problem
+        .solve(&finer, &[])
+        .map_err(|why| Error::Internal(why.to_string()))?;
     Ok(solution.metrics)
 }
 

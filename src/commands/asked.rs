@@ -4,6 +4,7 @@ use clap::{Args, Subcommand};
 use sha2::{Digest, Sha256};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Kind, Value, shortest};
+use slipgap::problem::schema::Text;
 use slipgap::problem::{Problem, friction::FrictionOscillator, impact::BarImpact};
 use slipgap::recommend::impact::Fixed;
 use slipgap::recommend::{self, Request, Space, Target, metric};
@@ -71,7 +72,7 @@ pub struct Impact {
     mass: Option<String>,
     /// Data of the bars as in a study, e.g. L=40,right.L=20 or right=wall
     #[arg(long, value_name = "NAME=VALUE", value_delimiter = ',', value_parser = bar)]
-    bars: Vec<(&'static str, Value)>,
+    bars: Vec<(Text, Value)>,
     #[command(flatten)]
     common: Common,
 }
@@ -112,12 +113,12 @@ pub struct Jobs {
 const BARS: [&str; 6] = ["E", "A", "rho", "L", "V0", "right"];
 
 /// A parameter of the bars and its value, as `right.L=20`.
-fn bar(text: &str) -> Result<(&'static str, Value), String> {
+fn bar(text: &str) -> Result<(Text, Value), String> {
     let (name, value) = text.split_once('=').ok_or("must be NAME=VALUE")?;
     let bars = |name: &str| BARS.contains(&name) || name.starts_with("right.");
-    let mut table = BarImpact.parameters().iter().filter(|p| bars(p.name));
+    let mut table = BarImpact.parameters().iter().filter(|p| bars(&p.name));
     let Some(parameter) = table.clone().find(|p| p.name == name) else {
-        let names: Vec<&str> = table.by_ref().map(|p| p.name).collect();
+        let names: Vec<&str> = table.by_ref().map(|p| &*p.name).collect();
         return Err(format!("unknown {name}, allowed: {}", names.join(", ")));
     };
     let number = value.parse::<f64>().ok().filter(|x| x.is_finite());
@@ -137,7 +138,7 @@ fn bar(text: &str) -> Result<(&'static str, Value), String> {
         }
     };
     let found = found.ok_or_else(|| format!("{name} must be {allowed}, got {value}"))?;
-    Ok((parameter.name, found))
+    Ok((parameter.name.clone(), found))
 }
 
 /// What is asked: where to search, for what, and how.

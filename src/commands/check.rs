@@ -56,7 +56,7 @@ fn judged(source: &Source) -> Result<(Judged<'_>, bool), Error> {
                 values[check].push((number, value.unwrap_or(f64::NAN)));
             }
             if let Some(why) = done.found.failure(place) {
-                unsolved.add(number, why);
+                unsolved.add(number, &why.to_string());
             }
         }
         Ok(())

@@ -79,9 +79,8 @@ pub fn with_shown<T>(
 
 /// What a figure draws along the structure; nothing of a case that could not be solved.
 fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
-    let (problem, case) = (study.problem, &outcome.case);
-    let duration = case.number("duration").unwrap_or(0.0);
-    let times = figure.kind.snapshot_times(duration, problem.steps(case));
+    let (problem, case) = (&study.problem, &outcome.case);
+    let times = figure.kind.snapshot_times(&**problem, case);
     if times.is_empty() || outcome.failure.is_some() {
         return Vec::new();
     }

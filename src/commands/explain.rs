@@ -28,23 +28,23 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         "{}: case {number} of {} ({})\n\n",
         source.name,
         study.len(),
-        study.problem.meaning()
+        study.problem.schema().meaning
     );
     let mut rows = vec![
         ["parameter", "value", "unit", "from", "meaning"]
             .map(String::from)
             .to_vec(),
     ];
-    for (row, parameter) in case.table.iter().enumerate() {
+    for (row, parameter) in case.schema.parameters.iter().enumerate() {
         let Some(value) = case.values[row] else {
             continue;
         };
         rows.push(vec![
-            parameter.name.to_owned(),
+            parameter.name.to_string(),
             value.to_string(),
-            parameter.unit.to_owned(),
+            parameter.unit.to_string(),
             origin(study, number, row, parameter),
-            parameter.meaning.to_owned(),
+            parameter.meaning.to_string(),
         ]);
     }
     text += &columns(&rows);
@@ -94,7 +94,7 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
             .as_ref()
             .is_some_and(|d| d.parameters.contains(row))
     };
-    match (group, parameter.default) {
+    match (group, &parameter.default) {
         (Some(_), _) if design(&row) => "design".into(),
         (Some(group), _) if group.len() > 1 => format!("axis of {}", group.len()),
         (Some(_), _) => "study".into(),

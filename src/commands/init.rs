@@ -6,17 +6,18 @@ use slipgap::problem::{PROBLEMS, Problem};
 use slipgap::study;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Folder of studies, and of the schema beside it.
 const STUDIES: &str = "studies";
 const SCHEMA: &str = "schema/study.json";
 
 /// A problem by its name, for the command line.
-pub fn problem(name: &str) -> Result<&'static dyn Problem, String> {
+pub fn problem(name: &str) -> Result<Arc<dyn Problem>, String> {
     let known = PROBLEMS
         .iter()
-        .copied()
-        .find(|problem| problem.name() == name);
+        .find(|problem| problem.name() == name)
+        .cloned();
     known.ok_or_else(|| {
         let names: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
         format!("must be one of {}", names.join(", "))

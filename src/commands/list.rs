@@ -32,7 +32,7 @@ pub fn list(sources: &[Source]) -> Result<u8, Error> {
 
 /// The axes of every block, as in `alpha(3) dT+duration(2)`; what advances together is joined.
 fn axes(study: &Study) -> String {
-    let name = |axis: &Axis| study.problem.parameters()[axis.parameter].name;
+    let name = |axis: &Axis| &*study.problem.parameters()[axis.parameter].name;
     let block = |block: &Block| {
         let swept = block.groups.iter().filter(|group| group.len() > 1);
         let groups: Vec<String> = swept

@@ -12,7 +12,7 @@ use slipgap::batch::sobol::Gathered;
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, Wishes};
 use slipgap::error::Error;
-use slipgap::problem::Solution;
+use slipgap::problem::{Solution, cases_without_contact};
 use std::path::Path;
 
 /// Most cases of a results.csv that nobody asked for.
@@ -97,7 +97,7 @@ fn one(source: &Source, path: &Path, manner: &Manner) -> Result<bool, Error> {
     let mut untouched = 0;
     batch::run(study, &bar, &wishes, |done| {
         tally.add(&done);
-        untouched += done.found.untouched(study.problem);
+        untouched += cases_without_contact(&*study.problem, &done.found);
         designs.add(&done);
         // Where nobody looks at cases one by one, they stay columns.
         if !tables.has_results()

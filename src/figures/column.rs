@@ -14,7 +14,7 @@ pub fn value(shown: &DrawnCase, column: Column) -> Option<f64> {
 /// The title of a column, in markup.
 pub fn title(study: &Study, column: Column) -> &str {
     match column {
-        Column::Parameter(row) => study.problem.parameters()[row].symbol,
+        Column::Parameter(row) => &study.problem.parameters()[row].symbol,
         Column::Metric(row) => &study.measures[row].symbol,
     }
 }

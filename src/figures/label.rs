@@ -129,7 +129,8 @@ pub fn named(
             let depends = |other: &usize| {
                 table[*other]
                     .applies
-                    .is_some_and(|(on, _)| on == table[row].name)
+                    .as_ref()
+                    .is_some_and(|(on, _)| *on == table[row].name)
                     && shown.case.values[*other].is_some()
             };
             rows.iter().any(depends)

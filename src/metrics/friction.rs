@@ -139,18 +139,16 @@ pub fn budget(x0: f64, c: &History, e: &History, g: &History) -> [Option<f64>; 4
 
 /// Displacements of two histories, step by step.
 fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)> + 'a {
-    c.displacement
+    c.displacement()
         .iter()
         .copied()
-        .zip(e.displacement.iter().copied())
+        .zip(e.displacement().iter().copied())
 }
 
-/// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`.
-pub fn work(c: &History, scale: f64) -> f64 {
-    c.force
-        .windows(2)
-        .zip(c.displacement.windows(2))
-        .map(|(s, x)| (s[0] + s[1]) * ((x[1] - x[0]) / scale) * 0.5)
+/// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`; rows [X, V, S].
+pub fn work(c: &[[f64; 3]], scale: f64) -> f64 {
+    c.windows(2)
+        .map(|c| (c[0][2] + c[1][2]) * ((c[1][0] - c[0][0]) / scale) * 0.5)
         .sum()
 }
 
@@ -190,9 +188,9 @@ mod tests {
 
     /// Rows at T = i pi/2 with these X and S.
     fn history(rows: &[(f64, f64)]) -> History {
-        let mut history = History::default();
+        let mut history = History::of_contact(rows.len());
         for (i, &(x, s)) in rows.iter().enumerate() {
-            history.push(i as f64 * 0.5 * PI, x, 0.0, s);
+            history.push(i as f64 * 0.5 * PI, [x, 0.0, s]);
         }
         history
     }
@@ -200,11 +198,14 @@ mod tests {
     fn metrics(x0: f64, c: &History) -> [Option<f64>; COUNT] {
         let (last, x) = (
             c.len() as u64 - 1,
-            c.displacement.iter().map(|x| Lane([*x])),
+            c.displacement().iter().map(|x| Lane([*x])),
         );
         let exact = Sampled::new(x0, 0.5 * PI, last, last as f64 * 0.5 * PI);
         let x: Vec<_> = x.collect();
-        cells(evaluate(&x, Lane([work(c, x0.abs())]), &exact))
+        let rows: Vec<_> = (0..c.len())
+            .map(|i| [c.displacement()[i], c.velocity()[i], c.force()[i]])
+            .collect();
+        cells(evaluate(&x, Lane([work(&rows, x0.abs())]), &exact))
     }
 
     #[test]
@@ -239,7 +240,7 @@ mod tests {
         // Mirrored, everything stays.
         let mirror = |h: &History| {
             let mut h = h.clone();
-            for x in h.displacement.iter_mut().chain(&mut h.force) {
+            for x in h.channels.iter_mut().flatten() {
                 *x = -*x;
             }
             h

@@ -2,14 +2,15 @@
 
 use std::ops::Range;
 
-use super::Case;
-use super::parameter::{Parameter, Value};
+use super::parameter::Value;
+use super::{Case, Schema};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Cases of one problem, as columns.
 #[derive(Debug, Clone)]
 pub struct Cases {
-    table: &'static [Parameter],
+    schema: Arc<Schema>,
     len: usize,
     columns: Vec<Column>,
     refused: BTreeMap<usize, String>,
@@ -26,11 +27,11 @@ pub enum Column {
 
 impl Cases {
     /// No case yet.
-    pub fn new(table: &'static [Parameter]) -> Cases {
+    pub fn new(schema: &Arc<Schema>) -> Cases {
         Cases {
-            table,
+            schema: schema.clone(),
             len: 0,
-            columns: vec![Column::Same(None); table.len()],
+            columns: vec![Column::Same(None); schema.parameters.len()],
             refused: BTreeMap::new(),
         }
     }
@@ -70,7 +71,7 @@ impl Cases {
 
     /// Some of the cases by themselves.
     pub fn only(&self, rows: Range<usize>) -> Cases {
-        let (mut some, mut shown) = (Cases::new(self.table), self.shown());
+        let (mut some, mut shown) = (Cases::new(&self.schema), self.shown());
         for row in rows {
             match self.refused.get(&row) {
                 Some(why) => some.push_refused(shown.at(row), why.clone()),
@@ -97,7 +98,7 @@ impl Cases {
 
     /// The cases, to be looked at one after the other.
     pub fn shown(&self) -> Shown<'_> {
-        let mut case = Case::new(self.table);
+        let mut case = Case::new(&self.schema);
         let mut varying = Vec::new();
         for (row, column) in self.columns.iter().enumerate() {
             match column {
@@ -136,7 +137,7 @@ mod tests {
 
     #[test]
     fn what_is_shown_is_what_was_put_in() {
-        let table = PROBLEMS[0].parameters();
+        let schema = PROBLEMS[0].schema();
         let number = |x: f64| Some(Value::Number(x));
         // One value all along, one that changes late, by the sign of zero alone, and one that comes and goes.
         let values = |i: usize| {
@@ -147,8 +148,8 @@ mod tests {
                 Some(Value::Name(if i == 4 { "wall" } else { "bar" })),
             ]
         };
-        let mut case = Case::new(table);
-        let mut cases = Cases::new(table);
+        let mut case = Case::new(schema);
+        let mut cases = Cases::new(schema);
         for i in 0..6 {
             case.values[..4].copy_from_slice(&values(i));
             cases.push(&case);

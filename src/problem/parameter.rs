@@ -1,31 +1,72 @@
 //! The table that decoding, schema, columns, `explain` and the documentation read: one row a parameter.
 
+use super::schema::{Text, text};
 use std::fmt;
 
 /// One parameter of a problem.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Parameter {
     /// Key in a study file and column of results.csv; `right.L` stands for key `L` of object `right`.
-    pub name: &'static str,
+    pub name: Text,
     /// How figures write it, with its scale, in the markup of `figures::markup`.
-    pub symbol: &'static str,
+    pub symbol: Text,
     /// Unit, or `1` for a dimensionless number.
-    pub unit: &'static str,
+    pub unit: Text,
     /// What values it takes.
     pub kind: Kind,
     /// What it is where the study does not say.
     pub default: Default,
     /// The parameter and name that must be chosen for this one to apply, as `("law", "velocity-control")`.
-    pub applies: Option<(&'static str, &'static str)>,
+    pub applies: Option<(Text, Text)>,
     /// One sentence for schema and documentation.
-    pub meaning: &'static str,
+    pub meaning: Text,
+}
+
+impl Parameter {
+    /// A parameter that always applies, for tables.
+    pub const fn new(
+        [name, symbol, unit]: [&'static str; 3],
+        kind: Kind,
+        default: Default,
+        meaning: &'static str,
+    ) -> Parameter {
+        Parameter {
+            name: Text::Borrowed(name),
+            symbol: Text::Borrowed(symbol),
+            unit: Text::Borrowed(unit),
+            kind,
+            default,
+            applies: None,
+            meaning: Text::Borrowed(meaning),
+        }
+    }
+
+    /// The same where another parameter has this name chosen.
+    pub const fn only_for(
+        name: [&'static str; 3],
+        kind: Kind,
+        default: Default,
+        (governor, chosen): (&'static str, &'static str),
+        meaning: &'static str,
+    ) -> Parameter {
+        let [name, symbol, unit] = name;
+        Parameter {
+            name: Text::Borrowed(name),
+            symbol: Text::Borrowed(symbol),
+            unit: Text::Borrowed(unit),
+            kind,
+            default,
+            applies: Some((Text::Borrowed(governor), Text::Borrowed(chosen))),
+            meaning: Text::Borrowed(meaning),
+        }
+    }
 }
 
 /// The row of a table that has this name, for constants: a name that is not there does not compile.
 pub const fn row_of(table: &[Parameter], name: &str) -> usize {
     let mut row = 0;
     while row < table.len() {
-        if same(table[row].name, name) {
+        if same(text(&table[row].name), name) {
             return row;
         }
         row += 1;
@@ -96,14 +137,14 @@ impl fmt::Display for Range {
 }
 
 /// What a parameter is where the study does not give it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub enum Default {
     /// It must be given (where it applies).
     Required,
     /// A value of its own.
     Is(Value),
     /// It follows from others, in these words; `Problem::complete` fills it in.
-    Follows(&'static str),
+    Follows(Text),
 }
 
 /// One value of one parameter.

@@ -1,5 +1,7 @@
 //! The units of scaled results, and what they measure.
 
+use super::schema::Text;
+
 /// What a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
@@ -14,22 +16,12 @@ pub enum Dimension {
 }
 
 /// A unit of scaled results. Its size differs from case to case: [`super::Problem::size`].
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Unit {
     /// What it measures.
     pub dimension: Dimension,
     /// Its name in the tables of metrics, as in `F0`.
-    pub name: &'static str,
+    pub name: Text,
     /// How symbols and titles divide by it, in markup, as in `/*F*_0_`.
-    pub over: &'static str,
+    pub over: Text,
 }
-
-/// Dimensions of the six columns of a history: time, displacement, velocity, force, exact displacement, exact velocity.
-pub const OF_HISTORY: [Dimension; 6] = [
-    Dimension::Time,
-    Dimension::Length,
-    Dimension::Velocity,
-    Dimension::Force,
-    Dimension::Length,
-    Dimension::Velocity,
-];

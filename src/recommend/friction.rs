@@ -75,7 +75,7 @@ impl Space for Friction {
         [vec!["law"], self.widths(), vec!["dT"]].concat()
     }
 
-    fn stated(&self) -> Vec<&'static str> {
+    fn stated(&self) -> Vec<&str> {
         vec!["law", "alpha", "beta", "dT", "duration", "x0"]
     }
 

@@ -5,6 +5,7 @@ use crate::history::History;
 use crate::problem::impact::BarImpact;
 use crate::problem::impact::scaled::Scaled;
 use crate::problem::parameter::{Value, shortest};
+use crate::problem::schema::Text;
 use crate::problem::{Case, Problem, Violation};
 
 /// Most elements of a bar.
@@ -41,7 +42,7 @@ pub struct Fixed {
     /// The mass matrix.
     pub mass: Option<&'static str>,
     /// Data of the bars, as in a study.
-    pub bars: Vec<(&'static str, Value)>,
+    pub bars: Vec<(Text, Value)>,
 }
 
 /// Springs, meshes, mass matrices and steps for two bars.
@@ -80,7 +81,7 @@ impl Impact {
         impact.unlike = bars.map(|bars| bars.time_ratio);
         let Some(parted) = Scaled::new(&case).and_then(|scaled| parting(&scaled)) else {
             return Err(vec![Violation {
-                parameter: "right",
+                parameter: "right".into(),
                 message: format!(
                     "the bars do not part before a wave has passed the shorter bar {MOST_TRIPS} times"
                 ),
@@ -88,14 +89,14 @@ impl Impact {
         };
         impact.duration = 1.5 * parted;
         let exact = BarImpact.exact(&case, &[0.0, impact.duration]);
-        let force = exact.map_or(Vec::new(), |exact| exact.force);
+        let force = exact.map_or(Vec::new(), |exact| exact.force().to_vec());
         impact.peak = force.into_iter().fold(0.0, f64::max);
         impact.meshes = impact.affordable();
         if impact.meshes.is_empty() {
             let message = "the travel times of the bars differ so much that no mesh searched suits both; give right.n";
             let parameter = "right";
             return Err(vec![Violation {
-                parameter,
+                parameter: parameter.into(),
                 message: message.into(),
             }]);
         }
@@ -110,7 +111,8 @@ impl Impact {
         into: f64,
     ) -> (Case, Vec<Violation>) {
         let dt = passes / f64::from(2 * n);
-        let mut given = self.fixed.bars.clone();
+        let own = self.fixed.bars.iter();
+        let mut given: Vec<(&str, Value)> = own.map(|(name, value)| (&**name, *value)).collect();
         given.extend([
             (spring.0, Value::Number(spring.1)),
             ("n", Value::Whole(u64::from(n))),
@@ -173,7 +175,7 @@ impl Impact {
 
 /// When the ends part for the first time, by the exact solution; `None` where that takes too long to follow.
 fn parting(scaled: &Scaled) -> Option<f64> {
-    let shorter = match scaled.right {
+    let shorter = match scaled.pair.right {
         Some(right) => right.trip.min(1.0),
         None => 1.0,
     };
@@ -198,10 +200,10 @@ impl Space for Impact {
         shown
     }
 
-    fn stated(&self) -> Vec<&'static str> {
+    fn stated(&self) -> Vec<&str> {
         let spring = self.fixed.spring.map_or("gamma", |(name, _)| name);
         let mut stated = vec![spring, "n", "dt", "duration", "mass"];
-        let bars = self.fixed.bars.iter().map(|(name, _)| *name);
+        let bars = self.fixed.bars.iter().map(|(name, _)| &**name);
         stated.extend(bars.filter(|name| *name != "right.n"));
         stated.extend(self.unlike.map(|_| "right.n"));
         stated

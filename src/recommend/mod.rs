@@ -61,7 +61,7 @@ pub trait Space: Sync {
     /// Names of the parameters that an answer shows.
     fn shown(&self) -> Vec<&'static str>;
     /// Names of the parameters that a study of the answer needs.
-    fn stated(&self) -> Vec<&'static str>;
+    fn stated(&self) -> Vec<&str>;
     /// What is searched, what counts as neighbours, and what is not searched, in words.
     fn notes(&self) -> Vec<String>;
     /// What the cost counts.
@@ -105,7 +105,11 @@ pub const FINER: f64 = 16.0;
 /// A case with a finer step.
 pub fn with_a_finer_step(problem: &dyn Problem, case: &Case) -> Case {
     let mut finer = case.clone();
-    let row = case.table.iter().position(|p| p.name == problem.step());
+    let row = case
+        .schema
+        .parameters
+        .iter()
+        .position(|p| p.name == problem.schema().step_name());
     if let Some(row) = row
         && let Some(step) = case.at(row)
     {

@@ -92,7 +92,7 @@ impl<'a> Level<'a> {
 
     /// The best candidate that is better than `least`. Neighbours are solved only of those that still can be.
     fn best(&mut self, cost: u64, least: f64) -> Option<Tried> {
-        let mut cases = Cases::new(self.space.problem().parameters());
+        let mut cases = Cases::new(self.space.problem().schema());
         for case in &self.rung.cases {
             cases.push(case);
         }

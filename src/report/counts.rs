@@ -23,7 +23,7 @@ pub struct Counts {
 impl Counts {
     /// No case yet.
     pub fn new(study: &Study) -> Counts {
-        let name = |place: usize| study.problem.metrics()[place].name;
+        let name = |place: usize| &study.problem.metrics()[place].name;
         let place = |wanted: &str| study.metrics.iter().copied().find(|m| name(*m) == wanted);
         Counts {
             cases: 0,

@@ -123,7 +123,7 @@ fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
         section.results.cases(),
         study.sha256,
     )?;
-    scales(out, study.problem)?;
+    scales(out, &*study.problem)?;
     section.counts.write(out)?;
     for figure in &section.figures {
         figure.write(out)?;
@@ -142,7 +142,7 @@ fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
 /// The scales in which numbers and axes are given.
 fn scales(out: &mut impl Write, problem: &dyn Problem) -> io::Result<()> {
     out.write_all(b"<dl class=\"scales\">\n")?;
-    for [symbol, meaning] in problem.scales() {
+    for [symbol, meaning] in problem.schema().scales.iter() {
         writeln!(
             out,
             "<dt>{}</dt><dd>{}</dd>",

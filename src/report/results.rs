@@ -125,9 +125,9 @@ impl<'a> Results<'a> {
 
     /// What the script has to know of the columns.
     fn head(&self) -> Json {
-        let problem = self.study.problem;
+        let problem = &self.study.problem;
         let parameters = problem.parameters().iter();
-        let parameters = parameters.map(|p| (p.name, p.unit, p.meaning, names(p.kind)));
+        let parameters = parameters.map(|p| (&*p.name, &*p.unit, &*p.meaning, names(p.kind)));
         let metrics = self.study.columns.iter().map(|m| &self.study.measures[*m]);
         let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning, Vec::new()));
         let columns = parameters

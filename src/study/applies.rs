@@ -9,14 +9,14 @@ pub(super) fn applies(
     draft: &Draft,
     row: usize,
     parameter: &Parameter,
-    table: &'static [Parameter],
+    table: &[Parameter],
     faults: &mut Faults,
 ) {
     let given = draft.given.iter().find(|given| given.parameter == row);
     let required = matches!(parameter.default, Default::Required);
     let missing = format!("missing: {}", described(parameter));
-    let missing_path = join(&draft.path, parameter.name);
-    let Some((governor, wanted)) = parameter.applies else {
+    let missing_path = join(&draft.path, &parameter.name);
+    let Some((governor, wanted)) = &parameter.applies else {
         if given.is_none() && required {
             faults.add(draft.at, &missing_path, missing);
         }
@@ -35,11 +35,11 @@ pub(super) fn applies(
     );
     match given {
         Some(given) if !here => {
-            let fitting = table.iter().filter(|p| match p.applies {
-                Some((other, name)) => other == governor && chosen.contains(&name),
+            let fitting = table.iter().filter(|p| match &p.applies {
+                Some((other, name)) => other == governor && chosen.iter().any(|own| own == name),
                 None => true,
             });
-            let fitting: Vec<&str> = fitting.map(|p| p.name).collect();
+            let fitting: Vec<&str> = fitting.map(|p| &*p.name).collect();
             let message = format!(
                 "does not apply to {governor} {}, only to {wanted}; allowed: {}",
                 chosen.join(", "),
@@ -59,12 +59,12 @@ pub(super) fn applies(
 }
 
 /// The different names that the parameter called `governor` takes in a block.
-fn names(draft: &Draft, governor: &str, table: &'static [Parameter]) -> Option<Vec<&'static str>> {
+fn names(draft: &Draft, governor: &str, table: &[Parameter]) -> Option<Vec<&'static str>> {
     let row = table.iter().position(|p| p.name == governor)?;
     let values: Vec<Value> = match draft.given.iter().find(|given| given.parameter == row) {
         Some(given) => given.values.iter().map(|(value, _)| *value).collect(),
-        None => match table[row].default {
-            Default::Is(value) => vec![value],
+        None => match &table[row].default {
+            Default::Is(value) => vec![*value],
             Default::Required | Default::Follows(_) => return None,
         },
     };

@@ -85,7 +85,7 @@ impl Block {
 
     /// Combination `raw` with what it leaves out at its default, but before `Problem::complete`.
     pub(super) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
-        let mut case = Case::new(problem.parameters());
+        let mut case = Case::new(problem.schema());
         self.put(problem, raw, &mut case);
         case
     }
@@ -119,16 +119,18 @@ impl Block {
             .filter(|g| self.groups[*g].len() > 1)
             .collect();
         let governs = |axis: &Axis| {
-            let name = table[axis.parameter].name;
-            table
-                .iter()
-                .any(|p| p.applies.is_some_and(|(governor, _)| governor == name))
+            let name = &table[axis.parameter].name;
+            table.iter().any(|p| {
+                p.applies
+                    .as_ref()
+                    .is_some_and(|(governor, _)| governor == name)
+            })
         };
         let axes = |group: &usize| self.groups[*group].axes.iter();
         if !self.derived.is_empty() || varying.iter().flat_map(axes).any(governs) {
             return None;
         }
-        let mut case = Case::new(table);
+        let mut case = Case::new(problem.schema());
         self.fill(&mut case, &vec![0; self.groups.len()], 0);
         Some(Shared {
             values: case.values,
@@ -143,7 +145,7 @@ impl Block {
                 case.values[axis.parameter] = Some(axis.values[*digit as usize]);
             }
         }
-        for row in 0..case.table.len() {
+        for row in 0..case.schema.parameters.len() {
             if case.values[row].is_none() && self.derived.iter().all(|d| d.parameter != row) {
                 case.values[row] = case.default_at(row);
             }

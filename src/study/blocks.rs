@@ -14,7 +14,7 @@ use crate::problem::Problem;
 /// The blocks, of no more than `limit` raw combinations; none if one of them could not be decoded.
 pub(super) fn blocks(
     object: &Object,
-    problem: Option<&'static dyn Problem>,
+    problem: Option<&dyn Problem>,
     limit: u64,
     faults: &mut Faults,
 ) -> Vec<Block> {
@@ -107,7 +107,7 @@ pub(super) const BESIDE: [(&str, &str); 3] = [
 fn draft(
     object: &Object,
     node: &Node,
-    problem: &'static dyn Problem,
+    problem: &dyn Problem,
     faults: &mut Faults,
 ) -> Option<Draft> {
     let table = problem.parameters();

@@ -13,7 +13,7 @@ impl Block {
     /// are made.
     pub(super) fn select<'a>(
         &'a self,
-        problem: &'static dyn Problem,
+        problem: &'a dyn Problem,
         filter: &'a Filter,
     ) -> impl Iterator<Item = (u64, u64)> + 'a {
         self.select_among(u64::MAX, problem, filter)
@@ -23,7 +23,7 @@ impl Block {
     pub(super) fn select_among<'a>(
         &'a self,
         most: u64,
-        problem: &'static dyn Problem,
+        problem: &'a dyn Problem,
         filter: &'a Filter,
     ) -> impl Iterator<Item = (u64, u64)> + 'a {
         let kept: Vec<Vec<u64>> = self
@@ -75,7 +75,7 @@ impl Block {
     /// where it follows from others without an expression.
     pub(super) fn levels(
         &self,
-        problem: &'static dyn Problem,
+        problem: &dyn Problem,
         filter: &Filter,
         parameter: usize,
     ) -> Vec<Value> {
@@ -160,7 +160,7 @@ impl Study {
     /// Number of cases.
     pub fn len(&self) -> u64 {
         let blocks = self.blocks.iter();
-        blocks.map(|block| block.len(self.problem)).sum()
+        blocks.map(|block| block.len(&*self.problem)).sum()
     }
 
     /// Whether there are no cases, which no study that was read allows.
@@ -175,15 +175,15 @@ impl Study {
 
     /// Case `index`, from 0, complete; `None` from `len` on.
     pub fn case(&self, index: u64) -> Option<Case> {
-        case(self.problem, &self.blocks, index)
+        case(&*self.problem, &self.blocks, index)
     }
 
     /// The rules that case `index` breaks, which only a case of a large study does.
     pub fn violations(&self, index: u64) -> Vec<Violation> {
-        let found = place(self.problem, &self.blocks, index);
+        let found = place(&*self.problem, &self.blocks, index);
         found.map_or_else(Vec::new, |(block, raw)| {
-            let mut case = block.raw_case(self.problem, raw);
-            block.complete(self.problem, &mut case)
+            let mut case = block.raw_case(&*self.problem, raw);
+            block.complete(&*self.problem, &mut case)
         })
     }
 
@@ -196,14 +196,14 @@ impl Study {
     /// Number of the first case of a block.
     pub fn first_of(&self, block: usize) -> u64 {
         let before = self.blocks.iter().take(block);
-        before.map(|block| block.len(self.problem)).sum()
+        before.map(|block| block.len(&*self.problem)).sum()
     }
 
     /// The block that case `index` belongs to.
     pub fn block_of(&self, index: u64) -> Option<&Block> {
         let mut end = 0;
         self.blocks.iter().find(|block| {
-            end += block.len(self.problem);
+            end += block.len(&*self.problem);
             index < end
         })
     }
@@ -216,8 +216,8 @@ impl Study {
     /// The cases among raw combinations `from..to`, with their numbers, made as they are asked for.
     pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
         self.stretches(from, to).flat_map(|(block, raws, number)| {
-            let raws = raws.filter(|raw| block.keeps(self.problem, *raw));
-            (number..).zip(raws.map(|raw| block.completed(self.problem, raw)))
+            let raws = raws.filter(|raw| block.keeps(&*self.problem, *raw));
+            (number..).zip(raws.map(|raw| block.completed(&*self.problem, raw)))
         })
     }
 
@@ -226,8 +226,8 @@ impl Study {
         let mut rest = raw;
         for block in &self.blocks {
             if rest < block.raw_len() {
-                let kept = block.keeps(self.problem, rest);
-                return kept.then(|| block.completed(self.problem, rest));
+                let kept = block.keeps(&*self.problem, rest);
+                return kept.then(|| block.completed(&*self.problem, rest));
             }
             rest -= block.raw_len();
         }
@@ -236,14 +236,14 @@ impl Study {
 
     /// The same as columns, with the number of the first.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
-        let mut cases = Cases::new(self.problem.parameters());
-        let (mut case, mut first) = (Case::new(self.problem.parameters()), None);
+        let mut cases = Cases::new(self.problem.schema());
+        let (mut case, mut first) = (Case::new(self.problem.schema()), None);
         for (block, raws, number) in self.stretches(from, to) {
             first.get_or_insert(number);
-            for raw in raws.filter(|raw| block.keeps(self.problem, *raw)) {
-                block.put(self.problem, raw, &mut case);
+            for raw in raws.filter(|raw| block.keeps(&*self.problem, *raw)) {
+                block.put(&*self.problem, raw, &mut case);
                 // A large block was not checked case by case when the study was read.
-                let violations = block.complete(self.problem, &mut case);
+                let violations = block.complete(&*self.problem, &mut case);
                 match Violation::all(&violations) {
                     None => cases.push(&case),
                     Some(why) => cases.push_refused(&case, why),
@@ -262,22 +262,23 @@ impl Study {
             let raws = from.clamp(first, start) - first..to.clamp(first, start) - first;
             // The last block's cases need not be counted.
             if start < to {
-                cases += block.len(self.problem);
+                cases += block.len(&*self.problem);
             }
-            let number = (!raws.is_empty()).then(|| before + block.rank(self.problem, raws.start));
+            let number =
+                (!raws.is_empty()).then(|| before + block.rank(&*self.problem, raws.start));
             number.map(|number| (block, raws, number))
         })
     }
 
     /// The numbers of the cases that a filter chooses, rising.
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
-        select(self.problem, &self.blocks, filter)
+        select(&*self.problem, &self.blocks, filter)
     }
 }
 
 /// The numbers of the cases in all `blocks` that a filter chooses, rising.
 pub(super) fn select<'a>(
-    problem: &'static dyn Problem,
+    problem: &'a dyn Problem,
     blocks: &'a [Block],
     filter: &'a Filter,
 ) -> impl Iterator<Item = u64> + 'a {

@@ -18,6 +18,7 @@ use super::value::{self, name};
 use super::{Check, Figure, Study};
 use crate::error::Error;
 use crate::problem::{self, PROBLEMS, Problem};
+use std::sync::Arc;
 
 /// The keys of a study, each with what it holds.
 pub(super) const KEYS: [(&str, &str); 10] = [
@@ -75,17 +76,17 @@ pub(super) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Stud
     string("$schema");
     let title = string("title").unwrap_or_default();
     let problem = problem(&object, faults);
-    let blocks = blocks(&object, problem, limit, faults);
+    let blocks = blocks(&object, problem.as_deref(), limit, faults);
     let units = object
         .get("units")
-        .and_then(|node| Units::decode(node, problem, faults));
+        .and_then(|node| Units::decode(node, problem.as_deref(), faults));
     // Without a problem the names of parameters and metrics mean nothing.
     let problem = problem?;
     let once = object
         .get("iteration")
         .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
         == Some(1);
-    let measures = measure::measures(problem, units.as_ref());
+    let measures = measure::measures(&*problem, units.as_ref());
     let scope = Scope {
         problem,
         measures,
@@ -100,10 +101,10 @@ pub(super) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Stud
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
-    let metrics = columns(problem, &scope.measures, &asked, &figures, &checks);
+    let metrics = columns(&*scope.problem, &scope.measures, &asked, &figures, &checks);
     Some(Study {
         title,
-        problem,
+        problem: scope.problem,
         once,
         units,
         columns: measure::columns(&scope.measures, &metrics),
@@ -118,11 +119,11 @@ pub(super) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Stud
 }
 
 /// The problem by its name; a slip is a fault, but the problem that was meant serves to find further ones.
-fn problem(object: &Object, faults: &mut Faults) -> Option<&'static dyn Problem> {
+fn problem(object: &Object, faults: &mut Faults) -> Option<Arc<dyn Problem>> {
     let known: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
     let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
     match (name(node, "problem", "problem", &known, faults), &node.tree) {
-        (Some(row), _) => Some(PROBLEMS[row]),
+        (Some(row), _) => Some(PROBLEMS[row].clone()),
         (None, Tree::Text(slip)) => problem::find(nearest(slip, &known)?),
         _ => None,
     }

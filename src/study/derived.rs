@@ -4,7 +4,8 @@ use super::block::Block;
 use super::expression::{ExpressionFault, Formula};
 use super::report::quoted;
 use crate::problem::parameter::{Kind, Parameter, Value, shortest};
-use crate::problem::{Case, Problem, Violation};
+use crate::problem::{Case, Problem, Schema, Violation};
+use std::sync::Arc;
 
 /// Most values that are kept; beyond, an expression depends on so much that hardly any two cases share a value.
 const MOST_KEPT: u64 = 1 << 20;
@@ -79,14 +80,14 @@ impl Rule {
     pub fn tabulate(
         &mut self,
         block: &Block,
-        table: &'static [Parameter],
+        schema: &Arc<Schema>,
     ) -> Result<(), (Case, ExpressionFault)> {
         if self.sets(block) > MOST_KEPT {
             return Ok(());
         }
         let mut values = Vec::new();
         for set in 0..self.sets(block) {
-            let case = self.case(block, set, table);
+            let case = self.case(block, set, schema);
             match self.formula.value(&|row| case.values[row]) {
                 Ok(value) => values.push(value),
                 Err(fault) => return Err((case, fault)),
@@ -97,14 +98,14 @@ impl Rule {
     }
 
     /// A case with what the formula depends on, in its set of that number.
-    pub fn case(&self, block: &Block, set: u64, table: &'static [Parameter]) -> Case {
+    pub fn case(&self, block: &Block, set: u64, schema: &Arc<Schema>) -> Case {
         let mut digits = vec![0; block.groups.len()];
         let mut rest = set;
         for &group in self.on.iter().rev() {
             digits[group] = rest % block.groups[group].len();
             rest /= block.groups[group].len();
         }
-        let mut case = Case::new(table);
+        let mut case = Case::new(schema);
         block.fill(&mut case, &digits, block.derived.len());
         case
     }
@@ -125,7 +126,7 @@ impl Derived {
     /// The value for a case that has all it depends on.
     pub(super) fn value(&self, block: &Block, case: &Case, digits: &[u64]) -> Option<Value> {
         let x = self.rule.value(block, case, digits)?;
-        fitted(x, &case.table[self.parameter]).ok()
+        fitted(x, &case.schema.parameters[self.parameter]).ok()
     }
 
     /// The rule that a case breaks for which the expression gives no value of its parameter.
@@ -133,10 +134,10 @@ impl Derived {
         if case.values[self.parameter].is_some() {
             return None;
         }
-        let parameter = &case.table[self.parameter];
+        let parameter = &case.schema.parameters[self.parameter];
         let message = refused(&self.rule.formula, &self.text, case, parameter)?;
         Some(Violation {
-            parameter: parameter.name,
+            parameter: parameter.name.clone(),
             message,
         })
     }
@@ -173,7 +174,7 @@ pub(super) fn worked_out(
 fn with(formula: &Formula, case: &Case) -> String {
     let told = formula.uses().iter().filter_map(|row| {
         let value: Value = case.values[*row]?;
-        Some(format!("{} = {value}", case.table[*row].name))
+        Some(format!("{} = {value}", case.schema.parameters[*row].name))
     });
     format!(" with {}", told.collect::<Vec<_>>().join(", "))
 }
@@ -204,8 +205,8 @@ impl Block {
         let aside: Vec<(&Derived, Option<Value>)> = aside.collect();
         let mut violations = problem.complete(case);
         for (derived, said) in aside {
-            let name = case.table[derived.parameter].name;
-            let both = (said.and_then(Value::as_f64), case.number(name));
+            let name = case.schema.parameters[derived.parameter].name.clone();
+            let both = (said.and_then(Value::as_f64), case.number(&name));
             if let (Some(said), Some(follows)) = both
                 && (said - follows).abs() > AGREES * follows.abs()
             {

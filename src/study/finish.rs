@@ -9,8 +9,10 @@ use super::object::Object;
 use super::parameters::{Draft, Given};
 use super::report::{Faults, quoted};
 use super::rules::MOST_CASES;
-use crate::problem::Problem;
 use crate::problem::parameter::{Default, Parameter};
+use crate::problem::schema::Text;
+use crate::problem::{Problem, Schema};
+use std::sync::Arc;
 
 impl Draft {
     /// Decodes the design beside the parameters, and what it samples.
@@ -59,7 +61,7 @@ impl Draft {
     }
 
     /// Gives what the design samples its values.
-    pub fn sample(&mut self, table: &'static [Parameter]) {
+    pub fn sample(&mut self, table: &[Parameter]) {
         let Some(design) = &self.design else {
             return;
         };
@@ -110,7 +112,14 @@ impl Draft {
             let given = waiting.remove(place);
             if let Some((formula, text)) = &given.formula {
                 let restates = self.restates(given, problem);
-                derive(&mut block, given, (formula, text), restates, table, faults);
+                derive(
+                    &mut block,
+                    given,
+                    (formula, text),
+                    restates,
+                    problem.schema(),
+                    faults,
+                );
             }
         }
         if let Some((formula, at, text)) = &self.when {
@@ -129,7 +138,7 @@ impl Draft {
     }
 
     /// Whether a derived parameter names only what has values; says so where that is a fault.
-    fn known(&self, given: &Given, table: &'static [Parameter], faults: &mut Faults) -> bool {
+    fn known(&self, given: &Given, table: &[Parameter], faults: &mut Faults) -> bool {
         let Some((formula, text)) = &given.formula else {
             return true;
         };
@@ -142,7 +151,7 @@ impl Draft {
         text: &str,
         at: usize,
         path: &str,
-        table: &'static [Parameter],
+        table: &[Parameter],
         faults: &mut Faults,
     ) -> bool {
         let mut known = true;
@@ -153,7 +162,7 @@ impl Draft {
             }
             known = false;
             if !self.faulty.contains(&row) {
-                let name = table[row].name;
+                let name = &table[row].name;
                 let message = format!("{}: {name} is not given in this block", quoted(text));
                 faults.add(at, path, message);
             }
@@ -164,9 +173,9 @@ impl Draft {
     /// Whether an expression names, by others or itself, what its parameter would follow from.
     fn restates(&self, given: &Given, problem: &dyn Problem) -> bool {
         let table = problem.parameters();
-        let name = table[given.parameter].name;
-        let other = |pair: &&[&'static str; 2]| pair.contains(&name);
-        let Some(pair) = problem.alternatives().iter().find(other) else {
+        let name = &table[given.parameter].name;
+        let other = |pair: &&[Text; 2]| pair.contains(name);
+        let Some(pair) = problem.schema().alternatives.iter().find(other) else {
             return false;
         };
         let (mut seen, mut next) = (Vec::new(), vec![given.parameter]);
@@ -174,7 +183,7 @@ impl Draft {
             let given = self.given.iter().find(|given| given.parameter == row);
             let formula = given.and_then(|given| given.formula.as_ref());
             for row in formula.iter().flat_map(|(formula, _)| formula.uses()) {
-                if table[*row].name != name && pair.contains(&table[*row].name) {
+                if table[*row].name != *name && pair.contains(&table[*row].name) {
                     return true;
                 }
                 if !seen.contains(row) {
@@ -187,7 +196,7 @@ impl Draft {
     }
 
     /// Says which parameters name each other in a circle.
-    fn circle(&self, waiting: &[&Given], table: &'static [Parameter], faults: &mut Faults) {
+    fn circle(&self, waiting: &[&Given], table: &[Parameter], faults: &mut Faults) {
         let next = |row: usize| {
             let given = waiting.iter().find(|given| given.parameter == row)?;
             let (formula, _) = given.formula.as_ref()?;
@@ -204,7 +213,7 @@ impl Draft {
             }
             way.push(row);
         }
-        let names: Vec<&str> = way.iter().map(|row| table[*row].name).collect();
+        let names: Vec<&str> = way.iter().map(|row| &*table[*row].name).collect();
         let first = self
             .given
             .iter()
@@ -224,7 +233,7 @@ fn condition(
     problem: &dyn Problem,
 ) -> Option<String> {
     let mut rule = Rule::new(formula.clone(), block);
-    if let Err((case, fault)) = rule.tabulate(block, problem.parameters()) {
+    if let Err((case, fault)) = rule.tabulate(block, problem.schema()) {
         return Some(worked_out(formula, text, &case, &fault));
     }
     let (known, count) = (rule.table.is_some(), block.raw_len());
@@ -250,17 +259,17 @@ fn derive(
     given: &Given,
     (formula, text): (&Formula, &str),
     restates: bool,
-    table: &'static [Parameter],
+    schema: &Arc<Schema>,
     faults: &mut Faults,
 ) {
     let mut rule = Rule::new(formula.clone(), block);
-    let parameter = &table[given.parameter];
-    let bad = match rule.tabulate(block, table) {
+    let parameter = &schema.parameters[given.parameter];
+    let bad = match rule.tabulate(block, schema) {
         Err((case, _)) => Some(case),
         Ok(()) => {
             let mut values = rule.table.iter().flatten();
             let unfit = values.position(|x| fitted(*x, parameter).is_err());
-            unfit.map(|set| rule.case(block, set as u64, table))
+            unfit.map(|set| rule.case(block, set as u64, schema))
         }
     };
     if let Some(message) = bad.and_then(|case| refused(formula, text, &case, parameter)) {

@@ -25,20 +25,20 @@ pub struct Measure {
 pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Measure> {
     let metrics = || problem.metrics().iter().enumerate();
     let scaled = metrics().map(|(row, metric)| Measure {
-        name: metric.name.into(),
-        symbol: metric.symbol.into(),
-        unit: metric.unit.into(),
-        meaning: metric.meaning.into(),
+        name: metric.name.to_string(),
+        symbol: metric.symbol.to_string(),
+        unit: metric.unit.to_string(),
+        meaning: metric.meaning.to_string(),
         metric: row,
         dimension: None,
     });
     let in_units = units.into_iter().flat_map(|units| {
         metrics().filter_map(move |(row, metric)| {
-            let mut known = problem.units().iter();
+            let mut known = problem.schema().units.iter();
             let scale = known.find(|unit| unit.name == metric.unit)?;
             Some(Measure {
-                name: units.column(metric.name, scale.dimension),
-                symbol: units.title(problem, metric.symbol, scale.dimension),
+                name: units.column(&metric.name, scale.dimension),
+                symbol: units.title(problem, &metric.symbol, scale.dimension),
                 unit: units.of(scale.dimension),
                 meaning: format!("{} times {}", metric.name, scale.name),
                 metric: row,

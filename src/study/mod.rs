@@ -53,6 +53,7 @@ pub use units::Units;
 
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
+use std::sync::Arc;
 
 /// A validated study.
 #[derive(Debug)]
@@ -60,7 +61,7 @@ pub struct Study {
     /// What the study shows, in one line; empty if the study does not say.
     pub title: String,
     /// The problem whose cases it runs.
-    pub problem: &'static dyn Problem,
+    pub problem: Arc<dyn Problem>,
     /// Whether each step is solved once, by the papers' matrices, in place of its root.
     pub once: bool,
     /// Blocks of cases, one after the other.

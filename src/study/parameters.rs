@@ -92,7 +92,7 @@ impl Draft {
 pub(super) fn parameters(
     node: &Node,
     path: &str,
-    table: &'static [Parameter],
+    table: &[Parameter],
     faults: &mut Faults,
 ) -> Option<Draft> {
     let mut given = Vec::new();
@@ -123,7 +123,7 @@ fn gather(
     node: &Node,
     path: &str,
     prefix: &str,
-    table: &'static [Parameter],
+    table: &[Parameter],
     given: &mut Vec<Given>,
     faults: &mut Faults,
 ) -> Option<()> {
@@ -159,7 +159,7 @@ fn axis(
     node: &Node,
     path: String,
     parameter: usize,
-    table: &'static [Parameter],
+    table: &[Parameter],
     faults: &mut Faults,
 ) -> Given {
     let before = faults.count();

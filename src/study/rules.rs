@@ -116,7 +116,7 @@ fn broken(
     draft: &Draft,
     block: &Block,
 ) -> impl Iterator<Item = (u64, Vec<Violation>)> {
-    let mut case = Case::new(problem.parameters());
+    let mut case = Case::new(problem.schema());
     let cases = 0..block.raw_len().min(MOST_CHECKED);
     let kept = cases.filter(|index| block.keeps(problem, *index));
     let violations = kept.map(move |index| {
@@ -140,8 +140,8 @@ impl Study {
             };
             let sieved = sieved(block, &places);
             let raws = 0..sieved.raw_len().min(MOST_CHECKED);
-            let kept = raws.filter(|raw| sieved.keeps(self.problem, *raw));
-            let cases = kept.map(|raw| sieved.completed(self.problem, raw));
+            let kept = raws.filter(|raw| sieved.keeps(&*self.problem, *raw));
+            let cases = kept.map(|raw| sieved.completed(&*self.problem, raw));
             cases.collect::<Vec<_>>()
         })
     }

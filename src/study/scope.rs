@@ -7,6 +7,7 @@ use super::value::{name, value};
 use super::{Block, Filter, Measure};
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
+use std::sync::Arc;
 
 /// Most combinations that are gone through to see what a filter chooses: some seconds, and the cases that a figure shows
 /// are held at once.
@@ -14,7 +15,7 @@ const MOST_TRIED: u64 = 10_000_000;
 
 /// The problem of a study and its blocks.
 pub(super) struct Scope {
-    pub problem: &'static dyn Problem,
+    pub problem: Arc<dyn Problem>,
     /// What figures and checks may name of a case.
     pub measures: Vec<Measure>,
     /// Empty when a block is faulty: then nothing is said of which cases a filter chooses.
@@ -24,12 +25,26 @@ pub(super) struct Scope {
 }
 
 impl Scope {
-    pub fn parameters(&self) -> Vec<&'static str> {
-        self.problem.parameters().iter().map(|p| p.name).collect()
+    pub fn parameters(&self) -> Vec<&str> {
+        self.problem.parameters().iter().map(|p| &*p.name).collect()
     }
 
-    pub fn profiles(&self) -> Vec<&'static str> {
-        self.problem.profiles().iter().map(|p| p.name).collect()
+    pub fn profiles(&self) -> Vec<&str> {
+        self.problem
+            .schema()
+            .profiles
+            .iter()
+            .map(|p| &*p.name)
+            .collect()
+    }
+
+    pub fn later(&self) -> Vec<&str> {
+        self.problem
+            .schema()
+            .later
+            .iter()
+            .map(|name| &**name)
+            .collect()
     }
 
     pub fn metrics(&self) -> Vec<&str> {
@@ -70,7 +85,7 @@ impl Scope {
         }
         let filter = Filter(terms);
         let chooses = |block: &Block| {
-            let mut chosen = block.select_among(MOST_TRIED, self.problem, &filter);
+            let mut chosen = block.select_among(MOST_TRIED, &*self.problem, &filter);
             chosen.next().is_some()
         };
         if self.blocks.is_empty() || self.blocks.iter().any(chooses) {
@@ -136,7 +151,7 @@ impl Scope {
         if levels.is_empty() || wanted.is_one_of(&levels) {
             return None;
         }
-        let parameter = self.problem.parameters()[row].name;
+        let parameter = &self.problem.parameters()[row].name;
         let mut there: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
         if levels.len() > there.len() {
             there.push("...".into());
@@ -169,12 +184,12 @@ impl Scope {
     }
 
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
-        super::cases::select(self.problem, &self.blocks, filter)
+        super::cases::select(&*self.problem, &self.blocks, filter)
     }
 
     /// Whether a parameter follows from others in every block of the cases that a filter chooses.
     pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
-        let chosen = |block: &&Block| block.select(self.problem, filter).next().is_some();
+        let chosen = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
         let mut blocks = self.blocks.iter().filter(chosen);
         blocks.all(|block| block.follows(parameter, from))
     }
@@ -182,7 +197,7 @@ impl Scope {
     /// The different values of a parameter among the cases a filter chooses.
     pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
         let blocks = self.blocks.iter();
-        let levels = blocks.flat_map(|block| block.levels(self.problem, filter, parameter));
+        let levels = blocks.flat_map(|block| block.levels(&*self.problem, filter, parameter));
         super::cases::distinct(levels)
     }
 }

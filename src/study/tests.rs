@@ -6,23 +6,19 @@ use super::place::Texts;
 use super::report::Faults;
 use super::{Axis, Block, Filter, Group, rules, tree};
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Case, Metric, Problem, Quantity, Solution, Violation};
+use crate::problem::schema::{Text, TimeAxis};
+use crate::problem::{Case, Problem, Schema, Solution, Violation};
+use crate::solve::{MetricTable, Unsolvable};
+use crate::system::System;
+use std::borrow::Cow::{self, Borrowed};
+use std::sync::{Arc, LazyLock};
 
 #[derive(Debug)]
 struct Bars;
 
 const fn row(name: &'static str, kind: Kind, default: Default) -> Parameter {
-    Parameter {
-        name,
-        symbol: name,
-        unit: "1",
-        kind,
-        default,
-        applies: None,
-        meaning: "a test",
-    }
+    Parameter::new([name, name, "1"], kind, default, "a test")
 }
 
 static TABLE: [Parameter; 6] = [
@@ -43,62 +39,63 @@ static TABLE: [Parameter; 6] = [
     row(
         "twice_dt",
         Kind::Number(Range::Positive),
-        Default::Follows("twice dt"),
+        Default::Follows(Borrowed("twice dt")),
     ),
     row(
         "right",
         Kind::Choice(&[("bar", "a bar"), ("wall", "a wall")]),
         Default::Is(Value::Name("bar")),
     ),
-    Parameter {
-        applies: Some(("right", "bar")),
-        ..row(
-            "right.L",
-            Kind::Number(Range::Positive),
-            Default::Is(Value::Number(10.0)),
-        )
-    },
+    Parameter::only_for(
+        ["right.L", "right.L", "1"],
+        Kind::Number(Range::Positive),
+        Default::Is(Value::Number(10.0)),
+        ("right", "bar"),
+        "a test",
+    ),
 ];
 
+static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
+    Arc::new(Schema {
+        name: Borrowed("bars"),
+        meaning: Borrowed("a test"),
+        parameters: Borrowed(&TABLE),
+        metrics: Cow::default(),
+        contact_metric: None,
+        channels: Cow::default(),
+        quantities: Cow::default(),
+        profiles: Cow::default(),
+        budgets: Cow::default(),
+        step: 1,
+        duration: 2,
+        time: TimeAxis {
+            column: Borrowed("t"),
+            title: Borrowed("t"),
+            in_pi: false,
+        },
+        place_title: Cow::default(),
+        later: Cow::default(),
+        scales: Cow::default(),
+        units: Cow::default(),
+        alternatives: Cow::default(),
+    })
+});
+
 impl Problem for Bars {
-    fn time_in_pi(&self) -> bool {
-        false
+    fn schema(&self) -> &Arc<Schema> {
+        &SCHEMA
     }
-    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, String> {
+    fn system(&self, _: &Case) -> Result<System, Unsolvable> {
+        Err(Unsolvable::ParameterMissing)
+    }
+    fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         self.solve(case, wanted)
     }
-    fn sweep(&self, _: &Cases, _: &[u32]) -> Found {
-        Found::default()
+    fn sweep(&self, _: &Cases, _: &[u32]) -> MetricTable {
+        MetricTable::default()
     }
     fn exact(&self, _: &Case, _: &[f64]) -> Option<crate::history::History> {
         None
-    }
-    fn name(&self) -> &'static str {
-        "bars"
-    }
-    fn meaning(&self) -> &'static str {
-        "a test"
-    }
-    fn parameters(&self) -> &'static [Parameter] {
-        &TABLE
-    }
-    fn metrics(&self) -> &'static [Metric] {
-        &[]
-    }
-    fn quantities(&self) -> &'static [Quantity] {
-        &[]
-    }
-    fn budgets(&self) -> &'static [crate::problem::Budget] {
-        &[]
-    }
-    fn step(&self) -> &'static str {
-        "dt"
-    }
-    fn time_title(&self) -> &'static str {
-        "t"
-    }
-    fn history_columns(&self) -> [&'static str; 6] {
-        ["t", "r", "rdot", "force", "r_exact", "rdot_exact"]
     }
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         let (Some(dt), Some(duration)) = (case.number("dt"), case.number("duration")) else {
@@ -107,22 +104,22 @@ impl Problem for Bars {
         if case.values[3].is_none() {
             case.values[3] = Some(Value::Number(2.0 * dt));
         }
-        let rule = |parameter, broken: bool, message: String| {
+        let rule = |parameter: Text, broken: bool, message: String| {
             broken.then_some(Violation { parameter, message })
         };
         let late = rule(
-            "dt",
+            "dt".into(),
             dt > duration,
             format!("must be at most duration = {duration}, got {dt}"),
         );
-        let long = rule("duration", duration > 100.0, "is too long".into());
+        let long = rule("duration".into(), duration > 100.0, "is too long".into());
         late.into_iter().chain(long).collect()
     }
     fn steps(&self, _case: &Case) -> u64 {
         0
     }
-    fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, String> {
-        Err("a test".into())
+    fn solve(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        Err(Unsolvable::ParameterMissing)
     }
 }
 
@@ -366,7 +363,7 @@ fn an_expression_is_computed_once_for_each_set_of_what_it_names() {
     );
     let study = super::parse("x.json", &text).unwrap();
     let block = &study.blocks[0];
-    let name = |row: usize| study.problem.parameters()[row].name;
+    let name = |row: usize| &*study.problem.parameters()[row].name;
     let kept = |rule: &super::derived::Rule| rule.table.as_ref().map_or(0, Vec::len);
     let tables: Vec<(&str, usize)> = block
         .derived

@@ -39,7 +39,7 @@ impl Units {
         faults: &mut Faults,
     ) -> Option<Units> {
         let path = "units";
-        if let Some(problem) = problem.filter(|problem| problem.units().is_empty()) {
+        if let Some(problem) = problem.filter(|problem| problem.schema().units.is_empty()) {
             let message = format!(
                 "{} has no units: all its parameters and results are dimensionless",
                 problem.name()
@@ -72,9 +72,9 @@ impl Units {
 
     /// A scaled title or symbol in units: `*F*/*F*_0_` as `*F* (kN)`.
     pub fn title(&self, problem: &dyn Problem, scaled: &str, dimension: Dimension) -> String {
-        let mut known = problem.units().iter();
+        let mut known = problem.schema().units.iter();
         let scale = known.find(|unit| unit.dimension == dimension);
-        let bare = scaled.replacen(scale.map_or("", |scale| scale.over), "", 1);
+        let bare = scaled.replacen(scale.map_or("", |scale| &scale.over), "", 1);
         format!("{bare} ({})", self.of(dimension))
     }
 

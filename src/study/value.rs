@@ -92,7 +92,7 @@ pub(super) fn value(
         }
         Kind::Choice(choices) => {
             let names: Vec<&str> = choices.iter().map(|choice| choice.0).collect();
-            let chosen = name(node, path, parameter.name, &names, faults)?;
+            let chosen = name(node, path, &parameter.name, &names, faults)?;
             Some(Value::Name(choices[chosen].0))
         }
     }
@@ -123,8 +123,8 @@ pub(super) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
     unit(text)?;
     let mut sentence = "a number is written without a unit".to_owned();
     if let Some(parameter) = of {
-        let name = parameter.name;
-        sentence += &match parameter.unit {
+        let name = &parameter.name;
+        sentence += &match &*parameter.unit {
             "1" => format!("; {name} is dimensionless: {}", parameter.meaning),
             unit => format!("; {name} is in {unit}: {}", parameter.meaning),
         };
@@ -137,7 +137,7 @@ fn parameters_in(text: &str) -> Option<String> {
     PROBLEMS.iter().find_map(|problem| {
         let table = problem.parameters();
         let formula = Formula::number(text, table).ok()?;
-        let names: Vec<&str> = formula.uses().iter().map(|row| table[*row].name).collect();
+        let names: Vec<&str> = formula.uses().iter().map(|row| &*table[*row].name).collect();
         (!names.is_empty()).then(|| {
             format!(
                 "names {}; an expression with names of parameters is allowed only as the single value of a \

@@ -10,7 +10,7 @@ use crate::problem::parameter::Parameter;
 pub(super) fn zip(
     node: &Node,
     path: &str,
-    table: &'static [Parameter],
+    table: &[Parameter],
     draft: &mut Draft,
     faults: &mut Faults,
 ) {
@@ -36,7 +36,9 @@ pub(super) fn zip(
             faults.add(group.at, &path, "needs at least two parameters");
             continue;
         }
-        let lens = rows.iter().map(|row| (table[*row].name, draft.count(*row)));
+        let lens = rows
+            .iter()
+            .map(|row| (&*table[*row].name, draft.count(*row)));
         let lens: Vec<(&str, usize)> = lens.collect();
         if lens.iter().any(|(_, len)| *len != lens[0].1) {
             let told = lens.iter().map(|(name, len)| format!("{name} has {len}"));
@@ -56,7 +58,7 @@ pub(super) fn zip(
 fn member(
     node: &Node,
     path: &str,
-    table: &'static [Parameter],
+    table: &[Parameter],
     draft: &Draft,
     rows: &[usize],
     faults: &mut Faults,
@@ -70,7 +72,7 @@ fn member(
         let names: Vec<&str> = draft
             .given
             .iter()
-            .map(|g| table[g.parameter].name)
+            .map(|g| &*table[g.parameter].name)
             .collect();
         return refuse(unknown("parameter", &name, &names));
     };

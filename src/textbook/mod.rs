@@ -3,11 +3,12 @@
 //! This is what a reader of the papers looks for, and what the modal form is tested against. It decides no result:
 //! its iteration can cycle, and then it says so.
 
-pub mod bars;
-pub mod element;
+mod bars;
 mod solve;
 
-use element::Element;
+pub use bars::{assemble, assemble_bars};
+
+use crate::contact::element::Element;
 use nalgebra::{DMatrix, DVector};
 use solve::solve;
 
@@ -135,14 +136,25 @@ impl<E: Element> Newmark<E> {
         Err(Cycle { step: self.step })
     }
 
+    /// The structure.
+    pub fn assembly(&self) -> &Assembly {
+        &self.assembly
+    }
+
     fn relative(&self, u: &DVector<f64>, v: &DVector<f64>) -> (f64, f64) {
-        let at = |x: &DVector<f64>, node: Option<usize>| node.map_or(0.0, |i| x[i]);
-        let [i, j] = self.assembly.nodes;
-        (at(u, j) - at(u, i) + self.assembly.gap, at(v, j) - at(v, i))
+        let relative = |x| self.assembly.relative(x);
+        (relative(u) + self.assembly.gap, relative(v))
     }
 }
 
 impl Assembly {
+    /// Displacement or velocity of J relative to I.
+    pub fn relative(&self, x: &DVector<f64>) -> f64 {
+        let at = |node: Option<usize>| node.map_or(0.0, |i| x[i]);
+        let [i, j] = self.nodes;
+        at(j) - at(i)
+    }
+
     /// F^C = {F_I, F_J} = {-S, S} over the degrees of freedom [F (6), I (4)].
     fn spread(&self, s: f64) -> DVector<f64> {
         let mut f = DVector::zeros(self.mass.nrows());

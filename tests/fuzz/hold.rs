@@ -107,7 +107,7 @@ fn listed(study: &Study, chance: &mut Chance) {
 
 /// Solves a case if it is short; `solve` and `sweep` give it the same metrics.
 fn solved(study: &Study, case: &Case, violations: &[Violation]) -> bool {
-    let problem = study.problem;
+    let problem = &study.problem;
     if !violations.is_empty() {
         assert!(violations.iter().all(|v| !v.message.is_empty()));
         return false;
@@ -129,7 +129,7 @@ fn solved(study: &Study, case: &Case, violations: &[Violation]) -> bool {
         solution.metrics
     );
     if !study.once {
-        let mut cases = Cases::new(problem.parameters());
+        let mut cases = Cases::new(problem.schema());
         cases.push(case);
         let found = problem.sweep(&cases, &[0]);
         for (swept, solved) in found.row(0).zip(&solution.metrics) {
@@ -163,9 +163,8 @@ fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
     let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
     let chosen: Vec<&Outcome> = chosen.collect();
     let snapshots = |outcome: &&Outcome| {
-        let (problem, case) = (study.problem, &outcome.case);
-        let duration = case.number("duration").unwrap_or(0.0);
-        let times = figure.kind.snapshot_times(duration, problem.steps(case));
+        let (problem, case) = (&study.problem, &outcome.case);
+        let times = figure.kind.snapshot_times(&**problem, case);
         match outcome.failure {
             None if !times.is_empty() => problem.snapshots(case, &times),
             _ => Vec::new(),

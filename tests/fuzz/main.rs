@@ -29,8 +29,8 @@ fn shipped() -> Vec<String> {
     let texts = files
         .into_iter()
         .filter_map(|entry| fs::read_to_string(entry.ok()?.path()).ok());
-    let starts =
-        slipgap::problem::PROBLEMS.map(|problem| slipgap::study::start(problem).to_owned());
+    let problems = slipgap::problem::PROBLEMS.iter();
+    let starts = problems.map(|problem| slipgap::study::start(&**problem).to_owned());
     texts.chain(starts).collect()
 }
 

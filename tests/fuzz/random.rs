@@ -7,31 +7,31 @@ use slipgap::problem::{PROBLEMS, Problem};
 
 /// The text of a study.
 pub fn study(chance: &mut Chance) -> String {
-    let problem = PROBLEMS[chance.below(PROBLEMS.len())];
+    let problem = &PROBLEMS[chance.below(PROBLEMS.len())];
     let mut keys = vec![
         format!("\"problem\": \"{}\"", problem.name()),
         match chance.below(4) {
             0 => format!(
                 "\"blocks\": [{}, {}]",
-                braced(block(problem, chance)),
-                braced(block(problem, chance))
+                braced(block(&**problem, chance)),
+                braced(block(&**problem, chance))
             ),
-            _ => block(problem, chance).join(", "),
+            _ => block(&**problem, chance).join(", "),
         },
     ];
     let some = |count: usize| 0..count;
     if chance.once_in(3) {
-        let metrics = some(2).map(|_| quoted(metric(problem, chance)));
+        let metrics = some(2).map(|_| quoted(metric(&**problem, chance)));
         keys.push(format!(
             "\"metrics\": [{}]",
             metrics.collect::<Vec<_>>().join(", ")
         ));
     }
     let count = [0, 1, 1, 2][chance.below(4)];
-    let figures: Vec<String> = some(count).map(|i| figure(problem, i, chance)).collect();
+    let figures: Vec<String> = some(count).map(|i| figure(&**problem, i, chance)).collect();
     keys.push(format!("\"figures\": [{}]", figures.join(", ")));
     if chance.once_in(4) {
-        let (metric, limit) = (metric(problem, chance), number(chance));
+        let (metric, limit) = (metric(&**problem, chance), number(chance));
         keys.push(format!(
             "\"checks\": [{{\"metric\": \"{metric}\", \"max\": {limit}}}]"
         ));
@@ -50,14 +50,14 @@ fn quoted(text: &str) -> String {
     format!("\"{text}\"")
 }
 
-fn metric(problem: &dyn Problem, chance: &mut Chance) -> &'static str {
+fn metric<'a>(problem: &'a dyn Problem, chance: &mut Chance) -> &'a str {
     let table = problem.metrics();
-    table[chance.below(table.len())].name
+    &table[chance.below(table.len())].name
 }
 
-fn parameter(problem: &dyn Problem, chance: &mut Chance) -> &'static str {
+fn parameter<'a>(problem: &'a dyn Problem, chance: &mut Chance) -> &'a str {
     let table = problem.parameters();
-    table[chance.below(table.len())].name
+    &table[chance.below(table.len())].name
 }
 
 /// The keys of a block: parameters, and sometimes `design`, `when` or `zip`.
@@ -66,7 +66,7 @@ fn block(problem: &dyn Problem, chance: &mut Chance) -> Vec<String> {
     let mut right: Vec<String> = Vec::new();
     let mut sampled = false;
     for row in problem.parameters() {
-        let likely = match (row.name, row.default) {
+        let likely = match (&*row.name, &row.default) {
             // Of these two one is given, and the other follows.
             ("k_I", _) => chance.once_in(20),
             ("gamma", _) => !chance.once_in(20),
@@ -74,7 +74,7 @@ fn block(problem: &dyn Problem, chance: &mut Chance) -> Vec<String> {
             _ => chance.once_in(5),
         };
         // One law for all cases: its own width goes with it.
-        let wanted = match row.name {
+        let wanted = match &*row.name {
             "beta" => chance.once_in(20),
             _ => likely,
         };
@@ -125,7 +125,7 @@ fn value(row: &Parameter, sampled: &mut bool, chance: &mut Chance) -> String {
     if chance.once_in(60) {
         return quoted(chance.of(&STRINGS));
     }
-    let ends = match row.name {
+    let ends = match &*row.name {
         "n" | "right.n" => (1.0, 6.0),
         "dt" | "dT" => (0.05, 0.5),
         "duration" => (0.6, 7.0),
@@ -194,7 +194,7 @@ fn figure(problem: &dyn Problem, index: usize, chance: &mut Chance) -> String {
     let mut add = |key: &str, value: String| keys.push(format!("\"{key}\": {value}"));
     match kind {
         "profile" => add("times", format!("[0, {}]", chance.between(0.0, 0.6))),
-        "metric" | "budget" if chance.once_in(2) => add("x", quoted(problem.step())),
+        "metric" | "budget" if chance.once_in(2) => add("x", quoted(problem.schema().step_name())),
         "metric" | "budget" => add("x", quoted(parameter(problem, chance))),
         "map" => {
             add("x", quoted(parameter(problem, chance)));

@@ -136,7 +136,7 @@ fn cases_without_contact_or_solution_are_counted() {
     let page_of = |outcomes: &[Outcome]| page(&study, BARS, outcomes, usize::MAX);
     let touching = page_of(&outcomes);
     assert!(!touching.contains("have no contact") && !touching.contains("could not be solved"));
-    let name = |metric: &usize| study.problem.metrics()[*metric].name;
+    let name = |metric: &usize| &study.problem.metrics()[*metric].name;
     let overlap = *study
         .metrics
         .iter()

@@ -22,7 +22,7 @@ use super::whole::{sweep, whole};
 use crate::compare::Rows;
 use crate::error::Error;
 use crate::problem::cases::Cases;
-use crate::problem::found::Found;
+use crate::solve::MetricTable;
 use crate::study::Study;
 use caught::caught;
 use parquet::errors::ParquetError;
@@ -106,7 +106,7 @@ impl Store {
         start: u64,
         key: &Key,
         cases: usize,
-    ) -> Result<Found, Option<String>> {
+    ) -> Result<MetricTable, Option<String>> {
         let mut why = None;
         for path in self.parts.get(&start).into_iter().flatten() {
             let whole = whole_part(path);
@@ -148,7 +148,7 @@ impl Store {
         start: u64,
         key: &Key,
         cases: (u64, &Cases),
-        found: &Found,
+        found: &MetricTable,
     ) -> Result<(), Error> {
         let bytes = writing::written(study, key, cases, found, &self.uniform)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
@@ -200,12 +200,12 @@ impl Store {
 pub struct Former {
     /// Part and row by the identity of the parameters.
     rows: HashMap<u128, (usize, usize)>,
-    found: Vec<Found>,
+    found: Vec<MetricTable>,
 }
 
 impl Former {
     /// What was found of the case with this identity.
-    pub fn get(&self, identity: u128) -> Option<(&Found, usize)> {
+    pub fn get(&self, identity: u128) -> Option<(&MetricTable, usize)> {
         let (part, row) = self.rows.get(&identity)?;
         Some((&self.found[*part], *row))
     }

@@ -10,8 +10,8 @@ use super::{FAILURE, general};
 use crate::batch::chunk::MOST_ROWS;
 use crate::batch::key::{Key, identity};
 use crate::compare::Rows;
-use crate::problem::found::Found;
 use crate::problem::parameter::{Kind, Parameter, Value, shortest};
+use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 
 /// What was found of the cases of a part, as many as there are; or what differs from its key.
@@ -20,7 +20,7 @@ pub fn read(
     bytes: Vec<u8>,
     key: &Key,
     cases: usize,
-) -> Result<std::result::Result<Found, &'static str>> {
+) -> Result<std::result::Result<MetricTable, &'static str>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     if let Some(change) = key.change(&kept(&file)) {
         return Ok(Err(change));
@@ -34,7 +34,11 @@ pub fn read(
 
 /// What was found of the cases of a former part, each with the identity of its parameters; none where results of that
 /// part cannot serve.
-pub fn former(study: &Study, bytes: Vec<u8>, key: &Key) -> Result<Option<(Vec<u128>, Found)>> {
+pub fn former(
+    study: &Study,
+    bytes: Vec<u8>,
+    key: &Key,
+) -> Result<Option<(Vec<u128>, MetricTable)>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     if !key.same_way(&kept(&file)) {
         return Ok(None);
@@ -58,7 +62,7 @@ fn values(
     file: &SerializedFileReader<Bytes>,
     count: usize,
 ) -> Result<Vec<Option<Value>>> {
-    let place = place(file, parameter.name)?;
+    let place = place(file, &parameter.name)?;
     let other = || general("a parameter has the wrong type");
     Ok(
         match (
@@ -117,12 +121,12 @@ fn place(file: &SerializedFileReader<Bytes>, name: &str) -> Result<usize> {
 }
 
 /// What was found of the cases of a part.
-fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Result<Found> {
+fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Result<MetricTable> {
     let group = file.get_row_group(0)?;
     let table = study.problem.metrics();
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
-        let place = place(file, table[metric].name)?;
+        let place = place(file, &table[metric].name)?;
         let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
             return Err(general("a metric is not a number"));
         };
@@ -134,14 +138,17 @@ fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Res
         return Err(general("a reason is not text"));
     };
     let failures = cells(reader, count)?;
-    let (mut found, mut row) = (Found::new(failures.len(), width), vec![f64::NAN; width]);
+    let (mut found, mut row) = (
+        MetricTable::new(failures.len(), width),
+        vec![f64::NAN; width],
+    );
     for (case, why) in failures.into_iter().enumerate() {
         for (metric, column) in &columns {
             row[*metric] = column.get(case).copied().flatten().unwrap_or(f64::NAN);
         }
         found.set(case, row.iter().copied());
         if let Some(why) = why {
-            found.fail(case, why.as_utf8()?.to_owned());
+            found.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
         }
     }
     Ok(found)

@@ -1,5 +1,6 @@
 use super::*;
 use crate::batch::chunk::parts;
+use crate::solve::Unsolvable;
 use crate::study::parse;
 
 /// A study with numbers, names, an axis, and a case that has no solution.
@@ -10,15 +11,15 @@ fn study() -> Study {
 }
 
 /// The only part of the study, with its key, its cases and numbers that could be results.
-fn part(study: &Study) -> (Key, Cases, Found) {
+fn part(study: &Study) -> (Key, Cases, MetricTable) {
     let part = parts(study, 0).pop().unwrap();
     let cases = part.cases();
     let width = study.problem.metrics().len();
-    let mut found = Found::new(cases.len(), width);
+    let mut found = MetricTable::new(cases.len(), width);
     for case in 0..cases.len() {
         found.set(case, (0..width).map(|metric| 1.0 / (case + metric) as f64));
     }
-    found.fail(3, "no solution".into());
+    found.fail(3, Unsolvable::Stored("no solution".into()));
     (Key::new(study, 0, &cases), cases, found)
 }
 
@@ -46,7 +47,7 @@ fn results_of_another_solver_do_not_serve() {
     assert_eq!(told.unwrap(), "computed by another version of the solver");
     let same = store.find(&study, 0, &other, cases.len()).unwrap();
     for metric in &study.metrics {
-        let bits = |found: &Found| {
+        let bits = |found: &MetricTable| {
             found
                 .column(*metric)
                 .map(|x| x.map(f64::to_bits))
@@ -55,7 +56,8 @@ fn results_of_another_solver_do_not_serve() {
         // A case without a solution has no metrics, and those that were not asked for are not kept.
         assert_eq!(bits(&same), bits(&found));
     }
-    assert_eq!(same.failures().collect::<Vec<_>>(), [(3, "no solution")]);
+    let why = Unsolvable::Stored("no solution".into());
+    assert_eq!(same.failures().collect::<Vec<_>>(), [(3, &why)]);
 }
 
 /// Numbers that look random, after Steele et al. (2014).

@@ -20,8 +20,8 @@ use super::uniform::{Made, Uniform};
 use super::{FAILURE, general};
 use crate::batch::key::Key;
 use crate::problem::cases::{Cases, Column};
-use crate::problem::found::Found;
 use crate::problem::parameter::{Kind, Value};
+use crate::solve::MetricTable;
 use crate::study::Study;
 
 /// Bytes of the different values of a column from which on it has no dictionary.
@@ -32,7 +32,7 @@ pub fn written(
     study: &Study,
     key: &Key,
     (first, cases): (u64, &Cases),
-    found: &Found,
+    found: &MetricTable,
     uniform: &Uniform,
 ) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
@@ -63,7 +63,7 @@ pub fn written(
         let values = found.column(metric);
         put(&mut rows, |writer| fill::<DoubleType>(writer, len, values))?;
     }
-    let why = |case| Some(ByteArray::from(found.failure(case)?));
+    let why = |case| Some(ByteArray::from(found.failure(case)?.to_string().as_str()));
     let reasons = (0..len).map(why);
     put(&mut rows, |writer| {
         fill::<ByteArrayType>(writer, len, reasons)
@@ -88,7 +88,7 @@ fn properties(study: &Study, key: &Key) -> WriterProperties {
         .set_column_dictionary_enabled(ColumnPath::from("case"), false)
         .set_column_encoding(ColumnPath::from("case"), Encoding::DELTA_BINARY_PACKED);
     for &metric in &study.metrics {
-        let path = || ColumnPath::from(study.problem.metrics()[metric].name);
+        let path = || ColumnPath::from(&*study.problem.metrics()[metric].name);
         properties = properties
             .set_column_dictionary_enabled(path(), false)
             .set_column_compression(path(), Compression::UNCOMPRESSED);
@@ -182,11 +182,11 @@ fn schema(study: &Study) -> Result<Type> {
             Kind::Whole { .. } => Physical::INT64,
             Kind::Choice(_) => Physical::BYTE_ARRAY,
         };
-        fields.push(column(parameter.name, physical)?);
+        fields.push(column(&parameter.name, physical)?);
     }
     for &metric in &study.metrics {
         fields.push(column(
-            study.problem.metrics()[metric].name,
+            &study.problem.metrics()[metric].name,
             Physical::DOUBLE,
         )?);
     }
@@ -199,9 +199,9 @@ fn schema(study: &Study) -> Result<Type> {
 /// The part's key, and unit and meaning of every column.
 fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
     let parameters = study.problem.parameters().iter();
-    let parameters = parameters.map(|p| (p.name, p.unit, p.meaning));
+    let parameters = parameters.map(|p| (&*p.name, &*p.unit, &*p.meaning));
     let metrics = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
-    let metrics = metrics.map(|m| (m.name, m.unit, m.meaning));
+    let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning));
     let own = [
         ("case", "1", "number of the case, from 0"),
         (FAILURE, "", "why the case could not be solved"),

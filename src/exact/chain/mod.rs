@@ -12,8 +12,8 @@ mod modes;
 mod search;
 
 use super::wave::State;
-use crate::structure::Mode;
-use crate::structure::bar::Bar;
+use crate::system::Mode;
+use crate::system::bar::Bar;
 use modes::{Basis, Contact};
 use search::{Found, Search};
 
@@ -122,7 +122,7 @@ impl Chain {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::structure::bar::Mass;
+    use crate::system::bar::Mass;
     use std::f64::consts::PI;
 
     fn bar(n: u32) -> Bar {

@@ -9,7 +9,7 @@
 //!
 //! one above each omega_k^2, and mode i has in q_k the component K psi_i a_k/(lambda_i - omega_k^2), psi_i its share in r.
 
-use crate::structure::Mode;
+use crate::system::Mode;
 use libm::sqrt;
 
 /// Normal coordinates with frequency omega_k and share in r.

@@ -240,19 +240,19 @@ impl Wave {
 
     /// The contact at these times, at a jump its right-hand limit.
     pub fn history(&self, times: &[f64]) -> History {
-        let mut history = History::with_capacity(times.len());
+        let mut history = History::of_contact(times.len());
         for &t in times {
             let state = self.at(t);
-            history.push(t, state.displacement, state.velocity, state.force);
+            history.push(t, [state.displacement, state.velocity, state.force]);
         }
         history
     }
 
     /// The contact as a line to draw: at these times, rising, and on both sides of every jump between them.
     pub fn line(&self, times: &[f64]) -> History {
-        let mut line = History::with_capacity(times.len() + 2 * self.pieces.len());
+        let mut line = History::of_contact(times.len() + 2 * self.pieces.len());
         let mut push = |t: f64, state: State| {
-            line.push(t, state.displacement, state.velocity, state.force);
+            line.push(t, [state.displacement, state.velocity, state.force]);
         };
         let mut pieces = self.pieces.iter().peekable();
         for &t in times {
@@ -420,7 +420,7 @@ mod tests {
         for jump in [0.25, 1.25] {
             let at: Vec<f64> = (0..line.len())
                 .filter(|&i| line.time[i] == jump)
-                .map(|i| line.velocity[i])
+                .map(|i| line.velocity()[i])
                 .collect();
             assert_eq!(
                 at[..2],

@@ -156,7 +156,7 @@ mod tests {
         for name in ["friction-oscillator", "bar-impact"] {
             for parameter in problem::find(name).unwrap().parameters() {
                 for ridge in [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne] {
-                    let label = label(ridge, parameter.symbol);
+                    let label = label(ridge, &parameter.symbol);
                     assert!(text::width(&label, style::LABEL) < room, "{label}");
                 }
             }

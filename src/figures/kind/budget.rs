@@ -29,8 +29,10 @@ impl Draw for Budget {
                 .collect(),
             None => vec![None],
         };
-        let budgets: Vec<&problem::Budget> =
-            y.iter().map(|row| &study.problem.budgets()[*row]).collect();
+        let budgets: Vec<&problem::Budget> = y
+            .iter()
+            .map(|row| &study.problem.schema().budgets[*row])
+            .collect();
         let member = |shown: &&DrawnCase, group: &Option<Value>| {
             panels.is_none_or(|row| label::same(shown.case.values[row], *group))
         };
@@ -50,14 +52,14 @@ impl Draw for Budget {
             let own = content.iter().filter(|(b, ..)| b.name == budget.name);
             let series = own.flat_map(|(_, _, series)| series);
             let heights = limits::heights(limits::points(series), x_range).into_iter();
-            limits::axis(budget.title, heights, Scale::Log, y_range, height / 24.0)
+            limits::axis(&budget.title, heights, Scale::Log, y_range, height / 24.0)
         };
         let axes: Vec<Axis> = budgets.iter().map(|budget| axis_of(budget)).collect();
         let usual = [1.2 * style::SINGLE, 1.5 * style::SINGLE, style::DOUBLE][columns - 1];
         let width = figure.width.unwrap_or(usual);
         let grid = layout::grid(width, columns, &vec![height; rows], &axes, 6.0);
         let at = cases.iter().filter_map(|c| c.case.values[*x]?.as_f64());
-        let title = parameters[*x].symbol;
+        let title = &parameters[*x].symbol;
         let across = limits::axis(title, at, Scale::Log, x_range, grid.width / 40.0);
 
         let mut sheet = Sheet {
@@ -147,7 +149,7 @@ fn curves(budget: &problem::Budget, members: &[&DrawnCase], x: usize) -> Vec<Ser
         .map(|(index, (name, metric))| {
             let points = of(*metric);
             Series {
-                label: (*name).to_owned(),
+                label: (*name).to_string(),
                 marked: (0..points.len()).collect(),
                 points,
                 stroke: Stroke::of_case(index),

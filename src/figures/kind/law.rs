@@ -1,6 +1,7 @@
 //! The friction laws as [F] Fig. 3 draws them, over the rigid law of [F] Fig. 2: force over slip and over velocity.
 
 use super::Draw;
+use crate::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
@@ -127,10 +128,12 @@ impl Model {
         }
     }
 
-    fn curve(self, width: f64, reach: f64) -> Curve {
+    /// The curve of this elastic width, between -`reach` and `reach`; width 0 is the rigid law.
+    fn curve(self, width: f64, reach: f64) -> Cycle {
+        let (compliance, limit) = (width, 1.0);
         match self {
-            Model::DisplacementControl => displacement(width, reach),
-            Model::VelocityControl => velocity(width, reach),
+            Model::DisplacementControl => DisplacementControl { compliance, limit }.cycle(reach),
+            Model::VelocityControl => VelocityControl { compliance, limit }.cycle(reach),
         }
     }
 
@@ -165,42 +168,6 @@ fn widths(model: Model, study: &Study, cases: &[DrawnCase]) -> Vec<(f64, String)
     let mut widths: Vec<_> = values.filter_map(labelled).collect();
     widths.sort_by(|a, b| a.0.total_cmp(&b.0));
     widths
-}
-
-/// A curve of a law: its points, and the indices of those with a marker.
-type Curve = (Vec<[f64; 2]>, Vec<usize>);
-
-/// S over r from rest through a whole cycle of slip between -`reach` and `reach` [F (9)]; width 0 is the rigid law.
-fn displacement(width: f64, reach: f64) -> Curve {
-    let unloading = |t: f64| [reach - 2.0 * width * t, 1.0 - 2.0 * t];
-    let loading = |t: f64| [2.0 * width * t - reach, 2.0 * t - 1.0];
-    let points = vec![
-        [0.0, 0.0],
-        [width, 1.0],
-        unloading(0.0),
-        unloading(0.3),
-        unloading(0.7),
-        unloading(1.0),
-        loading(0.0),
-        loading(0.3),
-        loading(0.7),
-        loading(1.0),
-        [width, 1.0],
-    ];
-    (points, vec![3, 4, 7, 8])
-}
-
-/// S over rdot [F (16)]; width 0 is the rigid law.
-fn velocity(width: f64, reach: f64) -> Curve {
-    let points = vec![
-        [-1.1 * reach, -1.0],
-        [-width, -1.0],
-        [-0.6 * width, -0.6],
-        [0.6 * width, 0.6],
-        [width, 1.0],
-        [1.1 * reach, 1.0],
-    ];
-    (points, vec![2, 3])
 }
 
 /// A dimension line from the origin to `reach` at height `to`, with thin lines from the height `from` and a label beyond.

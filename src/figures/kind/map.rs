@@ -62,7 +62,7 @@ impl Draw for Map {
             // Contours reach from the first place to the last, cells half-way beyond them.
             let ends = if contoured { places } else { edges };
             let range = [ends[0], ends[ends.len() - 1]];
-            let title = parameters[row].symbol.to_owned();
+            let title = parameters[row].symbol.to_string();
             match scale {
                 Scale::Linear => ticks::linear(&title, range, most),
                 Scale::Log => ticks::log_range(&title, range, most),
@@ -95,7 +95,7 @@ impl Draw for Map {
             };
             let along = ridge.map(|which| {
                 let [xs, ys] = values.places.each_ref().map(Vec::as_slice);
-                let label = ridge::label(which, parameters[*x].symbol);
+                let label = ridge::label(which, &parameters[*x].symbol);
                 ridge::line(&panel, [xs, ys], &ridge::rows(&values, which), label)
             });
             let along = along.filter(|line| !line.points.is_empty());
@@ -146,7 +146,7 @@ impl Draw for Map {
             let at = panel.place([x?, y?]);
             let value = shown.metrics.get(self.z).copied().flatten();
             let value = value.map_or("undefined".into(), number::plain_text);
-            let [across, up] = [self.x, self.y].map(|row| plain(parameters[row].symbol));
+            let [across, up] = [self.x, self.y].map(|row| plain(&parameters[row].symbol));
             let (x, y) = (number::plain_text(x?), number::plain_text(y?));
             let text = format!("{across} = {x}, {up} = {y}: {symbol} = {value}");
             panel.frame.contains(at).then_some(Point { at, text })

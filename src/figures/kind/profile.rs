@@ -21,7 +21,7 @@ const MARKERS: usize = 12;
 impl Draw for Profile {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
         let Profile { y, times } = self;
-        let problem = study.problem;
+        let problem = &*study.problem;
         let width = figure.width.unwrap_or(style::DOUBLE);
         let [x_range, y_range] = figure.ranges;
         let solved = cases.iter().copied();
@@ -41,7 +41,7 @@ impl Draw for Profile {
         let along = |k: usize| limits::points(panels.iter().flat_map(move |row| &row[k]));
         let axes: Vec<Axis> = (0..y.len())
             .map(|k| {
-                let title = problem.profiles()[y[k]].title;
+                let title = &problem.schema().profiles[y[k]].title;
                 let heights = limits::heights(along(k), x_range).into_iter();
                 limits::axis(title, heights, Scale::Linear, y_range, height / 17.0)
             })
@@ -57,7 +57,7 @@ impl Draw for Profile {
         };
         let places = (0..y.len()).flat_map(along).map(|point| point[0]);
         let most = grids.first().map_or(1.0, |grid| grid.width / 32.0);
-        let title = problem.place_title();
+        let title = &problem.schema().place_title;
         let place = limits::axis(title, places, Scale::Linear, x_range, most);
         let ends = ends(drawn);
 
@@ -182,7 +182,7 @@ fn moment(study: &Study, cases: &[DrawnCase], row: usize) -> String {
     let mut times: Vec<f64> = cases.iter().map(|c| c.snapshots[row].time).collect();
     times.sort_by(f64::total_cmp);
     times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
-    let title = study.problem.time_title();
+    let title = &study.problem.schema().time.title;
     let symbol = title.strip_prefix("Time ").unwrap_or(title);
     let digits = number::digits(times.iter().copied());
     let times: Vec<String> = times

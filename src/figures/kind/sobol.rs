@@ -59,7 +59,7 @@ impl Draw for Sobol {
         let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
         let tick = |(i, row): (usize, &usize)| Tick {
             at: i as f64,
-            label: study.problem.parameters()[*row].symbol.to_owned(),
+            label: study.problem.parameters()[*row].symbol.to_string(),
         };
         let across = Axis {
             title: String::new(),

@@ -42,7 +42,7 @@ impl Draw for Wave {
         let panels = [("computed", cells(computed)), ("exact", cells(exact))];
 
         let all = panels.iter().flat_map(|panel| &panel.1);
-        let title = study.problem.profiles()[y].title;
+        let title = &study.problem.schema().profiles[y].title;
         let colours = bar::axis(title, all.clone().map(|cell| cell.value), Scale::Linear);
         let [left, right] = all.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
             [a.min(cell.x[0]), b.max(cell.x[1])]
@@ -57,13 +57,21 @@ impl Draw for Wave {
             .copied()
             .filter(|end| *end > 0.0)
             .unwrap_or(1.0);
-        let time = ticks::linear(study.problem.time_title(), [0.0, end], HEIGHT / 28.0);
+        let time = ticks::linear(
+            &study.problem.schema().time.title,
+            [0.0, end],
+            HEIGHT / 28.0,
+        );
         let width = figure.width.unwrap_or(style::DOUBLE);
         let axis = std::slice::from_ref(&time);
         let columns = layout::side_by_side(2, figure.width);
         let heights = vec![HEIGHT; 2 / columns];
         let grid = layout::grid(width, columns, &heights, axis, bar::room(&colours));
-        let place = ticks::linear(study.problem.place_title(), across, grid.width / 32.0);
+        let place = ticks::linear(
+            &study.problem.schema().place_title,
+            across,
+            grid.width / 32.0,
+        );
         let mut sheet = Sheet {
             width,
             ..Sheet::default()

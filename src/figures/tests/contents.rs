@@ -19,7 +19,7 @@ fn drawn(study: &Study, value: impl Fn(&Case, &str) -> Option<f64>) -> Sheet {
     let cases: Vec<Case> = study.cases().filter(|c| figure.filter.matches(c)).collect();
     let row = |case: &Case| -> Vec<Option<f64>> {
         let table = study.problem.metrics().iter();
-        table.map(|metric| value(case, metric.name)).collect()
+        table.map(|metric| value(case, &metric.name)).collect()
     };
     let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
     let shown: Vec<DrawnCase> = cases
@@ -173,7 +173,7 @@ fn a_sobol_figure_has_first_order_left_and_total_right_of_each_parameter() {
     let labels: Vec<_> = panel.x.ticks.iter().map(|t| t.label.as_str()).collect();
     assert_eq!(labels.len(), 2);
     let table = study.problem.parameters();
-    let symbol = |name: &str| table.iter().find(|p| p.name == name).unwrap().symbol;
+    let symbol = |name: &str| &table.iter().find(|p| p.name == name).unwrap().symbol;
     assert_eq!(labels, [symbol("gamma"), symbol("gap")]);
     // The metric that is nowhere defined has no bars, and the panel says so.
     let bare = &sheet.panels[1];

@@ -22,13 +22,13 @@ fn bars() -> Study {
 
 /// The sheet of one of the figures, with the snapshots of its cases.
 fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
-    let (problem, figure) = (study.problem, &study.figures[figure]);
+    let (problem, figure) = (&study.problem, &study.figures[figure]);
     let cases: Vec<_> = study.cases().filter(|c| figure.filter.matches(c)).collect();
     let solutions: Vec<_> = cases
         .iter()
         .map(|c| problem.solve(c, &[]).unwrap())
         .collect();
-    let times = figure.kind.snapshot_times(1.0, problem.steps(&cases[0]));
+    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
     let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
     let shown: Vec<DrawnCase> = (0..cases.len())
         .map(|i| DrawnCase {

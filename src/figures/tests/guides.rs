@@ -12,13 +12,13 @@ fn drawn(problem: &str, parameters: &str, figure: &str) -> Sheet {
         r#"{{"problem": "{problem}", "parameters": {{{parameters}}}, "figures": [{{"name": "f", {figure}}}]}}"#
     );
     let study = study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
-    let (problem, figure) = (study.problem, &study.figures[0]);
+    let (problem, figure) = (&study.problem, &study.figures[0]);
     let cases: Vec<_> = study.cases().collect();
     let solutions: Vec<_> = cases
         .iter()
         .map(|case| problem.solve(case, &[]).unwrap())
         .collect();
-    let times = figure.kind.snapshot_times(1.0, problem.steps(&cases[0]));
+    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
     let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
     let shown: Vec<DrawnCase> = (0..cases.len())
         .map(|i| DrawnCase {

@@ -31,9 +31,9 @@ pub(super) struct Run {
 pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
     let problem = problem::find("friction-oscillator").unwrap();
     let case = |(alpha, step, x0): &(f64, f64, f64)| {
-        let mut case = Case::new(problem.parameters());
+        let mut case = Case::new(problem.schema());
         for (slot, parameter) in case.values.iter_mut().zip(problem.parameters()) {
-            *slot = match parameter.name {
+            *slot = match &*parameter.name {
                 "law" => Some(Value::Name("displacement-control")),
                 "alpha" => Some(Value::Number(*alpha)),
                 "dT" => Some(Value::Number(*step)),
@@ -58,10 +58,10 @@ pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
         title: "a test".into(),
         settings: Vec::new(),
         sha256: String::new(),
-        problem,
+        problem: problem.clone(),
         blocks: Vec::new(),
         units: None,
-        measures: crate::study::measures(problem, None),
+        measures: crate::study::measures(&*problem, None),
         metrics: Vec::new(),
         columns: Vec::new(),
         figures: Vec::new(),
@@ -137,9 +137,12 @@ fn a_history_shows_what_was_computed() {
         let (curve, miss) = (&response.series[i + 1], &error.series[i]);
         assert_eq!((curve.points.len(), miss.points.len()), (81, 81));
         for k in 0..81 {
-            let (time, x) = (solution.computed.time[k], solution.computed.displacement[k]);
+            let (time, x) = (
+                solution.computed.time[k],
+                solution.computed.displacement()[k],
+            );
             assert_eq!(curve.points[k], [time, x]);
-            assert_eq!(miss.points[k], [time, x - solution.exact.displacement[k]]);
+            assert_eq!(miss.points[k], [time, x - solution.exact.displacement()[k]]);
         }
         assert_eq!(curve.stroke, Stroke::of_case(i));
         assert_eq!(curve.marker, Some(Marker::of_case(i)));

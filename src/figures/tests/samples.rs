@@ -41,7 +41,7 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>) {
             "max_error" => Some(2.0 * number(case, "dT")),
             _ => None,
         };
-        table.iter().map(|metric| value(metric.name)).collect()
+        table.iter().map(|metric| value(&metric.name)).collect()
     };
     let metrics: Vec<_> = cases.iter().map(row).collect();
     let shown = cases.iter().zip(&metrics).map(|(case, metrics)| DrawnCase {

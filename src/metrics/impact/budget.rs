@@ -18,11 +18,11 @@ pub fn budget(
 ) -> [Option<f64>; 12] {
     let of_r = parts(
         0,
-        [&spring.displacement, &chain.displacement],
+        [spring.displacement(), chain.displacement()],
         &c.displacement,
         exact,
     );
-    let of_rdot = parts(1, [&spring.velocity, &chain.velocity], &c.velocity, exact);
+    let of_rdot = parts(1, [spring.velocity(), chain.velocity()], &c.velocity, exact);
     let both = std::array::from_fn(|row| if row % 2 == 0 { of_r } else { of_rdot }[row / 2]);
     both.map(|x: f64| Some(x).filter(|x| x.is_finite()))
 }

@@ -1,10 +1,12 @@
-//! What the contact of bars does over time, for cases side by side.
+//! The contact of bars over time, for cases side by side.
 
 use crate::history::History;
 use crate::lane::Lane;
+use crate::methods::ContactState;
+use crate::solve;
 
 /// The contact of L cases at the steps 0..=N, in the problem's scales.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Track<const L: usize> {
     /// r/(c T_I/2).
     pub displacement: Vec<Lane<L>>,
@@ -12,80 +14,65 @@ pub struct Track<const L: usize> {
     pub velocity: Vec<Lane<L>>,
     /// F/F0.
     pub force: Vec<Lane<L>>,
-    /// Energy, with the spring, in the frame of the common mass centre.
-    pub energy: Vec<Lane<L>>,
-    /// Relative velocity of the mass centres at the end over c.
-    pub restitution: Lane<L>,
 }
 
-/// r, rdot, force and energy of one step.
-pub type Row<'a, const L: usize> = [&'a mut Lane<L>; 4];
+impl<const L: usize> Track<L> {
+    #[inline(always)]
+    fn columns(&mut self) -> [&mut Vec<Lane<L>>; 3] {
+        [&mut self.displacement, &mut self.velocity, &mut self.force]
+    }
 
-impl<const L: usize> Default for Track<L> {
-    fn default() -> Self {
+    /// The first `len` steps of one lane.
+    pub fn lane(&self, l: usize, len: usize) -> Track<1> {
+        let own = |of: &[Lane<L>]| of[..len].iter().map(|x| Lane([x.0[l]])).collect();
         Track {
-            displacement: Vec::new(),
-            velocity: Vec::new(),
-            force: Vec::new(),
-            energy: Vec::new(),
-            restitution: Lane::splat(0.0),
+            displacement: own(&self.displacement),
+            velocity: own(&self.velocity),
+            force: own(&self.force),
         }
     }
 }
 
-impl<const L: usize> Track<L> {
-    /// Room for `len` steps; what they hold is still to be noted.
-    pub fn resize(&mut self, len: usize) {
+impl<const L: usize> solve::Track<L> for Track<L> {
+    type Row<'a> = [&'a mut Lane<L>; 3];
+
+    fn resize(&mut self, len: usize) {
         for column in self.columns() {
             column.resize(len, Lane::splat(0.0));
         }
     }
 
-    /// `count` steps from `first` on, to be written.
     #[inline(always)]
-    pub fn rows(&mut self, first: usize, count: usize) -> impl Iterator<Item = Row<'_, L>> {
-        let [r, rdot, force, energy] = self.columns().map(|c| c[first..first + count].iter_mut());
-        let rows = r.zip(rdot).zip(force).zip(energy);
-        rows.map(
+    fn rows(&mut self, first: usize, count: usize) -> impl Iterator<Item = Self::Row<'_>> {
+        let [r, rdot, force] = self.columns().map(|c| c[first..first + count].iter_mut());
+        r.zip(rdot).zip(force).map(
             #[inline(always)]
-            |(((r, rdot), force), energy)| [r, rdot, force, energy],
+            |((r, rdot), force)| [r, rdot, force],
         )
     }
 
     #[inline(always)]
-    fn columns(&mut self) -> [&mut Vec<Lane<L>>; 4] {
-        [
-            &mut self.displacement,
-            &mut self.velocity,
-            &mut self.force,
-            &mut self.energy,
-        ]
-    }
-
-    /// The first `len` steps of one lane.
-    pub fn lane(&self, l: usize, len: usize) -> Track<1> {
-        let alone = |of: &[Lane<L>]| of[..len].iter().map(|x| Lane([x.0[l]])).collect();
-        Track {
-            displacement: alone(&self.displacement),
-            velocity: alone(&self.velocity),
-            force: alone(&self.force),
-            energy: alone(&self.energy),
-            restitution: Lane([self.restitution.0[l]]),
-        }
+    fn write([r, rdot, force]: Self::Row<'_>, contact: &ContactState<L>) {
+        // dr/dt in c T_I/2 over T_I is 2 rdot/c; S resists, so the force that pushes is -S.
+        *r = contact.displacement;
+        *rdot = contact.velocity * 0.5;
+        *force = Lane::splat(0.0) - contact.force;
     }
 }
 
 impl Track<1> {
     /// As a history with steps of `dt`.
     pub fn history(&self, dt: f64) -> History {
-        let alone = |of: &[Lane<1>]| of.iter().map(|x| x.0[0]).collect();
+        let own = |of: &[Lane<1>]| of.iter().map(|x| x.0[0]).collect();
         History {
             time: (0..self.displacement.len())
                 .map(|i| i as f64 * dt)
                 .collect(),
-            displacement: alone(&self.displacement),
-            velocity: alone(&self.velocity),
-            force: alone(&self.force),
+            channels: vec![
+                own(&self.displacement),
+                own(&self.velocity),
+                own(&self.force),
+            ],
         }
     }
 }

@@ -3,84 +3,79 @@
 
 use super::scaled::Scaled;
 use crate::lane::Lane;
-use crate::metrics::impact::Track;
-use crate::textbook::element::ImpactElement;
-use crate::textbook::{Iteration, Newmark, bars::assemble};
+use crate::metrics::impact::{Energy, Track};
+use crate::solve::{self, Unsolvable};
+use crate::system::System;
 use nalgebra::DVector;
 
-/// Most elements of both bars, whose matrices are full here.
-const MOST_ELEMENTS: u32 = 400;
+/// A run: the contact, the energy, and the relative velocity of the mass centres at the end over c.
+pub struct Once {
+    pub track: Track<1>,
+    pub energy: Energy<1>,
+    pub restitution: f64,
+}
 
-/// Runs `last` steps; the error says why not.
-pub fn run(scaled: &Scaled, dt: f64, last: u64) -> Result<Track<1>, String> {
-    let elements: u32 = scaled.each().map(|bar| bar.elements).sum();
-    if elements > MOST_ELEMENTS {
-        return Err(format!(
-            "without iteration there may be at most {MOST_ELEMENTS} elements, got {elements}"
-        ));
-    }
-    let assembly = assemble(scaled.left, scaled.right, scaled.bars.gap);
-    let first = scaled.left.elements as usize + 1;
-    let size = assembly.mass.nrows();
-    // Velocities in c/2, in the frame of their mean; of the wall for a wall.
-    let [left, right] = match scaled.right {
-        Some(_) => [1.0, -1.0],
-        None => [2.0, 0.0],
-    };
-    let v = DVector::from_fn(size, |i, _| if i < first { left } else { right });
-    let (mass, stiffness) = (assembly.mass.clone(), assembly.stiffness.clone());
-    let element = ImpactElement::new(scaled.spring);
-    let mut newmark = Newmark::new(assembly, element, dt, DVector::zeros(size), v)
-        .ok_or("the mass matrix has no inverse")?;
+/// Runs all steps. A step solved once is not in equilibrium at its end, so that the energy is summed over the structure.
+pub fn run(system: &System, scaled: &Scaled) -> Result<Once, Unsolvable> {
+    let (track, energy, restitution) = record(system, scaled)?;
+    Ok(Once {
+        track,
+        energy: Energy::of(&energy),
+        restitution,
+    })
+}
+
+/// The contact and the energy at the steps, and the relative velocity of the mass centres at the end.
+fn record(system: &System, scaled: &Scaled) -> Result<(Track<1>, Vec<f64>, f64), Unsolvable> {
+    let pair = scaled.pair;
+    let first = pair.left.elements as usize + 1;
+    let size = first + pair.right.map_or(0, |right| right.elements as usize + 1);
     let one = |from: usize, to: usize| {
         DVector::from_fn(size, |i, _| if (from..to).contains(&i) { 1.0 } else { 0.0 })
     };
-    let (ones, masses) = match scaled.right {
-        Some(_) => (
+    let (ones, masses) = match pair.right {
+        Some(right) => (
             vec![one(0, first), one(first, size)],
-            [scaled.left.mass, scaled.right.map_or(0.0, |bar| bar.mass)],
+            [pair.left.mass, right.mass],
         ),
-        None => (vec![one(0, first)], [scaled.left.mass, 0.0]),
+        None => (vec![one(0, first)], [pair.left.mass, 0.0]),
     };
-    let mut track = Track::default();
+    let (mut track, mut energy) = (Track::default(), Vec::new());
     let mut centres = vec![0.0; ones.len()];
-    for i in 0..=last {
-        if i > 0 {
-            newmark
-                .step(Iteration::Once)
-                .map_err(|cycle| format!("step {} has no solution", cycle.step))?;
-        }
-        let [r, rdot, s] = newmark.contact();
+    solve::once::run(system, |structure| {
+        let [r, rdot, s] = structure.contact();
         track.displacement.push(Lane([r]));
         track.velocity.push(Lane([0.5 * rdot]));
         track.force.push(Lane([0.0 - s]));
-        let (u, v) = newmark.state();
-        let momentum = &mass * v;
+        let (u, v) = structure.state();
+        let assembly = structure.assembly();
+        let momentum = &assembly.mass * v;
         for ((centre, one), mass) in centres.iter_mut().zip(&ones).zip(masses) {
             *centre = one.dot(&momentum) / mass;
         }
         // A wall is a body of infinite mass, and the common centre stays with it.
-        let common = match scaled.right {
+        let common = match pair.right {
             Some(_) => momentum.sum() / (masses[0] + masses[1]),
             None => 0.0,
         };
         let relative = v.add_scalar(-common);
-        let kinetic = relative.dot(&(&mass * &relative));
-        let strain = u.dot(&(&stiffness * u));
+        let kinetic = relative.dot(&(&assembly.mass * &relative));
+        let strain = u.dot(&(&assembly.stiffness * u));
         let spring = scaled.spring * r.min(0.0) * r.min(0.0);
-        track.energy.push(Lane([0.5 * (kinetic + strain + spring)]));
-    }
+        energy.push(0.5 * (kinetic + strain + spring));
+    })?;
     let restitution = 0.5 * (centres.get(1).copied().unwrap_or(0.0) - centres[0]);
-    track.restitution = Lane([restitution]);
-    Ok(track)
+    Ok((track, energy, restitution))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::exact::wave::Bars;
-    use crate::problem::impact::run;
-    use crate::structure::bar::{Bar, Mass};
+    use crate::problem::impact::case::system;
+    use crate::problem::impact::scaled::CLOSING;
+    use crate::system::BarPair;
+    use crate::system::bar::{Bar, Mass};
 
     /// Impedances z : 1, trips 1 : theta; a wall for z = 0.
     fn scaled(z: f64, theta: f64, gap: f64) -> Scaled {
@@ -92,8 +87,11 @@ mod tests {
             kind: Mass::Lumped,
         };
         Scaled {
-            left: bar(4, mass, 1.0),
-            right: (z > 0.0).then(|| bar(3, mass * theta / z, theta)),
+            pair: BarPair {
+                left: bar(4, mass, 1.0),
+                right: (z > 0.0).then(|| bar(3, mass * theta / z, theta)),
+                velocity: CLOSING,
+            },
             bars: Bars {
                 impedance_ratio: z,
                 time_ratio: theta,
@@ -109,20 +107,27 @@ mod tests {
         for (z, theta) in [(1.0, 1.0), (3.0, 2.0), (0.4, 1.7), (2.0, 0.5), (0.0, 1.0)] {
             let case = scaled(z, theta, 0.31);
             // Velocities in c/2: the bars close at 2, with their reduced mass; a wall's is infinite.
-            let left = case.left.mass;
+            let left = case.pair.left.mass;
             let reduced = case
+                .pair
                 .right
                 .map_or(left, |right| left * right.mass / (left + right.mass));
             let start = 0.5 * reduced * 2.0 * 2.0;
-            let energy = |track: &Track<1>| -> Vec<f64> {
-                let over = track.energy.iter().map(|e| e.0[0] / start - 1.0);
-                over.collect()
-            };
-            // A step solved once misjudges the contact where it changes, by the less the shorter the step is. The converged
-            // one's energy is from the work of the contact.
+            // A step solved once misjudges the contact where it changes, by the less the shorter the step is.
             let apart = |dt: f64, last: u64| {
-                let once = energy(&super::run(&case, dt, last).unwrap());
-                let converged = energy(&run::run(&case, dt, last));
+                let system = system(&case, dt, last);
+                let once = record(&system, &case).unwrap().1;
+                let once: Vec<f64> = once.iter().map(|e| e / start - 1.0).collect();
+                let mut converged = Vec::new();
+                solve::visit(&system, |_, stepper| {
+                    let modes = (0..).zip(stepper.modes());
+                    let energy = |(j, (x, v)): (usize, (Lane<1>, Lane<1>))| {
+                        case.pair.mode(j).energy(x.0[0], v.0[0])
+                    };
+                    let contact = stepper.contact();
+                    let spring = 0.5 * contact.displacement.0[0] * contact.force.0[0];
+                    converged.push((modes.map(energy).sum::<f64>() + spring) / start - 1.0);
+                });
                 // In flight, to 0.155 T_I, nothing changes.
                 let flight = (0.15 / dt) as usize;
                 let worst = once[..flight].iter().fold(0.0, |w: f64, e| w.max(e.abs()));

@@ -1,7 +1,7 @@
 //! What follows from a case's parameters, and the rules across them.
 
 use super::scaled::Scaled;
-use super::tables::{PARAMETERS, rows};
+use super::tables::rows;
 use crate::exact::wave::Bars;
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::{Case, Violation, time_rules};
@@ -49,11 +49,11 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
     match (gamma, k_i) {
         (Some(_), Some(_)) => {
             let message = "cannot be given together with gamma; give exactly one of gamma, k_I";
-            return violations.push(violation("k_I", message));
+            return violations.push(violation("k_I".into(), message));
         }
         (None, None) => {
             let message = "missing: give exactly one of gamma, k_I";
-            return violations.push(violation("gamma", message));
+            return violations.push(violation("gamma".into(), message));
         }
         _ => {}
     }
@@ -67,18 +67,16 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         return;
     };
     let element = n * e * a / l;
-    let (parameter, name, value) = match (gamma, k_i) {
-        (Some(gamma), _) => ("gamma", "k_I", gamma * element),
-        (None, Some(k_i)) => ("k_I", "gamma", k_i / element),
+    let (parameter, name, row, value) = match (gamma, k_i) {
+        (Some(gamma), _) => ("gamma", "k_I", rows::K_I, gamma * element),
+        (None, Some(k_i)) => ("k_I", "gamma", rows::GAMMA, k_i / element),
         (None, None) => return,
     };
     if !(value.is_finite() && value > 0.0) {
         let message = format!("gives {name} = {value}, outside the range of double precision");
-        return violations.push(violation(parameter, &message));
+        return violations.push(violation(parameter.into(), &message));
     }
-    if let Some(row) = PARAMETERS.iter().position(|p| p.name == name) {
-        case.values[row] = Some(Value::Number(value));
-    }
+    case.values[row] = Some(Value::Number(value));
 }
 
 /// The bars must close: c = V_left - V_right > 0.
@@ -99,15 +97,14 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
         )
     };
     // A left bar at its default is not to blame.
-    let default = PARAMETERS
-        .iter()
-        .find(|p| p.name == "V0")
-        .map(|p| p.default);
-    let parameter = match default {
-        Some(Default::Is(usual)) if usual.matches(Value::Number(left)) => "right.V0",
+    let parameter = match case.schema.parameters[rows::V0].default {
+        Default::Is(usual) if usual.matches(Value::Number(left)) => "right.V0",
         _ => "V0",
     };
-    violations.push(Violation { parameter, message });
+    violations.push(Violation {
+        parameter: parameter.into(),
+        message,
+    });
 }
 
 /// The scaled data must be doubles, and waves must not be too many for the exact solution, which follows every front:
@@ -126,11 +123,11 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
     if !(time_ratio.is_normal() && (wall || impedance_ratio.is_normal())) {
         let message = "the bars differ too much: the ratio of their impedances A sqrt(E rho) or of their travel times \
                        L sqrt(rho/E) is outside the range of double precision";
-        return violation("right", message.into());
+        return violation("right".into(), message.into());
     }
     if !scaled.spring.is_finite() {
         let message = "the spring is too stiff: the ratio of its stiffness to that of the bars is outside the range of double precision";
-        return violation("gamma", message.into());
+        return violation("gamma".into(), message.into());
     }
     let count = duration / time_ratio.min(1.0);
     if count > MOST_TRIPS {
@@ -138,6 +135,6 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
             "waves would travel {count:.3e} times through the shorter bar; allowed: at most {MOST_TRIPS:e}; \
              give bars with more similar travel times, or a shorter duration"
         );
-        violation("duration", message);
+        violation("duration".into(), message);
     }
 }

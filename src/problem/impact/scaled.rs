@@ -7,16 +7,17 @@
 use super::tables::rows;
 use crate::exact::wave::Bars;
 use crate::problem::Case;
-use crate::structure::Mode;
-use crate::structure::bar::{Bar, Mass};
+use crate::system::BarPair;
+use crate::system::bar::{Bar, Mass};
+
+/// Velocity of the rigid-body motion that closes the gap: c in units of c/2.
+pub const CLOSING: f64 = -2.0;
 
 /// A case in its own scales.
 #[derive(Debug, Clone, Copy)]
 pub struct Scaled {
-    /// The left bar.
-    pub left: Bar,
-    /// The right bar, unless there is a wall.
-    pub right: Option<Bar>,
+    /// The bars of finite elements.
+    pub pair: BarPair,
     /// Impedance and time ratio, gap.
     pub bars: Bars,
     /// Stiffness of the impact spring.
@@ -66,8 +67,11 @@ impl Scaled {
             None
         };
         Some(Scaled {
-            left,
-            right,
+            pair: BarPair {
+                left,
+                right,
+                velocity: CLOSING,
+            },
             bars: Bars {
                 impedance_ratio: z,
                 time_ratio: theta,
@@ -76,32 +80,5 @@ impl Scaled {
             spring: case.at(rows::GAMMA)? * n * (1.0 + z),
             length_ratio: length,
         })
-    }
-
-    /// The bars there are, left first.
-    pub fn each(&self) -> impl Iterator<Item = Bar> {
-        [Some(self.left), self.right].into_iter().flatten()
-    }
-
-    /// The modes that the contact feels, the rigid-body mode first. Modes of one frequency move as one whose share of
-    /// r is the sum of theirs: the rigid-body modes of both bars, and every pair of modes of like bars.
-    pub fn modes(&self) -> Vec<Mode> {
-        let mut modes: Vec<Mode> = self.left.modes().collect();
-        match self.right {
-            Some(right) if right == self.left => {
-                for mode in &mut modes {
-                    mode.phi2 *= 2.0;
-                }
-            }
-            Some(right) => {
-                let mut others = right.modes();
-                if let (Some(rigid), Some(other)) = (modes.first_mut(), others.next()) {
-                    rigid.phi2 += other.phi2;
-                }
-                modes.extend(others);
-            }
-            None => {}
-        }
-        modes
     }
 }

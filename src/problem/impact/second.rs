@@ -5,13 +5,16 @@
 //! The ends that meet there are the far ends of the bars: seen from them mode j has (-1)^j times its coordinate, and what
 //! opens the first contact closes the second. So the motion goes on with the same modes and the same spring.
 
-use super::run::start;
+use super::case::system;
 use super::scaled::Scaled;
 use crate::lane::Lane;
-use crate::stepper::{Start, Stepper};
+use crate::methods::average_acceleration::ModeStart;
+use crate::problem::schema::Text;
+use crate::solve::{self, Stepper};
+use std::borrow::Cow::Borrowed;
 
 /// The numbers that [`second`] gives, in its order; each is 1 in the exact solution.
-pub const QUANTITIES: [&str; 2] = ["closing_speed", "rebound_speed"];
+pub static QUANTITIES: [Text; 2] = [Borrowed("closing_speed"), Borrowed("rebound_speed")];
 
 /// T_I, the exact contact's duration in both impacts.
 const CONTACT: f64 = 1.0;
@@ -24,10 +27,12 @@ const REST: f64 = 0.25;
 /// `flight` is the time in T_I between the exact contacts. Undefined for bars that are not mirror images, and where the
 /// ends meet before half of the flight, never, in both contacts at once, or still at the end.
 pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
-    if scaled.right.is_some_and(|right| right != scaled.left) {
+    if scaled.pair.right.is_some() && !scaled.pair.equal() {
         return [None; 2];
     }
-    let (mut stepper, law) = start(&[*scaled], Lane([dt]));
+    let Some((mut stepper, law)) = solve::start::<1, Vec<_>>(&[system(scaled, dt, 0)]) else {
+        return [None; 2];
+    };
     let parted = 0.5 * scaled.bars.gap + CONTACT;
     let first = ((parted + 0.5 * flight) / dt).round() as u64;
     for _ in 0..first {
@@ -36,7 +41,9 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if stepper.contact().displacement.0[0] < 0.0 {
         return [None; 2];
     }
-    let mut stepper = turned(scaled, dt, flight, &stepper);
+    let Some(mut stepper) = turned(scaled, dt, flight, &stepper) else {
+        return [None; 2];
+    };
     let end = parted + flight + CONTACT + REST - first as f64 * dt;
     let mut closing = None;
     for _ in 0..(end / dt).round() as u64 {
@@ -59,13 +66,13 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
 }
 
 /// The same motion seen from the far ends, which are `2 flight` apart where the contact ends touch.
-fn turned(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper<1>) -> Stepper<1> {
+fn turned(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<Stepper> {
     let mut sign = 1.0;
-    let modes = scaled.modes().into_iter().zip(stepper.modes());
-    let mut start: Vec<Start<1>> = modes
+    let modes = (0..).map(|j| scaled.pair.mode(j)).zip(stepper.modes());
+    let mut start: Vec<ModeStart<1>> = modes
         .map(|(mode, (x, v))| {
             sign = -sign;
-            Start {
+            ModeStart {
                 mode: [mode],
                 displacement: Lane([sign * x.0[0]]),
                 velocity: Lane([sign * v.0[0]]),
@@ -76,11 +83,11 @@ fn turned(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper<1>) -> Steppe
         rigid.displacement.0[0] -= scaled.bars.gap;
     }
     let gap = Lane([2.0 * flight]);
-    Stepper::new(Lane([dt]), &start, gap, Lane::splat(0.0))
+    Stepper::new(Lane([dt]), start.into_iter(), gap, Lane::splat(0.0))
 }
 
 /// Distance of the ends that met first, after [`turned`].
-fn behind(stepper: &Stepper<1>) -> f64 {
+fn behind(stepper: &Stepper) -> f64 {
     let mut sign = 1.0;
     let parts = stepper.modes().map(|(x, _)| {
         sign = -sign;
@@ -93,7 +100,9 @@ fn behind(stepper: &Stepper<1>) -> f64 {
 mod tests {
     use super::*;
     use crate::exact::wave::Bars;
-    use crate::structure::bar::{Bar, Mass};
+    use crate::problem::impact::scaled::CLOSING;
+    use crate::system::BarPair;
+    use crate::system::bar::{Bar, Mass};
 
     /// Two like bars, or a bar and a wall.
     fn scaled(n: u32, gamma: f64, gap: f64, kind: Mass, wall: bool) -> Scaled {
@@ -105,8 +114,11 @@ mod tests {
             kind,
         };
         Scaled {
-            left,
-            right: (!wall).then_some(left),
+            pair: BarPair {
+                left,
+                right: (!wall).then_some(left),
+                velocity: CLOSING,
+            },
             bars: Bars {
                 impedance_ratio: if wall { 0.0 } else { 1.0 },
                 time_ratio: 1.0,
@@ -173,10 +185,13 @@ mod tests {
     fn bars_that_are_no_mirror_images_or_meet_at_once_have_none() {
         let like = scaled(10, 1.0, 0.0, Mass::Lumped, false);
         let unlike = Scaled {
-            right: Some(Bar {
-                trip: 1.1,
-                ..like.left
-            }),
+            pair: BarPair {
+                right: Some(Bar {
+                    trip: 1.1,
+                    ..like.pair.left
+                }),
+                ..like.pair
+            },
             ..like
         };
         assert_eq!(second(&unlike, 0.01, 0.8), [None; 2]);

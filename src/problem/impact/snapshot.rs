@@ -1,11 +1,11 @@
 //! Velocity and stress along the bars at given times, computed and exact.
 
-use super::run::{CLOSING, start};
 use super::scaled::Scaled;
 use crate::exact::wave::Wave;
-use crate::lane::Lane;
 use crate::problem::{Lines, Snapshot};
-use crate::structure::bar::Bar;
+use crate::solve;
+use crate::system::System;
+use crate::system::bar::Bar;
 
 /// Most elements of a bar that are drawn; of more, every second, third, ... is.
 const DRAWN: u32 = 1000;
@@ -14,58 +14,33 @@ const DRAWN: u32 = 1000;
 ///
 /// Along the abscissa lengths of the left bar, the contact at 0; velocity (v - mean of the two V0)/(c/2); stress as
 /// force over F0, tension positive.
-pub fn snapshots(scaled: &Scaled, dt: f64, last: u64, times: &[f64]) -> Vec<Snapshot> {
+pub fn snapshots(system: &System, scaled: &Scaled, times: &[f64]) -> Vec<Snapshot> {
     let steps: Vec<u64> = times
         .iter()
-        .map(|t| ((t / dt).round() as u64).min(last))
+        .map(|t| ((t / system.step).round() as u64).min(system.last))
         .collect();
     let furthest = steps.iter().copied().max().unwrap_or(0);
-    let wave = scaled.bars.solve(furthest as f64 * dt);
-    let (mut stepper, law) = start(&[*scaled], Lane([dt]));
-    let mut found: Vec<Option<Snapshot>> = vec![None; times.len()];
-    for step in 0..=furthest {
-        if step > 0 {
-            stepper.step(&law);
-        }
-        for (slot, _) in found.iter_mut().zip(&steps).filter(|(_, s)| **s == step) {
-            let modes: Vec<[f64; 2]> = stepper.modes().map(|(x, v)| [x.0[0], v.0[0]]).collect();
-            let time = step as f64 * dt;
-            *slot = Some(snapshot(scaled, &wave, time, &apart(scaled, time, &modes)));
-        }
-    }
-    found.into_iter().flatten().collect()
-}
-
-/// Displacement and velocity of each bar's own modes, left bar's first, from those that move as one.
-///
-/// Modes of one frequency share a force as their phi2; the approach is shared evenly in the frame of the mean of both V0.
-fn apart(scaled: &Scaled, time: f64, together: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let Some(right) = scaled.right else {
-        return together.to_vec();
-    };
-    let like = right == scaled.left;
-    let (left, other) = (scaled.left.mass, right.mass);
-    // phi2 of a rigid-body mode is the inverse of the mass.
-    let rigid = |share: f64| {
-        let [x, v] = together[0];
-        let free = [CLOSING * time, CLOSING];
-        [
-            0.5 * free[0] + share * (x - free[0]),
-            0.5 * free[1] + share * (v - free[1]),
-        ]
-    };
-    let halves = |modes: &[[f64; 2]]| -> Vec<[f64; 2]> {
-        let share = if like { 0.5 } else { 1.0 };
-        modes.iter().map(|mode| mode.map(|x| share * x)).collect()
-    };
-    let first = scaled.left.elements as usize + 1;
-    let (own, rest) = together.split_at(first);
-    let rest = if like { &own[1..] } else { rest };
-    let mut modes = vec![rigid(other / (left + other))];
-    modes.extend(halves(&own[1..]));
-    modes.push(rigid(left / (left + other)));
-    modes.extend(halves(rest));
-    modes
+    let wave = scaled.bars.solve(furthest as f64 * system.step);
+    let mut snapshots: Vec<Option<Snapshot>> = vec![None; times.len()];
+    solve::visit(
+        &System {
+            last: furthest,
+            ..*system
+        },
+        |step, stepper| {
+            for (slot, _) in snapshots
+                .iter_mut()
+                .zip(&steps)
+                .filter(|(_, s)| **s == step)
+            {
+                let modes: Vec<[f64; 2]> = stepper.modes().map(|(x, v)| [x.0[0], v.0[0]]).collect();
+                let time = step as f64 * system.step;
+                let separate = scaled.pair.separate(time, &modes);
+                *slot = Some(snapshot(scaled, &wave, time, &separate));
+            }
+        },
+    );
+    snapshots.into_iter().flatten().collect()
 }
 
 fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snapshot {
@@ -74,8 +49,12 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
     let mut fronts = Vec::new();
     let mut modes = modes;
     // The frame of a wall is its own; the mean of the two V0 moves half as fast as the bar.
-    let frame = if scaled.right.is_some() { 0.0 } else { 1.0 };
-    for (i, bar) in scaled.each().enumerate() {
+    let frame = if scaled.pair.right.is_some() {
+        0.0
+    } else {
+        1.0
+    };
+    for (i, bar) in scaled.pair.each().enumerate() {
         let (own, rest) = modes.split_at(bar.elements as usize + 1);
         modes = rest;
         let (sign, length) = [(-1.0, 1.0), (1.0, scaled.length_ratio)][i];

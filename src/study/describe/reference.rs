@@ -16,7 +16,7 @@ use crate::study::{checks, decode, design, units};
 /// docs/study-files.md.
 pub fn reference() -> String {
     let kinds: Vec<String> = KINDS.iter().map(kind).collect();
-    let problems: Vec<String> = PROBLEMS.iter().map(|p| problem(*p)).collect();
+    let problems: Vec<String> = PROBLEMS.iter().map(|p| problem(&**p)).collect();
     let code = |names: &[&str]| -> String {
         let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
         quoted.join(", ")
@@ -72,23 +72,23 @@ fn problem(problem: &dyn Problem) -> String {
     let mut text = format!(
         "## {}\n\n{}.\n\n| parameter | unit | allowed | if left out | meaning |\n| --- | --- | --- | --- | --- |\n",
         problem.name(),
-        capital(problem.meaning())
+        capital(&problem.schema().meaning)
     );
     for parameter in problem.parameters() {
         let _ = writeln!(
             text,
             "| `{}` | {} | {} | {} | {} |",
             parameter.name,
-            unit(parameter.unit),
+            unit(&parameter.unit),
             cell(&allowed(parameter)),
             cell(&left_out(parameter)),
-            cell(parameter.meaning)
+            cell(&parameter.meaning)
         );
     }
     text += "\n| metric | unit | | formula (c computed, e exact) |\n| --- | --- | --- | --- |\n";
     for metric in problem.metrics() {
         let listed = if metric.default { "" } else { "if listed" };
-        let (unit, meaning) = (unit(metric.unit), cell(metric.meaning));
+        let (unit, meaning) = (unit(&metric.unit), cell(&metric.meaning));
         let _ = writeln!(
             text,
             "| `{}` | {unit} | {listed} | {meaning} |",
@@ -102,35 +102,38 @@ fn problem(problem: &dyn Problem) -> String {
         told.collect::<Vec<_>>().join(", ")
     };
     let quantities = problem
-        .quantities()
+        .schema()
+        .quantities
         .iter()
-        .map(|q| (q.name, q.title))
+        .map(|q| (&*q.name, &*q.title))
         .collect();
     let _ = write!(text, "\nOver time: {}.\n", named(quantities));
     let profiles: Vec<(&str, &str)> = problem
-        .profiles()
+        .schema()
+        .profiles
         .iter()
-        .map(|p| (p.name, p.title))
+        .map(|p| (&*p.name, &*p.title))
         .collect();
     if !profiles.is_empty() {
         let _ = write!(text, "\nAlong the structure: {}.\n", named(profiles));
     }
     let budgets = problem
-        .budgets()
+        .schema()
+        .budgets
         .iter()
-        .map(|b| (b.name, b.title))
+        .map(|b| (&*b.name, &*b.title))
         .collect();
     let _ = write!(text, "\nBudgets: {}.\n", named(budgets));
     text
 }
 
 fn left_out(parameter: &Parameter) -> String {
-    let told = match parameter.default {
+    let told = match &parameter.default {
         Default::Required => "required".into(),
         Default::Is(value) => value.to_string(),
-        Default::Follows(from) => from.to_owned(),
+        Default::Follows(from) => from.to_string(),
     };
-    match parameter.applies {
+    match &parameter.applies {
         Some((governor, name)) => format!("{told}; only for {governor} {name}"),
         None => told,
     }

@@ -16,6 +16,7 @@ use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::limits::WIDTHS;
 use crate::study::figure::taken::MARKS;
 use crate::study::{checks, decode, design, units};
+use std::sync::Arc;
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
@@ -41,7 +42,7 @@ pub fn schema() -> String {
     definitions.insert(EXPRESSION.into(), expression());
     definitions.insert(RULE.into(), rule());
     definitions.insert(INTERVAL.into(), interval());
-    let rules = |problem: &&dyn Problem| of_problem(*problem, &mut definitions);
+    let rules = |problem: &Arc<dyn Problem>| of_problem(&**problem, &mut definitions);
     let each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
     let mut schema = object(properties, &["problem"]);
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
@@ -96,11 +97,11 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     json!({
         "if": { "properties": { "problem": { "const": problem.name() } }, "required": ["problem"] },
         "then": { "properties": {
-            "problem": { "description": problem.meaning() },
+            "problem": { "description": problem.schema().meaning },
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "metrics": { "items": metric },
-            "units": if problem.units().is_empty() { json!(false) } else { units() },
+            "units": if problem.schema().units.is_empty() { json!(false) } else { units() },
             "figures": { "items": figure },
             "checks": { "items": check(problem) },
         } },
@@ -110,9 +111,15 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
 /// The name of a metric, or of one in the units of the study.
 fn metric(problem: &dyn Problem) -> Json {
     let metrics = || problem.metrics().iter();
-    let scaled = names(metrics().map(|m| (m.name, m.meaning)));
-    let has_unit = |m: &&Metric| problem.units().iter().any(|unit| unit.name == m.unit);
-    let of_unit: Vec<&str> = metrics().filter(has_unit).map(|m| m.name).collect();
+    let scaled = names(metrics().map(|m| (&*m.name, &*m.meaning)));
+    let has_unit = |m: &&Metric| {
+        problem
+            .schema()
+            .units
+            .iter()
+            .any(|unit| unit.name == m.unit)
+    };
+    let of_unit: Vec<&str> = metrics().filter(has_unit).map(|m| &*m.name).collect();
     if of_unit.is_empty() {
         return scaled;
     }
@@ -157,7 +164,7 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
             required.push(key.name);
         }
     }
-    let then = if kind.needs_extent() && problem.profiles().is_empty() {
+    let then = if kind.needs_extent() && problem.schema().profiles.is_empty() {
         json!(false)
     } else {
         object(properties, &required)
@@ -173,9 +180,17 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
     let parameters = |numeric: bool| {
         let table = problem.parameters().iter();
         let fitting = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
-        names(fitting.map(|p| (p.name, p.meaning)))
+        names(fitting.map(|p| (&*p.name, &*p.meaning)))
     };
-    let profiles = || names(problem.profiles().iter().map(|p| (p.name, p.title)));
+    let profiles = || {
+        names(
+            problem
+                .schema()
+                .profiles
+                .iter()
+                .map(|p| (&*p.name, &*p.title)),
+        )
+    };
     let defined = |what: &str| refer(&name_of(problem, what));
     match key.takes {
         Takes::FileName => {
@@ -187,7 +202,11 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Parameter => parameters(false),
         Takes::NumericParameter => parameters(true),
         Takes::Quantities => several(names(
-            problem.quantities().iter().map(|q| (q.name, q.title)),
+            problem
+                .schema()
+                .quantities
+                .iter()
+                .map(|q| (&*q.name, &*q.title)),
         )),
         Takes::Column => json!({ "anyOf": [parameters(true), defined("metric")] }),
         Takes::Profile => profiles(),
@@ -195,11 +214,17 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Metric => defined("metric"),
         Takes::Metrics => several(defined("metric")),
         Takes::Times => several(number(Range::NotNegative)),
-        Takes::Budgets => several(names(problem.budgets().iter().map(|b| (b.name, b.title)))),
+        Takes::Budgets => several(names(
+            problem
+                .schema()
+                .budgets
+                .iter()
+                .map(|b| (&*b.name, &*b.title)),
+        )),
         Takes::Width => width(),
         Takes::Range => pair(),
         Takes::Marks => marks(),
-        Takes::InUnits if problem.units().is_empty() => json!({ "const": false }),
+        Takes::InUnits if problem.schema().units.is_empty() => json!({ "const": false }),
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
@@ -243,7 +268,7 @@ fn filter(problem: &dyn Problem) -> Json {
     let term = |p: &Parameter| {
         let list = json!({ "type": "array", "minItems": 1, "items": value(p) });
         let schema = json!({ "anyOf": [value(p), list], "description": p.meaning });
-        (p.name.to_owned(), schema)
+        (p.name.to_string(), schema)
     };
     object(table.map(term).collect(), &[])
 }
@@ -283,7 +308,7 @@ mod tests {
         {
             let properties = &rules["then"]["properties"];
             for parameter in problem.parameters() {
-                let told = Json::from(parameter.meaning).to_string();
+                let told = Json::from(&*parameter.meaning).to_string();
                 assert!(
                     text.contains(told.trim_end_matches('"')),
                     "{}",

@@ -11,23 +11,31 @@ pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
     let mut properties: Map<String, Json> = Map::new();
     let mut required = Vec::new();
     let mut conditions = Vec::new();
+    // Keys that are objects too, as `right`.
+    let mut objects = Vec::new();
     for parameter in table {
         let Some(rest) = parameter.name.strip_prefix(prefix) else {
             continue;
         };
         if let Some((key, _)) = rest.split_once('.') {
+            if objects.contains(&key) {
+                continue;
+            }
+            objects.push(key);
             let within = parameters(table, &format!("{prefix}{key}."));
-            let whole = match properties.get(key) {
-                Some(plain) if plain.get("anyOf").is_none() => json!({ "anyOf": [plain, within] }),
-                Some(both) => both.clone(),
-                None => within,
-            };
+            let mut whole = properties
+                .remove(key)
+                .unwrap_or_else(|| json!({ "anyOf": [] }));
+            match whole.get_mut("anyOf").and_then(Json::as_array_mut) {
+                Some(forms) => forms.push(within),
+                None => whole = json!({ "anyOf": [whole, within] }),
+            }
             properties.insert(key.into(), whole);
             continue;
         }
         properties.insert(rest.into(), axis(parameter));
         let needed = matches!(parameter.default, Default::Required);
-        match parameter.applies {
+        match &parameter.applies {
             None if needed => required.push(rest),
             Some((governor, name)) if prefix.is_empty() => {
                 conditions.extend(condition(rest, governor, name, needed, table));
@@ -80,16 +88,16 @@ fn axis(parameter: &Parameter) -> Json {
         forms.push(refer(RULE));
         forms.push(refer(INTERVAL));
     }
-    let unit = match parameter.unit {
+    let unit = match &*parameter.unit {
         "1" => String::new(),
         unit => format!(", in {unit}"),
     };
     let mut description = format!("{}{unit}; {}", parameter.meaning, allowed(parameter));
-    if let Some((governor, name)) = parameter.applies {
+    if let Some((governor, name)) = &parameter.applies {
         description += &format!("; for {governor} {name}");
     }
     let mut schema = json!({ "anyOf": forms });
-    match parameter.default {
+    match &parameter.default {
         Default::Required => {}
         Default::Is(value) => {
             description += &format!("; default {value}");

@@ -9,6 +9,7 @@ mod tests;
 pub(super) mod words;
 
 use crate::problem::parameter::{Parameter, Value};
+use crate::problem::schema::Text;
 
 /// What is wrong with an expression, and at which byte of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,7 +26,8 @@ pub struct Formula {
     /// Each with its place in the text.
     steps: Vec<(Step, usize)>,
     uses: Vec<usize>,
-    table: &'static [Parameter],
+    /// Names of the parameters in `uses`.
+    names: Vec<Text>,
 }
 
 /// What is done with the stack; truth is 1 or 0.
@@ -42,13 +44,18 @@ enum Step {
 
 impl Formula {
     /// Reads a number; names are those of `table`, pi and e.
-    pub fn number(text: &str, table: &'static [Parameter]) -> Result<Formula, ExpressionFault> {
+    pub fn number(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
         parser::parse(text, table, parser::Kind::Number)
     }
 
     /// Reads a condition: comparisons joined by `and`, `or`, `not`.
-    pub fn condition(text: &str, table: &'static [Parameter]) -> Result<Formula, ExpressionFault> {
+    pub fn condition(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
         parser::parse(text, table, parser::Kind::Truth)
+    }
+
+    fn name(&self, row: usize) -> &str {
+        let place = self.uses.iter().position(|own| *own == row);
+        place.map_or("", |place| &self.names[place])
     }
 
     /// Rows of the parameters it names, each once, in the order of the text.
@@ -65,7 +72,7 @@ impl Formula {
         for &(step, offset) in &self.steps {
             let missing = |row: usize| ExpressionFault {
                 offset,
-                message: format!("{} has no value here", self.table[row].name),
+                message: format!("{} has no value here", self.name(row)),
             };
             let mut take = || stack.pop().unwrap_or(f64::NAN);
             let value = match step {

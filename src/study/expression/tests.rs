@@ -3,15 +3,7 @@ use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use std::f64::consts::{E, PI};
 
 const fn row(name: &'static str, kind: Kind) -> Parameter {
-    Parameter {
-        name,
-        symbol: "",
-        unit: "1",
-        kind,
-        default: Default::Required,
-        applies: None,
-        meaning: "",
-    }
+    Parameter::new([name, "", "1"], kind, Default::Required, "")
 }
 
 static TABLE: [Parameter; 4] = [

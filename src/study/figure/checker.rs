@@ -42,7 +42,7 @@ impl<'a> Checker<'a> {
     /// The cases of the figure.
     pub fn cases(&self) -> impl Iterator<Item = Case> + use<'a> {
         let (scope, filter) = (self.scope, &self.figure.filter);
-        let case = |index| crate::study::cases::case(scope.problem, &scope.blocks, index);
+        let case = |index| crate::study::cases::case(&*scope.problem, &scope.blocks, index);
         scope.select(filter).filter_map(case)
     }
 
@@ -68,7 +68,7 @@ impl<'a> Checker<'a> {
         if scale == Scale::Log
             && let Some(bad) = numbers.find(|x| *x <= 0.0)
         {
-            let name = self.scope.problem.parameters()[row].name;
+            let name = &self.scope.problem.parameters()[row].name;
             let bad = Value::Number(bad);
             let message =
                 format!("a log scale needs numbers > 0, but {name} is {bad} in a case shown");
@@ -85,7 +85,7 @@ impl<'a> Checker<'a> {
         });
         let slack = 1e-12 * place.abs();
         if low <= high && !(place >= low - slack && place <= high + slack) {
-            let name = self.scope.problem.parameters()[row].name;
+            let name = &self.scope.problem.parameters()[row].name;
             let (low, high, place) = (shortest(low), shortest(high), shortest(place));
             let message =
                 format!("{name} of mark {mark} must lie within {low}..{high}, got {place}");

@@ -119,7 +119,9 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
                 kind.name
             );
             faults.add(member.node.at, &object.path("kind"), message);
-        } else if member.key == "kind" && kind.needs_extent() && scope.problem.profiles().is_empty()
+        } else if member.key == "kind"
+            && kind.needs_extent()
+            && scope.problem.schema().profiles.is_empty()
         {
             let problem = scope.problem.name();
             let others = KINDS.iter().filter(|other| !other.needs_extent());

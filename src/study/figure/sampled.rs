@@ -16,7 +16,7 @@ pub(super) fn parameters(scope: &Scope, filter: &Filter) -> Vec<(usize, Scale)> 
             continue;
         };
         for (row, scale) in design.parameters.iter().zip(&design.scales) {
-            if block.levels(scope.problem, filter, *row).len() < 2 {
+            if block.levels(&*scope.problem, filter, *row).len() < 2 {
                 continue;
             }
             match found.iter_mut().find(|(other, _)| other == row) {
@@ -34,7 +34,7 @@ pub(super) fn parameters(scope: &Scope, filter: &Filter) -> Vec<(usize, Scale)> 
 pub(super) fn refused(checker: &mut Checker, kind: &str) -> bool {
     let table = checker.scope.problem.parameters();
     let sampled = parameters(checker.scope, &checker.figure.filter);
-    let names: Vec<&str> = sampled.iter().map(|(row, _)| table[*row].name).collect();
+    let names: Vec<&str> = sampled.iter().map(|(row, _)| &*table[*row].name).collect();
     let are = match names.as_slice() {
         [] => return false,
         [one] => format!("{one} is"),

@@ -192,7 +192,7 @@ pub(in crate::study) fn take(
             let numeric =
                 |row: &usize| !matches!(parameters[*row].kind, parameter::Kind::Choice(_));
             let rows: Vec<usize> = (0..parameters.len()).filter(numeric).collect();
-            let named = rows.iter().map(|row| parameters[*row].name);
+            let named = rows.iter().map(|row| &*parameters[*row].name);
             let all: Vec<&str> = named.chain(scope.metrics()).collect();
             let place = name(node, path, "parameter or metric", &all, faults)?;
             return Some(Taken::Column(match rows.get(place) {
@@ -201,7 +201,13 @@ pub(in crate::study) fn take(
             }));
         }
         Takes::Quantities => {
-            let all: Vec<&str> = scope.problem.quantities().iter().map(|q| q.name).collect();
+            let all: Vec<&str> = scope
+                .problem
+                .schema()
+                .quantities
+                .iter()
+                .map(|q| &*q.name)
+                .collect();
             names(node, path, "quantity", &all, faults)
         }
         Takes::Profile => {
@@ -209,7 +215,13 @@ pub(in crate::study) fn take(
         }
         Takes::Profiles => names(node, path, "profile", &scope.profiles(), faults),
         Takes::Budgets => {
-            let all: Vec<&str> = scope.problem.budgets().iter().map(|b| b.name).collect();
+            let all: Vec<&str> = scope
+                .problem
+                .schema()
+                .budgets
+                .iter()
+                .map(|b| &*b.name)
+                .collect();
             names(node, path, "budget", &all, faults)
         }
         Takes::Marks => return marks(node, path, faults).map(Taken::Marks),

@@ -20,7 +20,7 @@ pub(super) fn check(checker: &mut Checker, distinguished: &[usize], what: &str, 
     };
     let names: Vec<&str> = (0..table.len())
         .filter(free)
-        .map(|row| table[row].name)
+        .map(|row| &*table[row].name)
         .collect();
     if names.is_empty() {
         return;

@@ -125,7 +125,7 @@ mod tests {
     /// The names of parameters of a problem.
     fn names(problem: usize) -> Vec<&'static str> {
         let table = PROBLEMS[problem].parameters().iter();
-        table.map(|parameter| parameter.name).collect()
+        table.map(|parameter| &*parameter.name).collect()
     }
 
     #[test]

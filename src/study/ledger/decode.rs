@@ -83,7 +83,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         let study = &studies[at].study;
         let figures: Vec<String> = study.figures.iter().map(|f| f.name.clone()).collect();
         let scope = Scope {
-            problem: study.problem,
+            problem: study.problem.clone(),
             measures: study.measures.clone(),
             blocks: study.blocks.clone(),
             once: study.once,

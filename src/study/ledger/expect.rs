@@ -55,7 +55,7 @@ pub(super) fn expect(
             node,
             &object.path("later"),
             "later event",
-            scope.problem.later(),
+            &scope.later(),
             faults,
         )?),
         _ => {
@@ -128,7 +128,7 @@ fn sequence(
 ) -> Option<Demand> {
     let cases = scope.select(filter).count();
     if cases != scope.levels(filter, along).len() || cases < 2 {
-        let name = scope.problem.parameters()[along].name;
+        let name = &scope.problem.parameters()[along].name;
         let message = format!("\"along\" needs one case for each {name}, but {cases} are chosen");
         object.fault(message, faults);
         return None;

@@ -78,9 +78,9 @@ pub struct Expect {
 pub enum Looked {
     /// Row of the study's measures.
     Metric(usize),
-    /// Row of `problem.profiles()`: the root mean square of its error away from fronts.
+    /// Row of `problem.schema().profiles`: the root mean square of its error away from fronts.
     Profile(usize),
-    /// Row of `problem.later()`: the root mean square of its error over flights.
+    /// Row of `problem.schema().later`: the root mean square of its error over flights.
     Later(usize),
 }
 

@@ -5,10 +5,9 @@ use crate::figures::label;
 use crate::figures::layout::legend::Key;
 use crate::figures::layout::sheet::{Series, Sheet};
 use crate::figures::style::{self, Marker, Stroke};
-use crate::history::History;
 use crate::problem::parameter::Value;
 use crate::problem::unit::Dimension;
-use crate::problem::{Case, Quantity, Solution, Source};
+use crate::problem::{Case, Quantity, Solution};
 use crate::study::Study;
 
 /// Points of an exact curve: less than a typographic point apart.
@@ -64,7 +63,7 @@ impl Curves<'_> {
                 continue;
             };
             let sizes = sizes(self.study, self.in_units, self.cases[i].case, quantity);
-            let points = points(quantity.source, solution).into_iter();
+            let points = points(quantity, solution).into_iter();
             let points: Vec<[f64; 2]> = points.map(|p| times(p, sizes)).collect();
             let index = self.indices[i];
             series.push(Series {
@@ -81,7 +80,7 @@ impl Curves<'_> {
 
     /// The exact curve, finer than any case's steps; none for an error.
     fn exact(&self, quantity: &Quantity, shown: &DrawnCase) -> Option<Vec<[f64; 2]>> {
-        if is_error(quantity) {
+        if quantity.error {
             return None;
         }
         let sizes = sizes(self.study, self.in_units, shown.case, quantity);
@@ -94,7 +93,7 @@ impl Curves<'_> {
             .chain((0..=EXACT_POINTS).map(time))
             .collect();
         let exact = self.study.problem.exact(shown.case, &all)?;
-        let values = column(quantity.source, &exact);
+        let values = exact.channel(quantity.channel);
         let line = exact.time.iter().zip(values);
         Some(line.map(|(t, x)| times([*t, *x], sizes)).collect())
     }
@@ -139,40 +138,24 @@ fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f6
         true => study.problem.size(case, dimension).unwrap_or(f64::NAN),
         false => 1.0,
     };
-    [of(Dimension::Time), of(quantity.source.dimension())]
+    [
+        of(Dimension::Time),
+        of(study.problem.schema().channels[quantity.channel].dimension),
+    ]
 }
 
 fn times(point: [f64; 2], sizes: [f64; 2]) -> [f64; 2] {
     [point[0] * sizes[0], point[1] * sizes[1]]
 }
 
-fn points(source: Source, solution: &Solution) -> Vec<[f64; 2]> {
-    let (computed, exact) = (&solution.computed, &solution.exact);
-    let values = column(source, computed);
-    let time = computed.time.iter();
-    match source {
-        Source::Displacement | Source::Velocity | Source::Force => {
-            time.zip(values).map(|(t, c)| [*t, *c]).collect()
-        }
-        Source::DisplacementError | Source::VelocityError => {
-            let pairs = values.iter().zip(column(source, exact));
-            time.zip(pairs).map(|(t, (c, e))| [*t, c - e]).collect()
-        }
+fn points(quantity: &Quantity, solution: &Solution) -> Vec<[f64; 2]> {
+    let computed = solution.computed.channel(quantity.channel);
+    let time = solution.computed.time.iter();
+    if !quantity.error {
+        return time.zip(computed).map(|(t, c)| [*t, *c]).collect();
     }
-}
-
-fn column(source: Source, history: &History) -> &[f64] {
-    match source {
-        Source::Displacement | Source::DisplacementError => &history.displacement,
-        Source::Velocity | Source::VelocityError => &history.velocity,
-        Source::Force => &history.force,
-    }
-}
-
-/// Whether a quantity is computed minus exact.
-pub fn is_error(quantity: &Quantity) -> bool {
-    matches!(
-        quantity.source,
-        Source::DisplacementError | Source::VelocityError
-    )
+    let pairs = computed
+        .iter()
+        .zip(solution.exact.channel(quantity.channel));
+    time.zip(pairs).map(|(t, (c, e))| [*t, c - e]).collect()
 }

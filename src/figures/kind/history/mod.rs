@@ -18,7 +18,7 @@ use crate::problem::unit::Dimension;
 use crate::study::kinds::History;
 use crate::study::{Figure, Scale, Study};
 use arrangement::Arrangement;
-use curves::{Curves, is_error};
+use curves::Curves;
 
 impl Draw for History {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
@@ -61,7 +61,7 @@ impl Draw for History {
         });
         let end = end.fold(0.0, f64::max);
         let title = |scaled: &str, dimension| match units {
-            Some(units) => units.title(study.problem, scaled, dimension),
+            Some(units) => units.title(&*study.problem, scaled, dimension),
             None => scaled.to_owned(),
         };
         let curves = Curves {
@@ -75,8 +75,10 @@ impl Draw for History {
             markers: 9.3 * (width / usual) / (0.6 + 0.4 * columns as f64),
         };
 
-        let quantities: Vec<&Quantity> =
-            y.iter().map(|q| &study.problem.quantities()[*q]).collect();
+        let quantities: Vec<&Quantity> = y
+            .iter()
+            .map(|q| &study.problem.schema().quantities[*q])
+            .collect();
         let members: Vec<Vec<usize>> = groups
             .iter()
             .map(|group| curves.members(panels.map(|row| (row, *group))))
@@ -103,7 +105,10 @@ impl Draw for History {
                 let of_it = series.iter().flat_map(|group| &group[q]);
                 let values = limits::heights(limits::points(of_it), x_range).into_iter();
                 let most = height(quantity).min(tallest) / 17.0;
-                let title = title(quantity.title, quantity.source.dimension());
+                let title = title(
+                    &quantity.title,
+                    study.problem.schema().channels[quantity.channel].dimension,
+                );
                 limits::axis(&title, values, Scale::Linear, y_range, most)
             })
             .collect();
@@ -117,7 +122,7 @@ impl Draw for History {
         };
         let time = time_axis(
             study,
-            &title(study.problem.time_title(), Dimension::Time),
+            &title(&study.problem.schema().time.title, Dimension::Time),
             x_range.unwrap_or([0.0, if end > 0.0 { end } else { 1.0 }]),
             grids.first().map_or(1.0, |grid| grid.width / 38.0),
         );
@@ -169,7 +174,7 @@ const LOW: f64 = 92.0;
 
 /// Height of a panel; lower for errors than for the response.
 fn height(quantity: &Quantity) -> f64 {
-    if is_error(quantity) { 76.0 } else { 160.0 }
+    if quantity.error { 76.0 } else { 160.0 }
 }
 
 /// The part of the time up to `end` that the axis shows; all of it if it shows no part.
@@ -181,7 +186,7 @@ fn window(range: Option<[f64; 2]>, end: f64) -> [f64; 2] {
 }
 
 fn time_axis(study: &Study, title: &str, range: [f64; 2], most: f64) -> Axis {
-    if study.problem.time_in_pi() {
+    if study.problem.schema().time.in_pi {
         ticks::in_pi(title, range, most)
     } else {
         ticks::linear(title, range, most)

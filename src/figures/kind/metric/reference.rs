@@ -97,11 +97,12 @@ mod tests {
 
     #[test]
     fn an_exact_line_follows_x_and_is_drawn_once() {
-        let table = problem::find("friction-oscillator").unwrap().parameters();
+        let problem = problem::find("friction-oscillator").unwrap();
+        let table = problem.parameters();
         let x = table.iter().position(|p| p.name == "x0").unwrap();
         let places = [3.0, 1.0, 2.0];
         let case = |place: &f64| {
-            let mut case = Case::new(table);
+            let mut case = Case::new(problem.schema());
             case.values[x] = Some(crate::problem::parameter::Value::Number(*place));
             case
         };

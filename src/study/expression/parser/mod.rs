@@ -25,7 +25,7 @@ pub(super) enum Kind {
 /// Reads the whole of `text`, which must be of `kind`.
 pub(super) fn parse(
     text: &str,
-    table: &'static [Parameter],
+    table: &[Parameter],
     kind: Kind,
 ) -> Result<Formula, ExpressionFault> {
     let mut parser = Parser {
@@ -40,9 +40,13 @@ pub(super) fn parse(
     let found = parser.operand_and_operators(0)?;
     match parser.peek() {
         None if found == kind => Ok(Formula {
+            names: parser
+                .uses
+                .iter()
+                .map(|row| table[*row].name.clone())
+                .collect(),
             steps: parser.steps,
             uses: parser.uses,
-            table,
         }),
         None => {
             let message = match kind {
@@ -66,7 +70,7 @@ fn fault(offset: usize, message: impl Into<String>) -> ExpressionFault {
 
 struct Parser<'a> {
     text: &'a str,
-    table: &'static [Parameter],
+    table: &'a [Parameter],
     offset: usize,
     depth: usize,
     /// The token read last, to name what an operand is missing after.
@@ -159,7 +163,7 @@ impl<'a> Parser<'a> {
                 (row, (from, to))
             }
             (Kind::Choice(row), _) | (_, Kind::Choice(row)) if equality => {
-                let name = self.table[row].name;
+                let name = &self.table[row].name;
                 return Err(fault(
                     at,
                     format!("{name} is compared with a name in single quotes"),
@@ -176,7 +180,7 @@ impl<'a> Parser<'a> {
         let Some(known) = names.iter().find(|known| **known == name) else {
             return Err(fault(
                 quoted.0 - 1,
-                unknown(self.table[row].name, name, &names),
+                unknown(&self.table[row].name, name, &names),
             ));
         };
         self.step(Step::Is(row, known), at);

@@ -104,7 +104,8 @@ impl Parser<'_> {
             _ => {
                 let Some(row) = row else {
                     let known = CONSTANTS.into_iter().chain(FUNCTIONS.iter().map(|f| f.0));
-                    let known: Vec<&str> = known.chain(self.table.iter().map(|p| p.name)).collect();
+                    let known: Vec<&str> =
+                        known.chain(self.table.iter().map(|p| &*p.name)).collect();
                     return Err(fault(at, unknown("name", name, &known)));
                 };
                 if !self.uses.contains(&row) {

@@ -27,7 +27,7 @@ pub(super) const KIND: Kind = Kind {
             x: values.row("x")?,
             y: values
                 .rows("y")
-                .unwrap_or_else(|| (0..scope.problem.budgets().len()).collect()),
+                .unwrap_or_else(|| (0..scope.problem.schema().budgets.len()).collect()),
             panels: values.row("panels"),
         }))
     },
@@ -38,7 +38,7 @@ pub(super) const KIND: Kind = Kind {
 pub struct Budget {
     /// Parameter along the horizontal axis.
     pub x: usize,
-    /// Rows of `problem.budgets()`, one row of panels each.
+    /// Rows of `problem.schema().budgets`, one row of panels each.
     pub y: Vec<usize>,
     /// Parameter with one panel for each value.
     pub panels: Option<usize>,
@@ -69,7 +69,7 @@ impl Decoded for Budget {
     }
 
     fn measures(&self, problem: &dyn Problem) -> Vec<usize> {
-        let budgets = self.y.iter().map(|row| &problem.budgets()[*row]);
+        let budgets = self.y.iter().map(|row| &problem.schema().budgets[*row]);
         budgets.flat_map(problem::Budget::metrics).collect()
     }
 }

@@ -6,7 +6,6 @@ use crate::study::Scale;
 use crate::study::figure::checker::Checker;
 use crate::study::figure::keys::{BY_OTHERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
 use crate::study::figure::sampled;
-use crate::study::scope::Scope;
 
 pub(super) const KIND: Kind = Kind {
     name: "convergence",
@@ -25,7 +24,7 @@ pub(super) const KIND: Kind = Kind {
     ],
     decode: |values, scope| {
         Some(FigureKind::Convergence(Convergence {
-            x: values.row("x").or_else(|| step(scope))?,
+            x: values.row("x").unwrap_or(scope.problem.schema().step),
             y: values.rows("y")?,
             by: values.row("by"),
         }))
@@ -41,12 +40,6 @@ pub struct Convergence {
     pub y: Vec<usize>,
     /// Parameter with one line style for each value; `None`: all others that vary.
     pub by: Option<usize>,
-}
-
-/// The parameter that is the time step.
-fn step(scope: &Scope) -> Option<usize> {
-    let table = scope.problem.parameters();
-    table.iter().position(|p| p.name == scope.problem.step())
 }
 
 impl Decoded for Convergence {

@@ -1,7 +1,6 @@
 //! Curves over time.
 
 use super::{Decoded, FigureKind, Kind};
-use crate::problem::Source;
 use crate::problem::parameter::Value;
 use crate::study::Scale;
 use crate::study::figure::checker::{Checker, NARROW};
@@ -57,7 +56,7 @@ pub(super) const KIND: Kind = Kind {
 /// Curves over time, one panel for each quantity, the exact solution thin.
 #[derive(Debug)]
 pub struct History {
-    /// Rows of `problem.quantities()`, one panel each.
+    /// Rows of `problem.schema().quantities`, one panel each.
     pub y: Vec<usize>,
     /// Parameter with one line style for each value; `None`: all that vary.
     pub by: Option<usize>,
@@ -69,13 +68,8 @@ pub struct History {
 
 /// The first quantity, and the first that is an error.
 fn response_and_error(scope: &Scope) -> Vec<usize> {
-    let quantities = scope.problem.quantities();
-    let error = quantities.iter().position(|quantity| {
-        matches!(
-            quantity.source,
-            Source::DisplacementError | Source::VelocityError
-        )
-    });
+    let quantities = &scope.problem.schema().quantities;
+    let error = quantities.iter().position(|quantity| quantity.error);
     let response = (!quantities.is_empty()).then_some(0);
     response.into_iter().chain(error).collect()
 }

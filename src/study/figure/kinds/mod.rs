@@ -16,7 +16,7 @@ mod wave;
 use super::checker::Checker;
 use super::keys::{COMMON, Key, Takes};
 use super::taken::Values;
-use crate::problem::Problem;
+use crate::problem::{Case, Problem};
 use crate::study::Scale;
 use crate::study::scope::Scope;
 
@@ -101,10 +101,10 @@ impl FigureKind {
         self.decoded().draws_histories()
     }
 
-    /// The times at which it draws quantities along the structure, for a case that ends at `end` after this number of
-    /// steps; none for kinds without them.
-    pub fn snapshot_times(&self, end: f64, steps: u64) -> Vec<f64> {
-        self.decoded().snapshot_times(end, steps)
+    /// The times at which it draws quantities along the structure of a case; none for kinds without them.
+    pub fn snapshot_times(&self, problem: &dyn Problem, case: &Case) -> Vec<f64> {
+        let end = case.at(problem.schema().duration).unwrap_or(0.0);
+        self.decoded().snapshot_times(end, problem.steps(case))
     }
 }
 
@@ -201,7 +201,7 @@ mod tests {
                 use Takes::{Budgets, Column, Metric, Metrics};
                 matches!(key.takes, Metric | Metrics | Column | Budgets)
             });
-            let problem = studies[0].problem;
+            let problem = &*studies[0].problem;
             let measures = figure.kind.decoded().measures(problem);
             assert_eq!(!measures.is_empty(), metrics, "{}", kind.name);
         }

@@ -31,7 +31,7 @@ pub(super) const KIND: Kind = Kind {
         Some(FigureKind::Profile(Profile {
             y: values
                 .rows("y")
-                .unwrap_or_else(|| (0..scope.problem.profiles().len()).collect()),
+                .unwrap_or_else(|| (0..scope.problem.schema().profiles.len()).collect()),
             times: values.times("times"),
         }))
     },
@@ -40,7 +40,7 @@ pub(super) const KIND: Kind = Kind {
 /// Quantities along the structure at given times, the exact solution thin.
 #[derive(Debug)]
 pub struct Profile {
-    /// Rows of `problem.profiles()`, one column of panels each.
+    /// Rows of `problem.schema().profiles`, one column of panels each.
     pub y: Vec<usize>,
     /// Times, in the problem's unit.
     pub times: Vec<f64>,
@@ -72,15 +72,12 @@ impl Decoded for Profile {
 impl Profile {
     /// Reports times after the end of a case.
     fn check_times(&self, checker: &mut Checker) {
-        let table = checker.scope.problem.parameters();
-        let Some(row) = table.iter().position(|p| p.name == "duration") else {
-            return;
-        };
-        let ends = checker.levels(row);
+        let schema = checker.scope.problem.schema();
+        let ends = checker.levels(schema.duration);
         let end = ends.iter().filter_map(|level| level.as_f64());
         let end = end.fold(f64::INFINITY, f64::min);
         for (i, time) in self.times.iter().enumerate().filter(|(_, t)| **t > end) {
-            let name = table[row].name;
+            let name = &schema.parameters[schema.duration].name;
             let message = format!("must be at most {name} = {end}, got {time}");
             checker.fault_of_item("times", i, message);
         }

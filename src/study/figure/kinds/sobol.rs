@@ -36,7 +36,7 @@ impl Decoded for Sobol {
         let complete = |block: &Block| {
             let mut designs = block.design.iter();
             designs.any(|d| d.sampling == Sampling::Saltelli && d.points() == chosen)
-                && block.select(scope.problem, filter).count() as u64 == chosen
+                && block.select(&*scope.problem, filter).count() as u64 == chosen
         };
         if !scope.blocks.iter().any(complete) {
             let message = "a sobol figure shows all cases of one block with a saltelli design, and no other cases";

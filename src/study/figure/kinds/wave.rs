@@ -18,7 +18,7 @@ pub(super) const KIND: Kind = Kind {
         "quantity along the structure; if left out, the last one of the problem",
     )],
     decode: |values, scope| {
-        let last = scope.problem.profiles().len().checked_sub(1);
+        let last = scope.problem.schema().profiles.len().checked_sub(1);
         Some(FigureKind::Wave(Wave {
             y: values.row("y").or(last)?,
         }))
@@ -28,7 +28,7 @@ pub(super) const KIND: Kind = Kind {
 /// One case over place and time, computed and exact, as shades with a colour bar.
 #[derive(Debug)]
 pub struct Wave {
-    /// Row of `problem.profiles()`.
+    /// Row of `problem.schema().profiles`.
     pub y: usize,
 }
 

@@ -1,22 +1,22 @@
-//! What was found of many cases.
+//! The metrics of many cases.
 
-use super::Problem;
+use super::Unsolvable;
 use std::collections::BTreeMap;
 
 /// The metrics of many cases, row by row, and why some have none.
 #[derive(Debug, Clone, Default)]
-pub struct Found {
+pub struct MetricTable {
     len: usize,
     width: usize,
     /// Not a number where one is undefined: half the memory of an option.
     metrics: Vec<f64>,
-    failures: BTreeMap<usize, String>,
+    failures: BTreeMap<usize, Unsolvable>,
 }
 
-impl Found {
+impl MetricTable {
     /// `len` cases without metrics yet, of which there will be the first `width` of the problem's table.
-    pub fn new(len: usize, width: usize) -> Found {
-        Found {
+    pub fn new(len: usize, width: usize) -> MetricTable {
+        MetricTable {
             len,
             width,
             metrics: vec![f64::NAN; len * width],
@@ -51,27 +51,21 @@ impl Found {
     }
 
     /// Why a case could not be solved, if so.
-    pub fn failure(&self, case: usize) -> Option<&str> {
-        self.failures.get(&case).map(String::as_str)
+    pub fn failure(&self, case: usize) -> Option<&Unsolvable> {
+        self.failures.get(&case)
     }
 
     /// The cases that could not be solved, rising, and why.
-    pub fn failures(&self) -> impl Iterator<Item = (usize, &str)> {
-        self.failures
-            .iter()
-            .map(|(case, why)| (*case, why.as_str()))
+    pub fn failures(&self) -> impl Iterator<Item = (usize, &Unsolvable)> {
+        self.failures.iter().map(|(case, why)| (*case, why))
     }
 
-    /// Number of cases in which no contact happens: solved, and without the metric that [`Problem::contact`] names. Their
-    /// metrics of contact are undefined.
-    pub fn untouched(&self, problem: &dyn Problem) -> u64 {
-        let Some(metric) = problem.contact() else {
-            return 0;
-        };
-        let untouched = |(case, cell): &(usize, Option<f64>)| {
+    /// Number of cases that were solved and do not have a metric.
+    pub fn solved_without(&self, metric: usize) -> u64 {
+        let without = |(case, cell): &(usize, Option<f64>)| {
             cell.is_none() && !self.failures.contains_key(case)
         };
-        self.column(metric).enumerate().filter(untouched).count() as u64
+        self.column(metric).enumerate().filter(without).count() as u64
     }
 
     /// Puts in the metrics of a case: as many as there are in a row, or fewer; those that are not finite are undefined.
@@ -84,12 +78,12 @@ impl Found {
     }
 
     /// Says why a case could not be solved.
-    pub fn fail(&mut self, case: usize, why: String) {
+    pub fn fail(&mut self, case: usize, why: Unsolvable) {
         self.failures.insert(case, why);
     }
 
     /// Puts in what a case by itself came to, or says why it came to nothing.
-    pub fn put(&mut self, case: usize, metrics: Result<Vec<Option<f64>>, String>) {
+    pub fn put(&mut self, case: usize, metrics: Result<Vec<Option<f64>>, Unsolvable>) {
         match metrics {
             Ok(row) => self.set(case, row.iter().map(|x| x.unwrap_or(f64::NAN))),
             Err(why) => self.fail(case, why),
@@ -97,19 +91,19 @@ impl Found {
     }
 
     /// Puts in a case of another table, at most as wide.
-    pub fn copy(&mut self, case: usize, other: &Found, from: usize) {
+    pub fn copy(&mut self, case: usize, other: &MetricTable, from: usize) {
         let (to, row) = (
             case * self.width,
             from * other.width..(from + 1) * other.width,
         );
         self.metrics[to..to + other.width].copy_from_slice(&other.metrics[row]);
         if let Some(why) = other.failure(from) {
-            self.failures.insert(case, why.to_owned());
+            self.failures.insert(case, why.clone());
         }
     }
 
     /// This table and another of the same width below it.
-    pub fn followed_by(mut self, below: Found) -> Found {
+    pub fn followed_by(mut self, below: MetricTable) -> MetricTable {
         let moved = below.failures.into_iter();
         self.failures
             .extend(moved.map(|(case, why)| (self.len + case, why)));

@@ -14,13 +14,27 @@ pub struct ElementState {
 }
 
 /// A two-node element with a law that is linear in pieces.
-pub trait Element {
+pub trait Element: std::fmt::Debug {
     /// The state at the last step's end.
     fn state(&self) -> ElementState;
     /// The state at `r`, `rdot`, tried from the last step's end.
     fn trial(&self, r: f64, rdot: f64) -> ElementState;
     /// Makes `r`, `rdot` the end of the step.
     fn commit(&mut self, r: f64, rdot: f64);
+}
+
+impl<E: Element + ?Sized> Element for Box<E> {
+    fn state(&self) -> ElementState {
+        (**self).state()
+    }
+
+    fn trial(&self, r: f64, rdot: f64) -> ElementState {
+        (**self).trial(r, rdot)
+    }
+
+    fn commit(&mut self, r: f64, rdot: f64) {
+        (**self).commit(r, rdot)
+    }
 }
 
 /// Friction, displacement-control model [F (9) to (11)].

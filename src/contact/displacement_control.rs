@@ -1,0 +1,82 @@
+//! The displacement-control model of friction.
+
+use super::element::{DisplacementFriction, Element};
+use super::{Cycle, Law, StepFlexibility, StepLaw, Trial, lanes};
+use crate::lane::Lane;
+
+/// Displacement-control model [F (9)]: elastic up to r^E = nu |N|/k^C about the slip, then sliding at the friction limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DisplacementControl {
+    /// 1/k^C; alpha in dimensionless units.
+    pub compliance: f64,
+    /// `nu |N| <N>`, >= 0.
+    pub limit: f64,
+}
+
+/// The model over a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Step<const L: usize> {
+    /// `nu |N| <N>`, >= 0; may change from step to step.
+    pub limit: Lane<L>,
+    /// S(i+1) of the elastic element for a unit of change, and for a unit of S(i).
+    by_change: Lane<L>,
+    by_force: Lane<L>,
+}
+
+impl Law for DisplacementControl {
+    type Step<const L: usize> = Step<L>;
+
+    #[inline(always)]
+    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
+        let compliance = lanes(laws, |law| law.compliance);
+        let by_change = (compliance + on.end.h).map(|c| 1.0 / c);
+        Step {
+            limit: lanes(laws, |law| law.limit),
+            by_change,
+            by_force: (compliance - on.start.h) * by_change,
+        }
+    }
+
+    fn stored_energy(&self, _: f64, s: f64) -> f64 {
+        0.5 * self.compliance * s * s
+    }
+
+    /// The papers' normal force is negative where the contact is pressed.
+    fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
+        let slip = r - s * self.compliance;
+        let element = DisplacementFriction::new(1.0 / self.compliance, self.limit, -1.0, slip, s);
+        Some(Box::new(element))
+    }
+
+    /// From rest to `reach`, back, and again [F Fig. 3]; a compliance of zero is the rigid law.
+    fn cycle(&self, reach: f64) -> Cycle {
+        let width = self.compliance * self.limit;
+        let limit = self.limit;
+        let unloading = |t: f64| [reach - 2.0 * width * t, (1.0 - 2.0 * t) * limit];
+        let loading = |t: f64| [2.0 * width * t - reach, (2.0 * t - 1.0) * limit];
+        let points = vec![
+            [0.0, 0.0],
+            [width, limit],
+            unloading(0.0),
+            unloading(0.3),
+            unloading(0.7),
+            unloading(1.0),
+            loading(0.0),
+            loading(0.3),
+            loading(0.7),
+            loading(1.0),
+            [width, limit],
+        ];
+        (points, vec![3, 4, 7, 8])
+    }
+}
+
+impl<const L: usize> StepLaw<L> for Step<L> {
+    #[inline(always)]
+    fn force(&self, trial: &Trial<L>) -> Lane<L> {
+        // Stick: S = k^C (r - r^S) [F (9)] at both ends of the step, so S(i+1) = S(i) + k^C (r(i+1) - r(i)). The limit is the
+        // return mapping that [F] does not print: beyond it the slip r^S = r - S/k^C follows the contact. At N >= 0 the limit
+        // is zero: a contact that opens forgets where it slid.
+        (trial.change * self.by_change + trial.force * self.by_force).cut(self.limit)
+    }
+}

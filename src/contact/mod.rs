@@ -1,0 +1,342 @@
+//! Contact laws: the force S of a contact from its relative displacement r and velocity rdot. A law is one file and one line
+//! in the list below.
+//!
+//! S *resists*: it has the sign of the motion it opposes ([F (1)] and [F (6)] disagree on it; this sign agrees with
+//! [F (9), (16), (19)]). Over a step from i to i+1 the structure leaves
+//!
+//! ```text
+//! r(i+1)    = r(i) + change - start.h      S(i) - end.h      S(i+1)
+//! rdot(i+1) =          rate - start.h_rate S(i) - end.h_rate S(i+1)
+//! ```
+//!
+//! The method of integration says how much of S(i) is still to be applied: all of it in the constant average acceleration
+//! method (`start` = `end`), nothing in a method whose prediction contains it (`start` = 0). Each law gives the one root of
+//! both equations in closed form. Newton's iteration of the papers converges to it where it converges; on clipped laws it can
+//! cycle.
+
+mod displacement_control;
+pub mod element;
+mod impact_spring;
+mod velocity_control;
+
+pub use displacement_control::DisplacementControl;
+pub use impact_spring::ImpactSpring;
+pub use velocity_control::VelocityControl;
+
+use crate::lane::Lane;
+use element::Element;
+
+/// A contact at the start of a step, and its motion over the step without contact forces.
+#[derive(Debug, Clone, Copy)]
+pub struct Trial<const L: usize> {
+    /// r(i).
+    pub displacement: Lane<L>,
+    /// S(i).
+    pub force: Lane<L>,
+    /// r(i+1) - r(i) without the contact forces that are still to be applied.
+    pub change: Lane<L>,
+    /// rdot(i+1) without them.
+    pub rate: Lane<L>,
+}
+
+/// What a unit of contact force takes from the contact's motion over a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Flexibility<const L: usize> {
+    /// From r(i+1): h = b^T Khat^-1 b for the constant average acceleration method.
+    pub h: Lane<L>,
+    /// From rdot(i+1): 2 h/dt for that method.
+    pub h_rate: Lane<L>,
+}
+
+/// Flexibility of a structure for the forces at both ends of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct StepFlexibility<const L: usize> {
+    /// For S(i), as far as the trial does not contain it.
+    pub start: Flexibility<L>,
+    /// For S(i+1); `h` > 0.
+    pub end: Flexibility<L>,
+}
+
+/// A contact law with the numbers of one case. Its memory is in S: a slip is r - S/k^C.
+pub trait Law: Copy {
+    /// The law over a step, for L cases.
+    type Step<const L: usize>: StepLaw<L>;
+
+    /// The law over a step, for cases on structures of this flexibility.
+    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Self::Step<L>;
+
+    /// Energy that the contact stores at r under S.
+    fn stored_energy(&self, r: f64, s: f64) -> f64;
+
+    /// Energy that the contact dissipates over a step between two states (r, S), the force being the mean of both as in the
+    /// constant average acceleration method.
+    fn dissipated_energy(&self, [r, s]: [f64; 2], [r_end, s_end]: [f64; 2]) -> f64 {
+        let work = 0.5 * (s + s_end) * (r_end - r);
+        work - (self.stored_energy(r_end, s_end) - self.stored_energy(r, s))
+    }
+
+    /// The law as the papers print it, at r under S; `None` where they do not.
+    fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
+        None
+    }
+
+    /// Points (r, S), or (rdot, S) for a viscous law, of a cycle between -`reach` and `reach`, and which of them carry a
+    /// marker in figures.
+    fn cycle(&self, reach: f64) -> Cycle;
+}
+
+/// A curve of a law, and the points of it that carry a marker.
+pub type Cycle = (Vec<[f64; 2]>, Vec<usize>);
+
+/// A law whose coefficients for a step are known.
+pub trait StepLaw<const L: usize>: Copy {
+    /// S(i+1).
+    fn force(&self, trial: &Trial<L>) -> Lane<L>;
+}
+
+/// Code that is compiled for each law by itself.
+pub trait Visitor<const L: usize> {
+    /// Runs with the law.
+    fn visit(self, law: &impl StepLaw<L>);
+}
+
+/// Friction limit `nu |N| <N>`: zero where the contact is open, N >= 0 [F (1), (3)].
+pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
+    if normal_force < 0.0 {
+        nu * normal_force.abs()
+    } else {
+        0.0
+    }
+}
+
+macro_rules! laws {
+    ($($law:ident),+ $(,)?) => {
+        /// The law of a contact.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum ContactLaw {
+            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law)),+
+        }
+
+        /// The laws there are.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum LawKind {
+            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
+        }
+
+        /// A law over a step, for L cases.
+        #[derive(Debug, Clone, Copy)]
+        pub enum AnyStep<const L: usize> {
+            $(#[doc = concat!("Of [`", stringify!($law), "`].")] $law(<$law as Law>::Step<L>)),+
+        }
+
+        impl ContactLaw {
+            /// Which law it is.
+            pub fn kind(&self) -> LawKind {
+                match self {
+                    $(ContactLaw::$law(_) => LawKind::$law),+
+                }
+            }
+
+            /// The law over a step; all cases have a law of the first one's kind.
+            // Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+            pub fn step<const L: usize>(laws: &[ContactLaw; L], on: &StepFlexibility<L>) -> AnyStep<L> {
+                match laws[0] {
+                    $(ContactLaw::$law(first) => {
+                        let mut own = [first; L];
+                        for (own, law) in own.iter_mut().zip(laws) {
+                            if let ContactLaw::$law(law) = law {
+                                *own = *law;
+                            }
+                        }
+                        AnyStep::$law($law::step(&own, on))
+                    }),+
+                }
+            }
+
+            /// Energy that the contact stores at r under S.
+            pub fn stored_energy(&self, r: f64, s: f64) -> f64 {
+                match self {
+                    $(ContactLaw::$law(law) => law.stored_energy(r, s)),+
+                }
+            }
+
+            /// The law as the papers print it, at r under S; `None` where they do not.
+            pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
+                match self {
+                    $(ContactLaw::$law(law) => law.element(r, s)),+
+                }
+            }
+        }
+
+        impl<const L: usize> AnyStep<L> {
+            /// Runs the visitor with the law itself, so that loops over steps do not ask which law it is.
+            pub fn accept(&self, visitor: impl Visitor<L>) {
+                match self {
+                    $(AnyStep::$law(law) => visitor.visit(law)),+
+                }
+            }
+        }
+
+        impl<const L: usize> StepLaw<L> for AnyStep<L> {
+            #[inline(always)]
+            fn force(&self, trial: &Trial<L>) -> Lane<L> {
+                match self {
+                    $(AnyStep::$law(law) => law.force(trial)),+
+                }
+            }
+        }
+    };
+}
+
+laws!(DisplacementControl, VelocityControl, ImpactSpring);
+
+/// One number of each law.
+#[inline(always)]
+fn lanes<W, const L: usize>(laws: &[W; L], number: impl Fn(&W) -> f64) -> Lane<L> {
+    let mut lanes = Lane::splat(0.0);
+    for (lane, law) in lanes.0.iter_mut().zip(laws) {
+        *lane = number(law);
+    }
+    lanes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The root of S = law(r* - h S): `rest` = S - law(r* - h S) rises with S, so halving finds it.
+    fn bisection(rest: impl Fn(f64) -> f64, reach: f64) -> f64 {
+        let (mut low, mut high) = (-reach, reach);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if rest(middle) > 0.0 {
+                high = middle
+            } else {
+                low = middle
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    fn on(h: f64, dt: f64) -> StepFlexibility<1> {
+        let end = Flexibility {
+            h: Lane([h]),
+            h_rate: Lane([2.0 * h / dt]),
+        };
+        StepFlexibility { start: end, end }
+    }
+
+    fn trial(displacement: f64, force: f64, change: f64, rate: f64) -> Trial<1> {
+        Trial {
+            displacement: Lane([displacement]),
+            force: Lane([force]),
+            change: Lane([change]),
+            rate: Lane([rate]),
+        }
+    }
+
+    fn answer(law: impl StepLaw<1>, trial: &Trial<1>) -> f64 {
+        law.force(trial).0[0]
+    }
+
+    fn displacement_control(
+        compliance: f64,
+        limit: f64,
+        on: &StepFlexibility<1>,
+    ) -> displacement_control::Step<1> {
+        DisplacementControl::step(&[DisplacementControl { compliance, limit }], on)
+    }
+
+    fn velocity_control(
+        compliance: f64,
+        limit: f64,
+        on: &StepFlexibility<1>,
+    ) -> velocity_control::Step<1> {
+        VelocityControl::step(&[VelocityControl { compliance, limit }], on)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn every_law_gives_the_one_root_and_rises(
+            r in -3.0..3.0_f64,
+            before in -2.0..2.0_f64,
+            change in -3.0..3.0_f64,
+            rate in -3.0..3.0_f64,
+            compliance in 1e-3..5.0_f64,
+            h in 1e-3..5.0_f64,
+            dt in 0.1..2.0_f64,
+            limit in 0.0..2.0_f64,
+            more in 0.0..1.0_f64,
+        ) {
+            let now = trial(r, before, change, rate);
+            let further = trial(r, before, change + more, rate + more);
+            let on = on(h, dt);
+            // The inputs are rounded to eps of some 8, which the steepest law, 1/(compliance + h), turns into this much.
+            let near = |a: f64, b: f64| (a - b).abs() < 64.0 * f64::EPSILON * (1.0 + 1.0 / (compliance + h));
+            // What this step's force leaves of the motion.
+            let displacement = |s: f64| r + change - h * (before + s);
+            let velocity = |s: f64| rate - 2.0 * h / dt * (before + s);
+
+            let law = displacement_control(compliance, limit, &on);
+            let force = answer(law, &now);
+            let slip = r - compliance * before;
+            let root = bisection(|s| s - ((displacement(s) - slip) / compliance).clamp(-limit, limit), limit);
+            prop_assert!(near(force, root), "displacement-control {force} {root}");
+            prop_assert!(answer(law, &further) >= force);
+
+            let law = velocity_control(compliance, limit, &on);
+            let force = answer(law, &now);
+            let root = bisection(|s| s - (velocity(s) / compliance).clamp(-limit, limit), limit);
+            prop_assert!(near(force, root), "velocity-control {force} {root}");
+            prop_assert!(answer(law, &further) >= force);
+
+            let law = ImpactSpring::step(&[ImpactSpring { stiffness: 1.0 / compliance }], &on);
+            let force = answer(law, &now);
+            let root = bisection(|s| s - displacement(s).min(0.0) / compliance, 20.0 / compliance);
+            // Here the bisection itself starts from up to 20000.
+            prop_assert!((force - root).abs() < 1e-11, "impact spring {force} {root}");
+            prop_assert!(answer(law, &further) >= force);
+        }
+    }
+
+    #[test]
+    fn an_open_contact_has_no_friction_and_forgets_where_it_slid() {
+        for (nu, normal, limit) in [
+            (0.5, -2.0, 1.0),
+            (0.3, -10.0, 3.0),
+            (0.5, 0.0, 0.0),
+            (0.5, 2.0, 0.0),
+        ] {
+            assert_eq!(friction_limit(nu, normal), limit);
+        }
+        let mut law = displacement_control(0.1, 0.0, &on(0.3, 0.1));
+        assert_eq!(answer(law, &trial(2.0, 0.7, 0.5, 0.0)), 0.0);
+        // Pressed again, with S = 0 at its start: the slip is where the contact is then.
+        law.limit = Lane([1.0]);
+        let force = answer(law, &trial(2.0, 0.0, 0.2, 0.0));
+        assert!((force - 0.2 / (0.1 + 0.3)).abs() < 1e-15);
+        let law = velocity_control(0.1, 0.0, &on(0.3, 0.1));
+        assert_eq!(answer(law, &trial(2.0, 0.0, 1.0, 0.0)), 0.0);
+    }
+
+    #[test]
+    fn sticking_stores_and_sliding_dissipates() {
+        let law = DisplacementControl {
+            compliance: 0.5,
+            limit: 1.0,
+        };
+        // Elastic: S = r/0.5 from 0.1 to 0.4. Sliding at the limit over 0.3: the slip is 0.3.
+        assert!(law.dissipated_energy([0.1, 0.2], [0.4, 0.8]).abs() < 1e-16);
+        assert!((law.dissipated_energy([0.7, 1.0], [1.0, 1.0]) - 0.3).abs() < 1e-16);
+        let law = VelocityControl {
+            compliance: 0.5,
+            limit: 1.0,
+        };
+        assert!((law.dissipated_energy([0.0, 0.6], [0.1, 0.8]) - 0.07).abs() < 1e-16);
+        let law = ImpactSpring { stiffness: 4.0 };
+        assert!(law.dissipated_energy([-0.25, -1.0], [-0.5, -2.0]).abs() < 1e-16);
+    }
+}

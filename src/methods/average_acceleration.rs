@@ -1,0 +1,360 @@
+//! The constant average acceleration method for the modes of a structure with one contact.
+//!
+//! Newmark's method with gamma = 1/2, beta = 1/4 [F section 4, I section 3]. For a mode x'' + omega2 x = -phi2 S,
+//! with D = 1 + omega2 dt^2/4, K = omega2 dt^2/D, G = phi2 dt^2/(2 D) and the increments P = x + dt v/2, W = dt v, the
+//! method is exactly
+//!
+//! ```text
+//! W(i+1) = W(i) - K P(i) - G (S(i) + S(i+1)),   P(i+1) = P(i) + W(i+1)
+//! x(i+1) = P(i+1) - W(i+1)/2,   v(i+1) = W(i+1)/dt
+//! ```
+//!
+//! The increments keep the round-off small however small the step is. W(i+1) without the forces is known one step ahead, for
+//! each mode (`predictor`) and in their sum. The sum is the contact's motion without its forces. The law gives the root
+//! S(i+1). One pass then moves all modes: three additions for each mode and step.
+
+use super::{ContactState, EndingLanes};
+use crate::contact::{Flexibility, StepFlexibility, StepLaw, Trial};
+use crate::lane::Lane;
+use crate::system::Mode;
+
+/// Modes of L structures with one contact each; `M` holds the modes, in an array where their number is known.
+#[derive(Debug, Clone)]
+pub struct AverageAcceleration<const L: usize, M = Vec<ModeState<L>>> {
+    modes: M,
+    /// 1/dt
+    rate: Lane<L>,
+    /// Sum of the modes' G.
+    compliance: Lane<L>,
+    /// Sum of the modes' predictors.
+    predictor: Lane<L>,
+    contact: ContactState<L>,
+    /// dt rdot
+    increment: Lane<L>,
+}
+
+/// The coefficients and the state of one mode. The alignment puts it at the start of a cache line.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub struct ModeState<const L: usize> {
+    /// K
+    stiffness: Lane<L>,
+    /// G
+    compliance: Lane<L>,
+    /// P
+    p: Lane<L>,
+    /// W - K P: the next W without the contact forces.
+    predictor: Lane<L>,
+}
+
+/// A mode at t = 0, the same mode of each structure.
+#[derive(Debug, Clone, Copy)]
+pub struct ModeStart<const L: usize> {
+    /// The mode of each structure.
+    pub mode: [Mode; L],
+    /// Coordinate x.
+    pub displacement: Lane<L>,
+    /// Its velocity.
+    pub velocity: Lane<L>,
+}
+
+/// Storage of modes: a list, or an array of one.
+pub trait Modes<const L: usize>: AsRef<[ModeState<L>]> + AsMut<[ModeState<L>]> + Clone {
+    /// Stores the modes, at least one.
+    fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self>;
+}
+
+impl<const L: usize> Modes<L> for Vec<ModeState<L>> {
+    fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
+        Some(Iterator::collect(modes))
+    }
+}
+
+impl<const L: usize> Modes<L> for [ModeState<L>; 1] {
+    #[inline(always)]
+    fn collect(mut modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
+        modes.next().map(|mode| [mode])
+    }
+}
+
+impl<const L: usize> ModeState<L> {
+    #[inline(always)]
+    fn new(dt: Lane<L>, start: &ModeStart<L>) -> Self {
+        let omega2 = Lane(start.mode.map(|m| m.omega2));
+        let phi2 = Lane(start.mode.map(|m| m.phi2));
+        let shrink = (omega2 * dt * dt).map(|o| 1.0 / (1.0 + 0.25 * o));
+        let stiffness = omega2 * dt * dt * shrink;
+        let compliance = phi2 * dt * dt * shrink * 0.5;
+        let w = dt * start.velocity;
+        let p = start.displacement + w * 0.5;
+        ModeState {
+            stiffness,
+            compliance,
+            p,
+            predictor: w - stiffness * p,
+        }
+    }
+
+    /// One step under S(i) + S(i+1); gives the predictor.
+    #[inline(always)]
+    fn step(&mut self, force_sum: Lane<L>) -> Lane<L> {
+        let w = self.predictor - self.compliance * force_sum;
+        self.p = self.p + w;
+        self.predictor = w - self.stiffness * self.p;
+        self.predictor
+    }
+
+    /// W and x.
+    #[inline(always)]
+    fn state(&self) -> [Lane<L>; 2] {
+        let w = self.predictor + self.stiffness * self.p;
+        [w, self.p - w * 0.5]
+    }
+}
+
+/// Sum from the first term on, so that the sum over one mode is that mode.
+#[inline(always)]
+fn sum<const L: usize>(modes: &[ModeState<L>], of: impl Fn(&ModeState<L>) -> Lane<L>) -> Lane<L> {
+    let Some((first, others)) = modes.split_first() else {
+        return Lane::splat(0.0);
+    };
+    let mut sum = of(first);
+    for mode in others {
+        sum = sum + of(mode);
+    }
+    sum
+}
+
+impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
+    /// Modes at t = 0 with steps `dt`, the contact's `gap` and the force S(0); equilibrium with it gives a(0). `None` without
+    /// a mode.
+    #[inline(always)]
+    pub fn new(
+        dt: Lane<L>,
+        start: impl Iterator<Item = ModeStart<L>>,
+        gap: Lane<L>,
+        force: Lane<L>,
+    ) -> Option<Self> {
+        let modes = M::collect(start.map(|start| ModeState::new(dt, &start)))?;
+        let all = modes.as_ref();
+        let rate = dt.map(|dt| 1.0 / dt);
+        let increment = sum(all, |mode| mode.state()[0]);
+        Some(AverageAcceleration {
+            rate,
+            compliance: sum(all, |mode| mode.compliance),
+            predictor: sum(all, |mode| mode.predictor),
+            contact: ContactState {
+                displacement: gap + sum(all, |mode| mode.state()[1]),
+                velocity: increment * rate,
+                force,
+            },
+            increment,
+            modes,
+        })
+    }
+
+    /// The contact after the last step.
+    #[inline(always)]
+    pub fn contact(&self) -> ContactState<L> {
+        self.contact
+    }
+
+    /// What a unit of contact force takes from the contact's motion over a step.
+    #[inline(always)]
+    pub fn flexibility(&self) -> StepFlexibility<L> {
+        let end = Flexibility {
+            h: self.compliance * 0.5,
+            h_rate: self.compliance * self.rate,
+        };
+        StepFlexibility { start: end, end }
+    }
+
+    /// One step; `law` gives the force at its end.
+    #[inline(always)]
+    pub fn step(&mut self, law: &impl StepLaw<L>) -> ContactState<L> {
+        let before = self.contact;
+        let force = law.force(&Trial {
+            displacement: before.displacement,
+            force: before.force,
+            change: (self.increment + self.predictor) * 0.5,
+            rate: self.predictor * self.rate,
+        });
+        let force_sum = before.force + force;
+        let increment = self.predictor - self.compliance * force_sum;
+        // From the first mode on, not from zero: a structure of one mode has no sums then.
+        let mut predictor = Lane::splat(0.0);
+        if let [first, others @ ..] = self.modes.as_mut() {
+            predictor = first.step(force_sum);
+            for mode in others {
+                predictor = predictor + mode.step(force_sum);
+            }
+        }
+        self.contact = ContactState {
+            displacement: before.displacement + (self.increment + increment) * 0.5,
+            velocity: increment * self.rate,
+            force,
+        };
+        (self.predictor, self.increment) = (predictor, increment);
+        self.contact
+    }
+
+    /// Steps 0..=`last` of each lane. `advance` moves by a number of steps. `end` gets the first mode's velocity whenever lanes
+    /// end, and which of them end. Gives the contact of each lane at its own last step.
+    ///
+    /// A lane that has ended moves on with the others and changes none of them.
+    pub fn run(
+        &mut self,
+        last: &[u64; L],
+        mut advance: impl FnMut(&mut Self, usize),
+        mut end: impl FnMut(Lane<L>, &EndingLanes<L>),
+    ) -> ContactState<L> {
+        let mut ends = self.contact;
+        let (mut at, mut from) = (0, 0);
+        while let Some(next) = last.iter().copied().filter(|n| *n >= from).min() {
+            advance(self, (next - at) as usize);
+            let ending = EndingLanes::new(last, next);
+            ends = ContactState {
+                displacement: ending.select(self.contact.displacement, ends.displacement),
+                velocity: ending.select(self.contact.velocity, ends.velocity),
+                force: ending.select(self.contact.force, ends.force),
+            };
+            if let Some(first) = self.modes.as_ref().first() {
+                end(first.state()[0] * self.rate, &ending);
+            }
+            (at, from) = (next, next + 1);
+        }
+        ends
+    }
+
+    /// Coordinates and velocities of the modes.
+    pub fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_ {
+        let states = self.modes.as_ref().iter().map(ModeState::state);
+        states.map(|[w, x]| (x, w * self.rate))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::Modal;
+    use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+
+    /// A prescribed force.
+    #[derive(Clone, Copy)]
+    struct Prescribed(f64);
+
+    impl StepLaw<1> for Prescribed {
+        fn force(&self, _: &Trial<1>) -> Lane<1> {
+            Lane([self.0])
+        }
+    }
+
+    #[test]
+    fn free_vibration_has_the_methods_exact_period() {
+        // Phase 2 atan(W/2) a step, W = omega dt: the period is 2 pi/omega (W/2)/atan(W/2), the amplitude stays.
+        for w in [1e-3, 0.1, 1.0, 2.0, 20.0] {
+            let omega = 3.0;
+            let start = ModeStart {
+                mode: [Mode {
+                    omega2: omega * omega,
+                    phi2: 0.7,
+                }],
+                displacement: Lane([1.0]),
+                velocity: Lane([0.4 * omega]),
+            };
+            let zero = Lane([0.0]);
+            let mut stepper =
+                AverageAcceleration::<1>::new(Lane([w / omega]), [start].into_iter(), zero, zero)
+                    .unwrap();
+            let energy = |stepper: &AverageAcceleration<1>| {
+                let (x, v) = stepper.modes().next().unwrap();
+                start.mode[0].energy(x.0[0], v.0[0])
+            };
+            let first = energy(&stepper);
+            for step in 1..=1000 {
+                let contact = stepper.step(&Prescribed(0.0));
+                let (sin, cos) = libm::sincos(f64::from(step) * 2.0 * libm::atan(0.5 * w));
+                let (x, v) = (cos + 0.4 * sin, omega * (0.4 * cos - sin));
+                // Each step rounds p and w once; where W is large, v is a small difference turned by W/2.
+                let tolerance = 4.0 * f64::EPSILON * f64::from(step) * (1.0 + w);
+                assert!(
+                    (contact.displacement.0[0] - x).abs() < tolerance,
+                    "W = {w}, step {step}"
+                );
+                assert!(
+                    (contact.velocity.0[0] - v).abs() < tolerance * omega,
+                    "W = {w}, step {step}"
+                );
+                let exact = (v * v + omega * omega * x * x) / (2.0 * 0.7);
+                assert!((energy(&stepper) - exact).abs() < 2.0 * tolerance * exact);
+                assert!((energy(&stepper) - first).abs() < 2.0 * tolerance * first);
+            }
+        }
+    }
+
+    #[test]
+    fn modes_under_a_force_follow_the_textbook_recursion() {
+        // M a + K u + b S = 0 at the step's end, u and v by the mean of both accelerations; a(0) from equilibrium.
+        let m = dmatrix![2.0, 0.3, 0.0; 0.3, 1.0, -0.2; 0.0, -0.2, 0.5];
+        let k = dmatrix![3.0, -1.0, 0.0; -1.0, 2.5, -1.5; 0.0, -1.5, 2.0];
+        let b = dvector![-1.0, 0.0, 1.0];
+        let (gap, force) = (0.25, 0.6);
+        let (mut u, mut v) = (dvector![0.7, -1.3, 2.1], dvector![1.0, 0.0, -0.5]);
+        let modal = Modal::new(&m, &k, &DMatrix::from_column_slice(3, 1, b.as_slice())).unwrap();
+        let modes = modal.modes(0);
+        for dt in [0.01, 0.3, 2.0] {
+            let (x, xdot) = (modal.shares(0, &u), modal.shares(0, &v));
+            let start = modes
+                .iter()
+                .zip(x.iter().zip(xdot.iter()))
+                .map(|(&mode, (&x, &v))| ModeStart {
+                    mode: [mode],
+                    displacement: Lane([x]),
+                    velocity: Lane([v]),
+                });
+            let mut stepper =
+                AverageAcceleration::<1>::new(Lane([dt]), start, Lane([gap]), Lane([force]))
+                    .unwrap();
+            let solve = |f: DVector<f64>| m.clone().lu().solve(&f).unwrap();
+            let mut a = solve(-(&k * &u + &b * force));
+            let effective = (&m * (4.0 / (dt * dt)) + &k).lu();
+            for s in (1..=100).map(|i| libm::sin(0.37 * f64::from(i))) {
+                let inertia = &m * (&u * (4.0 / (dt * dt)) + &v * (4.0 / dt) + &a);
+                let next = effective.solve(&(inertia - &b * s)).unwrap();
+                let change = (&next - &u) * (2.0 / dt);
+                v = &change - &v;
+                u = next;
+                a = solve(-(&k * &u + &b * s));
+                let contact = stepper.step(&Prescribed(s));
+                let (r, rdot) = (b.dot(&u) + gap, b.dot(&v));
+                // The recursion takes v from displacements over dt/2 in each of 100 steps.
+                let tolerance = 1e-14 * 100.0 * (1.0 + 1.0 / dt);
+                assert!(
+                    (contact.displacement.0[0] - r).abs() < tolerance,
+                    "dt = {dt}"
+                );
+                assert!(
+                    (contact.velocity.0[0] - rdot).abs() < tolerance,
+                    "dt = {dt}"
+                );
+                assert_eq!(contact.force.0[0], s);
+                let energy = 0.5 * (v.dot(&(&m * &v)) + u.dot(&(&k * &u)));
+                let modes = modes.iter().zip(stepper.modes());
+                let sum: f64 = modes
+                    .map(|(mode, (x, v))| mode.energy(x.0[0], v.0[0]))
+                    .sum();
+                assert!((sum / energy - 1.0).abs() < 10.0 * tolerance);
+            }
+            let h = b.dot(&effective.solve(&b).unwrap());
+            let Flexibility { h: own, h_rate } = stepper.flexibility().end;
+            assert!((own.0[0] / h - 1.0).abs() < 1e-13, "dt = {dt}");
+            assert!(
+                (h_rate.0[0] / (2.0 * h / dt) - 1.0).abs() < 1e-13,
+                "dt = {dt}"
+            );
+            // Modes give their part of r back.
+            let sum: f64 = stepper.modes().map(|(x, _)| x.0[0]).sum();
+            assert!((sum - b.dot(&u)).abs() < 1e-11);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! One case: a value for each parameter of a problem.
+
+use super::Problem;
+use super::parameter::{self, Value};
+use super::schema::{Schema, Text};
+use std::sync::Arc;
+
+/// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The problem's schema.
+    pub schema: Arc<Schema>,
+    /// One entry for each row of the table.
+    pub values: Vec<Option<Value>>,
+}
+
+impl Case {
+    /// A case in which nothing is said yet.
+    pub fn new(schema: &Arc<Schema>) -> Case {
+        let values = vec![None; schema.parameters.len()];
+        Case {
+            schema: schema.clone(),
+            values,
+        }
+    }
+
+    /// A completed case from parameters by name, the others at their defaults, and the rules that it breaks.
+    pub fn given(problem: &dyn Problem, given: &[(&str, Value)]) -> (Case, Vec<Violation>) {
+        let mut case = problem.schema().case(given);
+        let broken = problem.complete(&mut case);
+        (case, broken)
+    }
+
+    /// The default of a row of the table, where it has one and applies.
+    pub fn default_at(&self, row: usize) -> Option<Value> {
+        let parameter = &self.schema.parameters[row];
+        let applies = parameter
+            .applies
+            .as_ref()
+            .is_none_or(|(governor, name)| self.choice(governor) == name);
+        match parameter.default {
+            parameter::Default::Is(value) if applies => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The value of the parameter `name`, if it applies.
+    pub fn get(&self, name: &str) -> Option<Value> {
+        let row = self.schema.parameters.iter().position(|p| p.name == name)?;
+        self.values[row]
+    }
+
+    /// The number called `name`; `None` where it does not apply.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        self.get(name)?.as_f64()
+    }
+
+    /// The number in a row of the table; `None` where it does not apply.
+    pub fn at(&self, row: usize) -> Option<f64> {
+        self.values[row]?.as_f64()
+    }
+
+    /// The name in a row of the table; empty where it does not apply.
+    pub fn name_at(&self, row: usize) -> &'static str {
+        match self.values[row] {
+            Some(Value::Name(chosen)) => chosen,
+            _ => "",
+        }
+    }
+
+    /// The name chosen for `name`; empty where it does not apply.
+    pub fn choice(&self, name: &str) -> &'static str {
+        match self.get(name) {
+            Some(Value::Name(chosen)) => chosen,
+            _ => "",
+        }
+    }
+}
+
+/// A rule across parameters that a case breaks.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Violation {
+    /// The parameter to point at: at its value where it is given, else at the block's opening brace.
+    pub parameter: Text,
+    /// What is wrong and what is allowed.
+    pub message: String,
+}
+
+impl Violation {
+    /// All rules that a case breaks, in one line; `None` where it breaks none.
+    pub fn all(violations: &[Violation]) -> Option<String> {
+        let one = |violation: &Violation| format!("{}: {}", violation.parameter, violation.message);
+        let all: Vec<String> = violations.iter().map(one).collect();
+        (!all.is_empty()).then(|| all.join("; "))
+    }
+}

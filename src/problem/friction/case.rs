@@ -1,0 +1,156 @@
+//! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
+
+use super::tables::rows;
+use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
+use crate::lane::Lane;
+use crate::methods::average_acceleration::ModeState;
+use crate::metrics::friction::{COUNT, Sampled, evaluate};
+use crate::problem::Case;
+use crate::solve::sweep::{LaneCase, ReferenceKey};
+use crate::solve::{Displacements, Motion};
+use crate::system::{Linear, Mode, System};
+use multiversion::multiversion;
+
+/// The oscillator itself: X'' + X + S = 0.
+const UNIT: Mode = Mode {
+    omega2: 1.0,
+    phi2: 1.0,
+};
+
+/// Cases side by side: as many as keep the adders busy while each waits for its own last result.
+pub const LANES: usize = 32;
+
+/// The friction law of a case.
+#[derive(Debug, Clone, Copy)]
+pub enum FrictionLaw {
+    /// See [`DisplacementControl`].
+    Displacement(DisplacementControl),
+    /// See [`VelocityControl`].
+    Velocity(VelocityControl),
+}
+
+/// The parameters of a case.
+#[derive(Debug, Clone, Copy)]
+pub struct OscillatorCase {
+    pub law: FrictionLaw,
+    /// S(0).
+    pub force: f64,
+    pub x0: f64,
+    pub step: f64,
+    pub duration: f64,
+    pub last: u64,
+}
+
+impl OscillatorCase {
+    /// The parameters; `None` where one is not given.
+    pub fn new(case: &Case, last: u64) -> Option<OscillatorCase> {
+        let x0 = case.at(rows::X0)?;
+        let limit = 1.0;
+        let (law, force) = match case.at(rows::ALPHA) {
+            Some(compliance) => {
+                let force = release(case.name_at(rows::INITIAL_SLIP), x0);
+                let law = DisplacementControl { compliance, limit };
+                (FrictionLaw::Displacement(law), force)
+            }
+            None => {
+                let compliance = case.at(rows::BETA)?;
+                let law = VelocityControl { compliance, limit };
+                (FrictionLaw::Velocity(law), 0.0)
+            }
+        };
+        Some(OscillatorCase {
+            law,
+            force,
+            x0,
+            step: case.at(rows::DT)?,
+            duration: case.at(rows::DURATION)?,
+            last,
+        })
+    }
+
+    /// The exact solution at the case's steps.
+    pub fn exact_at_steps(&self) -> Sampled {
+        Sampled::new(self.x0, self.step, self.last, self.duration)
+    }
+
+    /// Work of the friction force over |x0| by the energy at the end [r, rdot, S]: what the oscillator has lost. The method
+    /// keeps the sum of both, (S_i + S_{i+1}) (X_{i+1} - X_i)/2 to (X^2 + V^2)/2, to round-off.
+    pub fn work(&self, [x, v, _]: [f64; 3]) -> f64 {
+        let scale = self.x0.abs();
+        0.5 * ((self.x0 - x) / scale * (self.x0 + x) - v / scale * v)
+    }
+}
+
+/// Force S(0) at release ([F] does not say which).
+fn release(initial_slip: &str, x0: f64) -> f64 {
+    match initial_slip {
+        "pulled" => x0.signum(),
+        "sliding" => -x0.signum(),
+        _ => 0.0,
+    }
+}
+
+impl LaneCase<LANES> for OscillatorCase {
+    type Reference = Sampled;
+    type Modes = [ModeState<LANES>; 1];
+    type Track = Displacements<LANES>;
+    type Metrics = [Lane<LANES>; COUNT];
+    type OneMetrics = [Lane<1>; COUNT];
+
+    #[inline(always)]
+    fn system(&self) -> System {
+        System {
+            linear: Linear::Oscillator {
+                mode: UNIT,
+                displacement: self.x0,
+            },
+            law: match self.law {
+                FrictionLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
+                FrictionLaw::Velocity(law) => ContactLaw::VelocityControl(law),
+            },
+            gap: 0.0,
+            force: self.force,
+            step: self.step,
+            last: self.last,
+        }
+    }
+
+    fn reference_key(&self) -> ReferenceKey {
+        [self.x0, self.step, self.duration, 0.0, 0.0]
+    }
+
+    fn reference(&self) -> Sampled {
+        self.exact_at_steps()
+    }
+
+    fn metrics(
+        cases: &[Self; LANES],
+        motion: &Motion<LANES, Self::Track>,
+        exact: &Sampled,
+    ) -> Self::Metrics {
+        let mut work = Lane::splat(0.0);
+        for (l, case) in cases.iter().enumerate() {
+            work.0[l] = case.work(motion.end.map(|lane| lane.0[l]));
+        }
+        evaluate_all(&motion.track.0[..exact.count()], work, exact)
+    }
+
+    fn metrics_of_one(
+        &self,
+        motion: &Motion<LANES, Self::Track>,
+        lane: usize,
+        exact: &Sampled,
+    ) -> Self::OneMetrics {
+        let steps = motion.track.0[..exact.count()].iter();
+        let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
+        let work = self.work(motion.end.map(|x| x.0[lane]));
+        evaluate(&steps, Lane([work]), exact)
+    }
+}
+
+/// All metrics of a group.
+#[allow(unused_braces, reason = "the macro puts them")]
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn evaluate_all(x: &[Lane<LANES>], work: Lane<LANES>, exact: &Sampled) -> [Lane<LANES>; COUNT] {
+    evaluate(x, work, exact)
+}

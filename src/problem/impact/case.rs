@@ -1,0 +1,122 @@
+//! A case of the bars as numbers, its system, and its default metrics in a sweep.
+
+use super::scaled::Scaled;
+use super::tables::rows;
+use crate::contact::{ContactLaw, ImpactSpring};
+use crate::exact::wave::Wave;
+use crate::lane::Lane;
+use crate::methods::average_acceleration::ModeState;
+use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate};
+use crate::problem::{Case, Problem};
+use crate::solve::Motion;
+use crate::solve::sweep::{LaneCase, ReferenceKey};
+use crate::system::{Linear, System};
+use multiversion::multiversion;
+
+/// Cases side by side: more of them, with all their modes, do not stay near the processor.
+pub const LANES: usize = 16;
+
+/// The parameters of a case, in its own scales.
+#[derive(Debug, Clone, Copy)]
+pub struct ImpactCase {
+    /// Bars, spring and gap.
+    pub scaled: Scaled,
+    /// Time step in T_I.
+    pub dt: f64,
+    /// End of the run in T_I.
+    pub duration: f64,
+    /// Number of steps N.
+    pub last: u64,
+}
+
+impl ImpactCase {
+    /// The parameters; `None` where one is not given.
+    pub fn new(case: &Case) -> Option<ImpactCase> {
+        Some(ImpactCase {
+            scaled: Scaled::new(case)?,
+            dt: case.at(rows::DT)?,
+            duration: case.at(rows::DURATION)?,
+            last: super::BarImpact.steps(case),
+        })
+    }
+
+    /// The exact solution, and what it is at the case's steps.
+    pub fn exact_at_steps(&self) -> (Wave, Sampled) {
+        let wave = self.scaled.bars.solve(self.duration);
+        let sampled = Sampled::new(&wave, self.dt, self.last, self.duration);
+        (wave, sampled)
+    }
+}
+
+/// The system of a case: ends that touch at t = 0 do not press yet, r = 0, F = 0.
+pub fn system(scaled: &Scaled, step: f64, last: u64) -> System {
+    let stiffness = scaled.spring;
+    System {
+        linear: Linear::Bars(scaled.pair),
+        law: ContactLaw::ImpactSpring(ImpactSpring { stiffness }),
+        gap: scaled.bars.gap,
+        force: 0.0,
+        step,
+        last,
+    }
+}
+
+impl LaneCase<LANES> for ImpactCase {
+    type Reference = Sampled;
+    type Modes = Vec<ModeState<LANES>>;
+    type Track = Track<LANES>;
+    type Metrics = [Lane<LANES>; COUNT];
+    type OneMetrics = [Lane<1>; COUNT];
+
+    fn system(&self) -> System {
+        system(&self.scaled, self.dt, self.last)
+    }
+
+    fn reference_key(&self) -> ReferenceKey {
+        let bars = self.scaled.bars;
+        let (z, theta) = (bars.impedance_ratio, bars.time_ratio);
+        [self.dt, self.duration, bars.gap, z, theta]
+    }
+
+    fn reference(&self) -> Sampled {
+        self.exact_at_steps().1
+    }
+
+    fn metrics(
+        cases: &[Self; LANES],
+        motion: &Motion<LANES, Self::Track>,
+        exact: &Sampled,
+    ) -> Self::Metrics {
+        let mut start = Lane::splat(0.0);
+        for (start, case) in start.0.iter_mut().zip(cases) {
+            *start = case.system().linear.energy();
+        }
+        evaluate_all(&motion.track, start, motion.first_mode * 0.5, exact)
+    }
+
+    fn metrics_of_one(
+        &self,
+        motion: &Motion<LANES, Self::Track>,
+        lane: usize,
+        exact: &Sampled,
+    ) -> Self::OneMetrics {
+        let track = motion.track.lane(lane, exact.count());
+        let start = Lane([self.system().linear.energy()]);
+        let restitution = Lane([motion.first_mode.0[lane] * 0.5]);
+        let energy = energy_of_books(&track, start, exact.count());
+        evaluate(&track, &energy, restitution, exact)
+    }
+}
+
+/// All metrics of a group.
+#[allow(unused_braces, reason = "the macro puts them")]
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn evaluate_all(
+    track: &Track<LANES>,
+    start: Lane<LANES>,
+    restitution: Lane<LANES>,
+    exact: &Sampled,
+) -> [Lane<LANES>; COUNT] {
+    let energy: Energy<LANES> = energy_of_books(track, start, exact.count());
+    evaluate(track, &energy, restitution, exact)
+}

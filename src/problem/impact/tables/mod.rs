@@ -1,0 +1,108 @@
+//! The tables of the bar impact.
+
+mod metrics;
+mod parameters;
+
+pub(super) use metrics::{BUDGET, REFERENCE};
+pub(super) use parameters::rows;
+
+use super::second;
+use crate::problem::schema::{Text, TimeAxis};
+use crate::problem::unit::{Dimension, Unit};
+use crate::problem::{Channel, Profile, Quantity, Schema};
+use metrics::{BUDGETS, MAX_OVERLAP, METRICS};
+use parameters::PARAMETERS;
+use std::borrow::Cow::Borrowed;
+use std::sync::{Arc, LazyLock};
+
+/// The scales of an impact.
+static SCALES: [[Text; 2]; 4] = [
+    [
+        Borrowed("T_I"),
+        Borrowed(
+            "2 L/C0 of the left bar, C0 = sqrt(E/ρ): time in which a wave travels through the bar and back; contact duration of two equal bars",
+        ),
+    ],
+    [
+        Borrowed("c"),
+        Borrowed(
+            "closing speed: velocity of the left bar minus velocity of the right bar before the impact",
+        ),
+    ],
+    [Borrowed("Z"), Borrowed("A sqrt(E ρ), impedance of a bar")],
+    [
+        Borrowed("F0"),
+        Borrowed(
+            "c Z1 Z2/(Z1 + Z2), exact contact force of two bars while the wave travels; c Z1 on a wall",
+        ),
+    ],
+];
+
+const fn unit(dimension: Dimension, name: &'static str, over: &'static str) -> Unit {
+    Unit {
+        dimension,
+        name: Borrowed(name),
+        over: Borrowed(over),
+    }
+}
+
+/// The units of metrics and quantities.
+static UNITS: [Unit; 4] = [
+    unit(Dimension::Time, "T_I", "/*T*_I_"),
+    unit(Dimension::Length, "c T_I/2", "/(*cT*_I_/2)"),
+    unit(Dimension::Velocity, "c", "/*c*"),
+    unit(Dimension::Force, "F0", "/*F*_0_"),
+];
+
+static CHANNELS: [Channel; 3] = [
+    Channel::with_exact("r", Dimension::Length),
+    Channel::with_exact("rdot", Dimension::Velocity),
+    Channel::computed("force", Dimension::Force),
+];
+
+static QUANTITIES: [Quantity; 5] = [
+    Quantity::of("r", "*r*/(*cT*_I_/2)", 0),
+    Quantity::of("rdot", "*ṙ*/*c*", 1),
+    Quantity::of("force", "*F*/*F*_0_", 2),
+    Quantity::error_of("r_error", "*r* − *r*_exact_", 0),
+    Quantity::error_of("rdot_error", "*ṙ* − *ṙ*_exact_", 1),
+];
+
+static PROFILES: [Profile; 2] = [
+    Profile {
+        name: Borrowed("velocity"),
+        title: Borrowed("*v*/(*c*/2)"),
+    },
+    Profile {
+        name: Borrowed("stress"),
+        title: Borrowed("*σ*/(*F*_0_/*A*)"),
+    },
+];
+
+pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
+    Arc::new(Schema {
+        name: Borrowed("bar-impact"),
+        meaning: Borrowed(
+            "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
+        ),
+        parameters: Borrowed(&PARAMETERS),
+        metrics: Borrowed(&METRICS),
+        contact_metric: Some(MAX_OVERLAP),
+        channels: Borrowed(&CHANNELS),
+        quantities: Borrowed(&QUANTITIES),
+        profiles: Borrowed(&PROFILES),
+        budgets: Borrowed(&BUDGETS),
+        step: rows::DT,
+        duration: rows::DURATION,
+        time: TimeAxis {
+            column: Borrowed("t"),
+            title: Borrowed("Time *t*/*T*_I_"),
+            in_pi: false,
+        },
+        place_title: Borrowed("*x*/*L*"),
+        later: Borrowed(&second::QUANTITIES),
+        scales: Borrowed(&SCALES),
+        units: Borrowed(&UNITS),
+        alternatives: Borrowed(&[[Borrowed("gamma"), Borrowed("k_I")]]),
+    })
+});

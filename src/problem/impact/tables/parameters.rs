@@ -1,0 +1,232 @@
+//! The parameters of the bar impact.
+
+use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use std::borrow::Cow::Borrowed;
+
+/// A row of the table of parameters that applies always.
+const fn row(
+    name: &'static str,
+    symbol: &'static str,
+    unit: &'static str,
+    kind: Kind,
+    default: Default,
+    meaning: &'static str,
+) -> Parameter {
+    Parameter {
+        name: Borrowed(name),
+        symbol: Borrowed(symbol),
+        unit: Borrowed(unit),
+        kind,
+        default,
+        applies: None,
+        meaning: Borrowed(meaning),
+    }
+}
+
+const POSITIVE: Kind = Kind::Number(Range::Positive);
+const ELEMENTS: Kind = Kind::Whole {
+    min: 1,
+    max: 1_000_000,
+};
+const AS_LEFT: Default = Default::Follows(Borrowed("as the left bar"));
+
+const fn is(x: f64) -> Default {
+    Default::Is(Value::Number(x))
+}
+
+pub(super) static PARAMETERS: [Parameter; 19] = [
+    row(
+        "gamma",
+        "*γ*",
+        "1",
+        POSITIVE,
+        Default::Follows(Borrowed("from k_I; exactly one of the two is given")),
+        "stiffness of the impact spring over the stiffness of an element, gamma = k_I L/(n E A) of the left bar [I (16)]",
+    ),
+    row(
+        "k_I",
+        "*k*_I_",
+        "force/length",
+        POSITIVE,
+        Default::Follows(Borrowed("from gamma; exactly one of the two is given")),
+        "stiffness of the impact spring [I (7)]",
+    ),
+    row(
+        "n",
+        "*n*",
+        "1",
+        ELEMENTS,
+        Default::Required,
+        "number of elements of a bar",
+    ),
+    row(
+        "dt",
+        "Δ*t*/*T*_I_",
+        "T_I",
+        POSITIVE,
+        Default::Required,
+        "time step, over the contact duration T_I = 2 L/C0 of the left bar; at most duration",
+    ),
+    row(
+        "duration",
+        "*t*_end_/*T*_I_",
+        "T_I",
+        POSITIVE,
+        Default::Required,
+        "end of the motion, over T_I",
+    ),
+    row(
+        "gap",
+        "gap/(*cT*_I_/2)",
+        "c T_I/2",
+        Kind::Number(Range::NotNegative),
+        is(0.0),
+        "distance between the facing ends at t = 0, over c T_I/2; c is the closing speed; at 0 the ends touch",
+    ),
+    row(
+        "mass",
+        "mass",
+        "1",
+        Kind::Choice(&[
+            (
+                "lumped",
+                "half of the mass of an element at each of its nodes",
+            ),
+            ("consistent", "from the shape functions of the displacement"),
+        ]),
+        Default::Is(Value::Name("lumped")),
+        "mass matrix of the bars",
+    ),
+    row(
+        "E",
+        "*E*",
+        "force/length^2",
+        POSITIVE,
+        is(100.0),
+        "Young's modulus of the left bar",
+    ),
+    row(
+        "A",
+        "*A*",
+        "length^2",
+        POSITIVE,
+        is(1.0),
+        "cross-section of the left bar",
+    ),
+    row(
+        "rho",
+        "*ρ*",
+        "mass/length^3",
+        POSITIVE,
+        is(0.01),
+        "density of the left bar ([I] prints 0.1, but its T_I = 0.2 needs 0.01); scaled results do not depend on it if right.rho is left out",
+    ),
+    row(
+        "L",
+        "*L*",
+        "length",
+        POSITIVE,
+        is(10.0),
+        "length of the left bar",
+    ),
+    row(
+        "V0",
+        "*V*_0_",
+        "length/time",
+        Kind::Number(Range::Any),
+        is(0.1),
+        "velocity of the left bar at t = 0, positive to the right; the bars must close",
+    ),
+    row(
+        "right",
+        "right",
+        "1",
+        Kind::Choice(&[("wall", "a rigid wall instead of the right bar")]),
+        Default::Follows(Borrowed("a bar")),
+        "what the left bar meets: an object with the data of the right bar that differ, or \"wall\"",
+    ),
+    row(
+        "right.E",
+        "*E*_R_",
+        "force/length^2",
+        POSITIVE,
+        AS_LEFT,
+        "Young's modulus of the right bar",
+    ),
+    row(
+        "right.A",
+        "*A*_R_",
+        "length^2",
+        POSITIVE,
+        AS_LEFT,
+        "cross-section of the right bar",
+    ),
+    row(
+        "right.rho",
+        "*ρ*_R_",
+        "mass/length^3",
+        POSITIVE,
+        AS_LEFT,
+        "density of the right bar",
+    ),
+    row(
+        "right.L",
+        "*L*_R_",
+        "length",
+        POSITIVE,
+        AS_LEFT,
+        "length of the right bar",
+    ),
+    row(
+        "right.n",
+        "*n*_R_",
+        "1",
+        ELEMENTS,
+        AS_LEFT,
+        "number of elements of the right bar",
+    ),
+    row(
+        "right.V0",
+        "*V*_0R_",
+        "length/time",
+        Kind::Number(Range::Any),
+        Default::Follows(Borrowed("minus the V0 of the left bar")),
+        "velocity of the right bar at t = 0, positive to the right",
+    ),
+];
+
+/// Rows that every case is read by.
+pub mod rows {
+    use super::PARAMETERS;
+    use crate::problem::parameter::row_of;
+
+    pub const GAMMA: usize = row_of(&PARAMETERS, "gamma");
+    pub const K_I: usize = row_of(&PARAMETERS, "k_I");
+    pub const N: usize = row_of(&PARAMETERS, "n");
+    pub const DT: usize = row_of(&PARAMETERS, "dt");
+    pub const DURATION: usize = row_of(&PARAMETERS, "duration");
+    pub const GAP: usize = row_of(&PARAMETERS, "gap");
+    pub const MASS: usize = row_of(&PARAMETERS, "mass");
+    pub const E: usize = row_of(&PARAMETERS, "E");
+    pub const A: usize = row_of(&PARAMETERS, "A");
+    pub const RHO: usize = row_of(&PARAMETERS, "rho");
+    pub const L: usize = row_of(&PARAMETERS, "L");
+    pub const V0: usize = row_of(&PARAMETERS, "V0");
+    pub const RIGHT: usize = row_of(&PARAMETERS, "right");
+    pub const RIGHT_E: usize = row_of(&PARAMETERS, "right.E");
+    pub const RIGHT_A: usize = row_of(&PARAMETERS, "right.A");
+    pub const RIGHT_RHO: usize = row_of(&PARAMETERS, "right.rho");
+    pub const RIGHT_L: usize = row_of(&PARAMETERS, "right.L");
+    pub const RIGHT_N: usize = row_of(&PARAMETERS, "right.n");
+    pub const RIGHT_V0: usize = row_of(&PARAMETERS, "right.V0");
+
+    /// What the right bar takes from the left one where it is not given.
+    pub const FOLLOWS: [[usize; 2]; 6] = [
+        [RIGHT_E, E],
+        [RIGHT_A, A],
+        [RIGHT_RHO, RHO],
+        [RIGHT_L, L],
+        [RIGHT_N, N],
+        [RIGHT_V0, V0],
+    ];
+}

@@ -1,0 +1,180 @@
+//! Solving: systems moved through time, one at a time or many side by side. Written once for all problems.
+
+pub mod once;
+pub mod sweep;
+mod table;
+mod track;
+mod unsolvable;
+
+pub use table::MetricTable;
+pub use track::{ContactTrack, Displacements, Track};
+pub use unsolvable::Unsolvable;
+
+use crate::contact::{AnyStep, ContactLaw, StepLaw, Visitor};
+use crate::lane::Lane;
+use crate::methods::average_acceleration::{AverageAcceleration, ModeStart, Modes};
+use crate::system::{ModeAtStart, System};
+use multiversion::multiversion;
+
+/// The motion of L cases.
+#[derive(Debug, Clone)]
+pub struct Motion<const L: usize, T> {
+    /// The contact at all steps.
+    pub track: T,
+    /// Relative displacement, velocity and force of the contact at the last step of each case.
+    pub end: [Lane<L>; 3],
+    /// Velocity of the first mode at the last step of each case.
+    pub first_mode: Lane<L>,
+}
+
+impl<const L: usize, T: Default> Default for Motion<L, T> {
+    fn default() -> Self {
+        Motion {
+            track: T::default(),
+            end: [Lane::splat(0.0); 3],
+            first_mode: Lane::splat(0.0),
+        }
+    }
+}
+
+/// L systems at t = 0 with as many modes each, and the law of the first one's kind over a step; `None` without a mode.
+// Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+pub fn start<const L: usize, M: Modes<L>>(
+    systems: &[System; L],
+) -> Option<(AverageAcceleration<L, M>, AnyStep<L>)> {
+    let of = |number: fn(&System) -> f64| {
+        let mut lane = Lane::splat(0.0);
+        for (x, system) in lane.0.iter_mut().zip(systems) {
+            *x = number(system);
+        }
+        lane
+    };
+    let first = &systems[0];
+    let mut same = [true; L];
+    for (same, system) in same.iter_mut().zip(systems) {
+        *same = system.linear == first.linear;
+    }
+    // A mode of a bar costs sines, as much as some steps. Most cases of a sweep have the same modes.
+    let modes = (0..first.linear.len()).map(|j| {
+        let shared = first.linear.mode(j);
+        let mut own = [shared; L];
+        for ((own, same), system) in own.iter_mut().zip(same).zip(systems) {
+            if !same {
+                *own = system.linear.mode(j);
+            }
+        }
+        at_start(&own)
+    });
+    let stepper = AverageAcceleration::new(of(|s| s.step), modes, of(|s| s.gap), of(|s| s.force))?;
+    let mut laws = [first.law; L];
+    for (law, system) in laws.iter_mut().zip(systems) {
+        *law = system.law;
+    }
+    let law = ContactLaw::step(&laws, &stepper.flexibility());
+    Some((stepper, law))
+}
+
+#[inline(always)]
+fn at_start<const L: usize>(own: &[ModeAtStart; L]) -> ModeStart<L> {
+    let mut start = ModeStart {
+        mode: [own[0].mode; L],
+        displacement: Lane::splat(0.0),
+        velocity: Lane::splat(0.0),
+    };
+    for (l, own) in own.iter().enumerate() {
+        start.mode[l] = own.mode;
+        start.displacement.0[l] = own.displacement;
+        start.velocity.0[l] = own.velocity;
+    }
+    start
+}
+
+/// Moves L systems with as many modes each and laws of one kind to their last steps; for each whether its motion stays
+/// finite.
+pub fn advance<const L: usize, M: Modes<L>, T: Track<L>>(
+    systems: &[System; L],
+    motion: &mut Motion<L, T>,
+) -> [bool; L] {
+    let Some((mut stepper, law)) = start::<L, M>(systems) else {
+        return [false; L];
+    };
+    let mut last = [0; L];
+    for (last, system) in last.iter_mut().zip(systems) {
+        *last = system.last;
+    }
+    let longest = last.iter().copied().max().unwrap_or(0) as usize;
+    let track = &mut motion.track;
+    track.resize(longest + 1);
+    if let Some(row) = track.rows(0, 1).next() {
+        T::write(row, &stepper.contact());
+    }
+    let (mut first_mode, mut from) = (Lane::splat(0.0), 1);
+    let end = stepper.run(
+        &last,
+        |stepper, steps| {
+            law.accept(Steps {
+                stepper,
+                track,
+                from,
+                steps,
+            });
+            from += steps;
+        },
+        |velocity, ending| first_mode = ending.select(velocity, first_mode),
+    );
+    motion.first_mode = first_mode;
+    motion.end = [end.displacement, end.velocity, end.force];
+    end.finite()
+}
+
+/// One system moved to its last step; an error where the motion does not stay finite.
+pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
+    let mut motion = Motion::default();
+    match advance::<1, Vec<_>, T>(&[*system], &mut motion) {
+        [true] => Ok(motion),
+        [false] => Err(Unsolvable::OutOfRange),
+    }
+}
+
+/// The constant average acceleration method for one system.
+pub type Stepper = AverageAcceleration<1>;
+
+/// One system moved to its last step; `visit` gets the number of each step, from 0 on, and the structure then.
+pub fn visit(system: &System, mut visit: impl FnMut(u64, &Stepper)) {
+    let Some((mut stepper, law)) = start::<1, Vec<_>>(&[*system]) else {
+        return;
+    };
+    visit(0, &stepper);
+    for step in 1..=system.last {
+        stepper.step(&law);
+        visit(step, &stepper);
+    }
+}
+
+/// Some steps, recorded from row `from` on.
+struct Steps<'a, const L: usize, M, T> {
+    stepper: &'a mut AverageAcceleration<L, M>,
+    track: &'a mut T,
+    from: usize,
+    steps: usize,
+}
+
+impl<const L: usize, M: Modes<L>, T: Track<L>> Visitor<L> for Steps<'_, L, M, T> {
+    fn visit(self, law: &impl StepLaw<L>) {
+        step_all::<L, M, T, _>(self.stepper, *law, self.track, self.from, self.steps);
+    }
+}
+
+// A small function of its own: together with other code its loop would be compiled less well.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
+    stepper: &mut AverageAcceleration<L, M>,
+    law: W,
+    track: &mut T,
+    from: usize,
+    steps: usize,
+) {
+    for row in track.rows(from, steps) {
+        T::write(row, &stepper.step(&law));
+    }
+}

@@ -1,0 +1,40 @@
+//! Systems by the papers' element matrices, each step solved once: the other reading of the papers, "iteration as needed"
+//! taken as none.
+
+use super::Unsolvable;
+use crate::contact::element::Element;
+use crate::system::System;
+use crate::textbook::{Iteration, Newmark, assemble};
+
+/// Most elements of a structure, whose matrices are full here.
+const MOST_ELEMENTS: u32 = 400;
+
+/// The assembled structure with its element.
+pub type Assembled = Newmark<Box<dyn Element>>;
+
+/// Runs all steps; `record` gets the structure at each, from step 0 on.
+pub fn run(system: &System, mut record: impl FnMut(&Assembled)) -> Result<(), Unsolvable> {
+    let elements = system.linear.elements();
+    if elements > MOST_ELEMENTS {
+        return Err(Unsolvable::TooManyElements {
+            most: MOST_ELEMENTS,
+            elements,
+        });
+    }
+    let (assembly, u, v) = assemble(&system.linear, system.gap);
+    let r = assembly.relative(&u) + system.gap;
+    let element = system
+        .law
+        .element(r, system.force)
+        .ok_or(Unsolvable::NotPrinted)?;
+    let mut newmark =
+        Newmark::new(assembly, element, system.step, u, v).ok_or(Unsolvable::SingularMass)?;
+    record(&newmark);
+    for _ in 0..system.last {
+        newmark
+            .step(Iteration::Once)
+            .map_err(|cycle| Unsolvable::NoSolution { step: cycle.step })?;
+        record(&newmark);
+    }
+    Ok(())
+}

@@ -1,0 +1,160 @@
+//! Many cases side by side: in which order they fill the lanes, and which share their reference.
+
+use super::table::MetricTable;
+use super::{Motion, Track, Unsolvable, advance};
+use crate::lane::Lane;
+use crate::methods::average_acceleration::Modes;
+use crate::system::System;
+use std::ops::Range;
+
+/// A case in the form in which L of them are solved side by side.
+pub trait LaneCase<const L: usize>: Copy {
+    /// The exact solution at the steps of a case.
+    type Reference;
+    /// Storage of the modes.
+    type Modes: Modes<L>;
+    /// What is recorded of the steps.
+    type Track: Track<L>;
+    /// The default metrics of all lanes, one after the other.
+    type Metrics: AsRef<[Lane<L>]>;
+    /// Those of one lane.
+    type OneMetrics: AsRef<[Lane<1>]>;
+
+    /// The system to be solved.
+    fn system(&self) -> System;
+    /// The numbers that the exact solution at the case's steps depends on.
+    fn reference_key(&self) -> ReferenceKey;
+    /// The exact solution at the case's steps.
+    fn reference(&self) -> Self::Reference;
+    /// The metrics of all lanes, for cases that have this exact solution.
+    fn metrics(
+        cases: &[Self; L],
+        motion: &Motion<L, Self::Track>,
+        reference: &Self::Reference,
+    ) -> Self::Metrics;
+    /// The metrics of one lane.
+    fn metrics_of_one(
+        &self,
+        motion: &Motion<L, Self::Track>,
+        lane: usize,
+        reference: &Self::Reference,
+    ) -> Self::OneMetrics;
+}
+
+/// The numbers that an exact solution at the steps of a run depends on.
+pub type ReferenceKey = [f64; 5];
+
+/// Least number of cases with one exact solution for which the metrics of all lanes are computed at once; those of fewer are
+/// computed one by one.
+const SHARED: usize = 4;
+
+/// Most steps of a case that is solved with others: longer runs would leave the processor's caches.
+pub const LONGEST: u64 = 1 << 15;
+
+/// Puts in the table the default metrics of cases, each with its row there: to the bit what each has by itself.
+pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut MetricTable) {
+    let mut order: Vec<u128> = (0..)
+        .zip(cases)
+        .map(|(i, (_, case))| rank(case, i))
+        .collect();
+    order.sort_unstable();
+    let mut scratch = Scratch::default();
+    for kind in order.chunk_by(|a, b| a >> KIND == b >> KIND) {
+        for group in kind.chunks(L) {
+            let members = group.iter().map(|rank| cases[*rank as u32 as usize]);
+            scratch.group::<C>(members, table);
+        }
+    }
+}
+
+/// Bits of a rank below those of a case's kind.
+const KIND: u32 = 80;
+
+/// The order of cases: those of one law and number of modes together; among them those of similar numbers of steps, so that a
+/// lane waits little for the others; then those with one exact solution, by a checksum that seldom lets others between them.
+fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
+    let mixed = |sum: u64, x: f64| {
+        let sum = (sum ^ x.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        sum ^ (sum >> 32)
+    };
+    let sum = case.reference_key().into_iter().fold(0, mixed) >> 32;
+    let system = case.system();
+    let kind = (system.law.kind() as u128) << 40 | system.linear.len() as u128;
+    kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
+}
+
+/// Memory that groups use one after the other.
+struct Scratch<const L: usize, E, T> {
+    motion: Motion<L, T>,
+    /// The last exact solution, with its key.
+    reference: Option<(ReferenceKey, E)>,
+}
+
+impl<const L: usize, E, T: Default> Default for Scratch<L, E, T> {
+    fn default() -> Self {
+        Scratch {
+            motion: Motion::default(),
+            reference: None,
+        }
+    }
+}
+
+impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
+    /// Puts in the table the metrics of a group, at most L cases with their rows.
+    // Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+    fn group<C>(
+        &mut self,
+        members: impl ExactSizeIterator<Item = (usize, C)> + Clone,
+        table: &mut MetricTable,
+    ) where
+        C: LaneCase<L, Reference = E, Track = T>,
+    {
+        let count = members.len();
+        let Some((row, last)) = members.clone().last() else {
+            return;
+        };
+        // The last group of a kind fills its lanes with its last case.
+        let (mut rows, mut lanes, mut systems) = ([row; L], [last; L], [last.system(); L]);
+        for (l, (row, case)) in members.enumerate() {
+            (rows[l], lanes[l], systems[l]) = (row, case, case.system());
+        }
+        let finite = advance::<L, C::Modes, T>(&systems, &mut self.motion);
+        for range in runs(&lanes[..count]) {
+            let first = &lanes[range.start];
+            let reference = match &mut self.reference {
+                Some((key, reference)) if same(*key, first.reference_key()) => reference,
+                other => &mut other.insert((first.reference_key(), first.reference())).1,
+            };
+            let all = (range.len() >= SHARED).then(|| C::metrics(&lanes, &self.motion, reference));
+            for l in range {
+                let row = rows[l];
+                if !finite[l] {
+                    table.fail(row, Unsolvable::OutOfRange);
+                } else if let Some(all) = &all {
+                    table.set(row, all.as_ref().iter().map(|metric| metric.0[l]));
+                } else {
+                    let one = lanes[l].metrics_of_one(&self.motion, l, reference);
+                    table.set(row, one.as_ref().iter().map(|metric| metric.0[0]));
+                }
+            }
+        }
+    }
+}
+
+/// Whether numbers are the same in all bits.
+fn same(a: ReferenceKey, b: ReferenceKey) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// The runs of cases with the same steps and exact solution.
+fn runs<const L: usize, C: LaneCase<L>>(lanes: &[C]) -> impl Iterator<Item = Range<usize>> {
+    let mut from = 0;
+    let alike = |a: &C, b: &C| {
+        a.system().last == b.system().last && same(a.reference_key(), b.reference_key())
+    };
+    lanes.chunk_by(alike).map(move |run| {
+        let range = from..from + run.len();
+        from = range.end;
+        range
+    })
+}

@@ -1,0 +1,53 @@
+//! Why a case has no solution.
+
+use std::fmt;
+
+/// Why a case has no solution.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Unsolvable {
+    /// A parameter that the problem needs has no value.
+    ParameterMissing,
+    /// The motion leaves the range of double precision.
+    OutOfRange,
+    /// The equation of a step, from 1, has no solution.
+    NoSolution {
+        /// The step.
+        step: usize,
+    },
+    /// The mass matrix has no inverse.
+    SingularMass,
+    /// The un-iterated form would be too large.
+    TooManyElements {
+        /// Largest number of elements allowed.
+        most: u32,
+        /// Number of elements of the case.
+        elements: u32,
+    },
+    /// The papers do not print the law of the case, so that there is no un-iterated form.
+    NotPrinted,
+    /// The parameters break rules of the problem, in these words.
+    BrokenRules(String),
+    /// A reason that a store contains.
+    Stored(String),
+}
+
+impl fmt::Display for Unsolvable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unsolvable::ParameterMissing => f.write_str("a parameter is not given"),
+            Unsolvable::OutOfRange => {
+                f.write_str("the motion leaves the range of double precision")
+            }
+            Unsolvable::NoSolution { step } => write!(f, "step {step} has no solution"),
+            Unsolvable::SingularMass => f.write_str("the mass matrix has no inverse"),
+            Unsolvable::TooManyElements { most, elements } => write!(
+                f,
+                "without iteration there may be at most {most} elements, got {elements}"
+            ),
+            Unsolvable::NotPrinted => f.write_str("the law has no un-iterated form"),
+            Unsolvable::BrokenRules(words) | Unsolvable::Stored(words) => f.write_str(words),
+        }
+    }
+}
+
+impl std::error::Error for Unsolvable {}

@@ -1,0 +1,104 @@
+//! Two bars end to end, or a bar and a wall, as one set of modes.
+
+use super::bar::Bar;
+use super::{Mode, ModeAtStart};
+
+/// Two bars that approach one another, or a bar that approaches a wall. The contact is between their facing ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BarPair {
+    /// The left bar.
+    pub left: Bar,
+    /// The right bar; `None` for a wall.
+    pub right: Option<Bar>,
+    /// rdot(0) of the rigid-body motion; negative where the gap closes.
+    pub velocity: f64,
+}
+
+impl BarPair {
+    /// The bars, left first.
+    pub fn each(&self) -> impl Iterator<Item = Bar> {
+        [Some(self.left), self.right].into_iter().flatten()
+    }
+
+    /// Whether both bars are equal.
+    pub fn equal(&self) -> bool {
+        self.right == Some(self.left)
+    }
+
+    /// Number of modes, see [`BarPair::mode`].
+    pub fn len(&self) -> usize {
+        let own = self.left.elements as usize + 1;
+        match self.right {
+            Some(right) if right != self.left => own + right.elements as usize,
+            _ => own,
+        }
+    }
+
+    /// Whether there is no mode, which is never so.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Mode `j` as the contact feels it, the rigid-body mode first. Modes of one frequency move as one, whose share of r is
+    /// the sum of theirs: the rigid-body modes of both bars, and all pairs of modes of equal bars.
+    #[inline(always)]
+    pub fn mode(&self, j: usize) -> Mode {
+        let first = self.left.elements as usize + 1;
+        match self.right {
+            Some(right) if right == self.left => {
+                let mut mode = self.left.mode(j as u32);
+                mode.phi2 *= 2.0;
+                mode
+            }
+            Some(right) if j >= first => right.mode((j + 1 - first) as u32),
+            Some(right) if j == 0 => {
+                let mut rigid = self.left.mode(0);
+                rigid.phi2 += right.mode(0).phi2;
+                rigid
+            }
+            _ => self.left.mode(j as u32),
+        }
+    }
+
+    /// The same with its state at t = 0.
+    #[inline(always)]
+    pub fn mode_at_start(&self, j: usize) -> ModeAtStart {
+        ModeAtStart {
+            mode: self.mode(j),
+            displacement: 0.0,
+            velocity: if j == 0 { self.velocity } else { 0.0 },
+        }
+    }
+
+    /// Displacement and velocity of each bar's own modes at `time`, left bar first, from those of [`BarPair::mode`].
+    ///
+    /// Modes of one frequency share a force in proportion to their phi2. Half of the approach belongs to each bar, in the frame
+    /// of the mean of both initial velocities.
+    pub fn separate(&self, time: f64, together: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let Some(right) = self.right else {
+            return together.to_vec();
+        };
+        let (left, other) = (self.left.mass, right.mass);
+        // phi2 of a rigid-body mode is the inverse of the mass.
+        let rigid = |share: f64| {
+            let [x, v] = together[0];
+            let free = [self.velocity * time, self.velocity];
+            [
+                0.5 * free[0] + share * (x - free[0]),
+                0.5 * free[1] + share * (v - free[1]),
+            ]
+        };
+        let elastic = |modes: &[[f64; 2]]| -> Vec<[f64; 2]> {
+            let share = if self.equal() { 0.5 } else { 1.0 };
+            modes.iter().map(|mode| mode.map(|x| share * x)).collect()
+        };
+        let first = self.left.elements as usize + 1;
+        let (own, rest) = together.split_at(first);
+        let rest = if self.equal() { &own[1..] } else { rest };
+        let mut modes = vec![rigid(other / (left + other))];
+        modes.extend(elastic(&own[1..]));
+        modes.push(rigid(left / (left + other)));
+        modes.extend(elastic(rest));
+        modes
+    }
+}

@@ -1,0 +1,98 @@
+//! Systems: what a problem makes of a case, and what the solver moves. A linear structure, a contact on it, the start, the
+//! step.
+
+pub mod bar;
+mod bar_pair;
+mod modes;
+
+pub use bar_pair::BarPair;
+pub use modes::{Modal, Mode};
+
+use crate::contact::ContactLaw;
+
+/// A structure with a contact, from t = 0 on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct System {
+    /// The structure without the contact.
+    pub linear: Linear,
+    /// The contact's law.
+    pub law: ContactLaw,
+    /// r at rest.
+    pub gap: f64,
+    /// S(0).
+    pub force: f64,
+    /// Time step.
+    pub step: f64,
+    /// Number of steps N.
+    pub last: u64,
+}
+
+/// The linear part of a system and its state at t = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Linear {
+    /// One mode, released at rest at a displacement.
+    Oscillator {
+        /// The mode.
+        mode: Mode,
+        /// x(0).
+        displacement: f64,
+    },
+    /// Two bars, or a bar and a wall, that approach one another.
+    Bars(BarPair),
+}
+
+/// A mode and its state at t = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModeAtStart {
+    /// The mode.
+    pub mode: Mode,
+    /// Coordinate x.
+    pub displacement: f64,
+    /// Its velocity.
+    pub velocity: f64,
+}
+
+impl Linear {
+    /// Number of modes.
+    pub fn len(&self) -> usize {
+        match self {
+            Linear::Oscillator { .. } => 1,
+            Linear::Bars(bars) => bars.len(),
+        }
+    }
+
+    /// Number of finite elements; one for an oscillator.
+    pub fn elements(&self) -> u32 {
+        match self {
+            Linear::Oscillator { .. } => 1,
+            Linear::Bars(bars) => bars.each().map(|bar| bar.elements).sum(),
+        }
+    }
+
+    /// Whether there is no mode.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Mode `j`, from 0; those beyond the last are not moved by anything.
+    #[inline(always)]
+    pub fn mode(&self, j: usize) -> ModeAtStart {
+        match self {
+            Linear::Oscillator { mode, displacement } => ModeAtStart {
+                mode: *mode,
+                displacement: *displacement,
+                velocity: 0.0,
+            },
+            Linear::Bars(bars) => bars.mode_at_start(j),
+        }
+    }
+
+    /// Kinetic and strain energy at t = 0.
+    pub fn energy(&self) -> f64 {
+        let own = |j| {
+            let start = self.mode(j);
+            start.mode.energy(start.displacement, start.velocity)
+        };
+        (0..self.len()).map(own).sum()
+    }
+}
