@@ -6,6 +6,7 @@ mod history;
 mod law;
 mod map;
 mod metric;
+mod over_parameter;
 mod profile;
 mod samples;
 mod scatter;
@@ -13,7 +14,7 @@ mod sobol;
 mod wave;
 
 use crate::figures::DrawnCase;
-use crate::figures::hover::{self, Point};
+use crate::figures::layout::points::{self, Point};
 use crate::figures::layout::sheet::Sheet;
 use crate::study::kinds::FigureKind;
 use crate::study::{Figure, Study};
@@ -30,7 +31,7 @@ pub trait Draw {
 
     /// The points of its sheet that show their values in a report.
     fn points(&self, _: &Study, _: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
-        hover::of_panels(sheet)
+        points::of_panels(sheet)
     }
 }
 

@@ -7,6 +7,7 @@ pub mod envelope;
 pub mod guides;
 pub mod legend;
 pub mod limits;
+pub mod points;
 pub mod sheet;
 pub mod slope;
 pub mod ticks;

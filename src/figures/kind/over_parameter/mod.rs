@@ -1,9 +1,9 @@
-//! Metrics over a parameter: one panel for each metric, one curve for each set of values of the other parameters that vary.
+//! What metric and convergence figures share: metrics over a parameter, one panel for each
+//! metric, one curve for each set of values of the other parameters that vary.
 
+mod orders;
 mod reference;
 
-use super::Draw;
-use super::convergence::{ORDERS, order_lines};
 use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
@@ -16,24 +16,11 @@ use crate::figures::layout::slope;
 use crate::figures::layout::ticks;
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::number;
-use crate::study::kinds::Metric;
 use crate::study::{Figure, Scale, Study};
+use orders::{ORDERS, order_lines};
 
-impl Draw for Metric {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
-        let curves = Curves {
-            x: self.x,
-            y: &self.y,
-            by: self.by,
-            scales: [self.x_scale, self.y_scale],
-            orders: false,
-        };
-        curves.sheet(study, figure, cases)
-    }
-}
-
-/// Metrics over a parameter, one panel each.
-pub(super) struct Curves<'a> {
+/// Metrics over a parameter.
+pub struct Curves<'a> {
     /// Parameter along the horizontal axis.
     pub x: usize,
     /// Rows of the study's measures.
