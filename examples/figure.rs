@@ -2,7 +2,7 @@
 //!
 //! `cargo run --example figure FOLDER` writes both files to a folder.
 
-use slipgap::figures::{Shown, png, sheet, svg};
+use slipgap::figures::{DrawnCase, png, sheet, svg};
 use slipgap::study::parse;
 use std::path::PathBuf;
 
@@ -18,10 +18,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for case in &cases {
         solutions.push(study.problem.solve(case, &study.metrics)?);
     }
-    let drawn: Vec<Shown> = cases
+    let drawn: Vec<DrawnCase> = cases
         .iter()
         .zip(&solutions)
-        .map(|(case, solution)| Shown {
+        .map(|(case, solution)| DrawnCase {
             case,
             metrics: &solution.metrics,
             solution: Some(solution),
