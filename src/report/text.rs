@@ -1,4 +1,4 @@
-//! Text of a user on its way into the page.
+//! Text of a user, made safe for the page.
 
 /// The text as HTML, in elements and in quoted attributes.
 pub fn escape(text: &str) -> String {
@@ -9,12 +9,12 @@ pub fn escape(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// The text with a visible sign for every character that no page may hold: control characters other than tabs and line
-/// ends, and code points that are no characters.
+/// The text with a visible sign for every character that HTML forbids: control characters other than tabs and line ends,
+/// and noncharacters.
 pub fn printable(text: &str) -> String {
     let shown = |c: char| match c {
         '\t' | '\n' => c,
-        // The pictures of control characters stand in Unicode in the same order.
+        // Unicode has pictures of control characters in the same order.
         '\0'..='\x1f' => {
             char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
         }
@@ -31,7 +31,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_that_html_forbids_is_left() {
+    fn no_character_that_html_forbids_remains() {
         let all: String = ('\0'..=char::MAX).collect();
         let left = printable(&all);
         assert_eq!(left.chars().count(), all.chars().count());
@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn signs_show_what_they_replace() {
+    fn signs_show_the_replaced_characters() {
         assert_eq!(printable("a\0b\x1b[2J\r\nc\x7f"), "a␀b␛[2J\nc␡");
         assert_eq!(escape("\u{fffe}<\"&\x08>"), "\u{fffd}&lt;&quot;&amp;␈&gt;");
     }

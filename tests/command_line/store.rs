@@ -1,6 +1,6 @@
 //! Results that last: what is kept, found again, extended, damaged, killed and locked.
 
-use crate::{Bench, bars, friction};
+use crate::{Bench, Done, ONE, TWO, bars, friction};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::process::{Command, Stdio};
@@ -175,6 +175,28 @@ fn a_second_run_on_one_store_is_refused() {
     bench.expect(0, &["run", "s.json", "--out", "other"]);
     lock.unlock().unwrap();
     bench.expect(0, &["run", "s.json"]);
+}
+
+#[test]
+fn a_report_of_a_changed_study_waits_for_the_store() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(TWO, ""));
+    bench.expect(0, &["run", "s.json"]);
+    bench.file("s.json", friction(ONE, ""));
+    let lock = File::open(bench.path("figures/s/store/.lock")).unwrap();
+    lock.lock().unwrap();
+    let mut command = bench.command();
+    command.args(["report", "s.json"]);
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    // Time for an attempt to lock the store. The test passes for any time.
+    sleep(Duration::from_millis(500));
+    assert_eq!(child.try_wait().unwrap(), None);
+    lock.unlock().unwrap();
+    let done = Done::from(child.wait_with_output().unwrap());
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let results = bench.text("figures/s/results.csv");
+    assert_eq!(results.lines().count(), 1 + 1, "{done:?}");
 }
 
 #[test]

@@ -1,10 +1,11 @@
-//! What a page does not hold, and what it must not hold.
+//! Limits of the content of a page, and text that it must escape.
 
 use super::browser::{chromium, probe};
 use super::data::data;
 use slipgap::batch;
 use slipgap::batch::Outcome;
 use slipgap::report::{self, Checks, Counts, Indices, Results, Section};
+use slipgap::solve::Unsolvable;
 use slipgap::study::{self, Study};
 use std::path::PathBuf;
 
@@ -150,7 +151,7 @@ fn cases_without_contact_or_solution_are_counted() {
         "<p>2 of 3 cases have no contact before <code>duration</code>; their contact metrics are undefined.</p>"
     ));
     // A case without a solution has no metric either, and is not one without contact.
-    outcomes[2].failure = Some("S <grows>".into());
+    outcomes[2].failure = Some(Unsolvable::Stored("S <grows>".into()));
     outcomes[2].metrics.fill(None);
     let failed = page_of(&outcomes);
     assert!(failed.contains("<p>1 of 3 cases have no contact"));

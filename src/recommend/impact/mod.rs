@@ -1,0 +1,294 @@
+//! Search space of an impact of two bars: spring, mesh, mass matrix and step.
+
+mod energy;
+mod mesh;
+
+pub use energy::energy_gain;
+
+use super::format::{digits, is_positive_integer, plain};
+use super::grid::decades;
+use super::{CostLevel, SearchSpace, metric};
+use crate::history::History;
+use crate::problem::impact::BarImpact;
+use crate::problem::impact::scaled::Scaled;
+use crate::problem::parameter::{Value, shortest};
+use crate::problem::schema::Text;
+use crate::problem::{Case, Problem, Violation};
+use mesh::{MOST_ELEMENTS, Mesh, PASSES, WITH_EVERY_MESH, affordable};
+
+/// Smallest and largest gamma.
+const GAMMAS: [f64; 2] = [0.01, 10.0];
+
+/// Largest number of passes of a wave through the shorter bar before the bars part.
+const MOST_TRIPS: f64 = 1e4;
+
+/// Position of the impact in a step, 0..1, for neighbours.
+const INTO: [f64; 2] = [0.37, 0.71];
+
+/// Values that the user gives, which are not searched.
+#[derive(Debug, Clone, Default)]
+pub struct FixedParameters {
+    /// `gamma` or `k_I`, with its value.
+    pub spring: Option<(&'static str, f64)>,
+    /// Elements of the left bar.
+    pub n: Option<u32>,
+    /// The mass matrix.
+    pub mass: Option<&'static str>,
+    /// Data of the bars, as in a study.
+    pub bars: Vec<(Text, Value)>,
+}
+
+impl FixedParameters {
+    /// The spring, if it is given, else gamma = 1.
+    fn spring_or_default(&self) -> (&'static str, f64) {
+        self.spring.unwrap_or(("gamma", 1.0))
+    }
+
+    /// Whether the mesh of the right bar is given.
+    fn has_right_mesh(&self) -> bool {
+        self.bars.iter().any(|(name, _)| *name == "right.n")
+    }
+}
+
+/// Springs, meshes, mass matrices and steps for two bars.
+#[derive(Debug)]
+pub struct Impact {
+    fixed: FixedParameters,
+    /// Travel time of the right bar over that of the left; `None` if they are equal, and for a wall.
+    time_ratio: Option<f64>,
+    duration: f64,
+    /// Peak of the exact contact force over F0.
+    pub peak: f64,
+    /// The mesh and the cost of each level.
+    meshes: Vec<(Mesh, u64)>,
+}
+
+impl Impact {
+    /// The search space of these bars, or the rules that they break.
+    pub fn new(fixed: FixedParameters) -> Result<Impact, Vec<Violation>> {
+        let mut impact = Impact {
+            fixed,
+            time_ratio: None,
+            duration: 1.0,
+            peak: 1.0,
+            meshes: Vec::new(),
+        };
+        let spring = impact.fixed.spring_or_default();
+        let (case, broken) = impact.completed(spring, (1, 1.0, "lumped"), 0.0);
+        if !broken.is_empty() {
+            return Err(broken);
+        }
+        let bars = Scaled::new(&case).map(|scaled| scaled.bars);
+        let bars = bars.filter(|bars| !bars.wall() && bars.time_ratio != 1.0);
+        impact.time_ratio = bars.map(|bars| bars.time_ratio);
+        let separation = Scaled::new(&case).and_then(|scaled| first_separation(&scaled));
+        let Some(separation) = separation else {
+            return Err(vec![Violation {
+                parameter: "right".into(),
+                message: format!(
+                    "the bars do not part before a wave has passed the shorter bar {MOST_TRIPS} times"
+                ),
+            }]);
+        };
+        impact.duration = 1.5 * separation;
+        let exact = BarImpact.exact(&case, &[0.0, impact.duration]);
+        let force = exact.map_or(Vec::new(), |exact| exact.force().to_vec());
+        impact.peak = force.into_iter().fold(0.0, f64::max);
+        impact.meshes = affordable(&impact);
+        if impact.meshes.is_empty() {
+            let message = "the travel times of the bars differ so much that no mesh searched suits both; give right.n";
+            let parameter = "right";
+            return Err(vec![Violation {
+                parameter: parameter.into(),
+                message: message.into(),
+            }]);
+        }
+        Ok(impact)
+    }
+
+    /// A case with the impact at the position `into` of a step, 0..1, and the rules that it breaks.
+    fn completed(
+        &self,
+        spring: (&'static str, f64),
+        (n, passes, mass): Mesh,
+        into: f64,
+    ) -> (Case, Vec<Violation>) {
+        let dt = passes / f64::from(2 * n);
+        let bars = self.fixed.bars.iter();
+        let mut given: Vec<(&str, Value)> = bars.map(|(name, value)| (&**name, *value)).collect();
+        given.extend([
+            (spring.0, Value::Number(spring.1)),
+            ("n", Value::Whole(u64::from(n))),
+            ("dt", Value::Number(dt)),
+            ("duration", Value::Number(self.duration)),
+            ("gap", Value::Number(2.0 * into * dt)),
+            ("mass", Value::Name(mass)),
+        ]);
+        if let Some(ratio) = self.time_ratio.filter(|_| !self.fixed.has_right_mesh()) {
+            let count = (f64::from(n) * ratio).round().max(1.0);
+            given.push(("right.n", Value::Whole(count as u64)));
+        }
+        Case::given(&BarImpact, &given)
+    }
+
+    fn case(&self, spring: (&'static str, f64), mesh: Mesh, into: f64) -> Case {
+        // `new` has tested the rules of the bars. All other values are in the ranges of the table.
+        self.completed(spring, mesh, into).0
+    }
+
+    fn masses(&self) -> Vec<&'static str> {
+        self.fixed
+            .mass
+            .map_or(vec!["lumped", "consistent"], |mass| vec![mass])
+    }
+}
+
+/// When the bars part for the first time in the exact solution; `None` if it is too late to compute.
+fn first_separation(scaled: &Scaled) -> Option<f64> {
+    let shorter = match scaled.pair.right {
+        Some(right) => right.trip.min(1.0),
+        None => 1.0,
+    };
+    let longer = |trips: &f64| Some(4.0 * trips).filter(|trips| *trips <= MOST_TRIPS);
+    let mut ends = std::iter::successors(Some(2.0), longer).map(|trips| trips * shorter);
+    ends.find_map(|end| scaled.bars.solve(end).durations()[1])
+}
+
+impl SearchSpace for Impact {
+    fn problem(&self) -> &'static dyn Problem {
+        &BarImpact
+    }
+
+    fn table_parameters(&self) -> Vec<&'static str> {
+        let mut names = vec!["gamma"];
+        // k_I has the units of the bars, and is useful only if the user gives data in these units.
+        let data = !self.fixed.bars.is_empty() || self.fixed.spring.is_some();
+        names.extend(data.then_some("k_I"));
+        names.push("n");
+        names.extend(self.time_ratio.map(|_| "right.n"));
+        names.extend(["dt", "mass"]);
+        names
+    }
+
+    fn study_parameters(&self) -> Vec<&str> {
+        let spring = self.fixed.spring.map_or("gamma", |(name, _)| name);
+        let mut names = vec![spring, "n", "dt", "duration", "mass"];
+        let bars = self.fixed.bars.iter().map(|(name, _)| &**name);
+        names.extend(bars.filter(|name| *name != "right.n"));
+        names.extend(self.time_ratio.map(|_| "right.n"));
+        names
+    }
+
+    fn table_cell(&self, case: &Case, name: &str) -> String {
+        match (name, case.number(name)) {
+            // One of them is computed from the other and has many digits.
+            ("gamma" | "k_I", Some(x)) => digits(x),
+            _ => self.study_value(case, name),
+        }
+    }
+
+    fn study_value(&self, case: &Case, name: &str) -> String {
+        match (name, case.number(name)) {
+            ("dt", Some(x)) => fraction(x).unwrap_or_else(|| shortest(x)),
+            _ => plain(case, name),
+        }
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let passes = |at: usize| shortest(PASSES[at]);
+        let spring = match self.fixed.spring {
+            Some((name, x)) => format!("{name} = {}", shortest(x)),
+            None => format!("gamma {} .. {}, 20 a decade", GAMMAS[0], GAMMAS[1]),
+        };
+        let n = match self.fixed.n {
+            Some(n) => format!("n = {n}"),
+            None => format!(
+                "every n 2 .. {MOST_ELEMENTS} (steps below {} elements: in ratios of 1.05)",
+                passes(WITH_EVERY_MESH - 1)
+            ),
+        };
+        let mut notes = vec![
+            format!(
+                "searched: {spring}; {n}; mass {}; dt of {} .. {} elements passed by a wave; duration {}",
+                self.masses().join(" and "),
+                passes(0),
+                passes(PASSES.len() - 1),
+                shortest(self.duration)
+            ),
+            match self.fixed.spring {
+                None => format!(
+                    "neighbours that must also reach the target: gamma 12 % smaller and larger, impact {} into a step",
+                    INTO[0]
+                ),
+                Some(_) => format!(
+                    "neighbours that must also reach the target: impact {} and {} into a step",
+                    INTO[0], INTO[1]
+                ),
+            },
+            "not searched: other steps than these parts of an element, elements of different lengths in a bar, steps \
+             without iteration, larger gaps"
+                .into(),
+        ];
+        if self.time_ratio.is_some() {
+            notes.push(
+                "the right bar has elements of the same travel time, at least 2, unless right.n is given".into(),
+            );
+        }
+        if self.peak != 1.0 {
+            notes.push(format!(
+                "exact peak of the force: {} F0",
+                shortest(self.peak)
+            ));
+        }
+        notes
+    }
+
+    fn cost_title(&self) -> &'static str {
+        "steps × modes"
+    }
+
+    fn costs(&self) -> Vec<u64> {
+        self.meshes.iter().map(|(_, cost)| *cost).collect()
+    }
+
+    fn level(&self, index: usize) -> CostLevel {
+        let (mesh, _) = self.meshes[index];
+        let mut level = CostLevel::default();
+        if let Some(spring) = self.fixed.spring {
+            let into = [0.0, INTO[0], INTO[1]];
+            level.cases = into.map(|into| self.case(spring, mesh, into)).to_vec();
+            level.candidates = vec![vec![0, 1, 2]];
+            return level;
+        }
+        let gammas = decades(GAMMAS[0], GAMMAS[1], 20.0);
+        for into in [0.0, INTO[0]] {
+            let cases = gammas
+                .iter()
+                .map(|gamma| self.case(("gamma", *gamma), mesh, into));
+            level.cases.extend(cases);
+        }
+        let count = gammas.len();
+        level.candidates = (1..count - 1)
+            .map(|i| vec![i, i - 1, i + 1, i + count])
+            .collect();
+        level
+    }
+
+    fn energy_drifts(&self) -> Option<[usize; 2]> {
+        Some(["energy_drift_max", "energy_drift_final"].map(|name| metric(&BarImpact, name)))
+    }
+
+    fn energy_gain(&self, case: &Case, computed: &History) -> Option<f64> {
+        energy_gain(case, computed)
+    }
+}
+
+/// Largest numerator of a fraction.
+const NUMERATORS: i32 = 9;
+
+/// A number as a fraction k/m with small k, if the fraction gives the same double.
+fn fraction(x: f64) -> Option<String> {
+    let k = (1..=NUMERATORS).find(|k| is_positive_integer(f64::from(*k) / x))?;
+    let denominator = (f64::from(k) / x).round();
+    (f64::from(k) / denominator == x).then(|| format!("{k}/{denominator}"))
+}
