@@ -1,7 +1,7 @@
 //! Computes cases: in lanes if possible, else one at a time.
 
-use super::RunOptions;
 use super::chunk::WORK;
+use super::options::RunOptions;
 use super::part_result::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
@@ -123,4 +123,13 @@ pub fn solution(study: &Study, case: &Case) -> Result<Solution, Unsolvable> {
         true => study.problem.solve_once(case, &study.metrics),
         false => study.problem.solve(case, &study.metrics),
     }
+}
+
+/// Bytes, slightly below the largest size for which the C library raises its threshold.
+const MAPPED: usize = 31 << 20;
+
+/// Makes the allocator keep the memory of one part for the next. glibc returns freed memory to the system, which clears
+/// it again for every part, until a block of this size was freed once. Other allocators are not affected.
+pub fn keep_memory() {
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(MAPPED)));
 }

@@ -1,7 +1,7 @@
 //! The cost of a study: its work, and the time that some of its cases take on this machine.
 
-use super::compute::{SLICE, compute_rows, parallel_tasks, solvable_rows};
-use super::{RunOptions, keep_memory};
+use super::compute::{SLICE, compute_rows, keep_memory, parallel_tasks, solvable_rows};
+use super::options::RunOptions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;

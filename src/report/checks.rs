@@ -1,7 +1,6 @@
 //! The checks of a study on the page.
 
-use super::text::escape;
-use super::verdict;
+use super::text::{escape, verdict};
 use crate::batch::Outcome;
 use crate::checks::{self, Verdict};
 use crate::study::Study;

@@ -19,7 +19,7 @@ use crate::batch::key::SOLVER_VERSION;
 use crate::problem::Problem;
 use crate::study::Study;
 use std::io::{self, Write};
-use text::escape;
+use text::{escape, verdict};
 
 const STYLE: &str = include_str!("report.css");
 
@@ -180,9 +180,4 @@ fn write_claims(out: &mut impl Write, claims: &[TestedReading]) -> io::Result<()
         )?;
     }
     out.write_all(b"</tbody></table></div>\n")
-}
-
-/// Class and word of a verdict. The word is needed because colour alone is not enough.
-fn verdict(holds: bool, yes: &'static str, no: &'static str) -> (&'static str, &'static str) {
-    if holds { ("holds", yes) } else { ("fails", no) }
 }

@@ -1,4 +1,4 @@
-//! Text of a user, made safe for the page.
+//! Texts of the page: escaped text of a user, and verdicts.
 
 /// The text as HTML, in elements and in quoted attributes.
 pub fn escape(text: &str) -> String {
@@ -24,6 +24,11 @@ pub fn printable(text: &str) -> String {
         _ => c,
     };
     text.replace("\r\n", "\n").chars().map(shown).collect()
+}
+
+/// Class and word of a verdict. The word is needed because colour alone is not enough.
+pub fn verdict(holds: bool, yes: &'static str, no: &'static str) -> (&'static str, &'static str) {
+    if holds { ("holds", yes) } else { ("fails", no) }
 }
 
 #[cfg(test)]

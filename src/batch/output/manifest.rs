@@ -2,8 +2,8 @@
 //!
 //! During a run the manifest also lists the files that the run may write. The next run removes those of a killed run.
 
-use super::RESULTS;
 use super::atomic::write_atomically;
+use super::names::{HISTORIES, RESULTS, history_name};
 use crate::batch::key::SOLVER_VERSION;
 use crate::error::Error;
 use crate::study::{STDIN, Setting, Study};
@@ -16,14 +16,6 @@ use std::process::Command;
 
 /// Name of the file.
 const MANIFEST: &str = "manifest.json";
-
-/// Folder of the histories, each `CASE.csv`.
-pub(super) const HISTORIES: &str = "histories";
-
-/// Name of the history of a case.
-pub fn history_name(case: u64) -> String {
-    format!("{HISTORIES}/{case}.csv")
-}
 
 /// Whether a file is the manifest of a folder of results and not a study. The content decides, because a study may have
 /// the same name.

@@ -2,27 +2,21 @@
 
 pub mod atomic;
 mod manifest;
+mod names;
 pub mod sobol;
 pub mod tables;
 
-pub use manifest::{history_name, is_manifest, is_outdated};
+pub use manifest::{is_manifest, is_outdated};
+pub use names::{FAILURES, INDICES, RESULTS, history_name};
 
 use crate::error::Error;
 use crate::study::Study;
 use atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
-use manifest::{HISTORIES, Manifest};
+use manifest::Manifest;
+use names::HISTORIES;
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
-
-/// Name of the table of results.
-pub const RESULTS: &str = "results.csv";
-
-/// Name of the table of cases that could not be solved.
-pub const FAILURES: &str = "failures.csv";
-
-/// Name of the table of the indices of saltelli designs.
-pub const INDICES: &str = "sobol.csv";
 
 /// A folder of results, and the names of the files that this run has written.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ mod reading;
 mod tests;
 mod writing;
 
-pub use part_file::rows;
+pub use part_file::{STORE, rows};
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
@@ -30,13 +30,6 @@ use crate::solve::MetricTable;
 use crate::study::Study;
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
-use parquet::errors::ParquetError;
-
-/// Name of the store in a folder of results.
-pub const STORE: &str = "store";
-
-/// Column of the reason why a case could not be solved.
-const FAILURE: &str = "failure";
 
 /// A store, opened and locked.
 #[derive(Debug)]
@@ -229,8 +222,4 @@ impl EarlierCases {
         let (table, row) = self.rows.get(&hash)?;
         Some((&self.tables[*table], *row))
     }
-}
-
-fn general(what: &str) -> ParquetError {
-    ParquetError::General(what.into())
 }

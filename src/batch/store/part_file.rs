@@ -1,13 +1,16 @@
 //! The files of a store: their names, and their content if it has the checksum in the name.
 
 use super::catch_panic::catch_panic;
-use super::{STORE, reading};
+use super::reading;
 use crate::batch::key::checksum;
 use crate::compare::Rows;
 use crate::error::Error;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+
+/// Name of the store in a folder of results.
+pub const STORE: &str = "store";
 
 /// The name of a part.
 pub fn name(start: u64, checksum: &str) -> String {

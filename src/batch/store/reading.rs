@@ -3,16 +3,23 @@
 use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, DataType};
-use parquet::errors::Result;
+use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
-use super::{FAILURE, general};
 use crate::batch::chunk::MOST_ROWS;
 use crate::batch::key::{Difference, Key, case_hash};
 use crate::compare::Rows;
 use crate::problem::parameter::{Kind, Parameter, Value, shortest};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
+
+/// Column of the reason why a case could not be solved.
+pub const FAILURE: &str = "failure";
+
+/// An error with this message.
+pub fn general(message: &str) -> ParquetError {
+    ParquetError::General(message.into())
+}
 
 /// The metrics of a part with so many cases, or the difference of its key.
 pub fn read(

@@ -17,7 +17,7 @@ use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
 use serde_json::json;
 
 use super::constant_columns::{ConstantColumns, EncodedColumn};
-use super::{FAILURE, general};
+use super::reading::{FAILURE, general};
 use crate::batch::key::Key;
 use crate::problem::cases::{Cases, Column};
 use crate::problem::parameter::{Kind, Value};

@@ -1,6 +1,6 @@
 //! The arguments of a search for a friction model.
 
-use super::args::{CommonArgs, SearchTask, folder_name, parse_target};
+use super::task::{CommonArgs, SearchTask, folder_name, parse_target};
 use clap::Args;
 use slipgap::problem::friction::FrictionOscillator;
 use slipgap::problem::parameter::shortest;

@@ -1,6 +1,6 @@
 //! The arguments of a search for an impact of two bars.
 
-use super::args::{CommonArgs, SearchTask, folder_name, parse_target};
+use super::task::{CommonArgs, SearchTask, folder_name, parse_target};
 use clap::Args;
 use slipgap::error::Error;
 use slipgap::problem::Problem;

@@ -4,8 +4,10 @@ mod args;
 mod friction;
 mod impact;
 mod tables;
+mod task;
 
-pub use args::{RecommendArgs, SearchTask};
+pub use args::RecommendArgs;
+pub use task::SearchTask;
 
 use super::NOT_MET;
 use super::terminal::{note, print};

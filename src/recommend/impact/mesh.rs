@@ -1,8 +1,5 @@
 //! Meshes and steps of a search.
 
-use super::Impact;
-use crate::problem::Problem;
-use crate::problem::impact::BarImpact;
 use crate::recommend::grid::integers;
 
 /// Largest number of elements of a bar.
@@ -25,27 +22,22 @@ const MOST_COST_GIVEN: u64 = 200_000_000;
 /// Elements of the left bar, elements that a wave passes in a step, and mass matrix.
 pub type Mesh = (u32, f64, &'static str);
 
-/// The meshes and steps to search, with their costs.
-pub fn affordable(impact: &Impact) -> Vec<(Mesh, u64)> {
-    let fixed = &impact.fixed;
-    let most = fixed.n.map_or(MOST_COST, |_| MOST_COST_GIVEN);
+/// The meshes and steps to search, with their costs. `cost` is `None` for a mesh that is not searched.
+pub fn affordable(
+    n: Option<u32>,
+    masses: &[&'static str],
+    cost: impl Fn(Mesh) -> Option<u64>,
+) -> Vec<(Mesh, u64)> {
+    let most = n.map_or(MOST_COST, |_| MOST_COST_GIVEN);
     let mut meshes = Vec::new();
     for (at, passes) in PASSES.into_iter().enumerate() {
         let ratio = if at < WITH_EVERY_MESH { 1.0 } else { 1.05 };
-        let elements = fixed
-            .n
-            .map_or_else(|| integers(2, MOST_ELEMENTS, ratio), |n| vec![n]);
+        let elements = n.map_or_else(|| integers(2, MOST_ELEMENTS, ratio), |n| vec![n]);
         for n in elements {
-            for mass in impact.masses() {
-                let mesh = (n, passes, mass);
-                let case = impact.case(fixed.spring_or_default(), mesh, 0.0);
-                let cost = BarImpact.work(&case);
-                let steps = BarImpact.steps(&case);
-                let right = case.number("right.n").unwrap_or(f64::INFINITY);
-                let meshed = impact.time_ratio.is_none() || right >= 2.0 || fixed.has_right_mesh();
-                if steps > 1 && meshed && cost <= most {
-                    meshes.push((mesh, cost));
-                }
+            for mass in masses {
+                let mesh = (n, passes, *mass);
+                let cost = cost(mesh).filter(|cost| *cost <= most);
+                meshes.extend(cost.map(|cost| (mesh, cost)));
             }
         }
     }

@@ -94,7 +94,7 @@ impl Impact {
         let exact = BarImpact.exact(&case, &[0.0, impact.duration]);
         let force = exact.map_or(Vec::new(), |exact| exact.force().to_vec());
         impact.peak = force.into_iter().fold(0.0, f64::max);
-        impact.meshes = affordable(&impact);
+        impact.meshes = affordable(impact.fixed.n, &impact.masses(), |mesh| impact.cost(mesh));
         if impact.meshes.is_empty() {
             let message = "the travel times of the bars differ so much that no mesh searched suits both; give right.n";
             let parameter = "right";
@@ -134,6 +134,15 @@ impl Impact {
     fn case(&self, spring: (&'static str, f64), mesh: Mesh, into: f64) -> Case {
         // `new` has tested the rules of the bars. All other values are in the ranges of the table.
         self.completed(spring, mesh, into).0
+    }
+
+    /// The cost of a mesh; `None` if a run has only one step or the right bar only one element.
+    fn cost(&self, mesh: Mesh) -> Option<u64> {
+        let case = self.case(self.fixed.spring_or_default(), mesh, 0.0);
+        let right = case.number("right.n").unwrap_or(f64::INFINITY);
+        let meshed = self.time_ratio.is_none() || right >= 2.0 || self.fixed.has_right_mesh();
+        let searched = BarImpact.steps(&case) > 1 && meshed;
+        searched.then(|| BarImpact.work(&case))
     }
 
     fn masses(&self) -> Vec<&'static str> {
