@@ -1,4 +1,4 @@
-//! Studies made up from the tables of the problems: most of them nearly right, many of them right.
+//! Studies generated from the tables of the problems: many are valid, most of the others nearly.
 
 use crate::random_choice::RandomChoice;
 use crate::words::{NUMBERS, STRINGS, TITLES};
@@ -67,13 +67,13 @@ fn block(problem: &dyn Problem, random: &mut RandomChoice) -> Vec<String> {
     let mut sampled = false;
     for row in problem.parameters() {
         let likely = match (&*row.name, &row.default) {
-            // Of these two one is given, and the other follows.
+            // One of these two is given, and the other is computed from it.
             ("k_I", _) => random.once_in(20),
             ("gamma", _) => !random.once_in(20),
             (_, Default::Required) => !random.once_in(40),
             _ => random.once_in(5),
         };
-        // One law for all cases: its own width goes with it.
+        // One law for all cases, with its own width.
         let wanted = match &*row.name {
             "beta" => random.once_in(20),
             _ => likely,
@@ -111,10 +111,10 @@ fn block(problem: &dyn Problem, random: &mut RandomChoice) -> Vec<String> {
     keys
 }
 
-/// A value of a parameter: mostly one that makes a short run.
+/// A value of a parameter, mostly for a short run.
 fn value(row: &Parameter, sampled: &mut bool, random: &mut RandomChoice) -> String {
     if let Kind::Choice(choices) = row.kind {
-        // The first of `law` is the one whose width `block` gives.
+        // `block` gives the width of the first law.
         let chosen = if random.once_in(4) {
             random.below(choices.len())
         } else {
@@ -160,7 +160,7 @@ fn value(row: &Parameter, sampled: &mut bool, random: &mut RandomChoice) -> Stri
     }
 }
 
-/// A number, one in two modest.
+/// A number, in half of the calls of moderate size.
 fn number(random: &mut RandomChoice) -> String {
     match random.once_in(2) {
         true => random.between(-2.0, 12.0).to_string(),
@@ -168,9 +168,9 @@ fn number(random: &mut RandomChoice) -> String {
     }
 }
 
-/// A figure of any kind, with the keys that it needs and some that it may have.
+/// A figure of any kind, with the required keys and some optional ones.
 fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> String {
-    // Those that take any cases first.
+    // Kinds without conditions on the cases first.
     let kinds = [
         "metric",
         "metric",
