@@ -23,9 +23,10 @@ pub(super) fn run_part(
     let cases = part.cases();
     let store = options.store;
     let store = store.map(|store| (store, Key::new(study, first, &cases)));
-    let loaded = match &store {
-        Some((store, key)) if !options.recompute => store.load(study, start, key, cases.len()),
-        _ => Err(Miss::Absent),
+    let readable = store.as_ref().filter(|_| !options.recompute);
+    let loaded = match readable {
+        Some((store, key)) => store.load(study, start, key, cases.len()),
+        None => Err(Miss::Absent),
     };
     let (metrics, solutions, stored, from_store) = match loaded {
         Ok(metrics) => {
@@ -36,9 +37,9 @@ pub(super) fn run_part(
             (metrics, Solutions::new(), Ok(()), cases.len() as u64)
         }
         Err(miss) => {
-            let earlier = match &store {
-                Some((store, key)) if !options.recompute => store.earlier_cases(study, start, key),
-                _ => EarlierCases::default(),
+            let earlier = match readable {
+                Some((store, key)) => store.earlier_cases(study, start, key),
+                None => EarlierCases::default(),
             };
             let missing = Missing::new(&cases, &earlier);
             let (metrics, solutions) = missing.compute(study, (first, work), bar, options)?;

@@ -136,7 +136,7 @@ impl Folder {
             Err(e) if !matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
                 return Err(Error::io("cannot remove", path)(e));
             }
-            _ => {}
+            Err(_) | Ok(()) => {}
         }
         // An empty sub-folder is removed too. The call fails if it is not empty.
         if let Some(parent) = path.parent().filter(|parent| *parent != self.path) {

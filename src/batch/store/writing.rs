@@ -134,7 +134,7 @@ fn write_values(
 ) -> Result<()> {
     match kind {
         Kind::Number(_) => write_cells::<DoubleType>(writer, len, values.map(|v| v?.as_f64())),
-        Kind::Whole { .. } => write_cells::<Int64Type>(writer, len, values.map(|v| whole(v?))),
+        Kind::Whole { .. } => write_cells::<Int64Type>(writer, len, values.map(|v| integer(v?))),
         Kind::Choice(_) => write_cells::<ByteArrayType>(writer, len, values.map(|v| name(v?))),
     }
 }
@@ -155,10 +155,10 @@ fn write_cells<D: DataType>(
     Ok(())
 }
 
-fn whole(value: Value) -> Option<i64> {
+fn integer(value: Value) -> Option<i64> {
     match value {
         Value::Whole(n) => Some(n as i64),
-        _ => None,
+        Value::Number(_) | Value::Name(_) => None,
     }
 }
 
@@ -166,7 +166,7 @@ fn whole(value: Value) -> Option<i64> {
 fn name(value: Value) -> Option<ByteArray> {
     match value {
         Value::Name(name) => Some(Bytes::from_static(name.as_bytes()).into()),
-        _ => None,
+        Value::Number(_) | Value::Whole(_) => None,
     }
 }
 
