@@ -7,12 +7,12 @@ use crate::{Bench, Done, ONE, TWO, friction};
 #[track_caller]
 pub(crate) fn refused(marked: &str, expected: &[&str]) {
     let mut expected = expected.iter();
-    let (mut text, mut told) = (String::new(), Vec::new());
+    let (mut text, mut lines) = (String::new(), Vec::new());
     for (i, part) in marked.split('¶').enumerate() {
         if i > 0 {
             let line = text.matches('\n').count() + 1;
             let column = text.rsplit('\n').next().unwrap().chars().count() + 1;
-            told.push(format!("{line}:{column}: {}", expected.next().unwrap()));
+            lines.push(format!("{line}:{column}: {}", expected.next().unwrap()));
         }
         text.push_str(part);
     }
@@ -20,7 +20,7 @@ pub(crate) fn refused(marked: &str, expected: &[&str]) {
         expected.next().is_none(),
         "{marked}: more faults than marks"
     );
-    refused_bytes(text.as_bytes(), &told);
+    refused_bytes(text.as_bytes(), &lines);
 }
 
 /// The same, with `LINE:COLUMN: ` before the expected text.
@@ -277,7 +277,7 @@ fn an_endless_file_is_an_error() {
 #[test]
 fn control_characters_in_file_names_are_escaped() {
     let bench = Bench::new();
-    for (name, told, character) in [
+    for (name, escaped, character) in [
         ("a\u{1b}[31mb.json", "a\\u{1b}[31mb.json", "U+001B"),
         ("a\nb.json", "a\\nb.json", "U+000A"),
         ("a\u{202e}b.json", "a\\u{202e}b.json", "U+202E"),
@@ -287,7 +287,7 @@ fn control_characters_in_file_names_are_escaped() {
             for verb in ["list", "run", "check"] {
                 let done = bench.expect(2, &[verb, asked]);
                 let what = format!(
-                    "slipgap: f/{told}: the name of a study cannot contain {character}; rename it\n"
+                    "slipgap: f/{escaped}: the name of a study cannot contain {character}; rename it\n"
                 );
                 assert_eq!(done.err, what);
             }

@@ -43,9 +43,9 @@ fn explain_shows_the_origin_of_each_value() {
         "duration": 1.5, "gap": 0.2}, "design": {"kind": "sobol", "n": 4},
         "figures": [{"name": "one", "kind": "history", "where": {"gamma": 1}, "by": "n"}]}"#;
     bench.file("s.json", study);
-    let told = bench.expect(0, &["explain", "s.json", "5"]).out;
+    let output = bench.expect(0, &["explain", "s.json", "5"]).out;
     let row = |name: &str| -> Vec<&str> {
-        let mut lines = told
+        let mut lines = output
             .lines()
             .map(|line| line.split_whitespace().collect::<Vec<_>>());
         lines.find(|words| words.first() == Some(&name)).unwrap()
@@ -58,11 +58,11 @@ fn explain_shows_the_origin_of_each_value() {
     assert_eq!(row("k_I")[3], "follows");
     let n: f64 = row("n")[1].parse().unwrap();
     let steps = (1.5 / (0.1 / n) * (1.0 + 1e-12)).floor();
-    assert!(told.contains(&format!(
+    assert!(output.contains(&format!(
         "steps: {steps}; steps x modes: {} of",
         steps * 2.0 * (n + 1.0)
     )));
-    assert!(told.contains("figures: one\n"), "{told}");
+    assert!(output.contains("figures: one\n"), "{output}");
     assert!(
         bench
             .expect(2, &["explain", "."])
