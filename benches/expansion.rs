@@ -1,16 +1,16 @@
-//! How fast the cases of a study are made from their numbers: a million of them, none kept.
+//! The time for making a million cases of a study from their numbers.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use slipgap::study::{Study, parse};
 
-/// Cases that a run makes at a time.
+/// Number of cases that a run makes at a time.
 const CHUNK: u64 = 16_384;
 
-/// A thousand by a thousand, and what stands beside them.
-fn study(parameters: &str, beside: &str) -> Study {
+/// A grid of 1000 x 1000 cases, with further parameters and keys.
+fn study(parameters: &str, keys: &str) -> Study {
     let text = format!(
         r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control", "duration": "8*pi",
-        "x0": {{"linspace": [1, 20, 1000]}}, "dT": {{"geomspace": [0.01, 0.5, 1000]}}, {parameters}}}{beside}}}"#
+        "x0": {{"linspace": [1, 20, 1000]}}, "dT": {{"geomspace": [0.01, 0.5, 1000]}}, {parameters}}}{keys}}}"#
     );
     parse("bench.json", &text).expect("a study without faults")
 }
@@ -20,7 +20,7 @@ fn expansion(criterion: &mut Criterion) {
     group
         .sample_size(10)
         .throughput(Throughput::Elements(1_000_000));
-    for (name, parameters, beside) in [
+    for (name, parameters, keys) in [
         ("grid", r#""beta": 0.1"#, ""),
         ("expression", r#""beta": "dT/2 + 0.01""#, ""),
         (
@@ -29,7 +29,7 @@ fn expansion(criterion: &mut Criterion) {
             r#", "when": "dT < 0.45 or x0 > 2""#,
         ),
     ] {
-        let study = study(parameters, beside);
+        let study = study(parameters, keys);
         group.bench_function(BenchmarkId::new("cases", name), |bencher| {
             bencher.iter(|| {
                 let starts = (0..study.raw_len()).step_by(CHUNK as usize);

@@ -1,6 +1,7 @@
-//! What must not get slower unnoticed: instructions of fixed sweeps by callgrind, and lanes over one lane on AVX-512.
+//! Checks that the solver does not become slower: the instructions of fixed sweeps by callgrind, and the speed of lanes on
+//! AVX-512.
 //!
-//! `guard` alone checks; `guard NAME TIMES` only runs a sweep so many times, for callgrind to count.
+//! `guard` makes the checks. `guard NAME TIMES` only runs a sweep so many times, for callgrind.
 
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
@@ -9,7 +10,7 @@ use std::hint::black_box;
 use std::process::{Command, ExitCode};
 use std::time::{Duration, Instant};
 
-/// Sweeps, and their instructions for each case as recorded (AVX2: valgrind knows no wider ones).
+/// Sweeps, and the recorded number of instructions for each case (AVX2, the widest instructions of valgrind).
 const SWEEPS: [(&str, &str, u64); 4] = [
     (
         "displacement-control",
@@ -37,10 +38,10 @@ const SWEEPS: [(&str, &str, u64); 4] = [
     ),
 ];
 
-/// How far counts may lie from the recorded ones: compilers differ by a few per cent.
-const NEAR: f64 = 0.1;
+/// Largest relative difference from the recorded counts. Compilers differ by a few per cent.
+const TOLERANCE: f64 = 0.1;
 
-/// Least speed of lanes over one lane, which has a history too, on AVX-512: well below what was measured.
+/// Smallest quotient of the speeds of lanes and of single cases on AVX-512, much below the measured one.
 const RATIO: f64 = 3.0;
 
 fn study(text: &str) -> Study {
@@ -48,8 +49,8 @@ fn study(text: &str) -> Study {
 }
 
 fn main() -> ExitCode {
-    let words: Vec<String> = args().skip(1).filter(|word| word != "--bench").collect();
-    if let [name, times] = &words[..] {
+    let args: Vec<String> = args().skip(1).filter(|arg| arg != "--bench").collect();
+    if let [name, times] = &args[..] {
         let sweep = SWEEPS
             .iter()
             .find(|sweep| sweep.0 == name)
@@ -70,7 +71,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Whether the instructions of all sweeps are near the recorded ones, as far as callgrind is there to count them.
+/// Whether the instructions of all sweeps are near the recorded ones. Without callgrind they are not counted.
 fn counts() -> bool {
     let version = Command::new("valgrind").arg("--version").output();
     if !version.is_ok_and(|output| output.status.success()) {
@@ -79,10 +80,10 @@ fn counts() -> bool {
     }
     let mut good = true;
     for (name, text, recorded) in SWEEPS {
-        // What comes before the sweeps is in both counts.
+        // Both counts contain the work before the sweeps.
         let more = count(name, 3) - count(name, 1);
         let each = more as f64 / 2.0 / study(text).len() as f64;
-        let near = (each / recorded as f64 - 1.0).abs() < NEAR;
+        let near = (each / recorded as f64 - 1.0).abs() < TOLERANCE;
         let verdict = if near { "near" } else { "NOT NEAR" };
         println!("{name}: {each:.0} instructions a case, {verdict} the recorded {recorded}");
         good &= near;
@@ -90,7 +91,7 @@ fn counts() -> bool {
     good
 }
 
-/// Instructions of this program for a number of sweeps.
+/// Number of instructions of this program with so many sweeps.
 fn count(name: &str, times: u64) -> i64 {
     let own = std::env::current_exe().expect("this program has a path");
     let output = Command::new("valgrind")
@@ -99,13 +100,13 @@ fn count(name: &str, times: u64) -> i64 {
         .args([name, &times.to_string()])
         .output()
         .expect("valgrind runs");
-    let told = String::from_utf8_lossy(&output.stderr);
-    let line = told.lines().find(|line| line.contains("Collected :"));
+    let errors = String::from_utf8_lossy(&output.stderr);
+    let line = errors.lines().find(|line| line.contains("Collected :"));
     let number = line.and_then(|line| line.split(':').nth(1)?.trim().parse().ok());
-    number.unwrap_or_else(|| panic!("no count in: {told}"))
+    number.unwrap_or_else(|| panic!("no count in: {errors}"))
 }
 
-/// Whether lanes are faster than one by the margin, where there are wide ones.
+/// Whether lanes are faster than single cases by the ratio, if the processor has AVX-512.
 fn ratios() -> bool {
     #[cfg(target_arch = "x86_64")]
     let wide = is_x86_feature_detected!("avx512f");
@@ -117,7 +118,7 @@ fn ratios() -> bool {
         let cases: Vec<Case> = study.cases().collect();
         let (_, columns) = study.columns(0, study.raw_len());
         let rows: Vec<u32> = (0..columns.len() as u32).collect();
-        // The best of several turns each, taken in turn: a slow moment of the machine is no verdict.
+        // The best of several alternating measurements, because the speed of the machine varies.
         let (mut lanes, mut one) = (Duration::MAX, Duration::MAX);
         for _ in 0..7 {
             lanes = lanes.min(timed(|| {

@@ -1,5 +1,5 @@
-//! The sweep's own work: steps and default metrics of many cases side by side, one at a time, and the add rate of this
-//! machine, which is the limit of both.
+//! The speed of the solver: steps and default metrics of many cases in lanes and one at a time, and the rate of additions
+//! of this machine, which is the limit of both.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use multiversion::multiversion;
@@ -13,7 +13,7 @@ fn study(parameters: &str) -> Study {
     parse("bench.json", &text).expect("a study without faults")
 }
 
-/// Release at x0 = 12, up to 8 pi, in so many steps.
+/// Oscillators released at x0 = 12, with `steps` steps up to 8 pi.
 fn oscillators(law: &str, width: &str, steps: u64, cases: u64) -> Study {
     study(&format!(
         r#""problem": "friction-oscillator", "parameters": {{"law": "{law}", "x0": 12, "duration": "8*pi",
@@ -66,7 +66,7 @@ fn sweep(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// One case after the other, each with its history.
+/// One case at a time, each with its history.
 fn case(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("case");
     group.sample_size(20);
@@ -95,10 +95,10 @@ fn case(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Registers full of sums that do not wait for each other.
+/// Number of independent sums.
 const SUMS: usize = 8;
 
-/// Additions to each of them.
+/// Number of additions to each sum.
 const ADDITIONS: usize = 10_000;
 
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]

@@ -1,5 +1,5 @@
-//! A chunk of cases from its numbers to its file: what a run does beside computing, and what writing the same columns
-//! raw costs.
+//! The time of a run without computing, from case numbers to files, and the time for writing the same columns without
+//! encoding.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use indicatif::ProgressBar;
@@ -8,7 +8,7 @@ use parquet::data_type::DoubleType;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
-use slipgap::batch::{self, Done, Wishes, store::Store};
+use slipgap::batch::{self, PartResult, RunOptions, store::Store};
 use slipgap::problem::cases::Column;
 use slipgap::problem::parameter::Value;
 use slipgap::study::{Study, parse};
@@ -16,7 +16,7 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Cases of so few steps that hardly anything is computed.
+/// Number of cases, each of one step.
 const CASES: u64 = 65_536;
 
 /// Bytes of a raw page.
@@ -30,11 +30,11 @@ fn study() -> Study {
     parse("bench.json", &text).expect("a study without faults")
 }
 
-/// Runs the study and hands over its chunks.
-fn run(study: &Study, wishes: &Wishes, mut take: impl FnMut(Done) + Send) {
+/// Runs the study; `take` receives its parts.
+fn run(study: &Study, options: &RunOptions, mut take: impl FnMut(PartResult) + Send) {
     let bar = ProgressBar::hidden();
-    batch::run(study, &bar, wishes, |done| {
-        take(done);
+    batch::run(study, &bar, options, |part| {
+        take(part);
         Ok(())
     })
     .expect("a run");
@@ -47,17 +47,17 @@ fn store(criterion: &mut Criterion) {
     group
         .sample_size(10)
         .throughput(Throughput::Elements(CASES));
-    for (name, anew) in [("written", true), ("found", false)] {
+    for (name, recompute) in [("written", true), ("found", false)] {
         group.bench_function(name, |bencher| {
             bencher.iter(|| {
                 let store = Store::open(folder.path()).expect("a store");
-                let wishes = Wishes {
+                let options = RunOptions {
                     store: Some(&store),
-                    anew,
-                    ..Wishes::METRICS
+                    recompute,
+                    ..RunOptions::METRICS
                 };
                 let mut cases = 0;
-                run(&study, &wishes, |done| cases += done.len());
+                run(&study, &options, |part| cases += part.len());
                 cases
             });
         });
@@ -65,13 +65,13 @@ fn store(criterion: &mut Criterion) {
     group.bench_function("computed only", |bencher| {
         bencher.iter(|| {
             let mut cases = 0;
-            run(&study, &Wishes::METRICS, |done| cases += done.len());
+            run(&study, &RunOptions::METRICS, |part| cases += part.len());
             cases
         });
     });
     let mut chunks = Vec::new();
-    run(&study, &Wishes::METRICS, |done| {
-        chunks.push(numbers(&study, &done));
+    run(&study, &RunOptions::METRICS, |part| {
+        chunks.push(numbers(&study, &part));
     });
     group.bench_function("raw", |bencher| {
         bencher.iter(|| {
@@ -83,25 +83,25 @@ fn store(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// All columns of a chunk as numbers: a name as 0, what is not there as not a number.
-fn numbers(study: &Study, done: &Done) -> Vec<Vec<f64>> {
-    let case = (done.first..).take(done.len()).map(|number| number as f64);
+/// All columns of a part as numbers: 0 for a name, NaN for no value.
+fn numbers(study: &Study, part: &PartResult) -> Vec<Vec<f64>> {
+    let case = (part.first..).take(part.len()).map(|number| number as f64);
     let mut columns: Vec<Vec<f64>> = vec![case.collect()];
-    for column in done.cases.columns() {
+    for column in part.cases.columns() {
         let of = |value: &Option<Value>| value.map_or(f64::NAN, |v| v.as_f64().unwrap_or(0.0));
         columns.push(match column {
-            Column::Same(value) => vec![of(value); done.len()],
+            Column::Same(value) => vec![of(value); part.len()],
             Column::Each(values) => values.iter().map(of).collect(),
         });
     }
     for metric in &study.metrics {
-        let values = done.found.column(*metric);
+        let values = part.metrics.column(*metric);
         columns.push(values.map(|x| x.unwrap_or(f64::NAN)).collect());
     }
     columns
 }
 
-/// Writes columns as one part, neither packed nor looked at.
+/// Writes columns as one part, without dictionaries, compression and statistics.
 fn raw(columns: &[Vec<f64>], path: &Path) {
     let field = |i: usize| {
         let built = Type::primitive_type_builder(&format!("column{i}"), Physical::DOUBLE)

@@ -1,14 +1,14 @@
-//! One error type for what a user can cause, with its place in the file and its exit code.
+//! Errors: faults of study files with their places, and errors of commands with their exit codes.
 
 use std::fmt;
 use std::path::PathBuf;
 
-/// A fault of a study file: where it stands, what is wrong, what is allowed.
+/// A fault of a study file: its place, what is wrong, and what is allowed.
 ///
 /// Displayed as `FILE:LINE:COLUMN: PATH: MESSAGE`; line and column count from 1, in characters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// The study file as the user named it.
+    /// The study file as in the command.
     pub file: String,
     /// Line, from 1.
     pub line: usize,
@@ -18,7 +18,7 @@ pub struct Fault {
     pub path: String,
     /// What is wrong and what is allowed.
     pub message: String,
-    /// The line, or the part of it round the place, and below it a caret; empty after many faults.
+    /// The line, or the part of it near the place, with a caret below; empty after many faults.
     pub shown: String,
 }
 
@@ -32,27 +32,27 @@ impl fmt::Display for Fault {
     }
 }
 
-/// Why a command could not be carried out.
+/// Why a command failed.
 #[derive(Debug)]
 pub enum Error {
-    /// Study files that say something impossible: every fault, in file order.
+    /// All faults of study files, in file order.
     Faults(Vec<Fault>),
-    /// Words on the command line that do not fit.
+    /// A mistake on the command line.
     Usage(String),
     /// A file or folder that could not be read or written.
     Io {
-        /// What was being done, as in `cannot write`.
+        /// The operation, as in `cannot write`.
         doing: &'static str,
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: std::io::Error,
     },
-    /// A case that could not be solved, where the run was to end at the first.
+    /// A case that could not be solved, if the run ends at the first one.
     Unsolved(String),
-    /// A folder of results that another run writes to.
+    /// A folder of results that another run uses.
     Busy(PathBuf),
-    /// A fault of this program, not of its user.
+    /// An error of this program.
     Internal(String),
 }
 
@@ -66,7 +66,7 @@ impl Error {
         }
     }
 
-    /// Wraps what the operating system said of `path`.
+    /// Makes an error of the operating system for `path`.
     pub fn io(
         doing: &'static str,
         path: impl Into<PathBuf>,

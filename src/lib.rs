@@ -79,5 +79,6 @@ pub mod recommend;
 pub mod report;
 pub mod solve;
 pub mod study;
+pub mod study_figures;
 pub mod system;
 pub mod textbook;

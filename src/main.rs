@@ -1,10 +1,11 @@
-//! The `slipgap` command line: verbs in, exit codes out.
+//! The `slipgap` program: its arguments and its exit code.
 
 mod commands;
 
 use clap::{Args, Parser, Subcommand};
-use commands::asked::Jobs;
-use commands::run::{Format, Manner};
+use commands::Jobs;
+use commands::recommend::RecommendArgs;
+use commands::run::{Format, RunArgs};
 use commands::sources::Source;
 use slipgap::error::Error;
 use slipgap::figures::style;
@@ -44,7 +45,7 @@ enum Verb {
     Claims(Claims),
     /// Find the cheapest parameters that reach a target; show the errors and the alternatives
     #[command(subcommand)]
-    Recommend(commands::asked::Asked),
+    Recommend(RecommendArgs),
     /// Print the JSON schema of study files
     Schema(Schema),
 }
@@ -178,64 +179,69 @@ struct Claims {
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    // A fault of this program ends like any other error: one message, exit code 1.
-    let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| carry_out(cli)))
+    // A panic ends as any other error does: one message, exit code 1.
+    let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| execute(cli)))
         .unwrap_or_else(|_| {
             Err(Error::Internal(
                 "internal error of slipgap; please report it".into(),
             ))
         });
-    ExitCode::from(done.unwrap_or_else(|error| {
-        commands::tell(&error);
+    ExitCode::from(result.unwrap_or_else(|error| {
+        commands::terminal::report_error(&error);
         error.exit_code()
     }))
 }
 
-fn carry_out(cli: Cli) -> Result<u8, Error> {
-    commands::end_on_interrupt()?;
+fn execute(cli: Cli) -> Result<u8, Error> {
+    commands::exit_on_interrupt()?;
     match cli.verb {
         Verb::Run(run) => {
             let studies = run.studies.read()?;
-            let manner = Manner {
+            let args = RunArgs {
                 histories: run.histories,
                 fail_fast: run.fail_fast,
                 format: run.format,
                 dpi: run.dpi,
             };
-            commands::pool(run.jobs.jobs)?
-                .install(|| commands::run::run(&studies, &run.out, &manner))
+            let pool = run.jobs.thread_pool()?;
+            pool.install(|| commands::run::run(&studies, &run.out, &args))
         }
         Verb::Check(check) => {
             let studies = check.studies.read()?;
-            commands::pool(check.jobs.jobs)?.install(|| commands::check::check(&studies))
+            let pool = check.jobs.thread_pool()?;
+            pool.install(|| commands::check::check(&studies))
         }
         Verb::Report(report) => {
             let studies = report.studies.read()?;
-            commands::pool(report.jobs.jobs)?
-                .install(|| commands::report::report(&studies, &report.out))
+            let pool = report.jobs.thread_pool()?;
+            pool.install(|| commands::report::report(&studies, &report.out))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
         Verb::Init(init) => commands::init::init(&init.name, &*init.problem),
-        Verb::Explain(of) => {
-            if of.study.is_dir() {
-                let what = format!("{} is a folder; name one study", of.study.display());
+        Verb::Explain(args) => {
+            if args.study.is_dir() {
+                let what = format!("{} is a folder; name one study", args.study.display());
                 return Err(Error::Usage(what));
             }
-            let sources = commands::sources::read(&[of.study], &of.settings.set, u64::MAX)?;
+            let sources = commands::sources::read(&[args.study], &args.settings.set, u64::MAX)?;
             let source = sources.first();
-            source.map_or(Ok(0), |source| commands::explain::explain(source, of.case))
+            source.map_or(Ok(0), |source| {
+                commands::explain::explain(source, args.case)
+            })
         }
-        Verb::Compare(with) => {
-            commands::compare::compare(&with.first, &with.second, with.tolerance)
+        Verb::Compare(args) => {
+            commands::compare::compare(&args.first, &args.second, args.tolerance)
         }
-        Verb::Claims(claims) => commands::pool(claims.jobs.jobs)?
-            .install(|| commands::claims::claims(&claims.ledgers, &claims.out)),
-        Verb::Recommend(asked) => {
-            let meant = asked.meant()?;
-            commands::pool(meant.common.jobs.jobs)?
-                .install(|| commands::recommend::recommend(&meant))
+        Verb::Claims(claims) => {
+            let pool = claims.jobs.thread_pool()?;
+            pool.install(|| commands::claims::claims(&claims.ledgers, &claims.out))
         }
-        Verb::Schema(schema) => commands::say(&match schema.markdown {
+        Verb::Recommend(args) => {
+            let task = args.search_task()?;
+            let pool = task.common.jobs.thread_pool()?;
+            pool.install(|| commands::recommend::recommend(&task))
+        }
+        Verb::Schema(schema) => commands::terminal::print(&match schema.markdown {
             true => slipgap::study::reference(),
             false => slipgap::study::schema(),
         }),

@@ -41,7 +41,7 @@ fn assert_refused(text: &str, message: &str, broken: impl Fn(&Outcome) -> bool) 
     let mut failed = 0;
     for (number, outcome) in (0..).zip(&outcomes) {
         match &outcome.failure {
-            Some(why) => assert_eq!(why, message),
+            Some(why) => assert_eq!(why.to_string(), message),
             None => assert!(outcome.metrics.iter().any(Option::is_some)),
         }
         let fails = outcome.failure.is_some();

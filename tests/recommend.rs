@@ -1,5 +1,5 @@
-//! `slipgap recommend`: no candidate is cheaper, neighbours reach the target too, none gains energy, and what is printed is
-//! what a study computes.
+//! `slipgap recommend`: no cheaper candidate reaches the target, neighbours reach it too, no case gains energy, and the printed
+//! numbers are those of a study.
 
 mod common;
 
@@ -10,8 +10,10 @@ use slipgap::problem::impact::BarImpact;
 use slipgap::problem::parameter::Value;
 use slipgap::problem::{Case, Problem};
 use slipgap::recommend::friction::Friction;
-use slipgap::recommend::impact::{Fixed, Impact};
-use slipgap::recommend::{Answer, Request, Rung, Space, Target, Tried, energy, metric, search};
+use slipgap::recommend::impact::{FixedParameters, Impact, energy_gain};
+use slipgap::recommend::{
+    Answer, Candidate, CostLevel, Request, SearchSpace, Target, metric, search,
+};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::path::Path;
@@ -53,7 +55,7 @@ fn friction(law: &'static str, x0: f64) -> Friction {
     }
 }
 
-fn chosen(answer: &Answer) -> &Tried {
+fn chosen(answer: &Answer) -> &Candidate {
     &answer.front[answer.chosen().unwrap()]
 }
 
@@ -65,10 +67,10 @@ fn reaches(problem: &dyn Problem, case: &Case, request: &Request) -> bool {
     request.targets.iter().all(within)
         && request
             .energy_gain
-            .is_none_or(|limit| energy::gain(case, &solution.computed).unwrap() <= limit)
+            .is_none_or(|limit| energy_gain(case, &solution.computed).unwrap() <= limit)
 }
 
-fn cheapest_by_trying_all(space: &dyn Space, request: &Request) {
+fn cheapest_by_trying_all(space: &dyn SearchSpace, request: &Request) {
     let answer = search(space, request);
     let chosen = chosen(&answer);
     assert!(chosen.worst <= 1.0);
@@ -80,13 +82,13 @@ fn cheapest_by_trying_all(space: &dyn Space, request: &Request) {
         if cost > chosen.cost {
             continue;
         }
-        let rung = space.rung(at);
-        let good: Vec<bool> = rung
+        let level = space.level(at);
+        let good: Vec<bool> = level
             .cases
             .iter()
             .map(|case| reaches(space.problem(), case, request))
             .collect();
-        if rung.candidates.iter().any(|c| c.iter().all(|i| good[*i])) {
+        if level.candidates.iter().any(|c| c.iter().all(|i| good[*i])) {
             costs.insert(cost);
         }
     }
@@ -99,7 +101,7 @@ fn nothing_cheaper_reaches_the_target() {
         cheapest_by_trying_all(&friction(law, x0), &rms(0.03));
     }
     let request = impact(&[("peak_force", 0.2), ("max_overlap", 0.15)]);
-    cheapest_by_trying_all(&Impact::new(Fixed::default()).unwrap(), &request);
+    cheapest_by_trying_all(&Impact::new(FixedParameters::default()).unwrap(), &request);
 }
 
 #[test]
@@ -118,7 +120,7 @@ fn both_laws_in_one_call_give_the_cheaper_one() {
 }
 
 #[test]
-fn the_answer_lies_where_the_maps_have_it() {
+fn the_answer_agrees_with_the_maps() {
     // 0.01 of x0 = 12: pi/10 at its best width has 0.0103, pi/20 0.0035 (docs/findings-friction.md).
     let answer = search(&friction("velocity-control", 12.0), &rms(0.01));
     let steps = chosen(&answer).cost;
@@ -126,8 +128,8 @@ fn the_answer_lies_where_the_maps_have_it() {
 }
 
 #[test]
-fn thin_zones_are_searched() {
-    // alpha 1e-4 reaches 0.003 at pi/112, in 896 steps: known from a run by itself.
+fn narrow_widths_are_searched() {
+    // alpha 1e-4 reaches 0.003 at pi/112, in 896 steps: computed once.
     let known = json!({"law": "displacement-control", "alpha": 1e-4, "dT": PI / 112.0, "duration": 8.0 * PI});
     assert!(reaches(
         &FrictionOscillator,
@@ -140,7 +142,7 @@ fn thin_zones_are_searched() {
 
 #[test]
 fn impacts_are_found_as_cheap_as_known_ones() {
-    // Known from runs by themselves; cost is steps times modes, over 1.5 T_I.
+    // Computed once. The cost is steps times modes, over 1.5 T_I.
     let request = impact(&[("peak_force", 0.05), ("max_overlap", 0.02)]);
     for (mass, n, gamma, cost) in [
         ("consistent", 66, 0.447, 13_266),
@@ -150,16 +152,16 @@ fn impacts_are_found_as_cheap_as_known_ones() {
         let known = common::case(&BarImpact, &known);
         assert_eq!(BarImpact.work(&known), cost);
         assert!(reaches(&BarImpact, &known, &request));
-        let fixed = Fixed {
+        let fixed = FixedParameters {
             mass: Some(mass),
-            ..Fixed::default()
+            ..FixedParameters::default()
         };
         let answer = search(&Impact::new(fixed).unwrap(), &request);
         assert!(chosen(&answer).cost <= cost, "{:?}", chosen(&answer));
     }
 }
 
-/// E_i - E_0 over E_0 at every step but the first: the last of a run that ends there.
+/// (E_i - E_0)/E_0 at every step after the first: the end of a run with this duration.
 fn energies(case: &Case) -> Vec<f64> {
     let row = |name| BarImpact.parameters().iter().position(|p| p.name == name);
     let (dt, last) = (case.number("dt").unwrap(), BarImpact.steps(case));
@@ -173,7 +175,7 @@ fn energies(case: &Case) -> Vec<f64> {
 }
 
 #[test]
-fn the_gain_on_the_way_is_seen_beside_a_larger_loss() {
+fn a_gain_before_a_larger_loss_is_computed() {
     let case = |gamma: f64, n: u32, dt: f64, gap: f64| {
         let given = json!({"gamma": gamma, "n": n, "dt": dt, "duration": 1.5, "gap": gap});
         common::case(&BarImpact, &given)
@@ -187,9 +189,9 @@ fn the_gain_on_the_way_is_seen_beside_a_larger_loss() {
     ] {
         let case = case(gamma, n, dt, gap);
         let solution = BarImpact.solve(&case, &[]).unwrap();
-        let gain = energy::gain(&case, &solution.computed).unwrap();
+        let gain = energy_gain(&case, &solution.computed).unwrap();
         let wanted = energies(&case).into_iter().fold(0.0, f64::max);
-        // Sums over some hundred steps and modes.
+        // Round-off of sums over some hundred steps and modes.
         assert!(
             (gain - wanted).abs() < 1e-12 * (1.0 + wanted),
             "{gain}, not {wanted}"
@@ -202,22 +204,22 @@ fn the_gain_on_the_way_is_seen_beside_a_larger_loss() {
 
 #[test]
 fn no_answer_gains_energy() {
-    let n = |n| Fixed {
+    let n = |n| FixedParameters {
         n: Some(n),
-        ..Fixed::default()
+        ..FixedParameters::default()
     };
-    let unlike = Fixed {
+    let unlike = FixedParameters {
         bars: vec![
             ("right.A".into(), Value::Number(0.4)),
             ("right.L".into(), Value::Number(20.0)),
         ],
         n: Some(8),
-        ..Fixed::default()
+        ..FixedParameters::default()
     };
-    let wall = Fixed {
+    let wall = FixedParameters {
         bars: vec![("right".into(), Value::Name("wall"))],
         n: Some(12),
-        ..Fixed::default()
+        ..FixedParameters::default()
     };
     for (fixed, targets) in [
         (n(40), &[("max_overlap", 0.01)][..]),
@@ -233,7 +235,7 @@ fn no_answer_gains_energy() {
         let space = Impact::new(fixed).unwrap();
         let answer = search(&space, &impact(targets));
         assert!(!answer.front.is_empty(), "{targets:?}");
-        for case in answer.front.iter().flat_map(|tried| &tried.cases) {
+        for case in answer.front.iter().flat_map(|candidate| &candidate.cases) {
             // All steps of short runs, the ends and the largest change of long ones.
             let metrics = BarImpact.solve(case, &[]).unwrap().metrics;
             let ends = ["energy_drift_max", "energy_drift_final"];
@@ -251,30 +253,34 @@ fn no_answer_gains_energy() {
 }
 
 #[test]
-fn an_exploding_run_is_no_answer() {
-    let fixed = Fixed {
+fn a_case_that_gains_much_energy_is_not_recommended() {
+    let fixed = FixedParameters {
         n: Some(40),
         mass: Some("lumped"),
-        ..Fixed::default()
+        ..FixedParameters::default()
     };
     let space = Impact::new(fixed).unwrap();
     let mut request = impact(&[("max_overlap", 0.01)]);
-    // gamma 7.92, dt 1/80 gains 11 times its energy, within the target and so once recommended.
+    // gamma 7.92, dt 1/80 reaches the target, but gains 11 times its energy.
     let known = json!({"gamma": 7.92, "n": 40, "dt": 1.0 / 80.0, "duration": 1.5});
     let known = common::case(&BarImpact, &known);
     assert!(!reaches(&BarImpact, &known, &request));
-    let held = search(&space, &request);
+    let limited = search(&space, &request);
     request.energy_gain = Some(100.0);
     assert!(reaches(&BarImpact, &known, &request));
-    let free = search(&space, &request);
-    assert!(chosen(&free).cost < chosen(&held).cost);
-    let gain = |tried: &Tried| energies(&tried.cases[0]).into_iter().fold(0.0, f64::max);
-    assert!(gain(chosen(&held)) <= LIMIT && gain(chosen(&free)) > LIMIT);
+    let unlimited = search(&space, &request);
+    assert!(chosen(&unlimited).cost < chosen(&limited).cost);
+    let gain = |candidate: &Candidate| {
+        energies(&candidate.cases[0])
+            .into_iter()
+            .fold(0.0, f64::max)
+    };
+    assert!(gain(chosen(&limited)) <= LIMIT && gain(chosen(&unlimited)) > LIMIT);
 }
 
 #[test]
 fn neighbours_reach_the_target_too() {
-    // Values 12 % off lie beside each other at 20 a decade, to the three digits written.
+    // With 20 per decade neighbours differ by 12 %, rounded to three digits.
     let ratio = libm::pow(10.0, 0.05);
     for limit in [0.03, 0.01] {
         let answer = search(&friction("velocity-control", 12.0), &rms(limit));
@@ -295,11 +301,11 @@ fn neighbours_reach_the_target_too() {
             assert!(reaches(&FrictionOscillator, &case, &near), "{given}");
         }
     }
-    // Where the case alone counts, a cheaper one is lucky.
-    let alone = |space: &dyn Space, request: &Request| {
+    // Without neighbours a cheaper case reaches the target.
+    let alone = |space: &dyn SearchSpace, request: &Request| {
         let own = |at: &usize| {
-            let rung = space.rung(*at);
-            let mut own = rung.candidates.iter().map(|c| &rung.cases[c[0]]);
+            let level = space.level(*at);
+            let mut own = level.candidates.iter().map(|c| &level.cases[c[0]]);
             own.any(|case| reaches(space.problem(), case, request))
         };
         let costs = space.costs();
@@ -312,7 +318,7 @@ fn neighbours_reach_the_target_too() {
     assert!(alone(&space, &rms(0.01)) < chosen(&answer).cost);
 
     let request = impact(&[("peak_force", 0.2), ("max_overlap", 0.15)]);
-    let space = Impact::new(Fixed::default()).unwrap();
+    let space = Impact::new(FixedParameters::default()).unwrap();
     let answer = search(&space, &request);
     let found = chosen(&answer).cases[0].clone();
     let number = |name| found.number(name).unwrap();
@@ -330,39 +336,43 @@ fn neighbours_reach_the_target_too() {
 }
 
 #[test]
-fn values_given_are_kept() {
-    let fixed = Fixed {
+fn given_values_are_not_searched() {
+    let fixed = FixedParameters {
         spring: Some(("k_I", 100.0)),
         bars: vec![("right.L".into(), Value::Number(20.0))],
-        ..Fixed::default()
+        ..FixedParameters::default()
     };
     let space = Impact::new(fixed).unwrap();
     let answer = search(&space, &impact(&[("peak_force", 0.2)]));
-    for case in answer.front.iter().flat_map(|tried| &tried.cases) {
-        // E A/L = 10 by default, so gamma n = 10; the right bar is twice as long, with as many elements in each part.
+    for case in answer.front.iter().flat_map(|candidate| &candidate.cases) {
+        // E A/L = 10 by default, so gamma n = 10; the right bar is twice as long, with as many elements for the same length.
         let number = |name| case.number(name).unwrap();
         assert_eq!([number("k_I"), number("right.L")], [100.0, 20.0]);
         assert!((number("gamma") * number("n") - 10.0).abs() < 1e-14 * 10.0);
         assert_eq!(number("right.n"), 2.0 * number("n"));
-        // Bars of one impedance and lengths 1 : 2 touch until 2 T_I; half of that more shows the parting.
+        // Bars of one impedance and lengths 1 : 2 touch until 2 T_I; the duration is half longer.
         assert_eq!(number("duration"), 3.0);
     }
 }
 
-/// Rungs put down by hand, each a candidate with its neighbours.
-struct Given(Vec<Vec<Case>>);
+/// Levels with one candidate and its neighbours each.
+struct Levels(Vec<Vec<Case>>);
 
-impl Space for Given {
+impl SearchSpace for Levels {
     fn problem(&self) -> &'static dyn Problem {
         &BarImpact
     }
 
-    fn shown(&self) -> Vec<&'static str> {
+    fn table_parameters(&self) -> Vec<&'static str> {
         Vec::new()
     }
 
-    fn stated(&self) -> Vec<&'static str> {
+    fn study_parameters(&self) -> Vec<&'static str> {
         Vec::new()
+    }
+
+    fn study_value(&self, _: &Case, _: &str) -> String {
+        String::new()
     }
 
     fn notes(&self) -> Vec<String> {
@@ -370,17 +380,17 @@ impl Space for Given {
     }
 
     fn cost_title(&self) -> &'static str {
-        "rung"
+        "level"
     }
 
     fn costs(&self) -> Vec<u64> {
         (0..self.0.len() as u64).collect()
     }
 
-    fn rung(&self, at: usize) -> Rung {
-        Rung {
-            cases: self.0[at].clone(),
-            candidates: vec![(0..self.0[at].len()).collect()],
+    fn level(&self, index: usize) -> CostLevel {
+        CostLevel {
+            cases: self.0[index].clone(),
+            candidates: vec![(0..self.0[index].len()).collect()],
         }
     }
 
@@ -390,12 +400,12 @@ impl Space for Given {
     }
 
     fn energy_gain(&self, case: &Case, computed: &History) -> Option<f64> {
-        energy::gain(case, computed)
+        energy_gain(case, computed)
     }
 }
 
 #[test]
-fn one_bad_neighbour_in_any_place_is_enough() {
+fn one_bad_neighbour_at_any_index_is_enough() {
     let case = |gamma: f64, n: u32, dt: f64, gap: f64| {
         let given = json!({"gamma": gamma, "n": n, "dt": dt, "duration": 1.5, "gap": gap});
         common::case(&BarImpact, &given)
@@ -403,7 +413,7 @@ fn one_bad_neighbour_in_any_place_is_enough() {
     let good = case(1.0, 10, 0.025, 0.0);
     let request = impact(&[("max_overlap", 0.2)]);
     assert!(reaches(&BarImpact, &good, &request));
-    // A target missed; a gain that shows; a gain of 13 % on the way to a loss of 16 %.
+    // A missed target; a gain of energy; a gain of 13 % before a loss of 16 %.
     for bad in [
         case(0.01, 10, 0.025, 0.0),
         case(7.92, 40, 0.0125, 0.0),
@@ -411,9 +421,9 @@ fn one_bad_neighbour_in_any_place_is_enough() {
     ] {
         assert!(!reaches(&BarImpact, &bad, &request));
         for place in 0..4 {
-            let mut spoilt = vec![good.clone(); 4];
-            spoilt[place] = bad.clone();
-            let answer = search(&Given(vec![spoilt, vec![good.clone(); 4]]), &request);
+            let mut cases = vec![good.clone(); 4];
+            cases[place] = bad.clone();
+            let answer = search(&Levels(vec![cases, vec![good.clone(); 4]]), &request);
             assert_eq!(chosen(&answer).cost, 1, "{bad:?} at {place}");
         }
     }
@@ -429,14 +439,14 @@ fn text(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-/// The cells of a printed row: columns stand two spaces apart at least.
+/// The cells of a printed row, separated by at least two spaces.
 fn cells(line: &str) -> Vec<&str> {
     let cells = line.split("  ").map(str::trim);
     cells.filter(|cell| !cell.is_empty()).collect()
 }
 
 #[test]
-fn what_is_printed_is_what_a_study_computes() {
+fn printed_metrics_are_those_of_a_study() {
     let folder = tempfile::tempdir().unwrap();
     for (problem, words) in [
         ("friction-oscillator", "--rms 0.02"),
@@ -455,8 +465,8 @@ fn what_is_printed_is_what_a_study_computes() {
             slipgap(folder.path(), &format!("{call} --jobs 2")).stdout
         );
         let text = text(&one);
-        let pasted = text.lines().find_map(|l| l.strip_prefix("in a study: "));
-        let study = format!("{{ \"problem\": \"{problem}\", {} }}", pasted.unwrap());
+        let parameters = text.lines().find_map(|l| l.strip_prefix("in a study: "));
+        let study = format!("{{ \"problem\": \"{problem}\", {} }}", parameters.unwrap());
         std::fs::write(folder.path().join("study.json"), study).unwrap();
         assert!(slipgap(folder.path(), "run study.json").status.success());
         let mut table =
@@ -503,7 +513,7 @@ fn names_of_rows_agree_with_their_numbers() {
         let text = text(&output);
         let lines: Vec<Vec<&str>> = text.lines().map(cells).collect();
         let end = lines.iter().position(|l| l[0] == "target").unwrap();
-        // The header has no name of its own.
+        // The first cell of the header is empty.
         let width = lines[0].len();
         let cost = lines[0]
             .iter()
@@ -531,17 +541,17 @@ fn names_of_rows_agree_with_their_numbers() {
             assert_eq!(row.len(), width + 1, "{row:?}");
             let numbers = numbers(row);
             let worst = numbers[numbers.len() - 1];
-            let over = numbers[1..]
+            let quotients = numbers[1..]
                 .iter()
                 .zip(&limits[..limits.len() - 1])
                 .map(|(x, limit)| x / limit);
             let energy = words.starts_with("bar");
             let targets = limits.len() - 1 - usize::from(energy);
-            let most = over.clone().take(targets).fold(0.0, f64::max);
+            let most = quotients.clone().take(targets).fold(0.0, f64::max);
             // Four digits are printed.
             assert!((most / worst - 1.0).abs() < 1.1e-3, "{row:?}");
             if energy {
-                assert!(over.clone().next_back().unwrap() <= 1.0, "{row:?}");
+                assert!(quotients.clone().next_back().unwrap() <= 1.0, "{row:?}");
             }
             match row[0] {
                 "recommended" => assert!(worst <= 1.0),
@@ -562,7 +572,7 @@ fn names_of_rows_agree_with_their_numbers() {
 }
 
 #[test]
-fn each_request_keeps_its_folder() {
+fn each_request_has_its_own_folder() {
     let folder = tempfile::tempdir().unwrap();
     let call = |words: &str| {
         let output = slipgap(folder.path(), &format!("recommend bar-impact {words}"));
@@ -602,7 +612,7 @@ fn each_request_keeps_its_folder() {
                 .is_file()
         );
     }
-    // Longer than a file system allows for a name: shortened, and still one for each.
+    // Names that are too long for a file system are shortened and remain different.
     let many = "E=123.4567890123,A=1.23456789012345,rho=0.0123456789012345,V0=0.123456789012345,right.E=99.9876543210123";
     call(&format!("{long},{many}"));
     call(&format!("{long},{many}4"));
@@ -613,7 +623,7 @@ fn each_request_keeps_its_folder() {
 }
 
 #[test]
-fn targets_out_of_reach_and_bad_words_end_as_they_should() {
+fn exit_codes_of_unreachable_targets_and_wrong_arguments() {
     let folder = tempfile::tempdir().unwrap();
     let far = slipgap(folder.path(), "recommend bar-impact --overlap 1e-9 --n 5");
     assert_eq!(far.status.code(), Some(5));
@@ -622,7 +632,7 @@ fn targets_out_of_reach_and_bad_words_end_as_they_should() {
         shown.contains("nearest, misses the target") && !shown.contains("recommended"),
         "{shown}"
     );
-    // No run of these keeps its energy so well.
+    // All of these cases gain more energy.
     let none = slipgap(
         folder.path(),
         "recommend bar-impact --overlap 0.1 --n 2 --gamma 5 --energy-gain 1e-300",
@@ -654,7 +664,7 @@ fn targets_out_of_reach_and_bad_words_end_as_they_should() {
 }
 
 #[test]
-fn an_answer_that_holds_only_at_its_own_step_says_so() {
+fn an_answer_that_depends_on_its_step_has_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let printed = |words: &[&str]| {
         let output = std::process::Command::new(env!("CARGO_BIN_EXE_slipgap"))
@@ -665,7 +675,7 @@ fn an_answer_that_holds_only_at_its_own_step_says_so() {
             .unwrap();
         String::from_utf8(output.stdout).unwrap()
     };
-    // The step passes over the contact mode, which raises the peak of the consistent mass by far more than a tenth.
+    // The step is too long for the contact mode, which raises the peak of the consistent mass by much more than a tenth.
     let impact = [
         "bar-impact",
         "--peak-force-error",
@@ -676,7 +686,7 @@ fn an_answer_that_holds_only_at_its_own_step_says_so() {
         "consistent",
     ];
     assert!(printed(&impact).contains("valid only for its own time step"));
-    // A finer step is better for a friction law that is narrow already.
+    // A finer step is better for a narrow friction law.
     let friction = ["friction-oscillator", "--rms", "0.05"];
     let friction = printed(&friction);
     assert!(friction.contains("the same, step/16"), "{friction}");

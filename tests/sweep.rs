@@ -1,7 +1,7 @@
 //! Cases side by side, with the widest instructions there are: to the bit what each alone has, in any order and company.
 
 use indicatif::ProgressBar;
-use slipgap::batch::{self, Wishes};
+use slipgap::batch::{self, RunOptions};
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
 
@@ -97,10 +97,10 @@ fn a_case_that_is_shown_by_itself_leaves_the_others_as_they_are() {
     let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": [12, 1e308, 3],
         "dT": 3, "duration": 3e3, "beta": [0.5, 1, 2]}}"#;
     let study = study(text);
-    let outcomes = |wishes: &Wishes| {
+    let outcomes = |options: &RunOptions| {
         let mut outcomes = Vec::new();
-        batch::run(&study, &ProgressBar::hidden(), wishes, |done| {
-            outcomes.extend(done.outcomes(&study));
+        batch::run(&study, &ProgressBar::hidden(), options, |part| {
+            outcomes.extend(part.outcomes(&study));
             Ok(())
         })
         .unwrap();
@@ -109,11 +109,11 @@ fn a_case_that_is_shown_by_itself_leaves_the_others_as_they_are() {
     // One that can be solved, one that cannot, and the last.
     let kept = [1, 4, 8];
     let chosen: Vec<Case> = kept.map(|number| study.case(number).unwrap()).to_vec();
-    let wishes = Wishes {
-        keep: &|case| chosen.iter().any(|other| other.values == case.values),
-        ..Wishes::METRICS
+    let options = RunOptions {
+        keep_history: &|case| chosen.iter().any(|other| other.values == case.values),
+        ..RunOptions::METRICS
     };
-    let (all, shown) = (outcomes(&Wishes::METRICS), outcomes(&wishes));
+    let (all, shown) = (outcomes(&RunOptions::METRICS), outcomes(&options));
     assert_eq!((all.len(), shown.len()), (9, 9));
     for ((number, together), (same, other)) in all.iter().zip(&shown) {
         assert_eq!(number, same);

@@ -1,7 +1,7 @@
 //! Results in the units of a study, compared with physics worked out by hand and with the scaled results.
 
 use indicatif::ProgressBar;
-use slipgap::batch::results::{Table, history};
+use slipgap::batch::output::tables::{ResultTable, write_history};
 use slipgap::batch::{self, Outcome};
 use slipgap::figures::sheet::Sheet;
 use slipgap::figures::{DrawnCase, sheet};
@@ -28,7 +28,7 @@ fn bars(parameters: &str, more: &str) -> Study {
 
 /// results.csv as cells, the header first.
 fn table(study: &Study) -> Vec<Vec<String>> {
-    let mut table = Table::new(study, Vec::new()).unwrap();
+    let mut table = ResultTable::new(study, Vec::new()).unwrap();
     for (number, outcome) in outcomes(study).iter().enumerate() {
         table.row(number as u64, outcome).unwrap();
     }
@@ -265,7 +265,7 @@ fn histories_have_the_same_columns_in_units() {
     let case = study.case(0).unwrap();
     let solution = study.problem.solve(&case, &[]).unwrap();
     let mut bytes = Vec::new();
-    history(&study, &case, &solution, &mut bytes).unwrap();
+    write_history(&study, &case, &solution, &mut bytes).unwrap();
     let steps = cells(&bytes);
     assert_eq!(
         steps[0].join(","),
@@ -286,7 +286,7 @@ fn histories_have_the_same_columns_in_units() {
     assert_near(end, 3.0 * 80.0 / (2.06e11_f64 / 7850.0).sqrt(), ROUND_OFF);
     // Without units, the six columns alone.
     let (mut plain, study) = (Vec::new(), bars(&format!("{STEEL}, \"gamma\": 1"), ""));
-    history(&study, &case, &solution, &mut plain).unwrap();
+    write_history(&study, &case, &solution, &mut plain).unwrap();
     assert_eq!(
         cells(&plain)[0].join(","),
         "t,r,rdot,force,r_exact,rdot_exact"

@@ -1,7 +1,7 @@
-//! Chunks: fixed ranges of raw combinations, and the parts that they are cut into by work.
+//! Chunks: fixed ranges of raw combinations, divided into parts by work.
 //!
-//! The parts of a chunk follow from its own cases alone, without computing any: every process finds the same ones, chunk by
-//! chunk, and a study with more values on its first axis keeps the chunks that it had.
+//! The parts of a chunk depend only on its own cases, none of which is computed for it. Every process makes the same parts,
+//! and a study with more values on its first axis keeps its former chunks.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -10,29 +10,29 @@ use crate::problem::cases::Cases;
 use crate::study::Study;
 
 /// Raw combinations of a chunk.
-const RAW: u64 = MOST_ROWS as u64;
+const CHUNK: u64 = MOST_ROWS as u64;
 
-/// Most cases of a part.
+/// Largest number of cases of a part.
 pub const MOST_ROWS: usize = 16_384;
 
-/// Steps times modes of a part: some seconds, the most that a killed run loses for each thread.
+/// Largest number of steps times modes of a part of several cases: some seconds, which each thread of a killed run loses.
 pub const WORK: u64 = 1 << 30;
 
-/// The names that parts of the same chunk can have.
-pub fn starts_near(start: u64) -> Range<u64> {
-    let from = start / RAW * RAW;
-    from..from.saturating_add(RAW)
+/// The starts of the parts of the chunk that contains `start`.
+pub fn starts_in_same_chunk(start: u64) -> Range<u64> {
+    let from = start / CHUNK * CHUNK;
+    from..from.saturating_add(CHUNK)
 }
 
 /// Number of chunks of a study.
 pub fn count(study: &Study) -> u64 {
-    study.raw_len().div_ceil(RAW)
+    study.raw_len().div_ceil(CHUNK)
 }
 
-/// Cases that are computed, kept and found together: those of a chunk, or some of them where they are much work.
+/// Cases that are computed, stored and loaded together: those of a chunk, or some of them if they are much work.
 #[derive(Debug)]
 pub struct Part {
-    /// What names it: the first raw combination of its chunk, and on from there by the cases of the chunk before it.
+    /// Its place in file names: the first raw combination of the chunk plus the number of the chunk's cases before the part.
     pub start: u64,
     /// Number of its first case.
     pub first: u64,
@@ -52,17 +52,17 @@ impl Part {
     }
 }
 
-/// The parts of chunk `index`; none where a condition dropped all its combinations.
+/// The parts of chunk `index`; none if conditions exclude all its combinations.
 pub fn parts(study: &Study, index: u64) -> Vec<Part> {
-    let from = index * RAW;
-    let (first, cases) = study.columns(from, (from + RAW).min(study.raw_len()));
+    let from = index * CHUNK;
+    let (first, cases) = study.columns(from, (from + CHUNK).min(study.raw_len()));
     let mut shown = cases.shown();
-    // A case that breaks a rule is not solved, and its number of steps may mean nothing.
+    // A case that breaks a rule is not solved, and its number of steps may be meaningless.
     let work = (0..cases.len()).map(|row| match cases.may_be_solved(row) {
         true => study.work(shown.at(row)),
         false => 0,
     });
-    let cuts = cut(work);
+    let ranges = split_by_work(work);
     let chunk = Arc::new(cases);
     let part = |(rows, work): (Range<usize>, u64)| Part {
         start: from + rows.start as u64,
@@ -71,22 +71,22 @@ pub fn parts(study: &Study, index: u64) -> Vec<Part> {
         chunk: chunk.clone(),
         rows,
     };
-    cuts.into_iter().map(part).collect()
+    ranges.into_iter().map(part).collect()
 }
 
-/// Rows in their order with their work, as many together as stay within `WORK`; one that alone is more is by itself.
-fn cut(work: impl Iterator<Item = u64>) -> Vec<(Range<usize>, u64)> {
-    let mut cuts: Vec<(Range<usize>, u64)> = Vec::new();
+/// Ranges of rows with their work, each as long as possible within `WORK`. A row with more work has a range of its own.
+fn split_by_work(work: impl Iterator<Item = u64>) -> Vec<(Range<usize>, u64)> {
+    let mut ranges: Vec<(Range<usize>, u64)> = Vec::new();
     for (row, work) in work.enumerate() {
-        match cuts.last_mut() {
+        match ranges.last_mut() {
             Some((rows, sum)) if sum.saturating_add(work) <= WORK => {
                 rows.end = row + 1;
                 *sum += work;
             }
-            _ => cuts.push((row..row + 1, work)),
+            _ => ranges.push((row..row + 1, work)),
         }
     }
-    cuts
+    ranges
 }
 
 #[cfg(test)]
@@ -95,24 +95,24 @@ mod tests {
     use crate::study::parse;
 
     #[test]
-    fn a_part_is_full_before_the_next_begins_and_holds_no_more() {
+    fn a_part_is_full_before_the_next_begins_and_stays_within_the_limit() {
         let half = WORK / 2;
         let ends = |work: &[u64]| -> Vec<usize> {
-            let cuts: Vec<_> = cut(work.iter().copied())
+            let ranges: Vec<_> = split_by_work(work.iter().copied())
                 .into_iter()
                 .map(|(rows, sum)| {
                     assert_eq!(sum, work[rows.clone()].iter().sum::<u64>());
                     rows
                 })
                 .collect();
-            let starts = cuts.iter().map(|rows| rows.start);
+            let starts = ranges.iter().map(|rows| rows.start);
             assert!(
                 starts.eq([0]
                     .into_iter()
-                    .chain(cuts.iter().map(|rows| rows.end))
-                    .take(cuts.len()))
+                    .chain(ranges.iter().map(|rows| rows.end))
+                    .take(ranges.len()))
             );
-            cuts.iter().map(|rows| rows.end).collect()
+            ranges.iter().map(|rows| rows.end).collect()
         };
         assert_eq!(ends(&[]), [0; 0]);
         assert_eq!(ends(&[0, 0, 0]), [3]);
@@ -121,11 +121,11 @@ mod tests {
             ends(&[1, half, half, WORK, 3 * WORK, 1, 1]),
             [2, 3, 4, 5, 7]
         );
-        // The sum of two such is beyond 64 bits.
+        // The sum of these two exceeds 64 bits.
         assert_eq!(ends(&[u64::MAX, u64::MAX]), [1, 2]);
     }
 
-    /// From coarse to fine, for each of so many values of beta: steps are what their quotient says, 3/dT.
+    /// From coarse to fine steps, for each of `betas` values of beta. The number of steps is 3/dT.
     fn study(betas: usize) -> Study {
         let text = format!(
             r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control", "duration": 3,
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_hold_every_case_once_in_order_and_bounded_work() {
+    fn parts_contain_every_case_once_in_order_with_limited_work() {
         let study = study(400);
         let parts = all(&study);
         // 400 times the sum of 3/dT, a geometric series of 3e6 (1 - r^100)/(1 - r) with r = 2e-6^(1/99).
@@ -176,13 +176,13 @@ mod tests {
     }
 
     #[test]
-    fn an_extended_study_keeps_all_parts_but_the_last() {
+    fn an_extended_study_keeps_all_parts_except_the_last() {
         let (short, long) = (all(&study(300)), all(&study(500)));
-        let cut = |part: &Part| (part.start, part.first, part.rows.clone());
-        let kept = short.len() - 1;
-        assert!(kept > 5);
-        for (short, long) in short.iter().zip(&long).take(kept) {
-            assert_eq!(cut(short), cut(long));
+        let range = |part: &Part| (part.start, part.first, part.rows.clone());
+        let unchanged = short.len() - 1;
+        assert!(unchanged > 5);
+        for (short, long) in short.iter().zip(&long).take(unchanged) {
+            assert_eq!(range(short), range(long));
         }
     }
 }

@@ -1,7 +1,7 @@
-//! What a study costs: its work, and the time that some of its own cases take on this machine.
+//! The cost of a study: its work, and the time that some of its cases take on this machine.
 
-use super::computed::{SLICE, computed, pieces, sound};
-use super::{Wishes, keep_memory};
+use super::compute::{SLICE, compute_rows, keep_memory, parallel_tasks, solvable_rows};
+use super::options::RunOptions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;
@@ -11,104 +11,104 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Most cases whose work is summed up.
+/// Largest number of cases whose work is summed.
 const MOST_SUMMED: u64 = 100_000;
 
-/// Fewest neighbouring combinations that are measured together: as many as move side by side, several times.
-const FEWEST: u64 = 64;
+/// Smallest number of combinations in a group: several times the number of lanes.
+const SMALLEST_GROUP: u64 = 64;
 
-/// Most work of a group, which takes a part of a second.
-const MOST_WORK: f64 = 2e7;
+/// Largest work of a group, which takes a fraction of a second.
+const GROUP_WORK: f64 = 2e7;
 
-/// Work that was computed to measure it.
+/// A measurement of some cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measured {
-    /// Cases.
+pub struct Measurement {
+    /// Number of cases.
     pub cases: u64,
     /// Their steps times modes.
     pub work: f64,
-    /// The time that they took together.
+    /// The time that all of them took together.
     pub seconds: f64,
-    /// Threads that shared them.
+    /// Number of threads.
     pub threads: usize,
 }
 
-impl Measured {
-    /// Seconds for so much work of such cases, on as many threads; none where nothing was measured.
+impl Measurement {
+    /// Seconds for this work on as many threads; `None` if nothing was measured.
     pub fn seconds_for(&self, work: f64) -> Option<f64> {
         let seconds = work / self.work * self.seconds;
         seconds.is_finite().then_some(seconds)
     }
 }
 
-/// Steps times modes of all cases; of very many, as many times the mean of some as there are.
+/// Steps times modes of all cases; an estimate from evenly spaced cases if there are very many.
 pub fn total(study: &Study) -> f64 {
     let raw = study.raw_len();
-    let apart = raw.div_ceil(MOST_SUMMED);
+    let stride = raw.div_ceil(MOST_SUMMED);
     let sampled = (0..raw)
-        .step_by(apart as usize)
+        .step_by(stride as usize)
         .filter_map(|raw| study.combination(raw));
     let work = sampled.map(|case| study.work(&case) as f64);
-    work.sum::<f64>() * apart as f64
+    work.sum::<f64>() * stride as f64
 }
 
-/// Computes groups of cases from all over the study, whose work is `all`, on as many threads as a run has work for, until
-/// all are computed or the time is up.
+/// Computes groups of cases from the whole study, which has the work `total`, until all are computed or the time is over.
+/// It uses as many threads as a run can use.
 ///
 /// # Errors
-/// The first of `visit`.
+/// The first of `on_solution`.
 pub fn measure(
     study: &Study,
-    all: f64,
-    wishes: &Wishes,
+    total: f64,
+    options: &RunOptions,
     limit: Duration,
-) -> Result<Measured, Error> {
+) -> Result<Measurement, Error> {
     keep_memory();
-    let most = pieces(study, wishes, all).max(1);
-    let threads = rayon::current_num_threads().min(most);
-    let size = size(study, all);
+    let tasks = parallel_tasks(study, options, total).max(1);
+    let threads = rayon::current_num_threads().min(tasks);
+    let size = group_size(study, total);
     let groups = study.raw_len().div_ceil(size);
     let (next, sum) = (AtomicU64::new(0), Mutex::new((0_u64, 0.0)));
     let stride = stride(groups);
-    let began = Instant::now();
-    let one = |_| -> Result<(), Error> {
-        while began.elapsed() < limit {
-            let turn = next.fetch_add(1, Ordering::Relaxed);
-            if turn >= groups {
+    let start = Instant::now();
+    let measure_groups = |_| -> Result<(), Error> {
+        while start.elapsed() < limit {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= groups {
                 break;
             }
-            let group = (u128::from(turn) * u128::from(stride) % u128::from(groups)) as u64;
+            let group = (u128::from(index) * u128::from(stride) % u128::from(groups)) as u64;
             let cases = sample(study, group * size, size);
-            let rows = sound(&cases);
+            let rows = solvable_rows(&cases);
             let work = work(study, &cases, &rows);
-            computed(study, 0, (&cases, &rows), &|_| (), wishes)?;
+            compute_rows(study, 0, (&cases, &rows), &|_| (), options)?;
             let mut sum = sum.lock().unwrap_or_else(PoisonError::into_inner);
             *sum = (sum.0 + rows.len() as u64, sum.1 + work);
         }
         Ok(())
     };
-    (0..threads).into_par_iter().try_for_each(one)?;
+    (0..threads).into_par_iter().try_for_each(measure_groups)?;
     let (cases, work) = sum.into_inner().unwrap_or_else(PoisonError::into_inner);
-    Ok(Measured {
+    Ok(Measurement {
         cases,
         work,
-        seconds: began.elapsed().as_secs_f64(),
+        seconds: start.elapsed().as_secs_f64(),
         threads,
     })
 }
 
-/// Combinations of a group: as many as a run has side by side, where that is little work. Only bars of the same mesh move
-/// side by side, so that few cases of a sample are slower than many.
-fn size(study: &Study, all: f64) -> u64 {
-    let cases = MOST_WORK / all * study.raw_len() as f64;
-    (cases as u64).clamp(FEWEST, SLICE as u64)
+/// Combinations of a group: as many as in one sweep of a run if that is little work. Only bars of the same mesh share
+/// lanes, so that each case of a small sample takes longer than in a large one.
+fn group_size(study: &Study, total: f64) -> u64 {
+    let cases = GROUP_WORK / total * study.raw_len() as f64;
+    (cases as u64).clamp(SMALLEST_GROUP, SLICE as u64)
 }
 
-/// The cases of `size` raw combinations from `from` on, for a shorter time where they are much work.
+/// The cases of `size` raw combinations from `from` on, with a shorter duration if they are much work.
 fn sample(study: &Study, from: u64, size: u64) -> Cases {
     let (_, cases) = study.columns(from, (from + size).min(study.raw_len()));
-    let rows = sound(&cases);
-    let share = MOST_WORK / work(study, &cases, &rows);
+    let rows = solvable_rows(&cases);
+    let share = GROUP_WORK / work(study, &cases, &rows);
     if share >= 1.0 {
         return cases;
     }
@@ -134,10 +134,10 @@ fn work(study: &Study, cases: &Cases, rows: &[u32]) -> f64 {
     work.sum()
 }
 
-/// A stride that visits each of so many groups once, the first ones far from each other: near the golden section, and
-/// without a common factor.
+/// A stride that visits each group once, the first ones far from each other: near the golden section, and without a
+/// common factor with `groups`.
 fn stride(groups: u64) -> u64 {
-    let factor = |mut a: u64, mut b: u64| {
+    let common_factor = |mut a: u64, mut b: u64| {
         while b > 0 {
             (a, b) = (b, a % b);
         }
@@ -145,7 +145,9 @@ fn stride(groups: u64) -> u64 {
     };
     let near = (groups as f64 * 0.618) as u64;
     let mut strides = near.max(1)..;
-    strides.find(|s| factor(*s, groups) == 1).unwrap_or(1)
+    strides
+        .find(|s| common_factor(*s, groups) == 1)
+        .unwrap_or(1)
 }
 
 #[cfg(test)]
@@ -162,15 +164,15 @@ mod tests {
     }
 
     #[test]
-    fn seconds_follow_from_measured_pairs() {
-        let measured = Measured {
+    fn seconds_are_proportional_to_work() {
+        let measured = Measurement {
             cases: 3,
             work: 2e6,
             seconds: 0.25,
             threads: 2,
         };
         assert_eq!(measured.seconds_for(8e6), Some(1.0));
-        let nothing = Measured {
+        let nothing = Measurement {
             cases: 0,
             work: 0.0,
             ..measured
@@ -179,35 +181,35 @@ mod tests {
     }
 
     #[test]
-    fn all_of_a_small_study_is_measured_once() {
+    fn every_case_of_a_small_study_is_measured_once() {
         // 300 cases of 30 steps.
         let study = study(r#""beta": {"linspace": [1, 2, 300]}, "dT": 0.1, "duration": 3"#);
         let work = total(&study);
         assert_eq!(work, 9000.0);
-        let all = measure(&study, work, &Wishes::METRICS, Duration::MAX).unwrap();
+        let all = measure(&study, work, &RunOptions::METRICS, Duration::MAX).unwrap();
         assert_eq!((all.cases, all.work), (300, 9000.0));
-        // One slice of a sweep is for one thread.
+        // A sweep of one slice uses one thread.
         assert_eq!(all.threads, 1);
-        let none = measure(&study, work, &Wishes::METRICS, Duration::ZERO).unwrap();
+        let none = measure(&study, work, &RunOptions::METRICS, Duration::ZERO).unwrap();
         assert_eq!((none.cases, none.work), (0, 0.0));
     }
 
     #[test]
-    fn cases_of_much_work_are_measured_for_a_shorter_time() {
-        // 3e7 steps each, seconds for one; of 64 of them as many as make the bound together.
+    fn cases_of_much_work_are_measured_with_a_shorter_duration() {
+        // 3e7 steps in each of 64 cases. All together are shortened to the limit.
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
-        let cases = sample(&study, 0, size(&study, total(&study)));
+        let cases = sample(&study, 0, group_size(&study, total(&study)));
         assert_eq!(cases.len(), 64);
-        let work = work(&study, &cases, &sound(&cases));
-        // Steps are whole: one of each case may be lost or won by rounding.
-        assert!((work - MOST_WORK).abs() <= 64.0, "{work}");
+        let work = work(&study, &cases, &solvable_rows(&cases));
+        // The number of steps is rounded: up to one step in each case.
+        assert!((work - GROUP_WORK).abs() <= 64.0, "{work}");
     }
 
     #[test]
-    fn every_group_has_its_turn() {
+    fn every_group_is_visited() {
         for groups in [1, 2, 3, 7, 64, 100, 1001] {
             let stride = stride(groups);
-            let seen: BTreeSet<u64> = (0..groups).map(|turn| turn * stride % groups).collect();
+            let seen: BTreeSet<u64> = (0..groups).map(|index| index * stride % groups).collect();
             assert_eq!(seen.len() as u64, groups, "{groups}");
         }
     }

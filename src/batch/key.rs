@@ -1,24 +1,25 @@
-//! Keys: what decides the results of a part, so that kept results serve again only where nothing has changed.
+//! Keys: everything that determines the results of a part. Stored results are used again only if their key is the same.
 
 use crate::problem::cases::{Cases, Column};
 use crate::problem::parameter::Value;
 use crate::study::Study;
+use std::fmt;
 use twox_hash::XxHash3_128;
 
-/// Version of everything that decides a number; it changes when any result may change.
+/// Version of all code that determines results. It changes when any result may change.
 pub const SOLVER_VERSION: u32 = 2;
 
-/// Sum of the sources that decide results: a change there makes stores stale, noted in the version or not.
+/// Hash of the sources that determine results. A change there makes stores outdated, also without a new version.
 const SOLVER_SOURCES: &str = env!("SLIPGAP_SOLVER");
 
-/// What decides a part's results, in pieces so that a change can be named.
+/// Everything that determines the results of a part. It has several fields so that a message can name the difference.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Key {
     /// Version of the solver.
     pub solver: String,
-    /// Problem, way of solving and columns.
+    /// Problem, with or without iteration, and columns.
     pub columns: String,
-    /// Numbers and parameters of all cases, bit by bit.
+    /// Hash of the numbers and parameters of all cases.
     pub cases: String,
 }
 
@@ -26,7 +27,7 @@ impl Key {
     /// The key of these cases, the first of which has the number `first`.
     pub fn new(study: &Study, first: u64, cases: &Cases) -> Key {
         let mut hasher = XxHash3_128::new();
-        // A column at a time: the hasher takes long pieces much faster than short ones.
+        // A column at a time: the hasher is much faster for long inputs.
         let mut bytes = Vec::new();
         bytes.extend(first.to_le_bytes());
         bytes.extend(cases.len().to_le_bytes());
@@ -34,11 +35,13 @@ impl Key {
             match column {
                 Column::Same(value) => {
                     bytes.push(0);
-                    note(&mut bytes, *value);
+                    push_value(&mut bytes, *value);
                 }
                 Column::Each(values) => {
                     bytes.push(1);
-                    values.iter().for_each(|value| note(&mut bytes, *value));
+                    values
+                        .iter()
+                        .for_each(|value| push_value(&mut bytes, *value));
                 }
             }
             hasher.write(&bytes);
@@ -58,34 +61,55 @@ impl Key {
         }
     }
 
-    /// Whether cases of another part were solved in the same way, for the same columns.
-    pub fn same_way(&self, other: &Key) -> bool {
+    /// Whether the results of another part have the same columns and come from the same solver.
+    pub fn same_solver_and_columns(&self, other: &Key) -> bool {
         self.solver == other.solver && self.columns == other.columns
     }
 
-    /// What differs from the key of a part that was kept.
-    pub fn change(&self, kept: &Key) -> Option<&'static str> {
-        if self.solver != kept.solver {
-            Some("computed by another version of the solver")
-        } else if self.columns != kept.columns {
-            Some("different columns")
-        } else if self.cases != kept.cases {
-            Some("different parameters")
+    /// The first difference from the key of a stored part; `None` if they are equal.
+    pub fn difference(&self, stored: &Key) -> Option<Difference> {
+        if self.solver != stored.solver {
+            Some(Difference::Solver)
+        } else if self.columns != stored.columns {
+            Some(Difference::Columns)
+        } else if self.cases != stored.cases {
+            Some(Difference::Parameters)
         } else {
             None
         }
     }
 }
 
-/// What tells the parameters of a case from those of others: a sum of all their bits.
-pub fn identity(case: &[Option<Value>]) -> u128 {
+/// Why the results of a stored part are not those of the study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Difference {
+    /// Another solver computed them.
+    Solver,
+    /// They have other columns.
+    Columns,
+    /// Their cases have other numbers or parameters.
+    Parameters,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Difference::Solver => "computed by another version of the solver",
+            Difference::Columns => "different columns",
+            Difference::Parameters => "different parameters",
+        })
+    }
+}
+
+/// A hash of the parameters of a case, bit by bit.
+pub fn case_hash(case: &[Option<Value>]) -> u128 {
     let mut bytes = Vec::new();
-    case.iter().for_each(|value| note(&mut bytes, *value));
+    case.iter().for_each(|value| push_value(&mut bytes, *value));
     XxHash3_128::oneshot(&bytes)
 }
 
-/// Adds what tells a value from all others.
-fn note(bytes: &mut Vec<u8>, value: Option<Value>) {
+/// Appends bytes that are different for every value.
+fn push_value(bytes: &mut Vec<u8>, value: Option<Value>) {
     let tag: u8 = match value {
         None => 0,
         Some(Value::Number(_)) => 1,
@@ -120,32 +144,29 @@ mod tests {
     }
 
     #[test]
-    fn a_key_names_the_solver_by_version_and_sources() {
-        // What build.rs sums up; without it results of other sources would serve.
+    fn a_key_contains_the_version_and_the_sources_of_the_solver() {
+        // From build.rs. Without it, results of other sources would be used again.
         let sources = env!("SLIPGAP_SOLVER");
         assert_eq!(sources.len(), 16);
         assert_eq!(key("").solver, format!("{SOLVER_VERSION} {sources}"));
     }
 
     #[test]
-    fn every_piece_of_a_key_counts() {
+    fn every_field_of_a_key_makes_a_difference() {
         let (own, changed) = (key(""), |change: fn(&mut Key)| {
             let mut other = key("");
             change(&mut other);
             other
         });
-        assert_eq!(own.change(&key("")), None);
+        assert_eq!(own.difference(&key("")), None);
         let other = changed(|key| key.solver.push('0'));
-        assert_eq!(
-            own.change(&other),
-            Some("computed by another version of the solver")
-        );
+        assert_eq!(own.difference(&other), Some(Difference::Solver));
         let other = changed(|key| key.columns.push('0'));
-        assert_eq!(own.change(&other), Some("different columns"));
+        assert_eq!(own.difference(&other), Some(Difference::Columns));
         let other = changed(|key| key.cases.push('0'));
-        assert_eq!(own.change(&other), Some("different parameters"));
-        // Another way of solving has other results in the same columns.
+        assert_eq!(own.difference(&other), Some(Difference::Parameters));
+        // Without iteration the same columns have other results.
         let once = key(r#", "iteration": "once""#);
-        assert_eq!(own.change(&once), Some("different columns"));
+        assert_eq!(own.difference(&once), Some(Difference::Columns));
     }
 }

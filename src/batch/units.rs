@@ -1,27 +1,28 @@
-//! Results in the units of the study, worked out from the scaled ones: the store never has them.
+//! Metrics in the units of the study, computed from the scaled ones. The store never contains them.
 
 use crate::problem::cases::Cases;
 use crate::solve::MetricTable;
 use crate::study::Study;
 
-/// What was found, with the metrics in the units of the study, if it has any.
-pub fn added(study: &Study, cases: &Cases, found: MetricTable) -> MetricTable {
+/// The metrics, followed by the same in the units of the study, if it has units.
+pub fn with_unit_columns(study: &Study, cases: &Cases, metrics: MetricTable) -> MetricTable {
     if study.units.is_none() {
-        return found;
+        return metrics;
     }
-    let mut wide = MetricTable::new(found.len(), study.measures.len());
+    let mut extended = MetricTable::new(metrics.len(), study.measures.len());
     let mut shown = cases.shown();
-    for place in 0..found.len() {
-        wide.copy(place, &found, place);
-        let mut row: Vec<f64> = wide.row(place).map(|x| x.unwrap_or(f64::NAN)).collect();
-        let case = shown.at(place);
+    for row in 0..metrics.len() {
+        extended.copy(row, &metrics, row);
+        let cells = extended.row(row);
+        let mut cells: Vec<f64> = cells.map(|x| x.unwrap_or(f64::NAN)).collect();
+        let case = shown.at(row);
         for (column, measure) in study.measures.iter().enumerate() {
             if let Some(dimension) = measure.dimension {
                 let size = study.problem.size(case, dimension);
-                row[column] = row[measure.metric] * size.unwrap_or(f64::NAN);
+                cells[column] = cells[measure.metric] * size.unwrap_or(f64::NAN);
             }
         }
-        wide.set(place, row.into_iter());
+        extended.set(row, cells.into_iter());
     }
-    wide
+    extended
 }

@@ -1,73 +1,74 @@
-//! `slipgap check`: every check of every study, with the value it judged.
+//! `slipgap check`: every check of every study, with the value tested.
 
+use super::run::UnsolvedCases;
 use super::sources::Source;
-use super::unsolved::Unsolved;
-use super::{NOT_MET, UNSOLVED, lines, note, progress, say_all};
-use slipgap::batch::{self, Wishes};
+use super::terminal::{note, print_all, progress, table_lines};
+use super::{NOT_MET, UNSOLVED};
+use slipgap::batch::{self, RunOptions};
 use slipgap::checks::{self, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 
-/// What the checks of a study judged, check by check: cases and values, not a number where one is undefined. Lines are
-/// made of it one by one: of a million they would take half a gigabyte.
-struct Judged<'a> {
+/// The cases and values that the checks of a study test, check by check; NaN if a value is undefined. The lines are made
+/// one by one, because a million lines take half a gigabyte.
+struct CheckedValues<'a> {
     source: &'a Source,
     values: Vec<Vec<(u64, f64)>>,
 }
 
-/// Runs the studies without writing anything and prints the verdicts; gives the exit code.
+/// Runs the studies without writing files and prints the verdicts; returns the exit code.
 pub fn check(sources: &[Source]) -> Result<u8, Error> {
-    let (mut all, mut solved) = (Vec::new(), true);
+    let (mut all, mut all_solved) = (Vec::new(), true);
     for source in sources {
-        let (judged, every) = judged(source)?;
-        all.push(judged);
-        solved &= every;
+        let (checked, solved) = run_study(source)?;
+        all.push(checked);
+        all_solved &= solved;
     }
     let header = ["study", "case", "metric", "value", "limits", "verdict"];
-    say_all(lines(|| {
-        let rows = all.iter().flat_map(|judged| {
-            let name = &judged.source.name;
-            judged.verdicts().map(move |verdict| row(name, &verdict))
+    print_all(table_lines(|| {
+        let rows = all.iter().flat_map(|checked| {
+            let name = &checked.source.name;
+            checked.verdicts().map(move |verdict| row(name, &verdict))
         });
         std::iter::once(header.map(String::from).to_vec()).chain(rows)
     }))?;
-    let verdicts = || all.iter().flat_map(Judged::verdicts);
+    let verdicts = || all.iter().flat_map(CheckedValues::verdicts);
     let failed = verdicts().filter(|verdict| !verdict.holds()).count();
     note(&format!("{} checks, {failed} not met", verdicts().count()));
-    // A case without a solution outweighs a check without a value.
-    Ok(match (solved, failed) {
+    // A case without a solution decides the exit code before a check that is not met.
+    Ok(match (all_solved, failed) {
         (false, _) => UNSOLVED,
         (true, 0) => 0,
         (true, _) => NOT_MET,
     })
 }
 
-/// Runs one study; what its checks judged, and whether every case was solved.
-fn judged(source: &Source) -> Result<(Judged<'_>, bool), Error> {
+/// Runs one study; returns the checked values, and whether every case was solved.
+fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     let study = &source.study;
     let bar = progress::bar(&source.name, study.len());
     let mut values = vec![Vec::new(); study.checks.len()];
-    let mut unsolved = Unsolved::new(source);
-    batch::run(study, &bar, &Wishes::METRICS, |done| {
-        let mut shown = done.cases.shown();
-        for (place, number) in (0..done.len()).zip(done.first..) {
-            let value = |metric| done.found.row(place).nth(metric).flatten();
+    let mut unsolved = UnsolvedCases::new(source);
+    batch::run(study, &bar, &RunOptions::METRICS, |part| {
+        let mut shown = part.cases.shown();
+        for (place, number) in (0..part.len()).zip(part.first..) {
+            let value = |metric| part.metrics.row(place).nth(metric).flatten();
             for (check, value) in checks::judged(study, shown.at(place), value) {
                 values[check].push((number, value.unwrap_or(f64::NAN)));
             }
-            if let Some(why) = done.found.failure(place) {
-                unsolved.add(number, &why.to_string());
+            if let Some(why) = part.metrics.failure(place) {
+                unsolved.add(number, why);
             }
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &progress::run(study.len()));
-    unsolved.tell();
-    Ok((Judged { source, values }, unsolved.is_empty()))
+    progress::finish(&bar, &source.name, &progress::cases_run(study.len()));
+    unsolved.report();
+    Ok((CheckedValues { source, values }, unsolved.is_empty()))
 }
 
-impl Judged<'_> {
-    /// By check, then by case.
+impl CheckedValues<'_> {
+    /// The verdicts, sorted by check and case.
     fn verdicts(&self) -> impl Iterator<Item = Verdict> {
         let study = &self.source.study;
         self.values

@@ -1,6 +1,8 @@
-//! `slipgap claims`: the papers' sentences with their verdicts, and the page about them.
+//! `slipgap claims`: the statements of the papers with their verdicts, and the page about them.
 
-use super::{NOT_MET, columns, files, note, progress, say};
+use super::NOT_MET;
+use super::sources::files;
+use super::terminal::{note, print, progress, table};
 use slipgap::batch::output::Folder;
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
@@ -10,16 +12,16 @@ use std::path::{Path, PathBuf};
 /// Name of the page.
 const PAGE: &str = "claims.md";
 
-/// Judges the ledgers, prints them and writes the page into `out`; gives the exit code.
-pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
-    let ledgers = read(named)?;
+/// Tests the claims of the ledgers, prints the verdicts and writes the page into `out`; returns the exit code.
+pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
+    let ledgers = read(paths)?;
     let mut folder = Folder::open(out)?;
     let mut all = Vec::new();
     for ledger in ledgers {
         let cases = ledger.studies.iter().map(|s| s.study.len()).sum();
         let bar = progress::bar(&ledger.paper, cases);
         let findings = claims::compute(&ledger, &bar)?;
-        progress::finish(&bar, &ledger.paper, &progress::run(cases));
+        progress::finish(&bar, &ledger.paper, &progress::cases_run(cases));
         all.push(Judged { ledger, findings });
     }
     let path = folder.write(PAGE, claims::page(&all).as_bytes())?;
@@ -31,29 +33,29 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
     for (claim, findings) in all.iter().flat_map(Judged::claims) {
         let verdict = Verdict::of(findings.iter().map(|f| f.holds));
         let pairs = claim.readings.iter().zip(findings);
-        let held = pairs
+        let holding = pairs
             .clone()
             .filter(|(_, f)| f.holds)
             .map(|(r, _)| r.name.as_str());
         let changed = pairs.filter(|(r, f)| r.holds != f.holds);
         let changed: Vec<&str> = changed.map(|(r, _)| r.name.as_str()).collect();
-        let mut says = claim.says.clone();
+        let mut statement = claim.says.clone();
         if verdict == Verdict::HoldsIf {
-            let held: Vec<&str> = held.collect();
-            says += &format!(" [if: {}]", held.join("; "));
+            let holding: Vec<&str> = holding.collect();
+            statement += &format!(" [if: {}]", holding.join("; "));
         }
         if !changed.is_empty() {
-            says += &format!(" [changed: {}]", changed.join("; "));
+            statement += &format!(" [changed: {}]", changed.join("; "));
         }
         let mark = if changed.is_empty() { "" } else { "CHANGED" };
         rows.push(vec![
             claim.id.clone(),
             verdict.said().into(),
             mark.into(),
-            says,
+            statement,
         ]);
     }
-    say(&columns(&rows))?;
+    print(&table(&rows))?;
     let count = rows.len() - 1;
     let changed: usize = all.iter().map(Judged::changed).sum();
     note(&format!(
@@ -63,15 +65,15 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
     Ok(if changed > 0 { NOT_MET } else { 0 })
 }
 
-/// Reads the ledgers of the files and folders named, in order; every fault of every ledger is reported.
-pub fn read(named: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
+/// Reads the ledgers in files and folders, in order. All faults of all ledgers are reported.
+pub fn read(paths: &[PathBuf]) -> Result<Vec<Ledger>, Error> {
     let mut files = Vec::new();
-    for path in named {
+    for path in paths {
         if !path.is_dir() {
             files.push(path.clone());
             continue;
         }
-        files.extend(files::under(path, "ledgers (*.json)", files::is_json)?);
+        files.extend(files::find(path, "ledgers (*.json)", files::is_json)?);
     }
-    files::each(files, |file| ledger::read(&file))
+    files::read_all(files, |file| ledger::read(&file))
 }

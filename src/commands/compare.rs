@@ -1,16 +1,18 @@
-//! `slipgap compare`: what two folders of results differ in.
+//! `slipgap compare`: the differences of two folders of results.
 
-use super::{NOT_MET, columns, files, note, say};
+use super::NOT_MET;
+use super::sources::files;
+use super::terminal::{note, print, table};
 use slipgap::batch::output::RESULTS;
 use slipgap::batch::store::{self, STORE};
-use slipgap::compare::{Rows, compare as held};
+use slipgap::compare::{Rows, compare as compare_rows};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use walkdir::DirEntry;
 
-/// Compares the studies that `a` and `b` hold, or are; gives the exit code.
+/// Compares the studies in the folders `a` and `b`, or these studies themselves; returns the exit code.
 pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
     let (left, right) = (results(a)?, results(b)?);
     let mut rows = vec![
@@ -21,47 +23,51 @@ pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
         .to_vec(),
     ];
     let (mut same, mut differing) = (0, 0);
-    let apart = |name: &str, why: String| {
-        note(&format!("{}: {why}", shown(name)));
+    let report = |name: &str, why: String| {
+        note(&format!("{}: {why}", display_name(name)));
         1
     };
     for name in right.keys().filter(|name| !left.contains_key(*name)) {
-        differing += apart(name, format!("only in {}", b.display()));
+        differing += report(name, format!("only in {}", b.display()));
     }
     for (name, path) in &left {
         let Some(other) = right.get(name) else {
-            differing += apart(name, format!("only in {}", a.display()));
+            differing += report(name, format!("only in {}", a.display()));
             continue;
         };
-        let Some(found) = held(&read(path)?, &read(other)?, tolerance) else {
-            differing += apart(name, "the two results are of different problems".into());
+        let Some(comparison) = compare_rows(&read(path)?, &read(other)?, tolerance) else {
+            differing += report(name, "the two results are of different problems".into());
             continue;
         };
-        if found.same() {
+        if comparison.same() {
             same += 1;
             continue;
         }
-        let sides = found.alone.iter().zip(&found.columns).zip([a, b]);
+        let sides = comparison.alone.iter().zip(&comparison.columns);
+        let sides = sides.zip([a, b]);
         for ((cases, metrics), side) in sides {
             let side = side.display();
             if *cases > 0 {
-                note(&format!("{}: {cases} cases only in {side}", shown(name)));
+                note(&format!(
+                    "{}: {cases} cases only in {side}",
+                    display_name(name)
+                ));
             }
             if !metrics.is_empty() {
                 note(&format!(
                     "{}: {} only in {side}",
-                    shown(name),
+                    display_name(name),
                     metrics.join(", ")
                 ));
             }
         }
         differing += 1;
-        for change in found.changes {
+        for change in comparison.changes {
             let [first, second] = change.cells;
             rows.push(vec![
-                shown(name).to_owned(),
+                display_name(name).to_owned(),
                 change.metric,
-                format!("{} of {}", change.cases, found.common),
+                format!("{} of {}", change.cases, comparison.common),
                 shortest((change.largest * 1e6).round() / 1e6),
                 change.case,
                 first,
@@ -70,18 +76,18 @@ pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
         }
     }
     if rows.len() > 1 {
-        say(&columns(&rows))?;
+        print(&table(&rows))?;
     }
     note(&format!("{same} studies equal, {differing} different"));
     Ok(if differing > 0 { NOT_MET } else { 0 })
 }
 
-/// What a folder is called that is itself one study's.
-fn shown(name: &str) -> &str {
+/// The name of a study; a point for the folder of the command itself.
+fn display_name(name: &str) -> &str {
     if name.is_empty() { "." } else { name }
 }
 
-/// The folders with results under `path`, by their way from it; its own is called nothing.
+/// The folders with results in `path`, by relative path, which is empty for `path` itself.
 fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
     std::fs::metadata(path).map_err(Error::io("cannot read", path))?;
     let wanted = |entry: &DirEntry| {
@@ -89,15 +95,15 @@ fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
         folder.join(RESULTS).is_file() || folder.join(STORE).is_dir()
     };
     let what = format!("results ({RESULTS} or {STORE})");
-    let found = files::under(path, &what, wanted)?.into_iter();
-    let named = found.map(|folder| {
+    let folders = files::find(path, &what, wanted)?.into_iter();
+    let named = folders.map(|folder| {
         let name = folder.strip_prefix(path).unwrap_or(&folder);
         (name.display().to_string(), folder)
     });
     Ok(named.collect())
 }
 
-/// The table of one folder.
+/// The results in a folder.
 fn read(folder: &Path) -> Result<Rows, Error> {
     let file = folder.join(RESULTS);
     if !file.is_file() {

@@ -1,19 +1,21 @@
-//! `slipgap explain`: one case of a study, what it would compute and what that costs.
+//! `slipgap explain`: one case of a study, its metrics and its cost.
 
+use super::UNSOLVED;
 use super::sources::Source;
-use super::{UNSOLVED, columns, drawn, progress, say};
+use super::terminal::{print, progress, table};
 use slipgap::batch::cost::{measure, total};
-use slipgap::batch::{Wishes, chunk};
+use slipgap::batch::{RunOptions, chunk};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
 use slipgap::study::Study;
+use slipgap::study_figures;
 use std::time::Duration;
 
-/// How long some cases are computed, to see how long all will take.
+/// Time for computing some cases, from which the time of all cases is estimated.
 const MEASURING: Duration = Duration::from_millis(200);
 
-/// Prints case `number` of a study; gives the exit code.
+/// Prints case `number` of a study; returns the exit code.
 pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     let study = &source.study;
     let Some(case) = study.case(number) else {
@@ -47,7 +49,7 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
             parameter.meaning.to_string(),
         ]);
     }
-    text += &columns(&rows);
+    text += &table(&rows);
     let broken = Violation::all(&study.violations(number));
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");
@@ -72,11 +74,11 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         "checks",
         checks.map(|check| study.measures[check.metric].name.as_str()),
     );
-    let code = say(&text)?;
+    let code = print(&text)?;
     Ok(broken.map_or(code, |_| UNSOLVED))
 }
 
-/// Where a parameter's value comes from.
+/// The origin of the value of a parameter.
 fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> String {
     let Some(block) = study.block_of(number) else {
         return String::new();
@@ -99,49 +101,49 @@ fn origin(study: &Study, number: u64, row: usize, parameter: &Parameter) -> Stri
         (Some(group), _) if group.len() > 1 => format!("axis of {}", group.len()),
         (Some(_), _) => "study".into(),
         (None, Default::Is(_)) => "default".into(),
-        (None, _) => "follows".into(),
+        (None, Default::Required | Default::Follows(_)) => "follows".into(),
     }
 }
 
-/// Steps and work of the case and of the whole study, and the time that the study takes, measured on some of its cases.
+/// Steps and work of the case and of the study, and the estimated time of the study, measured on some of its cases.
 fn cost(study: &Study, case: &Case) -> Result<String, Error> {
     let (steps, work) = (study.problem.steps(case), study.work(case));
-    let all = total(study);
-    let wishes = Wishes {
-        keep: &|case| drawn::over_time(study, case),
-        ..Wishes::METRICS
+    let total = total(study);
+    let options = RunOptions {
+        keep_history: &|case| study_figures::show_history(study, case),
+        ..RunOptions::METRICS
     };
-    let measured = measure(study, all, &wishes, MEASURING)?;
+    let measured = measure(study, total, &options, MEASURING)?;
     let threads = match measured.threads {
         1 => "1 thread".into(),
         threads => format!("{threads} threads"),
     };
-    let time = match measured.seconds_for(all) {
-        Some(seconds) => format!("{} on {threads}", progress::time(seconds)),
+    let time = match measured.seconds_for(total) {
+        Some(seconds) => format!("{} on {threads}", progress::duration(seconds)),
         None => "not measured".into(),
     };
     Ok(format!(
-        "steps: {steps}; steps x modes: {work} of {all:.3e} in all cases; {} of the store\n\
+        "steps: {steps}; steps x modes: {work} of {total:.3e} in all cases; {} of the store\n\
          time to compute all cases: {time}, estimated from {} cases in {}\n",
-        parts(study, all),
+        parts(study, total),
         measured.cases,
-        progress::time(measured.seconds)
+        progress::duration(measured.seconds)
     ))
 }
 
-/// How many parts of a store hold all cases, whose cost is `all`: one for each chunk, or more where work cuts them.
-fn parts(study: &Study, all: f64) -> String {
-    match (chunk::count(study), all <= chunk::WORK as f64) {
+/// The number of parts of the store: one for each chunk, or more if the work divides chunks.
+fn parts(study: &Study, total: f64) -> String {
+    match (chunk::count(study), total <= chunk::WORK as f64) {
         (1, true) => "1 part".into(),
         (chunks, true) => format!("{chunks} parts"),
         (chunks, false) => {
-            let least = (all / chunk::WORK as f64).ceil().max(chunks as f64);
+            let least = (total / chunk::WORK as f64).ceil().max(chunks as f64);
             format!("at least {least} parts")
         }
     }
 }
 
-/// Names after a word, if there are any.
+/// A line with names; empty if there are none.
 fn list<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<&str> = names.collect();
     match names.is_empty() {

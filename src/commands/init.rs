@@ -1,6 +1,6 @@
-//! `slipgap init`: a small study to begin with.
+//! `slipgap init`: writes a small study as a start.
 
-use super::say;
+use super::terminal::print;
 use slipgap::error::Error;
 use slipgap::problem::{PROBLEMS, Problem};
 use slipgap::study;
@@ -8,11 +8,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Folder of studies, and of the schema beside it.
+/// Folder of studies, and path of the schema.
 const STUDIES: &str = "studies";
 const SCHEMA: &str = "schema/study.json";
 
-/// A problem by its name, for the command line.
+/// The problem of a name on the command line.
 pub fn problem(name: &str) -> Result<Arc<dyn Problem>, String> {
     let known = PROBLEMS
         .iter()
@@ -24,7 +24,7 @@ pub fn problem(name: &str) -> Result<Arc<dyn Problem>, String> {
     })
 }
 
-/// A name for a study, without ending: a file name, perhaps in sub-folders.
+/// The name of a study without extension: a file name, also in sub-folders.
 pub fn name(text: &str) -> Result<String, String> {
     let text = text.strip_suffix(".json").unwrap_or(text);
     let text = text.strip_prefix("studies/").unwrap_or(text);
@@ -38,7 +38,7 @@ pub fn name(text: &str) -> Result<String, String> {
     Err("must be letters, digits, _, - and . that do not begin with . or -".into())
 }
 
-/// Writes the study and, where there is none, the schema for editors.
+/// Writes the study, and the schema for editors unless it exists; returns the exit code.
 pub fn init(name: &str, problem: &dyn Problem) -> Result<u8, Error> {
     let path = Path::new(STUDIES).join(format!("{name}.json"));
     if path.exists() {
@@ -56,7 +56,7 @@ pub fn init(name: &str, problem: &dyn Problem) -> Result<u8, Error> {
         write(&schema, &study::schema())?;
         lines += &format!("{SCHEMA}\n");
     }
-    say(&lines)
+    print(&lines)
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {

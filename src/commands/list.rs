@@ -1,11 +1,11 @@
-//! `slipgap list`: what the studies would run, without running it.
+//! `slipgap list`: the studies with their axes, cases and steps.
 
 use super::sources::Source;
-use super::{columns, say};
+use super::terminal::{print, table};
 use slipgap::error::Error;
 use slipgap::study::{Axis, Block, Study};
 
-/// Prints one row a study; gives the exit code.
+/// Prints one row for each study; returns the exit code.
 pub fn list(sources: &[Source]) -> Result<u8, Error> {
     let mut rows = vec![
         [
@@ -27,10 +27,10 @@ pub fn list(sources: &[Source]) -> Result<u8, Error> {
             study.title.clone(),
         ]);
     }
-    say(&columns(&rows))
+    print(&table(&rows))
 }
 
-/// The axes of every block, as in `alpha(3) dT+duration(2)`; what advances together is joined.
+/// The axes of every block, as in `alpha(3) dT+duration(2)`. Zipped axes are joined by `+`.
 fn axes(study: &Study) -> String {
     let name = |axis: &Axis| &*study.problem.parameters()[axis.parameter].name;
     let block = |block: &Block| {
@@ -51,7 +51,7 @@ fn axes(study: &Study) -> String {
     blocks.join(" + ")
 }
 
-/// Steps of a case: the fewest and the most.
+/// Smallest and largest number of steps of a case.
 fn steps(study: &Study) -> String {
     let (mut fewest, mut most) = (u64::MAX, 0);
     for case in study.standing_for() {

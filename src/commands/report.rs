@@ -1,91 +1,91 @@
-//! `slipgap report`: one page about studies that needs nothing beside it.
+//! `slipgap report`: one page about studies that needs no other file.
 
 use super::claims;
-use super::drawn;
-use super::progress::{self, Tally};
-use super::run::{self, Manner};
+use super::run::{self, RunArgs, Tally};
 use super::sources::Source;
-use super::{note, say};
+use super::terminal::{note, print, progress};
 use indicatif::ProgressBar;
-use slipgap::batch::output::{self, Folder};
-use slipgap::batch::sobol::Gathered;
+use slipgap::batch::output::sobol::DesignMetrics;
+use slipgap::batch::output::{Folder, is_outdated};
 use slipgap::batch::store::Store;
-use slipgap::batch::{self, Wishes};
+use slipgap::batch::{self, RunOptions};
 use slipgap::claims::compute;
 use slipgap::error::Error;
 use slipgap::figures::style;
 use slipgap::report::{
-    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Results, Section, Settled,
+    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Results, Section, TestedReading,
 };
+use slipgap::study_figures;
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
 const PAGE: &str = "report.html";
 
-/// Where the ledgers of claims are looked for.
+/// Folder of the ledgers of claims.
 const LEDGERS: &str = "claims";
 
-/// Runs the studies, by the stores in `out`, and writes the page there; gives the exit code.
+/// Runs the studies with the stores in `out` and writes the page there; returns the exit code.
 pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     let folder = Folder::open(out)?;
-    let mut settled = settled(sources)?;
+    let mut readings = tested_readings(sources)?;
     let mut sections = Vec::new();
-    let mut left = MOST_BYTES;
+    let mut bytes_left = MOST_BYTES;
     for (i, source) in sources.iter().enumerate() {
-        let claims = std::mem::take(&mut settled[i]);
-        let section = section(source, i, out, left, claims)?;
-        left = left.saturating_sub(section.results.bytes());
+        let claims = std::mem::take(&mut readings[i]);
+        let section = section(source, i, out, bytes_left, claims)?;
+        bytes_left = bytes_left.saturating_sub(section.results.bytes());
         sections.push(section);
     }
-    let path = folder.put(PAGE, |file| report::write(file, &sections))?;
-    say(&format!("{}\n", path.display()))
+    let path = folder.write_unlisted(PAGE, |file| report::write(file, &sections))?;
+    print(&format!("{}\n", path.display()))
 }
 
+/// Runs a study. `index` is its place on the page, and `largest` the largest size of its results.
 fn section<'a>(
     source: &'a Source,
-    place: usize,
+    index: usize,
     out: &Path,
-    most: usize,
-    claims: Vec<Settled>,
+    largest: usize,
+    claims: Vec<TestedReading>,
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
     let results = out.join(&source.name);
-    bring_up_to_date(source, out, &results)?;
-    // Reports of one study at the same time take turns.
-    let store = Store::open_in_turn(&results)?;
-    let (bar, pace) = progress::with_store(&source.name, study);
-    let wishes = Wishes {
+    update_results(source, &results)?;
+    // Several reports of one study wait for each other.
+    let store = Store::wait_and_open(&results)?;
+    let (bar, work) = progress::bar_with_store(&source.name, study);
+    let options = RunOptions {
         store: Some(&store),
-        keep: &|case| drawn::over_time(study, case),
-        pace: Some(&*pace),
-        ..Wishes::METRICS
+        keep_history: &|case| study_figures::show_history(study, case),
+        progress: Some(&*work),
+        ..RunOptions::METRICS
     };
     let mut tally = Tally::new(store.is_empty());
-    let mut results = Results::new(study, store.folder().to_owned(), most);
+    let mut results = Results::new(study, store.folder().to_owned(), largest);
     let (mut counts, mut checks) = (Counts::new(study), Checks::default());
     let mut shown = Vec::new();
-    let mut designs = Gathered::new(study);
-    batch::run(study, &bar, &wishes, |done| {
-        tally.add(&done);
-        designs.add(&done);
-        for (number, outcome) in done.outcomes(study) {
+    let mut designs = DesignMetrics::new(study);
+    batch::run(study, &bar, &options, |part| {
+        tally.add(&part);
+        designs.add(&part);
+        for (number, outcome) in part.outcomes(study) {
             results.add(&outcome);
             counts.add(number, &outcome);
             checks.judge(study, number, &outcome);
-            if drawn::anywhere(study, &outcome.case) {
+            if study_figures::show(study, &outcome.case) {
                 shown.push(outcome);
             }
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &tally.told(results.cases()));
+    progress::finish(&bar, &source.name, &tally.summary(results.cases()));
     store.close()?;
-    let indices = super::run::indices(source, &designs)?;
+    let indices = run::indices(source, &designs)?;
     let mut drawings = Vec::new();
-    drawn::solve(study, &mut shown);
+    study_figures::add_histories(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {
-        let prefix = format!("s{place}f{k}-");
-        drawings.push(drawn::with_shown(study, figure, &shown, |cases| {
+        let prefix = format!("s{index}f{k}-");
+        drawings.push(study_figures::with_cases(study, figure, &shown, |cases| {
             Drawing::new(study, figure, cases, &prefix)
         })?);
     }
@@ -103,30 +103,36 @@ fn section<'a>(
     })
 }
 
-/// Runs a study whose results.csv is of an earlier form of it, so that its store and results.csv keep the same rows.
-fn bring_up_to_date(source: &Source, out: &Path, results: &Path) -> Result<(), Error> {
-    if !output::outdated(results, &source.study) {
+/// Runs the study again if results.csv is of an earlier version, so that store and results.csv have the same rows.
+fn update_results(source: &Source, results: &Path) -> Result<(), Error> {
+    if !is_outdated(results, &source.study) {
+        return Ok(());
+    }
+    let folder = Folder::of_study(results)?;
+    let store = Store::wait_and_open(results)?;
+    // Another report may have run the study during the wait.
+    if !is_outdated(results, &source.study) {
         return Ok(());
     }
     note(&format!(
         "{}: the results are of an earlier version of the study; running it again",
         source.name
     ));
-    let manner = Manner {
+    let args = RunArgs {
         histories: false,
         fail_fast: false,
         format: None,
         dpi: style::DPI,
     };
-    // Cases without a solution are on the page.
-    run::run(std::slice::from_ref(source), out, &manner).map(|_| ())
+    // Cases without a solution do not end the command; the page reports them.
+    run::run_study(source, folder, store, &args).map(|_| ())
 }
 
-/// For each study the claims that it settles, computed now; none where there are no ledgers.
-fn settled(sources: &[Source]) -> Result<Vec<Vec<Settled>>, Error> {
-    let mut settled: Vec<Vec<Settled>> = sources.iter().map(|_| Vec::new()).collect();
+/// For each study the readings of claims that it tests, tested now; none if there are no ledgers.
+fn tested_readings(sources: &[Source]) -> Result<Vec<Vec<TestedReading>>, Error> {
+    let mut readings: Vec<Vec<TestedReading>> = sources.iter().map(|_| Vec::new()).collect();
     if !Path::new(LEDGERS).is_dir() {
-        return Ok(settled);
+        return Ok(readings);
     }
     let same = |a: &Path, b: &Path| {
         a.canonicalize()
@@ -134,31 +140,31 @@ fn settled(sources: &[Source]) -> Result<Vec<Vec<Settled>>, Error> {
             .is_some_and(|a| b.canonicalize().ok() == Some(a))
     };
     for ledger in claims::read(&[PathBuf::from(LEDGERS)])? {
-        let place = |study: usize| {
+        let index = |study: usize| {
             let file = &ledger.studies[study].file;
-            // What the command line changes settles nothing.
-            let own = |source: &Source| source.study.settings.is_empty();
+            // A study with settings of the command line does not test a claim.
+            let unchanged = |source: &Source| source.study.settings.is_empty();
             let mut sources = sources.iter();
-            sources.position(|source| own(source) && same(&source.file, file))
+            sources.position(|source| unchanged(source) && same(&source.file, file))
         };
-        if (0..ledger.studies.len()).all(|study| place(study).is_none()) {
+        if (0..ledger.studies.len()).all(|study| index(study).is_none()) {
             continue;
         }
         let findings = compute(&ledger, &ProgressBar::hidden())?;
         note(&format!("{}: judged", ledger.paper));
         for (claim, findings) in ledger.claims.iter().zip(findings) {
             for (reading, finding) in claim.readings.iter().zip(findings) {
-                if let Some(place) = place(reading.study) {
-                    settled[place].push(Settled {
+                if let Some(index) = index(reading.study) {
+                    readings[index].push(TestedReading {
                         id: claim.id.clone(),
-                        says: claim.says.clone(),
+                        statement: claim.says.clone(),
                         reading: reading.name.clone(),
-                        found: finding.found.join("; "),
+                        computed: finding.found.join("; "),
                         holds: finding.holds,
                     });
                 }
             }
         }
     }
-    Ok(settled)
+    Ok(readings)
 }

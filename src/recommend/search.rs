@@ -1,36 +1,36 @@
-//! The search: rungs by rising cost, a little beyond the first candidate that reaches all targets.
+//! The search: levels in the order of their costs, somewhat beyond the first candidate that reaches all targets.
 
-use super::{Answer, Request, Rung, Space, Tried};
+use super::{Answer, Candidate, CostLevel, Request, SearchSpace};
 use crate::problem::Case;
 use crate::problem::cases::Cases;
 use rayon::prelude::*;
 
-/// How much dearer than the recommended case alternatives are looked for.
+/// Largest cost of alternatives, relative to the recommended case.
 const BEYOND: u64 = 2;
 
-/// Rungs searched at once. A number of its own, not that of the threads: the number of cases solved is printed.
+/// Levels searched at once. It does not depend on the number of threads, because the number of solved cases is printed.
 const BATCH: usize = 16;
 
 /// Searches a space.
-pub fn search(space: &dyn Space, request: &Request) -> Answer {
+pub fn search(space: &dyn SearchSpace, request: &Request) -> Answer {
     let mut order: Vec<(u64, usize)> = space.costs().into_iter().zip(0..).collect();
     order.sort_unstable();
     let mut answer = Answer::default();
     for batch in order.chunks(BATCH) {
-        if answer.suffices(batch[0].0) {
+        if answer.is_complete(batch[0].0) {
             break;
         }
-        let least = answer.least();
-        let found: Vec<(Option<Tried>, u64)> = batch
+        let smallest = answer.smallest();
+        let results: Vec<(Option<Candidate>, u64)> = batch
             .par_iter()
-            .map(|(cost, at)| {
-                let mut level = Level::new(space, request, space.rung(*at));
-                (level.best(*cost, least), level.solved)
+            .map(|(cost, index)| {
+                let mut level = LevelSearch::new(space, request, space.level(*index));
+                (level.best(*cost, smallest), level.solved)
             })
             .collect();
-        for (tried, solved) in found {
+        for (candidate, solved) in results {
             answer.solved += solved;
-            answer.take(tried);
+            answer.add(candidate);
         }
     }
     answer
@@ -38,154 +38,156 @@ pub fn search(space: &dyn Space, request: &Request) -> Answer {
 
 impl Answer {
     /// The smallest `worst` so far.
-    fn least(&self) -> f64 {
+    fn smallest(&self) -> f64 {
         self.front.last().map_or(f64::INFINITY, |last| last.worst)
     }
 
-    /// Whether nothing of this cost is needed any more: the answer is there, and two that are clearly better.
-    fn suffices(&self, cost: u64) -> bool {
+    /// Whether no candidate of this cost is needed: there is an answer, and there are two clearly better alternatives, or
+    /// the cost is too high for one.
+    fn is_complete(&self, cost: u64) -> bool {
         let Some(chosen) = self.chosen() else {
             return false;
         };
-        let twice = self.better(chosen).and_then(|first| self.better(first));
-        twice.is_some() || cost > BEYOND * self.front[chosen].cost
+        let second = self.better(chosen).and_then(|first| self.better(first));
+        second.is_some() || cost > BEYOND * self.front[chosen].cost
     }
 
-    /// Adds one that is not cheaper than the others, if it is better.
-    fn take(&mut self, tried: Option<Tried>) {
-        if let Some(tried) = tried.filter(|tried| tried.worst < self.least()) {
-            self.front.pop_if(|last| last.cost == tried.cost);
-            self.front.push(tried);
+    /// Adds a candidate that is not cheaper than the others, if it is better.
+    fn add(&mut self, candidate: Option<Candidate>) {
+        if let Some(candidate) = candidate.filter(|c| c.worst < self.smallest()) {
+            self.front.pop_if(|last| last.cost == candidate.cost);
+            self.front.push(candidate);
         }
     }
 }
 
-/// What is known of a case.
+/// The errors of a solved case.
 #[derive(Debug, Clone)]
-struct Judged {
-    misses: Vec<f64>,
-    /// The largest miss over its limit; infinite where the case has no solution or gains too much energy.
+struct CaseErrors {
+    errors: Vec<f64>,
+    /// The largest quotient of error and limit; infinite if the case has no solution or gains too much energy.
     worst: f64,
-    /// A gain of energy that a larger loss may hide.
-    hidden: bool,
+    /// Whether a gain of energy is unknown, because a loss is larger.
+    gain_unknown: bool,
 }
 
-/// A rung being searched.
-struct Level<'a> {
-    space: &'a dyn Space,
+/// The search of a level.
+struct LevelSearch<'a> {
+    space: &'a dyn SearchSpace,
     request: &'a Request,
-    rung: Rung,
-    judged: Vec<Option<Judged>>,
+    level: CostLevel,
+    /// By case; `None` before it is solved.
+    errors: Vec<Option<CaseErrors>>,
     solved: u64,
 }
 
-impl<'a> Level<'a> {
-    fn new(space: &'a dyn Space, request: &'a Request, rung: Rung) -> Level<'a> {
-        Level {
+impl<'a> LevelSearch<'a> {
+    fn new(space: &'a dyn SearchSpace, request: &'a Request, level: CostLevel) -> LevelSearch<'a> {
+        LevelSearch {
             space,
             request,
-            judged: vec![None; rung.cases.len()],
-            rung,
+            errors: vec![None; level.cases.len()],
+            level,
             solved: 0,
         }
     }
 
-    /// The best candidate that is better than `least`. Neighbours are solved only of those that still can be.
-    fn best(&mut self, cost: u64, least: f64) -> Option<Tried> {
+    /// The best candidate whose `worst` is below `limit`. A neighbour is solved only if its candidate can still be below.
+    fn best(&mut self, cost: u64, limit: f64) -> Option<Candidate> {
         let mut cases = Cases::new(self.space.problem().schema());
-        for case in &self.rung.cases {
+        for case in &self.level.cases {
             cases.push(case);
         }
-        let mut alive: Vec<usize> = (0..self.rung.candidates.len()).collect();
-        let rounds = self.rung.candidates.iter().map(Vec::len).max();
+        let mut open: Vec<usize> = (0..self.level.candidates.len()).collect();
+        let rounds = self.level.candidates.iter().map(Vec::len).max();
         for round in 0..rounds.unwrap_or(0) {
-            self.solve(&cases, &alive, round);
-            alive.retain(|at| self.worst(*at) < least);
+            self.solve(&cases, &open, round);
+            open.retain(|at| self.worst(*at) < limit);
         }
-        alive.sort_by(|a, b| self.worst(*a).total_cmp(&self.worst(*b)));
-        let at = alive.into_iter().find(|at| self.keeps_energy(*at))?;
-        let tried = &self.rung.candidates[at];
-        let miss = |target: usize| {
-            let judged = tried.iter().filter_map(|case| self.judged[*case].as_ref());
-            judged.map(|j| j.misses[target]).fold(0.0, f64::max)
+        open.sort_by(|a, b| self.worst(*a).total_cmp(&self.worst(*b)));
+        let at = open.into_iter().find(|at| self.keeps_energy(*at))?;
+        let cases = &self.level.candidates[at];
+        let largest = |target: usize| {
+            let errors = cases.iter().filter_map(|case| self.errors[*case].as_ref());
+            errors.map(|e| e.errors[target]).fold(0.0, f64::max)
         };
-        Some(Tried {
-            cases: tried.iter().map(|i| self.rung.cases[*i].clone()).collect(),
+        Some(Candidate {
+            cases: cases.iter().map(|i| self.level.cases[*i].clone()).collect(),
             cost,
-            misses: (0..self.request.targets.len()).map(miss).collect(),
+            errors: (0..self.request.targets.len()).map(largest).collect(),
             worst: self.worst(at),
         })
     }
 
-    /// Solves neighbour `round` of candidates, as far as that is still to be done.
+    /// Solves neighbour `round` of these candidates, unless it is solved.
     fn solve(&mut self, cases: &Cases, candidates: &[usize], round: usize) {
         let cells = candidates
             .iter()
-            .filter_map(|at| self.rung.candidates[*at].get(round));
-        let open = cells.filter(|case| self.judged[**case].is_none());
-        let mut rows: Vec<u32> = open.map(|case| *case as u32).collect();
+            .filter_map(|at| self.level.candidates[*at].get(round));
+        let unsolved = cells.filter(|case| self.errors[**case].is_none());
+        let mut rows: Vec<u32> = unsolved.map(|case| *case as u32).collect();
         rows.sort_unstable();
         rows.dedup();
-        let found = self.space.problem().sweep(cases, &rows);
+        let table = self.space.problem().sweep(cases, &rows);
         for (place, row) in rows.iter().enumerate() {
-            let metrics: Vec<Option<f64>> = found.row(place).collect();
-            self.judged[*row as usize] = Some(self.judge(&metrics));
+            let metrics: Vec<Option<f64>> = table.row(place).collect();
+            self.errors[*row as usize] = Some(self.errors_of(&metrics));
         }
         self.solved += rows.len() as u64;
     }
 
-    fn judge(&self, metrics: &[Option<f64>]) -> Judged {
+    fn errors_of(&self, metrics: &[Option<f64>]) -> CaseErrors {
         let targets = &self.request.targets;
-        let misses: Vec<f64> = targets.iter().map(|t| t.miss(metrics)).collect();
-        let over = misses.iter().zip(targets).map(|(m, t)| m / t.limit);
-        let mut judged = Judged {
-            worst: over.fold(0.0, f64::max),
-            misses,
-            hidden: false,
+        let errors: Vec<f64> = targets.iter().map(|t| t.error(metrics)).collect();
+        let quotients = errors.iter().zip(targets).map(|(e, t)| e / t.limit);
+        let mut case = CaseErrors {
+            worst: quotients.fold(0.0, f64::max),
+            errors,
+            gain_unknown: false,
         };
         if let (Some(limit), Some(rows)) = (self.request.energy_gain, self.space.energy_drifts()) {
             match rows.map(|row| metrics.get(row).copied().flatten()) {
                 [Some(largest), Some(last)] if largest <= limit && last <= limit => {
-                    judged.hidden = largest < -limit;
+                    case.gain_unknown = largest < -limit;
                 }
-                _ => judged.worst = f64::INFINITY,
+                [_, _] => case.worst = f64::INFINITY,
             }
         }
-        judged
+        case
     }
 
-    /// The largest miss over its limit of a candidate and its neighbours, as far as they are solved.
+    /// The largest quotient of error and limit of a candidate and its neighbours, of those that are solved.
     fn worst(&self, candidate: usize) -> f64 {
-        let tried = self.rung.candidates[candidate].iter();
-        let judged = tried.filter_map(|case| self.judged[*case].as_ref());
-        judged.map(|j| j.worst).fold(0.0, f64::max)
+        let cases = self.level.candidates[candidate].iter();
+        let errors = cases.filter_map(|case| self.errors[*case].as_ref());
+        errors.map(|e| e.worst).fold(0.0, f64::max)
     }
 
-    /// Whether neither a candidate nor a neighbour gains more energy than allowed on the way to a larger loss.
+    /// Whether neither a candidate nor a neighbour gains too much energy at any step. It solves cases with unknown gains.
     fn keeps_energy(&mut self, candidate: usize) -> bool {
-        let tried = self.rung.candidates[candidate].clone();
-        tried.into_iter().all(|case| {
-            let hidden = |judged: &Judged| judged.hidden;
-            if !self.judged[case].as_ref().is_some_and(hidden) {
+        let cases = self.level.candidates[candidate].clone();
+        cases.into_iter().all(|case| {
+            let unknown = |errors: &CaseErrors| errors.gain_unknown;
+            if !self.errors[case].as_ref().is_some_and(unknown) {
                 return true;
             }
             self.solved += 1;
-            let within = self.gain(&self.rung.cases[case]) <= self.request.energy_gain;
-            if let Some(judged) = &mut self.judged[case] {
-                judged.hidden = false;
+            let within = self.gain(&self.level.cases[case]) <= self.request.energy_gain;
+            if let Some(errors) = &mut self.errors[case] {
+                errors.gain_unknown = false;
                 if !within {
-                    judged.worst = f64::INFINITY;
+                    errors.worst = f64::INFINITY;
                 }
             }
             within
         }) && self.worst(candidate).is_finite()
     }
 
-    /// The gain of energy of a case by itself.
+    /// The gain of energy of a case.
     fn gain(&self, case: &Case) -> Option<f64> {
         let solution = self.space.problem().solve(case, &[]);
         let gain = solution.map(|s| self.space.energy_gain(case, &s.computed));
-        // Without a solution: more than any limit.
+        // A case without a solution exceeds every limit.
         gain.unwrap_or(Some(f64::INFINITY))
     }
 }

@@ -1,21 +1,20 @@
 //! The checks of a study on the page.
 
-use super::text::escape;
-use super::verdict;
+use super::text::{escape, verdict};
 use crate::batch::Outcome;
 use crate::checks::{self, Verdict};
 use crate::study::Study;
 use std::io::{self, Write};
 
-/// Most checks that the page lists.
+/// Largest number of checks that the page lists.
 const MOST: usize = 1000;
 
-/// Checks as they are judged: all of few, of many those that are not met.
+/// The checks so far: all of them if they are few, else those that are not met.
 #[derive(Debug, Default)]
 pub struct Checks {
     total: u64,
     met: u64,
-    /// With its place in the file.
+    /// Each with the place of its check in the file.
     listed: Vec<(usize, Verdict)>,
 }
 
@@ -41,7 +40,7 @@ impl Checks {
         }
     }
 
-    /// Which are listed, where not all are.
+    /// A sentence about the list if it does not have all checks.
     fn limit(&self) -> Option<String> {
         let failed = self.total - self.met;
         match (self.total <= MOST as u64, failed) {
@@ -55,7 +54,7 @@ impl Checks {
         }
     }
 
-    /// Writes how many are met, and the list.
+    /// Writes how many checks are met, and the list.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         if self.total == 0 {
             return Ok(());
@@ -119,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn few_are_listed_and_of_many_those_that_are_not_met() {
+    fn a_long_list_has_only_checks_that_are_not_met() {
         let few = page(&checks(1000, |case| case != 7));
         assert!(few.contains("Checks: 999 of 1000 met") && !few.contains("<p>"));
         assert_eq!(few.matches("<tr><td>").count(), 1000);

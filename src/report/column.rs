@@ -1,27 +1,27 @@
-//! A column of numbers, as small as it can be kept without loss: one value for all rows, places in a list of the values
-//! that occur, or the doubles themselves.
+//! A lossless compressed column of numbers: one value for all rows, indices into a list of the values, or doubles.
 
 use crate::figures::base64;
 use std::collections::HashMap;
 use std::io::{self, Write};
 
-/// Most values of a list.
+/// Largest number of values in a list.
 const MOST_LISTED: usize = 1 << 14;
 
-/// Rows of a block. A multiple of 3: the text of a block ends without padding, so that the page can read it alone.
+/// Rows of a block. It is a multiple of 3: the text of a block ends without padding, so that the page can decode each block.
 const BLOCK: usize = 6144;
 
-/// The numbers of a column; NaN where one is undefined.
+/// The numbers of a column; NaN if one is undefined.
 #[derive(Debug)]
 pub struct Column {
     len: usize,
-    /// In order of appearance; empty where they are too many.
+    /// The list of values in order of appearance; empty if there are too many.
     values: Vec<f64>,
-    places: HashMap<u64, u16>,
-    /// For each row the place of its value; empty while there is one value.
+    /// Index in the list by the bits of a value.
+    indices: HashMap<u64, u16>,
+    /// The index of each row; empty while there is one value.
     codes: Vec<u16>,
-    /// All rows, where the values are too many for a list.
-    plain: Vec<f64>,
+    /// All rows, if there are too many values for a list.
+    doubles: Vec<f64>,
 }
 
 impl Column {
@@ -30,80 +30,80 @@ impl Column {
         Column {
             len: 0,
             values: Vec::new(),
-            places: HashMap::new(),
+            indices: HashMap::new(),
             codes: Vec::new(),
-            plain: Vec::new(),
+            doubles: Vec::new(),
         }
     }
 
     /// Adds a row.
     pub fn push(&mut self, x: f64) {
-        if !self.plain.is_empty() {
-            self.plain.push(x);
-        } else if let Some(place) = self.place(x) {
+        if !self.doubles.is_empty() {
+            self.doubles.push(x);
+        } else if let Some(index) = self.index(x) {
             if self.values.len() > 1 {
-                // Rows before the second value have the first.
+                // All rows before the second value have the first one.
                 self.codes.resize(self.len, 0);
-                self.codes.push(place);
+                self.codes.push(index);
             }
         } else {
-            self.plain = (0..self.len).map(|row| self.at(row)).collect();
-            self.plain.push(x);
-            (self.values, self.places, self.codes) = Default::default();
+            self.doubles = (0..self.len).map(|row| self.at(row)).collect();
+            self.doubles.push(x);
+            (self.values, self.indices, self.codes) = Default::default();
         }
         self.len += 1;
     }
 
-    /// The place of a value in the list, which takes it up if it has room.
-    fn place(&mut self, x: f64) -> Option<u16> {
+    /// The index of a value in the list, which is extended if it is not full.
+    fn index(&mut self, x: f64) -> Option<u16> {
         let next = u16::try_from(self.values.len()).ok()?;
-        if let Some(place) = self.places.get(&x.to_bits()) {
-            return Some(*place);
+        if let Some(index) = self.indices.get(&x.to_bits()) {
+            return Some(*index);
         }
         if self.values.len() >= MOST_LISTED {
             return None;
         }
-        self.places.insert(x.to_bits(), next);
+        self.indices.insert(x.to_bits(), next);
         self.values.push(x);
         Some(next)
     }
 
     /// The number in a row.
     pub fn at(&self, row: usize) -> f64 {
-        match self.plain.get(row) {
+        match self.doubles.get(row) {
             Some(x) => *x,
-            None => self.values[self.codes.get(row).map_or(0, |place| usize::from(*place))],
+            None => self.values[self.codes.get(row).map_or(0, |index| usize::from(*index))],
         }
     }
 
-    /// Forgets all rows but the first `len`.
+    /// Removes all rows except the first `len`.
     pub fn truncate(&mut self, len: usize) {
-        let mut kept = Column::new();
-        (0..self.len.min(len)).for_each(|row| kept.push(self.at(row)));
-        *self = kept;
+        let mut first = Column::new();
+        (0..self.len.min(len)).for_each(|row| first.push(self.at(row)));
+        *self = first;
     }
 
-    /// Bytes that a row takes on the page: 8 for a double, 2 or 1 for a place, 0 where all rows have one value.
+    /// Bytes of a row on the page: 8 for a double, 2 or 1 for an index, 0 if all rows have one value.
     pub fn width(&self) -> usize {
         let listed = match self.values.len() {
-            _ if !self.plain.is_empty() => return 8,
+            _ if !self.doubles.is_empty() => return 8,
             0 | 1 => 0,
             2..=256 => 1,
             _ => 2,
         };
-        // A list as long as the column saves nothing.
+        // A list as long as the column makes it no smaller.
         let smaller = listed * self.len + 8 * self.values.len() < 8 * self.len;
         if listed == 0 || smaller { listed } else { 8 }
     }
 
-    /// Bytes that the column takes on the page, before they are written as text.
+    /// Bytes of the column on the page, before they are encoded as text.
     pub fn bytes(&self) -> usize {
         let width = self.width();
         let list = if width < 8 { self.values.len() } else { 0 };
         width * self.len + 8 * list
     }
 
-    /// The list of values as base64 of little-endian doubles; empty where the rows are doubles.
+    /// The list of values as base64 of little-endian doubles; empty if the rows are doubles.
     pub fn list(&self) -> String {
         let values = if self.width() < 8 {
             &self.values[..]
@@ -125,7 +125,7 @@ impl Column {
             for row in from..(from + BLOCK).min(self.len) {
                 match width {
                     8 => bytes.extend(self.at(row).to_le_bytes()),
-                    // A place of one byte is the first of two, little-endian.
+                    // An index of one byte is the first of two, little-endian.
                     _ => bytes.extend(&self.codes[row].to_le_bytes()[..width]),
                 }
             }
@@ -146,17 +146,17 @@ mod tests {
     }
 
     #[test]
-    fn every_form_keeps_every_bit() {
+    fn every_encoding_keeps_every_bit() {
         let most = MOST_LISTED as u64;
-        // One value; two signs of zero; undefined ones; 257 values; as many as a list holds, and one more.
-        let forms: [(u64, u64, usize); 5] = [
+        // Numbers of values: one; a byte full; one more; a list full; one more. Zeros of both signs and NaN are among them.
+        let encodings: [(u64, u64, usize); 5] = [
             (1, 70_000, 0),
             (256, 70_000, 1),
             (257, 70_000, 2),
             (most, 70_000, 2),
             (most + 1, 70_000, 8),
         ];
-        for (distinct, rows, width) in forms {
+        for (distinct, rows, width) in encodings {
             let value = |row: u64| match row * 7919 % distinct {
                 1 => f64::NAN,
                 2 => 0.0,
@@ -171,14 +171,14 @@ mod tests {
     }
 
     #[test]
-    fn a_list_that_saves_nothing_is_not_written() {
+    fn a_list_is_not_written_if_doubles_are_smaller() {
         let column = column((0..100).map(f64::from));
         assert_eq!((column.width(), column.bytes()), (8, 800));
         assert_eq!(column.list(), "");
     }
 
     #[test]
-    fn what_is_forgotten_leaves_the_first_rows() {
+    fn a_shortened_column_has_its_first_rows() {
         let mut column = column((0..20_000).map(|i| f64::from(i) / 3.0));
         column.truncate(1000);
         assert_eq!(column.bytes(), 8000);

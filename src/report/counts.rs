@@ -1,36 +1,36 @@
-//! How many cases have no results, or no contact to measure.
+//! Numbers of cases without a solution or without contact.
 
 use super::text::escape;
 use crate::batch::Outcome;
+use crate::solve::Unsolvable;
 use crate::study::Study;
 use std::io::{self, Write};
 
-/// Metrics that are undefined only where bars never touch.
-const OF_CONTACT: [&str; 3] = ["max_overlap", "peak_force", "restitution"];
-
-/// Cases, counted as they come.
+/// The numbers of cases so far.
 #[derive(Debug)]
 pub struct Counts {
     cases: u64,
     unsolved: u64,
-    /// Why the first of those could not be solved, with its number.
-    first: Option<(u64, String)>,
-    untouched: u64,
-    /// Place of a metric of contact, if the study has one.
-    contact: Option<usize>,
+    /// The first case that could not be solved, and why.
+    first_unsolved: Option<(u64, Unsolvable)>,
+    without_contact: u64,
+    /// Row of the metric that is undefined only in cases without contact, if the problem has one.
+    contact_metric: Option<usize>,
+    /// Name of the parameter that is the duration.
+    duration: String,
 }
 
 impl Counts {
     /// No case yet.
     pub fn new(study: &Study) -> Counts {
-        let name = |place: usize| &study.problem.metrics()[place].name;
-        let place = |wanted: &str| study.metrics.iter().copied().find(|m| name(*m) == wanted);
+        let schema = study.problem.schema();
         Counts {
             cases: 0,
             unsolved: 0,
-            first: None,
-            untouched: 0,
-            contact: OF_CONTACT.iter().find_map(|wanted| place(wanted)),
+            first_unsolved: None,
+            without_contact: 0,
+            contact_metric: schema.contact_metric,
+            duration: schema.parameters[schema.duration].name.to_string(),
         }
     }
 
@@ -39,28 +39,34 @@ impl Counts {
         self.cases += 1;
         if let Some(why) = &outcome.failure {
             self.unsolved += 1;
-            self.first.get_or_insert_with(|| (number, why.clone()));
-        } else if self.contact.is_some_and(|m| outcome.metrics[m].is_none()) {
-            self.untouched += 1;
+            self.first_unsolved
+                .get_or_insert_with(|| (number, why.clone()));
+        } else if self
+            .contact_metric
+            .is_some_and(|row| outcome.metrics[row].is_none())
+        {
+            self.without_contact += 1;
         }
     }
 
-    /// Writes what there is to say.
+    /// Writes the numbers that are not 0.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        if self.untouched > 0 {
+        if self.without_contact > 0 {
             writeln!(
                 out,
-                "<p>{} of {} cases have no contact before <code>duration</code>; their contact metrics are undefined.</p>",
-                self.untouched, self.cases
+                "<p>{} of {} cases have no contact before <code>{}</code>; their contact metrics are undefined.</p>",
+                self.without_contact,
+                self.cases,
+                escape(&self.duration)
             )?;
         }
-        if let Some((number, why)) = &self.first {
+        if let Some((number, why)) = &self.first_unsolved {
             writeln!(
                 out,
                 "<p>{} of {} cases could not be solved; case {number}: {}.</p>",
                 self.unsolved,
                 self.cases,
-                escape(why)
+                escape(&why.to_string())
             )?;
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! A figure on the page: as lines where they are few, as pixels where they are many.
+//! A figure on the page: SVG if it is small, else PNG.
 
 use super::text::{escape, printable};
 use crate::error::Error;
@@ -9,28 +9,27 @@ use crate::figures::{self, DrawnCase};
 use crate::study::{Figure, Study};
 use std::io::{self, Write};
 
-/// Most bytes of the lines of a figure; tens of thousands of points take more.
+/// Largest SVG in bytes; a figure with tens of thousands of points is larger.
 const MOST_BYTES: usize = 2 << 20;
 
-/// A figure, drawn.
+/// A drawn figure.
 #[derive(Debug)]
 pub struct Drawing {
     caption: String,
-    /// What it shows, for readers that cannot see it.
+    /// Alternative text.
     description: String,
     picture: Picture,
 }
 
 #[derive(Debug)]
 enum Picture {
-    /// SVG with points that say what they are.
-    Lines(String),
-    /// PNG.
-    Pixels(Vec<u8>),
+    /// With the values of points under the pointer.
+    Svg(String),
+    Png(Vec<u8>),
 }
 
 impl Drawing {
-    /// Draws a figure over its cases; `prefix` keeps its names apart from those of other figures.
+    /// Draws a figure of its cases. `prefix` distinguishes its identifiers from those of other figures.
     ///
     /// # Errors
     /// Those of drawing.
@@ -44,14 +43,14 @@ impl Drawing {
         let svg = figures::svg(&sheet, style::DPI)?;
         let picture = if svg.len() <= MOST_BYTES {
             let svg = figures::with_hover(study, figure, cases, &sheet, &svg, prefix);
-            Picture::Lines(svg)
+            Picture::Svg(svg)
         } else {
-            Picture::Pixels(figures::png(&sheet, style::DPI)?)
+            Picture::Png(figures::png(&sheet, style::DPI)?)
         };
-        Ok(Drawing::of(figure, &sheet, picture))
+        Ok(Drawing::with_texts(figure, &sheet, picture))
     }
 
-    fn of(figure: &Figure, sheet: &Sheet, picture: Picture) -> Drawing {
+    fn with_texts(figure: &Figure, sheet: &Sheet, picture: Picture) -> Drawing {
         let caption = match figure.title {
             Some(_) => sheet.title.clone(),
             None => figure.name.clone(),
@@ -67,12 +66,12 @@ impl Drawing {
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let caption = escape(&self.caption);
         match &self.picture {
-            Picture::Lines(svg) => write!(
+            Picture::Svg(svg) => write!(
                 out,
                 "<figure>\n{}<figcaption>{caption}</figcaption>\n</figure>\n",
                 printable(svg)
             ),
-            Picture::Pixels(png) => write!(
+            Picture::Png(png) => write!(
                 out,
                 "<figure>\n<img alt=\"{}\" src=\"data:image/png;base64,{}\">\
                  <figcaption>{caption} (too many points to show their values)</figcaption>\n</figure>\n",

@@ -1,16 +1,16 @@
-//! Sobol' indices on the page: the table of sobol.csv, in few digits.
+//! Sobol' indices on the page: the table of sobol.csv, rounded.
 
 use super::text::escape;
 use std::io::{self, Write};
 
-/// The tables of a study's saltelli designs.
+/// The indices of the saltelli designs of a study.
 #[derive(Debug, Default)]
 pub struct Indices {
     rows: Vec<csv::StringRecord>,
 }
 
 impl Indices {
-    /// From sobol.csv; no rows where there is none.
+    /// From the content of sobol.csv, or from nothing.
     pub fn new(table: &[u8]) -> Indices {
         let mut reader = csv::Reader::from_reader(table);
         Indices {
@@ -47,7 +47,7 @@ impl Indices {
     }
 }
 
-/// An index and its interval, which stand in three columns from `column` on; nothing where the cells are empty.
+/// An index and its interval, in three columns from `column` on; nothing if the cells are empty.
 fn index(row: &csv::StringRecord, column: usize) -> String {
     let number = |place: usize| row.get(column + place)?.parse::<f64>().ok();
     match (number(0), number(1), number(2)) {

@@ -1,5 +1,5 @@
-//! One page about studies that needs nothing beside it: figures, tables to sort and filter, checks, claims, and the
-//! studies as given.
+//! One page about studies that needs no other file: figures, tables to sort and filter, checks, claims, and the text of the
+//! studies.
 
 mod checks;
 mod column;
@@ -19,11 +19,11 @@ use crate::batch::key::SOLVER_VERSION;
 use crate::problem::Problem;
 use crate::study::Study;
 use std::io::{self, Write};
-use text::escape;
+use text::{escape, verdict};
 
 const STYLE: &str = include_str!("report.css");
 
-/// In the order in which they use one another.
+/// In the order of their dependencies.
 const SCRIPTS: [&str; 4] = [
     include_str!("columns.js"),
     include_str!("filter.js"),
@@ -31,7 +31,7 @@ const SCRIPTS: [&str; 4] = [
     include_str!("report.js"),
 ];
 
-/// What the page says of one study.
+/// The part of the page about one study.
 pub struct Section<'a> {
     /// Its name, as in `claims/impact-once`.
     pub name: &'a str,
@@ -45,26 +45,26 @@ pub struct Section<'a> {
     pub figures: Vec<Drawing>,
     /// Its cases.
     pub results: Results<'a>,
-    /// How many of them have no results.
+    /// Numbers of cases without results.
     pub counts: Counts,
     /// The indices of its saltelli designs.
     pub indices: Indices,
     /// Its checks.
     pub checks: Checks,
-    /// The claims that it settles.
-    pub claims: Vec<Settled>,
+    /// The readings that it tests.
+    pub claims: Vec<TestedReading>,
 }
 
-/// A reading of a claim that a study settles.
-pub struct Settled {
+/// A reading of a claim, tested by a study.
+pub struct TestedReading {
     /// The claim's short name.
     pub id: String,
-    /// The sentence.
-    pub says: String,
-    /// What is assumed.
+    /// The statement of the paper.
+    pub statement: String,
+    /// The name of the reading.
     pub reading: String,
-    /// What was found.
-    pub found: String,
+    /// The values that were computed.
+    pub computed: String,
     /// Whether it holds.
     pub holds: bool,
 }
@@ -95,7 +95,7 @@ pub fn write(out: &mut impl Write, sections: &[Section]) -> io::Result<()> {
     }
     out.write_all(b"</ul></nav>\n<main>\n")?;
     for (i, section) in sections.iter().enumerate() {
-        one(out, i, section)?;
+        write_section(out, i, section)?;
     }
     let scripts = SCRIPTS.concat();
     write!(
@@ -111,7 +111,7 @@ fn title<'a>(section: &'a Section) -> &'a str {
     }
 }
 
-fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
+fn write_section(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
     let study = section.study;
     write!(
         out,
@@ -123,14 +123,14 @@ fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
         section.results.cases(),
         study.sha256,
     )?;
-    scales(out, &*study.problem)?;
+    write_scales(out, &*study.problem)?;
     section.counts.write(out)?;
     for figure in &section.figures {
         figure.write(out)?;
     }
     section.indices.write(out)?;
     section.checks.write(out)?;
-    claims(out, &section.claims)?;
+    write_claims(out, &section.claims)?;
     section.results.write(out)?;
     write!(
         out,
@@ -139,8 +139,8 @@ fn one(out: &mut impl Write, i: usize, section: &Section) -> io::Result<()> {
     )
 }
 
-/// The scales in which numbers and axes are given.
-fn scales(out: &mut impl Write, problem: &dyn Problem) -> io::Result<()> {
+/// The scales of numbers and axes.
+fn write_scales(out: &mut impl Write, problem: &dyn Problem) -> io::Result<()> {
     out.write_all(b"<dl class=\"scales\">\n")?;
     for [symbol, meaning] in problem.schema().scales.iter() {
         writeln!(
@@ -153,7 +153,7 @@ fn scales(out: &mut impl Write, problem: &dyn Problem) -> io::Result<()> {
     out.write_all(b"</dl>\n")
 }
 
-fn claims(out: &mut impl Write, claims: &[Settled]) -> io::Result<()> {
+fn write_claims(out: &mut impl Write, claims: &[TestedReading]) -> io::Result<()> {
     if claims.is_empty() {
         return Ok(());
     }
@@ -164,7 +164,7 @@ fn claims(out: &mut impl Write, claims: &[Settled]) -> io::Result<()> {
     )?;
     for claim in claims {
         let (class, word) = verdict(claim.holds, "holds", "fails");
-        let cells = [&claim.id, &claim.says, &claim.reading, &claim.found];
+        let cells = [&claim.id, &claim.statement, &claim.reading, &claim.computed];
         let cells: String = cells
             .iter()
             .map(|cell| {
@@ -180,9 +180,4 @@ fn claims(out: &mut impl Write, claims: &[Settled]) -> io::Result<()> {
         )?;
     }
     out.write_all(b"</tbody></table></div>\n")
-}
-
-/// Class and word of a verdict: the word carries it, not the colour alone.
-fn verdict(holds: bool, yes: &'static str, no: &'static str) -> (&'static str, &'static str) {
-    if holds { ("holds", yes) } else { ("fails", no) }
 }

@@ -1,4 +1,4 @@
-//! The table of results, as columns that the script of the page draws, sorts and filters.
+//! The table of results, as columns that the script of the page shows, sorts and filters.
 
 use super::column::Column;
 use super::text::{escape, printable};
@@ -9,34 +9,34 @@ use serde_json::{Value as Json, json};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Bytes that the results of a page take before they are written as text, which takes a third more: half a million cases
-/// with ten metrics.
+/// Largest size of the results of a page in bytes, before they are encoded as text, which is a third longer: half a million
+/// cases with ten metrics.
 pub const MOST_BYTES: usize = 40 << 20;
 
-/// Most rows of a table that browsers sort in a few seconds.
+/// Largest number of rows of a table; browsers sort as many in a few seconds.
 const MOST_ROWS: u64 = 1_000_000;
 
-/// Rows of a table that is too large for the page.
-const FIRST: u64 = 1000;
+/// Number of rows of a shortened table.
+const SHORTENED: u64 = 1000;
 
 /// The results of a study: every case, or the first of too many.
 #[derive(Debug)]
 pub struct Results<'a> {
     study: &'a Study,
-    /// Where all cases are kept.
+    /// The folder with all cases.
     store: PathBuf,
-    /// Parameters, then the study's metrics.
+    /// Parameters, then the metrics of the study.
     columns: Vec<Column>,
-    /// Of each column the first value, and whether another one followed.
+    /// The first value of each column, and whether a different one follows.
     varies: Vec<(f64, bool)>,
     cases: u64,
-    most: usize,
-    whole: bool,
+    largest: usize,
+    complete: bool,
 }
 
 impl<'a> Results<'a> {
-    /// No case yet; at most `most` bytes of a page.
-    pub fn new(study: &'a Study, store: PathBuf, most: usize) -> Results<'a> {
+    /// No case yet, and a limit of the size in bytes.
+    pub fn new(study: &'a Study, store: PathBuf, largest: usize) -> Results<'a> {
         let count = study.problem.parameters().len() + study.columns.len();
         Results {
             study,
@@ -44,8 +44,8 @@ impl<'a> Results<'a> {
             columns: (0..count).map(|_| Column::new()).collect(),
             varies: vec![(f64::NAN, false); count],
             cases: 0,
-            most,
-            whole: true,
+            largest,
+            complete: true,
         }
     }
 
@@ -58,27 +58,27 @@ impl<'a> Results<'a> {
             .columns
             .iter()
             .map(|m| outcome.metrics[*m].unwrap_or(f64::NAN));
-        let kept = self.whole || self.cases < FIRST;
+        let in_table = self.complete || self.cases < SHORTENED;
         let columns = self.columns.iter_mut().zip(&mut self.varies);
         for (x, (column, (first, varies))) in parameters.chain(metrics).zip(columns) {
             if self.cases == 0 {
                 *first = x;
             }
             *varies |= first.to_bits() != x.to_bits();
-            if kept {
+            if in_table {
                 column.push(x);
             }
         }
         self.cases += 1;
-        if self.whole && (self.cases > MOST_ROWS || self.bytes() > self.most) {
-            self.whole = false;
+        if self.complete && (self.cases > MOST_ROWS || self.bytes() > self.largest) {
+            self.complete = false;
             self.columns
                 .iter_mut()
-                .for_each(|column| column.truncate(FIRST as usize));
+                .for_each(|column| column.truncate(SHORTENED as usize));
         }
     }
 
-    /// Bytes that they take on the page, before they are written as text.
+    /// Size on the page in bytes, before the columns are encoded as text.
     pub fn bytes(&self) -> usize {
         self.columns.iter().map(Column::bytes).sum()
     }
@@ -91,7 +91,7 @@ impl<'a> Results<'a> {
     /// Writes the table and its data.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(b"<h3>Results</h3>\n")?;
-        if !self.whole {
+        if !self.complete {
             writeln!(out, "<p>{}.</p>", escape(&self.limit()))?;
         }
         out.write_all(
@@ -102,7 +102,7 @@ impl<'a> Results<'a> {
               <output aria-live=\"polite\"></output></div>\n\
               <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Results\"><table><thead><tr></tr></thead><tbody></tbody></table></div>\n",
         )?;
-        // A script ends at the first `</`, wherever it stands.
+        // A script element ends at the first `</`, also in a string.
         let head = self.head().to_string().replace('<', "\\u003c");
         writeln!(out, "<script type=\"application/json\">{head}</script>")?;
         for column in &self.columns {
@@ -113,17 +113,17 @@ impl<'a> Results<'a> {
         out.write_all(b"</div>\n")
     }
 
-    /// What the page holds where it does not hold all.
+    /// A sentence about a shortened table.
     fn limit(&self) -> String {
         format!(
             "This page has only the first {} of {} cases, so it cannot filter or sort; all cases are in {}",
-            self.cases.min(FIRST),
+            self.cases.min(SHORTENED),
             self.cases,
             printable(&self.store.display().to_string())
         )
     }
 
-    /// What the script has to know of the columns.
+    /// The description of the columns for the script.
     fn head(&self) -> Json {
         let problem = &self.study.problem;
         let parameters = problem.parameters().iter();
@@ -141,17 +141,17 @@ impl<'a> Results<'a> {
             })
         });
         let columns: Vec<Json> = columns.collect();
-        let rows = if self.whole {
+        let rows = if self.complete {
             self.cases
         } else {
-            self.cases.min(FIRST)
+            self.cases.min(SHORTENED)
         };
-        let limit = (!self.whole).then(|| self.limit());
+        let limit = (!self.complete).then(|| self.limit());
         json!({ "cases": self.cases, "rows": rows, "limit": limit, "columns": columns })
     }
 }
 
-/// The names that a parameter takes; none for numbers.
+/// The names of a choice; none for numbers.
 fn names(kind: Kind) -> Vec<&'static str> {
     match kind {
         Kind::Choice(choices) => choices.iter().map(|choice| choice.0).collect(),
@@ -159,7 +159,7 @@ fn names(kind: Kind) -> Vec<&'static str> {
     }
 }
 
-/// A value as a number: of a name, its place in [`names`]; NaN where the parameter does not apply.
+/// A value as a number: the index in [`names`] of a name; NaN if the parameter does not apply.
 fn number(kind: Kind, value: Option<Value>) -> f64 {
     match value {
         Some(Value::Name(name)) => {

@@ -1,4 +1,4 @@
-//! Text of a user on its way into the page.
+//! Texts of the page: escaped text of a user, and verdicts.
 
 /// The text as HTML, in elements and in quoted attributes.
 pub fn escape(text: &str) -> String {
@@ -9,12 +9,12 @@ pub fn escape(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// The text with a visible sign for every character that no page may hold: control characters other than tabs and line
-/// ends, and code points that are no characters.
+/// The text with a visible sign for every character that HTML forbids: control characters other than tabs and line ends,
+/// and noncharacters.
 pub fn printable(text: &str) -> String {
     let shown = |c: char| match c {
         '\t' | '\n' => c,
-        // The pictures of control characters stand in Unicode in the same order.
+        // Unicode has pictures of control characters in the same order.
         '\0'..='\x1f' => {
             char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
         }
@@ -26,12 +26,17 @@ pub fn printable(text: &str) -> String {
     text.replace("\r\n", "\n").chars().map(shown).collect()
 }
 
+/// Class and word of a verdict. The word is needed because colour alone is not enough.
+pub fn verdict(holds: bool, yes: &'static str, no: &'static str) -> (&'static str, &'static str) {
+    if holds { ("holds", yes) } else { ("fails", no) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn nothing_that_html_forbids_is_left() {
+    fn no_character_that_html_forbids_remains() {
         let all: String = ('\0'..=char::MAX).collect();
         let left = printable(&all);
         assert_eq!(left.chars().count(), all.chars().count());
@@ -49,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn signs_show_what_they_replace() {
+    fn signs_show_the_replaced_characters() {
         assert_eq!(printable("a\0b\x1b[2J\r\nc\x7f"), "a␀b␛[2J\nc␡");
         assert_eq!(escape("\u{fffe}<\"&\x08>"), "\u{fffd}&lt;&quot;&amp;␈&gt;");
     }

@@ -1,18 +1,18 @@
-//! Friction studies and files that say something impossible: refused at their place, all at once, with nothing written.
+//! Friction studies and files with faults: all faults are reported at once with their places, and no file is written.
 
 use crate::{Bench, Done, ONE, TWO, friction};
 
-/// Runs a bad study with every verb that reads it. Each sign ¶ in the text marks the place of a fault, and is taken out
-/// first; each fault must be told there, and begin with what is expected, in this order.
+/// Runs a study with faults by every verb that reads it. Each sign ¶ in the text marks the place of a fault and is removed
+/// first. Each fault must be reported there, in order, and begin with the expected text.
 #[track_caller]
 pub(crate) fn refused(marked: &str, expected: &[&str]) {
     let mut expected = expected.iter();
-    let (mut text, mut told) = (String::new(), Vec::new());
+    let (mut text, mut lines) = (String::new(), Vec::new());
     for (i, part) in marked.split('¶').enumerate() {
         if i > 0 {
             let line = text.matches('\n').count() + 1;
             let column = text.rsplit('\n').next().unwrap().chars().count() + 1;
-            told.push(format!("{line}:{column}: {}", expected.next().unwrap()));
+            lines.push(format!("{line}:{column}: {}", expected.next().unwrap()));
         }
         text.push_str(part);
     }
@@ -20,10 +20,10 @@ pub(crate) fn refused(marked: &str, expected: &[&str]) {
         expected.next().is_none(),
         "{marked}: more faults than marks"
     );
-    refused_bytes(text.as_bytes(), &told);
+    refused_bytes(text.as_bytes(), &lines);
 }
 
-/// The same, with `LINE:COLUMN: ` before what is expected.
+/// The same, with `LINE:COLUMN: ` before the expected text.
 #[track_caller]
 fn refused_bytes(text: &[u8], expected: &[String]) {
     let bench = Bench::new();
@@ -159,7 +159,7 @@ fn a_step_longer_than_the_run() {
 }
 
 #[test]
-fn files_that_are_no_study() {
+fn files_that_are_not_studies() {
     refused("¶", &["the file is empty"]);
     refused("¶ \r\n", &["the file is empty"]);
     refused("¶[]", &["must be an object"]);
@@ -180,7 +180,7 @@ fn files_that_are_no_study() {
 }
 
 #[test]
-fn folders_and_files_that_are_not_there() {
+fn missing_folders_and_files() {
     let bench = Bench::new();
     bench.file("empty/readme.txt", "");
     let done = bench.expect(2, &["run", "empty"]);
@@ -194,7 +194,7 @@ fn folders_and_files_that_are_not_there() {
 }
 
 #[test]
-fn an_output_folder_that_cannot_be_written_is_said_before_anything_is_computed() {
+fn an_output_folder_that_cannot_be_written_is_reported_before_computing() {
     let bench = Bench::new();
     bench.file("studies/a.json", friction(ONE, ""));
     bench.file("studies/b.json", friction(ONE, ""));
@@ -207,7 +207,7 @@ fn an_output_folder_that_cannot_be_written_is_said_before_anything_is_computed()
     let done = bench.expect(1, &["run", "--out", "out"]);
     assert!(cannot(&done) && done.out.is_empty(), "{done:?}");
     assert!(!bench.path("out/a/results.csv").exists());
-    // Only the writing itself shows a folder where a file should be.
+    // A folder with the name of a file is detected only when the file is written.
     let done = bench.expect(1, &["run", "--out", "results"]);
     assert!(done.err.contains("slipgap: cannot write "), "{done:?}");
 }
@@ -230,7 +230,7 @@ fn figures_of_more_steps_than_fit_in_memory() {
 }
 
 #[test]
-fn a_name_that_leads_out_of_the_output_folder() {
+fn a_name_outside_the_output_folder() {
     let bench = Bench::new();
     bench.file("...json", friction(ONE, ""));
     bench.file("..json", friction(ONE, ""));
@@ -244,15 +244,15 @@ fn a_name_that_leads_out_of_the_output_folder() {
     assert_eq!(bench.tree("."), ["...json", "..json"]);
 }
 
-/// Whether a text has characters that command a terminal.
+/// Whether a text has control characters of a terminal.
 fn raw(text: &str) -> bool {
     text.chars().any(|c| c.is_control() && c != '\n')
 }
 
 #[test]
-fn a_file_without_end_is_refused() {
+fn an_endless_file_is_an_error() {
     let bench = Bench::new();
-    // 64 MiB are read of it.
+    // 64 MiB of it are read.
     if cfg!(unix) {
         let done = bench.expect(2, &["list", "/dev/zero"]);
         assert_eq!(
@@ -275,9 +275,9 @@ fn a_file_without_end_is_refused() {
 
 #[cfg(unix)]
 #[test]
-fn no_name_of_a_file_commands_the_terminal() {
+fn control_characters_in_file_names_are_escaped() {
     let bench = Bench::new();
-    for (name, told, character) in [
+    for (name, escaped, character) in [
         ("a\u{1b}[31mb.json", "a\\u{1b}[31mb.json", "U+001B"),
         ("a\nb.json", "a\\nb.json", "U+000A"),
         ("a\u{202e}b.json", "a\\u{202e}b.json", "U+202E"),
@@ -287,14 +287,14 @@ fn no_name_of_a_file_commands_the_terminal() {
             for verb in ["list", "run", "check"] {
                 let done = bench.expect(2, &[verb, asked]);
                 let what = format!(
-                    "slipgap: f/{told}: the name of a study cannot contain {character}; rename it\n"
+                    "slipgap: f/{escaped}: the name of a study cannot contain {character}; rename it\n"
                 );
                 assert_eq!(done.err, what);
             }
         }
         std::fs::remove_file(bench.path(&format!("f/{name}"))).unwrap();
     }
-    // Other names that are only repeated.
+    // Names in other messages.
     for words in [
         &["list", "no\u{1b}[2Jthing"][..],
         &["compare", "no\u{9b}2J", "there\u{7}"],
@@ -307,7 +307,7 @@ fn no_name_of_a_file_commands_the_terminal() {
 }
 
 #[test]
-fn long_titles_and_names_are_listed_whole() {
+fn long_titles_and_names_are_not_shortened() {
     let bench = Bench::new();
     let title = "x".repeat(70_000);
     let when = format!("\"1{}\"", " + 0".repeat(20_000));
@@ -328,7 +328,7 @@ fn long_titles_and_names_are_listed_whole() {
 }
 
 #[test]
-fn more_threads_than_any_machine_has_are_refused() {
+fn too_many_threads_are_an_error() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     for (jobs, code) in [("0", 2), ("1025", 2), ("65535", 2), ("3", 0)] {
@@ -341,7 +341,7 @@ fn a_million_million_combinations_are_explained() {
     let bench = Bench::new();
     let many = r#""law": "velocity-control", "beta": {"linspace": [1, 2, 1000000]}, "x0": {"linspace": [1, 2, 1000000]},
         "dT": 0.1, "duration": 9"#;
-    // The condition is known by beta alone: of 10^6 values those from the 500 000th on, counted from 0, are cases.
+    // The condition depends only on beta: of 10^6 values those from the 500 000th on, counted from 0, are cases.
     let when = ", \"when\": \"beta > 1.5\"";
     bench.file(
         "s.json",
@@ -353,7 +353,7 @@ fn a_million_million_combinations_are_explained() {
         "{done:?}"
     );
     bench.expect(2, &["explain", "s.json", "500000000000"]);
-    // What a figure would draw is not to be found out.
+    // The number of points of a figure cannot be determined.
     let figure = r#", "figures": [{"name": "f", "kind": "metric", "x": "beta", "y": "rms_error"}]"#;
     bench.file("s.json", friction(many, figure));
     let done = bench.expect(2, &["explain", "s.json"]);

@@ -1,4 +1,4 @@
-//! Bar impact studies that say something impossible.
+//! Bar impact studies with faults.
 
 use crate::bad_files::refused;
 use crate::{Bench, bars};
@@ -9,9 +9,9 @@ fn bad(parameters: &str, expected: &[&str]) {
     refused(&bars(parameters, ""), expected);
 }
 
-/// The same with what is required and is right.
+/// The same with valid values of the required parameters.
 #[track_caller]
-fn bad_beside(more: &str, expected: &[&str]) {
+fn bad_with_required(more: &str, expected: &[&str]) {
     bad(
         &format!("\"gamma\": 1, \"n\": 10, \"dt\": 0.1, \"duration\": 1.5, {more}"),
         expected,
@@ -59,28 +59,28 @@ fn times_and_gap() {
         r#""gamma": 1, "n": 10, "dt": ¶1.6, "duration": 1.5"#,
         &["parameters.dt: must be at most duration = 1.5, got 1.6"],
     );
-    bad_beside(
+    bad_with_required(
         "\"gap\": ¶-1e-9",
         &["parameters.gap: must be >= 0, got -1e-9"],
     );
 }
 
 #[test]
-fn bars_that_do_not_close() {
+fn bars_that_do_not_approach() {
     let left = "parameters.V0: the bars must close: V0 of the left bar (";
-    bad_beside("\"V0\": ¶-0.1", &[left]);
-    bad_beside("\"V0\": ¶0", &[left]);
-    bad_beside("\"V0\": ¶0, \"right\": \"wall\"", &[left]);
-    bad_beside("\"V0\": ¶1, \"right\": { \"V0\": 1 }", &[left]);
-    bad_beside(
+    bad_with_required("\"V0\": ¶-0.1", &[left]);
+    bad_with_required("\"V0\": ¶0", &[left]);
+    bad_with_required("\"V0\": ¶0, \"right\": \"wall\"", &[left]);
+    bad_with_required("\"V0\": ¶1, \"right\": { \"V0\": 1 }", &[left]);
+    bad_with_required(
         "\"V0\": [¶0.2, 0.4, ¶-3], \"right\": { \"V0\": 0.3 }",
         &[
             "parameters.V0[0]: the bars must close",
             "parameters.V0[2]: the bars must close",
         ],
     );
-    // Where the left bar has its usual velocity, the right one is at fault.
-    bad_beside(
+    // The left bar has its default velocity, so the fault is in the right bar.
+    bad_with_required(
         "\"right\": { \"V0\": ¶0.1 }",
         &[
             "parameters.right.V0: the bars must close: V0 of the left bar (0.1) must be greater than that of the right (0.1)",
@@ -90,17 +90,17 @@ fn bars_that_do_not_close() {
 
 #[test]
 fn mass_and_right_bar() {
-    bad_beside(
+    bad_with_required(
         "\"mass\": ¶\"lumpd\"",
         &[
             "parameters.mass: unknown mass \"lumpd\", did you mean \"lumped\"?; allowed: lumped, consistent",
         ],
     );
-    bad_beside(
+    bad_with_required(
         "\"right\": ¶\"wal\"",
         &["parameters.right: unknown right \"wal\", did you mean \"wall\"?"],
     );
-    bad_beside(
+    bad_with_required(
         "\"right\": { \"L\": ¶-1, \"n\": ¶0, \"m\": ¶1 }",
         &[
             "parameters.right.L: must be > 0, got -1",
@@ -111,7 +111,7 @@ fn mass_and_right_bar() {
 }
 
 #[test]
-fn cases_too_large_for_memory_are_refused_before_they_run() {
+fn cases_too_large_for_memory_are_faults() {
     bad(
         r#""gamma": 1, "n": 10, "dt": ¶1e-12, "duration": 1.5"#,
         &["parameters.dt: gives 1.500e12 steps, at most "],
@@ -126,7 +126,7 @@ fn cases_too_large_for_memory_are_refused_before_they_run() {
 
 #[test]
 fn numbers_beyond_double_precision() {
-    bad_beside(
+    bad_with_required(
         "\"V0\": ¶1e308",
         &["parameters.V0: the closing speed is outside the range of double precision"],
     );
@@ -141,7 +141,7 @@ fn numbers_beyond_double_precision() {
 }
 
 #[test]
-fn filters_name_the_right_bars_parameters_in_one_word() {
+fn filters_use_dotted_names_for_the_right_bar() {
     let lengths = r#""gamma": 1, "n": 10, "dt": 0.1, "duration": 1.5, "right": { "L": [10, 20] }"#;
     let check = r#", "checks": [{ "metric": "restitution", "max": 2, "where": { FILTER } }]"#;
     refused(

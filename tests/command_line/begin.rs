@@ -1,9 +1,9 @@
-//! `init` and `explain`: the first ten minutes.
+//! `init` and `explain`.
 
 use crate::Bench;
 
 #[test]
-fn a_study_to_begin_with_runs_as_it_stands_and_meets_its_checks() {
+fn a_study_of_init_runs_and_meets_its_checks() {
     let bench = Bench::new();
     for problem in ["friction-oscillator", "bar-impact"] {
         let name = format!("mine/{problem}");
@@ -19,7 +19,7 @@ fn a_study_to_begin_with_runs_as_it_stands_and_meets_its_checks() {
         bench.expect(0, &["check", &file]);
         bench.expect(0, &["run", &file]);
         assert!(bench.path("schema/study.json").is_file());
-        // What is there is not written over.
+        // An existing file is not replaced.
         let done = bench.expect(2, &["init", &name, "--problem", problem]);
         assert!(done.err.contains("exists already"), "{}", done.err);
         assert_eq!(bench.text(&file), text);
@@ -37,15 +37,15 @@ fn a_study_to_begin_with_runs_as_it_stands_and_meets_its_checks() {
 }
 
 #[test]
-fn a_case_is_explained_with_where_each_value_comes_from() {
+fn explain_shows_the_origin_of_each_value() {
     let bench = Bench::new();
     let study = r#"{"problem": "bar-impact", "parameters": {"gamma": [0.5, 1], "n": {"uniform": [2, 9]}, "dt": "0.1/n",
         "duration": 1.5, "gap": 0.2}, "design": {"kind": "sobol", "n": 4},
         "figures": [{"name": "one", "kind": "history", "where": {"gamma": 1}, "by": "n"}]}"#;
     bench.file("s.json", study);
-    let told = bench.expect(0, &["explain", "s.json", "5"]).out;
+    let output = bench.expect(0, &["explain", "s.json", "5"]).out;
     let row = |name: &str| -> Vec<&str> {
-        let mut lines = told
+        let mut lines = output
             .lines()
             .map(|line| line.split_whitespace().collect::<Vec<_>>());
         lines.find(|words| words.first() == Some(&name)).unwrap()
@@ -58,11 +58,11 @@ fn a_case_is_explained_with_where_each_value_comes_from() {
     assert_eq!(row("k_I")[3], "follows");
     let n: f64 = row("n")[1].parse().unwrap();
     let steps = (1.5 / (0.1 / n) * (1.0 + 1e-12)).floor();
-    assert!(told.contains(&format!(
+    assert!(output.contains(&format!(
         "steps: {steps}; steps x modes: {} of",
         steps * 2.0 * (n + 1.0)
     )));
-    assert!(told.contains("figures: one\n"), "{told}");
+    assert!(output.contains("figures: one\n"), "{output}");
     assert!(
         bench
             .expect(2, &["explain", "."])

@@ -1,4 +1,4 @@
-//! Checks that hold, that do not, and cases that cannot be solved.
+//! Checks that are met, checks that are not, and cases that cannot be solved.
 
 use crate::{Bench, TWO, friction, shipped};
 use std::fs;
@@ -14,7 +14,7 @@ fn the_shipped_studies_meet_their_checks() {
 }
 
 #[test]
-fn a_limit_tightened_is_not_met() {
+fn a_stricter_limit_is_not_met() {
     let bench = Bench::new();
     let fig5 = fs::read_to_string(format!("{}/friction-fig5.json", shipped())).unwrap();
     let tight = fig5.replace("\"max\": 0.02455", "\"max\": 0.02445");
@@ -36,7 +36,7 @@ fn a_limit_tightened_is_not_met() {
 #[test]
 fn a_metric_without_a_value_does_not_meet_its_check() {
     let bench = Bench::new();
-    // The run ends before the exact solution rests.
+    // The run ends before the exact solution is at rest.
     let short = TWO.replace("8*pi", "2*pi");
     let check = r#", "checks": [{ "metric": "rest_error", "max": 1e9 }]"#;
     bench.file("s.json", friction(&short, check));
@@ -50,7 +50,7 @@ fn a_metric_without_a_value_does_not_meet_its_check() {
 fn a_list_in_where_checks_every_case_with_one_of_its_values() {
     let bench = Bench::new();
     let three = TWO.replace("[0.1, 1]", "[0.1, 1, 5]");
-    // An error is >= 0, so that every case checked is not met.
+    // An error is >= 0, so that no check is met.
     let check = |values: &str| {
         let check =
             format!(r#"{{ "metric": "rms_error", "where": {{ "alpha": {values} }}, "max": -1 }}"#);

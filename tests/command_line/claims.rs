@@ -1,4 +1,4 @@
-//! `slipgap claims`: the ledger, its page, a verdict that has changed, and faults with their places.
+//! `slipgap claims`: the ledger, its page, changed verdicts, and faults with their places.
 
 use crate::Bench;
 
@@ -35,7 +35,7 @@ const FALLING: &str = r#"{ "metric": "rms_error", "along": "alpha", "trend": "fa
 const LEAST: &str = r#"{ "metric": "rms_error", "along": "alpha", "least_at": [0.05, 0.2] }"#;
 const WITHIN: &str =
     r#"{ "metric": "rms_error", "where": { "alpha": 0.1 }, "min": 0.024, "max": 0.025 }"#;
-/// The error rises with alpha, so that the least of two values is at the lower one.
+/// The error increases with alpha, so that the smallest of two values is at the smaller alpha.
 const TWO_OF_THREE: &str = r#"{ "metric": "rms_error", "where": { "alpha": [1, 5] }, "along": "alpha",
     "least_at": [0.9, 1.1] }"#;
 const UNDEFINED: &str = r#"{ "metric": "residual_motion", "max": 1 }"#;
@@ -85,7 +85,7 @@ fn one_reading_of_two_is_a_condition() {
 }
 
 #[test]
-fn an_undefined_value_does_not_hold() {
+fn a_reading_with_an_undefined_value_fails() {
     let short = STUDY.replace("8*pi", "2*pi");
     let bench = bench(&[
         ("studies/fig.json", &short),
@@ -95,8 +95,8 @@ fn an_undefined_value_does_not_hold() {
 }
 
 #[test]
-fn faults_have_their_place_and_nothing_is_written() {
-    for (from, to, told) in [
+fn faults_have_places_and_no_file_is_written() {
+    for (from, to, message) in [
         ("rms_error", "rms_eror", "did you mean \"rms_error\"?"),
         ("\"fig\"", "\"nofig\"", "no study"),
         ("\"history\"", "\"histry\"", "unknown figure"),
@@ -117,7 +117,7 @@ fn faults_have_their_place_and_nothing_is_written() {
         let bench = bench(&[("studies/fig.json", STUDY), ("claims/a.json", &text)]);
         let done = bench.run(&["claims"]);
         assert_eq!(done.code, Some(2), "{to}: {}", done.err);
-        assert!(done.err.contains(told), "{to}: {}", done.err);
+        assert!(done.err.contains(message), "{to}: {}", done.err);
         assert!(done.err.contains("claims/a.json:"), "{}", done.err);
         assert!(!bench.path("figures").exists());
     }
@@ -148,10 +148,10 @@ fn holds(study: &str, expect: &str) -> bool {
 }
 
 #[test]
-fn a_profile_is_judged_where_it_is_further_from_every_front() {
-    // The profiles are those of an independent program (tests/data/impact.json, 50 digits): velocity at the nodes from the
-    // left bar's free end on. Exact: 1 ahead of the front in the left bar, 0 behind it, -1 once it has come back; the
-    // front is at |x| = 2 t, from the free end on at 2 - 2 t. At T_I/2 it is the free end itself.
+fn a_profile_is_tested_away_from_every_front() {
+    // The profiles are from an independent program (tests/data/impact.json, 50 digits): velocity at the nodes, from the
+    // free end of the left bar. Exact: 1 ahead of the front in the left bar, 0 behind it, -1 after the reflection. The
+    // front is at |x| = 2 t before the reflection, at 2 - 2 t after it, and at the free end at T_I/2.
     let data: serde_json::Value =
         serde_json::from_str(include_str!("../data/impact.json")).unwrap();
     let records = data["profiles"].as_array().unwrap();
@@ -182,7 +182,7 @@ fn a_profile_is_judged_where_it_is_further_from_every_front() {
                 }
             }
             let expected = (sum / f64::from(count)).sqrt();
-            // A double's round-off over some hundred sums.
+            // Round-off of some hundred sums.
             for (factor, within) in [(1.0 + 1e-9, true), (1.0 - 1e-9, false)] {
                 let expect = format!(
                     r#"{{ "profile": "velocity", "times": {times:?}, "away": {away}, "max": {} }}"#,
@@ -195,7 +195,7 @@ fn a_profile_is_judged_where_it_is_further_from_every_front() {
 }
 
 #[test]
-fn a_later_impact_is_judged_by_what_it_is_off_over_the_flights() {
+fn a_later_impact_is_tested_by_its_largest_difference_over_the_flights() {
     // tests/reference/claims.py, second_impacts: one bar between two walls, full matrices. Printed to 8 digits.
     let study = IMPACT
         .replace("\"gamma\": 1, ", "")
@@ -216,9 +216,9 @@ fn a_later_impact_is_judged_by_what_it_is_off_over_the_flights() {
 }
 
 #[test]
-fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
+fn an_unknown_later_event_is_a_fault() {
     let study = IMPACT.replace(", \"k_I\": 0", "");
-    for (study, expect, told) in [
+    for (study, expect, message) in [
         (
             STUDY,
             r#"{ "later": "closing_speed", "flights": [1], "max": 1 }"#,
@@ -261,6 +261,6 @@ fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
         ]);
         let done = bench.run(&["claims"]);
         assert_eq!(done.code, Some(2), "{expect}: {}", done.err);
-        assert!(done.err.contains(told), "{expect}: {}", done.err);
+        assert!(done.err.contains(message), "{expect}: {}", done.err);
     }
 }

@@ -1,10 +1,10 @@
-//! Designs from the file to the table of indices.
+//! Designs: from the study file to the table of indices.
 
 use crate::Bench;
 
 #[test]
 fn indices_of_a_saltelli_design_are_a_table_and_a_figure() {
-    // The total of the peak force falls on gamma alone where n is large and steps are fine: it depends on nothing else.
+    // With large n and small steps the peak force depends only on gamma, which then has the whole total index.
     let bench = Bench::new();
     let study = r#"{"problem": "bar-impact", "parameters": {"gamma": {"uniform": [0.5, 2]}, "n": {"uniform": [12, 20]},
         "E": {"uniform": [50, 200]}, "dt": "0.02/n", "duration": 0.5},
@@ -35,11 +35,11 @@ fn indices_of_a_saltelli_design_are_a_table_and_a_figure() {
         "{gamma:?}"
     );
     assert!(row("peak_force", "n")[3] < 1e-3);
-    // No result depends on the material: scaled results are the same but for round-off.
+    // Scaled results do not depend on the material, apart from round-off.
     for metric in ["peak_force", "max_overlap", "rms_error_r"] {
         assert!(row(metric, "E")[3].abs() < 1e-12, "{metric}");
     }
-    // An undefined metric has no indices: the exact bars do not part by then.
+    // An undefined metric has no indices: the exact bars have not parted at the end.
     let empty = rows.iter().find(|row| row[1] == "impulse_error").unwrap();
     assert!(empty[3..9].iter().all(|cell| cell.is_empty()));
     assert_eq!(empty[9], "320");

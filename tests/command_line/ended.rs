@@ -1,4 +1,4 @@
-//! Runs that end before they are done, and what is in their way: the next run goes on, and nothing stays that is not whole.
+//! Runs that end early, and files that obstruct them: the next run continues, and no incomplete file remains.
 
 use crate::{Bench, ONE, friction};
 use std::fs;
@@ -10,8 +10,8 @@ use std::time::Duration;
 const LONG: &str =
     r#""law": "velocity-control", "beta": {"linspace": [1, 2, 1000]}, "dT": 0.01, "duration": 100"#;
 
-/// Begins a run and waits until it has written a file.
-fn begun(bench: &Bench, words: &[&str], file: impl Fn(&str) -> bool) -> Child {
+/// Starts a run and waits until it has written a file.
+fn started(bench: &Bench, words: &[&str], file: impl Fn(&str) -> bool) -> Child {
     let mut command = bench.command();
     command
         .args(words)
@@ -39,13 +39,13 @@ fn partial(bench: &Bench) -> Vec<String> {
 }
 
 #[test]
-fn histories_of_a_killed_run_go_with_the_next_and_files_of_the_user_stay() {
+fn the_next_run_removes_histories_of_a_killed_run_and_no_files_of_the_user() {
     let bench = Bench::new();
     bench.file("s.json", friction(LONG, ""));
     for name in ["mine.csv", "7.csv.txt", "0999.csv", "999.csv"] {
         bench.file(&format!("figures/s/histories/{name}"), "mine");
     }
-    let mut child = begun(
+    let mut child = started(
         &bench,
         &["run", "s.json", "--histories", "--jobs", "1"],
         |name| name == "histories/3.csv",
@@ -71,7 +71,7 @@ fn histories_of_a_killed_run_go_with_the_next_and_files_of_the_user_stay() {
 }
 
 #[test]
-fn an_interrupted_run_keeps_its_parts_and_leaves_no_partial_file() {
+fn an_interrupted_run_keeps_its_parts_and_no_temporary_file() {
     // From coarse to fine: 3 steps of 4002 modes, then 1.5 million.
     let study = |steps: &str| {
         format!(
@@ -80,7 +80,7 @@ fn an_interrupted_run_keeps_its_parts_and_leaves_no_partial_file() {
     };
     let bench = Bench::new();
     bench.file("s.json", study("0.5, 1e-6"));
-    let mut child = begun(&bench, &["run", "s.json"], |name| {
+    let mut child = started(&bench, &["run", "s.json"], |name| {
         name.ends_with(".parquet")
     });
     assert!(!partial(&bench).is_empty(), "results.csv is growing");
@@ -95,7 +95,7 @@ fn an_interrupted_run_keeps_its_parts_and_leaves_no_partial_file() {
 }
 
 #[test]
-fn a_manifest_that_says_nothing_is_told_before_anything_is_computed() {
+fn an_unreadable_manifest_is_reported_before_computing() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     bench.expect(0, &["run", "s.json"]);
@@ -126,7 +126,7 @@ fn a_manifest_that_says_nothing_is_told_before_anything_is_computed() {
 
 #[cfg(unix)]
 #[test]
-fn names_of_the_user_are_left_alone_and_links_are_not_followed() {
+fn files_of_the_user_remain_and_links_are_not_followed() {
     use std::os::unix::fs::symlink;
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
@@ -149,7 +149,7 @@ fn names_of_the_user_are_left_alone_and_links_are_not_followed() {
         assert_eq!(bench.text(&format!("figures/s/{name}")), "mine");
     }
     assert!(bench.text("figures/s/results.csv").starts_with("case,"));
-    // A lock that leads elsewhere would be opened there.
+    // A link instead of the lock would open another file.
     let lock = bench.path("figures/s/store/.lock");
     fs::remove_file(&lock).unwrap();
     symlink(bench.path("mine"), &lock).unwrap();
@@ -163,7 +163,7 @@ fn names_of_the_user_are_left_alone_and_links_are_not_followed() {
 
 #[cfg(unix)]
 #[test]
-fn more_studies_than_files_may_be_open() {
+fn more_studies_than_open_files_allowed() {
     let bench = Bench::new();
     for study in 0..60 {
         bench.file(&format!("studies/{study}.json"), friction(ONE, ""));
@@ -182,9 +182,9 @@ fn more_studies_than_files_may_be_open() {
 }
 
 #[test]
-fn many_cases_without_a_solution_are_all_in_their_table_and_the_first_are_named() {
+fn all_unsolved_cases_are_in_the_table_and_the_first_are_reported() {
     let bench = Bench::new();
-    // Steps of 10^300 and more take the velocity beyond the largest double.
+    // With steps of 10^300 and more the velocity exceeds the largest double.
     let parameters = r#""law": "displacement-control", "alpha": 1, "dT": {"linspace": [1e300, 2e300, 25]}, "duration": "10*dT""#;
     bench.file("s.json", friction(parameters, ""));
     let done = bench.expect(3, &["run", "s.json"]);

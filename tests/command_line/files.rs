@@ -1,9 +1,9 @@
-//! What a run writes, where, and what it leaves alone.
+//! The files that a run writes, removes and keeps.
 
 use crate::{Bench, ONE, TWO, bars, friction};
 
 #[test]
-fn results_have_a_row_a_case_with_every_parameter_and_metric() {
+fn results_have_a_row_for_each_case_with_all_parameters_and_metrics() {
     let bench = Bench::new();
     let blocks = format!("{{ \"parameters\": {{ {TWO} }} }}, {{ \"parameters\": {{ {ONE} }} }}");
     let study = format!("{{ \"problem\": \"friction-oscillator\", \"blocks\": [{blocks}] }}");
@@ -31,7 +31,7 @@ fn results_have_a_row_a_case_with_every_parameter_and_metric() {
         format!("1,displacement-control,1,,{step},{end},12,unloaded")
     );
     assert_eq!(parameters(3), "2,velocity-control,,1,0.5,3,12,");
-    // Defined for the first two; rest comes at 6 pi, which the third does not reach.
+    // Defined in the first two cases. The third ends before the rest at 6 pi.
     assert!(
         rows[1]
             .iter()
@@ -43,7 +43,7 @@ fn results_have_a_row_a_case_with_every_parameter_and_metric() {
 }
 
 #[test]
-fn results_of_bars_fill_in_both_stiffnesses_and_the_right_bar() {
+fn results_of_bars_have_both_stiffnesses_and_the_right_bar() {
     let bench = Bench::new();
     let common = r#""n": 2, "dt": 0.1, "duration": 1.5"#;
     bench.file("two.json", bars(&format!("\"gamma\": 5, {common}"), ""));
@@ -62,7 +62,7 @@ fn results_of_bars_fill_in_both_stiffnesses_and_the_right_bar() {
 }
 
 #[test]
-fn histories_have_a_row_a_step() {
+fn histories_have_a_row_for_each_step() {
     let bench = Bench::new();
     bench.file("f.json", friction(TWO, ""));
     bench.file(
@@ -99,7 +99,7 @@ fn histories_have_a_row_a_step() {
 }
 
 #[test]
-fn the_manifest_says_where_results_come_from() {
+fn the_manifest_has_the_origin_of_results() {
     let bench = Bench::new();
     bench.file("in/s.json", friction(ONE, ""));
     bench.expect(0, &["run", "in", "--out", "o"]);
@@ -125,7 +125,7 @@ fn the_manifest_says_where_results_come_from() {
 }
 
 #[test]
-fn what_a_former_run_left_goes_and_nothing_else() {
+fn only_files_of_former_runs_are_removed() {
     let bench = Bench::new();
     let figure =
         |name: &str| format!(", \"figures\": [{{ \"name\": \"{name}\", \"kind\": \"law\" }}]");
@@ -151,7 +151,7 @@ fn what_a_former_run_left_goes_and_nothing_else() {
             "s/results.csv"
         ]
     );
-    // A manifest cannot make the program remove what lies outside its folder.
+    // Files outside the folder are not removed, also if the manifest lists them.
     bench.file(
         "figures/s/manifest.json",
         r#"{"files": ["../other/results.csv", "/etc/none", "..", "", ".", "histories"]}"#,
@@ -161,7 +161,7 @@ fn what_a_former_run_left_goes_and_nothing_else() {
 }
 
 #[test]
-fn an_empty_folder_of_histories_goes_too() {
+fn an_empty_folder_of_histories_is_removed() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     bench.expect(0, &["run", "s.json", "--histories"]);
@@ -171,7 +171,7 @@ fn an_empty_folder_of_histories_goes_too() {
 }
 
 #[test]
-fn folders_are_mirrored() {
+fn results_have_the_folders_of_the_studies() {
     let bench = Bench::new();
     for name in ["a.json", "deep/er/b.c.json", "deep/ü ber.json"] {
         bench.file(&format!("studies/{name}"), friction(ONE, ""));
@@ -193,7 +193,7 @@ fn folders_are_mirrored() {
 }
 
 #[test]
-fn a_study_named_twice_runs_once_and_two_of_one_name_are_refused() {
+fn a_repeated_study_runs_once_and_two_studies_of_one_name_are_an_error() {
     let bench = Bench::new();
     bench.file("a/s.json", friction(ONE, ""));
     bench.file("b/s.json", friction(ONE, ""));
@@ -211,17 +211,17 @@ fn a_study_named_twice_runs_once_and_two_of_one_name_are_refused() {
 }
 
 #[test]
-fn results_in_the_folder_that_is_read_are_no_studies() {
+fn results_in_a_folder_of_studies_are_not_studies() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     for _ in 0..2 {
         let done = bench.expect(0, &["run", "."]);
         assert_eq!(done.out, "figures/s/results.csv\n");
     }
-    // A study may have that name all the same, whatever stands beside it.
+    // A study may have this name, also next to files of results.
     bench.file("studies/manifest.json", friction(ONE, ""));
-    for beside in ["studies/store/part", "studies/results.csv"] {
-        bench.file(beside, "");
+    for name in ["studies/store/part", "studies/results.csv"] {
+        bench.file(name, "");
         let done = bench.expect(0, &["run", "studies"]);
         assert_eq!(done.out, "figures/manifest/results.csv\n");
     }

@@ -6,12 +6,12 @@ use std::thread::sleep;
 use std::time::Duration;
 
 #[test]
-fn an_interrupted_run_leaves_the_former_results_whole() {
+fn an_interrupted_run_does_not_change_the_former_results() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     bench.expect(0, &["run", "s.json"]);
     let former = bench.text("figures/s/results.csv");
-    // A run of minutes, whose output folder is there before it computes.
+    // A run of minutes. It makes its output folder before it computes.
     let long = r#""law": "velocity-control", "beta": {"linspace": [1, 2, 1000]}, "dT": 1e-5, "duration": 100"#;
     bench.file("s.json", friction(long, ""));
     bench.file("t.json", friction(long, ""));

@@ -1,11 +1,11 @@
-//! Stores that hold the rows of their study and no others, and results that serve again only where nothing has changed.
+//! Stores: they have exactly the rows of their study, and results are used again only if nothing has changed.
 
 use crate::{Bench, ONE, bars, friction};
 use slipgap::batch::store;
 use std::fs;
 use std::process::Stdio;
 
-/// What a run of `s.json` says on stderr.
+/// The text of a run of `s.json` on stderr.
 #[track_caller]
 fn run(bench: &Bench) -> String {
     bench.expect(0, &["run", "s.json"]).err
@@ -44,7 +44,7 @@ fn sweep(more: &str) -> String {
 }
 
 #[test]
-fn a_condition_that_is_added_leaves_no_rows_of_the_former_study() {
+fn a_new_condition_removes_rows_of_the_former_study() {
     let bench = Bench::new();
     bench.file("s.json", sweep(""));
     run(&bench);
@@ -61,13 +61,13 @@ fn a_condition_that_is_added_leaves_no_rows_of_the_former_study() {
 }
 
 #[test]
-fn parts_brought_along_go_and_files_of_the_user_stay() {
+fn copied_parts_are_removed_and_files_of_the_user_remain() {
     let bench = Bench::new();
     bench.file("s.json", sweep(""));
     run(&bench);
     let names = parts(&bench);
     let bytes = fs::read(bench.path(&format!("figures/s/store/{}", names[1]))).unwrap();
-    // A second part of a chunk as a killed run leaves it, whole but under another start, and damaged.
+    // Further parts of a chunk: one from a killed run, one undamaged with another start, and one damaged.
     let sum = |name: &str| name.rsplit('-').next().unwrap().to_owned();
     let zeros = "0".repeat(32);
     for name in [
@@ -76,7 +76,7 @@ fn parts_brought_along_go_and_files_of_the_user_stay() {
         format!("part-000000016384-{zeros}.parquet"),
         format!("part-00000003-{zeros}.parquet"),
         format!("part-000099999999-{zeros}.parquet"),
-        // Copies by hand: tools that read part-*.parquet would read them.
+        // Copies of a user. Programs that read part-*.parquet would read them.
         "part-000000000000-mine.parquet".into(),
         "part-copy.parquet".into(),
     ] {
@@ -97,7 +97,7 @@ fn parts_brought_along_go_and_files_of_the_user_stay() {
 }
 
 #[test]
-fn a_report_leaves_the_same_rows_in_the_store_and_the_table() {
+fn after_a_report_the_store_and_the_table_have_the_same_rows() {
     let bench = Bench::new();
     let study = |betas: &str| friction(&format!("{ONE}, \"x0\": [{betas}]"), "");
     bench.file("s.json", study("10, 11, 12"));
@@ -115,7 +115,7 @@ fn a_report_leaves_the_same_rows_in_the_store_and_the_table() {
 }
 
 #[test]
-fn reports_of_one_study_take_turns() {
+fn reports_of_one_study_wait_for_each_other() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     let begin = |_| {
@@ -136,7 +136,7 @@ fn reports_of_one_study_take_turns() {
 
 #[cfg(unix)]
 #[test]
-fn a_part_that_cannot_be_removed_is_told() {
+fn a_part_that_cannot_be_removed_is_reported() {
     use std::os::unix::fs::PermissionsExt;
     let bench = Bench::new();
     bench.file("s.json", sweep(""));
@@ -146,7 +146,7 @@ fn a_part_that_cannot_be_removed_is_told() {
         "0".repeat(32)
     );
     bench.file(&extra, "no part of this study");
-    // Parts are found in such a folder, and nothing in it can be removed.
+    // Files in such a folder can be read but not removed.
     let folder = bench.path("figures/s/store");
     fs::set_permissions(&folder, fs::Permissions::from_mode(0o555)).unwrap();
     let root = fs::write(folder.join("probe"), "").is_ok();
@@ -166,7 +166,7 @@ fn a_part_that_cannot_be_removed_is_told() {
 }
 
 #[test]
-fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
+fn a_small_study_with_more_values_computes_only_the_new_cases() {
     let study = |gamma: &str, n: &str| {
         let parameters = format!(
             r#""gamma": {gamma}, "n": {n}, "mass": ["lumped", "consistent"], "dt": 0.01, "duration": 1.5"#
@@ -175,7 +175,7 @@ fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
             "figures": [{"name": "history", "kind": "history", "where": {"n": 4, "mass": "lumped"}, "by": "gamma"}]"#;
         bars(&parameters, metrics)
     };
-    // 42, 63 and 84 cases; the last value of gamma, the first of n, and then a value in the middle of each.
+    // 42, 63 and 84 cases: a new last value of gamma, a new first value of n, and a new middle value of each.
     let steps = [
         (study("[0.3, 0.5, 1]", "[2, 3, 4, 5, 6, 7, 8]"), 0, 42),
         (study("[0.3, 0.5, 1, 2]", "[2, 3, 4, 5, 6, 7, 8]"), 42, 56),
@@ -193,12 +193,12 @@ fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
     let bench = Bench::new();
     for (text, kept, cases) in steps {
         bench.file("s.json", &text);
-        let told = run(&bench);
+        let output = run(&bench);
         let expected = format!(
             "s: {kept} of {cases} cases from the store, {} cases run: different parameters\n",
             cases - kept
         );
-        assert!(kept == 0 || told == expected, "{told}");
+        assert!(kept == 0 || output == expected, "{output}");
         let new = Bench::new();
         new.file("s.json", &text);
         run(&new);
@@ -211,14 +211,14 @@ fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
         }
         same_rows(&bench, cases);
     }
-    // The same cases in another order: other numbers, and nothing to compute.
+    // The same cases in another order have other numbers. None is computed.
     bench.file(
         "s.json",
         study("[2, 1, 0.3, 0.4, 0.5]", "[8, 1, 2, 4, 5, 6, 7]"),
     );
     assert_eq!(run(&bench), "s: 70 of 70 cases from the store\n");
     same_rows(&bench, 70);
-    // Damaged, its cases do not serve.
+    // The cases of a damaged part are not used.
     let [name] = &parts(&bench)[..] else {
         panic!("one part");
     };
@@ -226,15 +226,15 @@ fn a_small_study_that_grows_on_any_axis_computes_its_new_cases_only() {
     let mut damaged = fs::read(&path).unwrap();
     damaged[100] ^= 1;
     fs::write(&path, damaged).unwrap();
-    let told = run(&bench);
+    let output = run(&bench);
     assert!(
-        told.starts_with("s: 70 cases run: ") && told.ends_with(" is damaged\n"),
-        "{told}"
+        output.starts_with("s: 70 cases run: ") && output.ends_with(" is damaged\n"),
+        "{output}"
     );
 }
 
 #[test]
-fn converged_results_do_not_serve_a_study_that_is_not_iterated() {
+fn converged_results_are_not_used_for_a_study_without_iteration() {
     let bench = Bench::new();
     let parameters =
         r#""law": "displacement-control", "alpha": [0.1, 1], "dT": 0.5, "duration": 30"#;
@@ -253,9 +253,9 @@ fn converged_results_do_not_serve_a_study_that_is_not_iterated() {
 }
 
 #[test]
-fn cases_have_their_new_numbers_where_a_block_before_them_grows() {
-    // The first block fills the first chunk, so that the second's cases stay where they are among raw combinations;
-    // with a weaker condition they have other numbers.
+fn cases_after_a_longer_block_have_new_numbers() {
+    // The first block fills the first chunk, so that the raw combinations of the second block are the same. With a weaker
+    // condition its cases have other numbers.
     let bench = Bench::new();
     let study = |when: &str| {
         format!(
@@ -269,8 +269,8 @@ fn cases_have_their_new_numbers_where_a_block_before_them_grows() {
     run(&bench);
     same_rows(&bench, 13);
     bench.file("s.json", study("beta <= 20"));
-    let told = "s: 13 of 23 cases from the store, 10 cases run: different parameters (2 parts)\n";
-    assert_eq!(run(&bench), told);
+    let output = "s: 13 of 23 cases from the store, 10 cases run: different parameters (2 parts)\n";
+    assert_eq!(run(&bench), output);
     same_rows(&bench, 23);
     let [stored, _] = rows(&bench);
     let second = stored
@@ -284,7 +284,7 @@ fn cases_have_their_new_numbers_where_a_block_before_them_grows() {
 }
 
 #[test]
-fn histories_are_written_where_results_are_there_already() {
+fn histories_are_written_also_if_the_store_has_the_results() {
     let bench = Bench::new();
     let parameters =
         r#""law": "displacement-control", "alpha": [0.1, 1], "dT": 0.5, "duration": 3"#;
@@ -304,7 +304,7 @@ fn histories_are_written_where_results_are_there_already() {
 }
 
 #[test]
-fn blocks_about_a_saltelli_design_leave_its_indices_alone() {
+fn other_blocks_do_not_change_the_indices_of_a_saltelli_design() {
     let bench = Bench::new();
     let block = r#"{"parameters": {"law": "velocity-control", "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]},
         "dT": 0.5, "duration": 10}, "design": {"kind": "saltelli", "n": 32}}"#;
@@ -345,7 +345,7 @@ fn blocks_about_a_saltelli_design_leave_its_indices_alone() {
 
 #[test]
 fn the_estimate_of_many_indices_is_announced() {
-    // 10^5 cases of one step: what takes long comes after them.
+    // 10^5 cases of one step. The indices take longer.
     let bench = Bench::new();
     let study = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
         "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]}, "dT": 1, "duration": 1},
@@ -353,7 +353,7 @@ fn the_estimate_of_many_indices_is_announced() {
     bench.file("s.json", study);
     let announced = "s: 100000 cases run\ns: estimating Sobol' indices\n";
     assert!(run(&bench).starts_with(announced));
-    // A thousand cases take no time worth a line.
+    // With a thousand cases there is no line.
     bench.file("s.json", study.replace("25000", "250"));
     assert!(!run(&bench).contains("estimating"));
 }

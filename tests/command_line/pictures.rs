@@ -1,4 +1,4 @@
-//! Pictures for a journal: PDF files read back by another program, and the size of pixels.
+//! Pictures for a journal: PDF files read by another program, and the resolution of PNG files.
 
 use crate::{Bench, TWO, friction};
 use hayro_syntax::Pdf;
@@ -10,7 +10,7 @@ use std::fs;
 const LAW: &str = r#", "figures": [{ "name": "law", "kind": "law", "width": 90 },
     { "name": "r", "kind": "history", "width": 190, "title": "Two widths" }]"#;
 
-/// The characters of the codes of a font, as its ToUnicode map has them.
+/// The characters of the codes of a font, from its ToUnicode map.
 fn characters(font: &Dict) -> HashMap<u16, String> {
     let map = font.get::<Stream>("ToUnicode").expect("a map");
     let map = String::from_utf8(map.decoded().unwrap().to_vec()).unwrap();
@@ -29,7 +29,7 @@ fn characters(font: &Dict) -> HashMap<u16, String> {
     pairs.skip(1).collect()
 }
 
-/// The text of the only page, in the order of drawing, each line of fonts embedded.
+/// The text of the only page, in the order of drawing, with embedded fonts.
 fn text(bytes: Vec<u8>) -> (String, (f32, f32)) {
     let pdf = Pdf::new(bytes).unwrap();
     let [page] = &pdf.pages()[..] else {
@@ -63,7 +63,7 @@ fn text(bytes: Vec<u8>) -> (String, (f32, f32)) {
     (out, page.base_dimensions())
 }
 
-/// The outlines of a font are in the file, and fewer than all that the font has.
+/// Asserts that some but not all outlines of a font are in the file.
 fn embedded(font: &Dict) {
     let under = font.get::<Array>("DescendantFonts").unwrap();
     let under = under.iter::<Dict>().next().unwrap();
@@ -73,7 +73,7 @@ fn embedded(font: &Dict) {
         .expect("an embedded font");
     let kind = program.dict().get::<Name>("Subtype").unwrap();
     assert_eq!(kind.as_str(), "CIDFontType0C");
-    // Version 1 of the Compact Font Format; the whole fonts have 60 000 bytes and more.
+    // Version 1 of the Compact Font Format. The complete fonts have at least 60 000 bytes.
     let program = program.decoded().unwrap();
     assert!(
         program.starts_with(&[1, 0]) && program.len() < 10_000,
@@ -83,7 +83,7 @@ fn embedded(font: &Dict) {
 }
 
 #[test]
-fn a_pdf_has_the_width_asked_for_and_text_in_fonts_of_its_own() {
+fn a_pdf_has_the_given_width_and_embedded_fonts() {
     let bench = Bench::new();
     bench.file("s.json", friction(TWO, LAW));
     bench.expect(0, &["run", "s.json", "--out", "a"]);
@@ -117,7 +117,7 @@ fn a_pdf_has_the_width_asked_for_and_text_in_fonts_of_its_own() {
 }
 
 #[test]
-fn dots_of_many_cases_are_one_image_of_the_resolution_asked_for() {
+fn dots_of_many_cases_are_one_image_with_the_given_resolution() {
     let bench = Bench::new();
     let cloud = r#", "design": { "kind": "sobol", "n": 2100 },
         "figures": [{ "name": "c", "kind": "scatter", "x": "dT", "y": "rms_error", "width": 100 }]"#;
@@ -131,7 +131,7 @@ fn dots_of_many_cases_are_one_image_of_the_resolution_asked_for() {
         .get_x_object(&Name::new(b"I0").unwrap())
         .unwrap();
     let length = |key: &str| image.dict().get::<u32>(key).unwrap();
-    // A pixel a point: nearly as wide as the sheet, as high as the panel of 190.
+    // One pixel per point: nearly as wide as the sheet, and as high as the panel of 190.
     assert!((200..283).contains(&length("Width")), "{}", length("Width"));
     assert!(
         (190..=191).contains(&length("Height")),
@@ -146,7 +146,7 @@ fn dots_of_many_cases_are_one_image_of_the_resolution_asked_for() {
 }
 
 #[test]
-fn pixels_an_inch() {
+fn pixels_per_inch() {
     let bench = Bench::new();
     bench.file("s.json", friction(TWO, LAW));
     let size = |out: &str| {
@@ -156,7 +156,7 @@ fn pixels_an_inch() {
             .unwrap();
         (reader.info().width, reader.info().pixel_dims.unwrap().xppu)
     };
-    // 90 mm, and 39.3701 inches a metre.
+    // 90 mm, and 39.3701 inches per metre.
     bench.expect(0, &["run", "s.json", "--out", "usual"]);
     assert_eq!(size("usual"), (680, 7559));
     bench.expect(0, &["run", "s.json", "--out", "fine", "--dpi", "600"]);

@@ -1,4 +1,4 @@
-//! The same input gives the same bytes, whatever the number of threads.
+//! The same input gives the same bytes for any number of threads.
 
 use crate::{Bench, bars, friction};
 use std::fs;

@@ -1,4 +1,4 @@
-//! Studies from standard input, and parameters that the command line sets.
+//! Studies from standard input, and settings of the command line.
 
 use crate::{Bench, Done, ONE, TWO, friction};
 use sha2::{Digest, Sha256};
@@ -15,7 +15,7 @@ fn piped(bench: &Bench, words: &[&str], text: impl AsRef<[u8]>) -> Done {
         .stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     let mut stdin = child.stdin.take().unwrap();
-    // A text that is refused before its end is not read to its end.
+    // The program may stop reading before the end.
     let _ = stdin.write_all(text.as_ref());
     drop(stdin);
     child.wait_with_output().unwrap().into()
@@ -31,7 +31,7 @@ fn manifest(bench: &Bench, folder: &str) -> serde_json::Value {
 }
 
 #[test]
-fn a_study_from_standard_input_gives_what_its_file_gives() {
+fn a_study_from_standard_input_gives_the_same_as_its_file() {
     let bench = Bench::new();
     let check = r#", "checks": [{ "metric": "rms_error", "max": 1 }]"#;
     let text = friction(TWO, check);
@@ -47,7 +47,7 @@ fn a_study_from_standard_input_gives_what_its_file_gives() {
     );
     assert_eq!(stdin["study_sha256"], file["study_sha256"]);
     assert_eq!(stdin["study"], "<stdin>");
-    // No commit holds what was typed.
+    // Standard input has no commit.
     assert_eq!(stdin["git_commit"], serde_json::Value::Null);
     for (words, says) in [
         (&["check", "-"][..], "0 not met"),
@@ -63,7 +63,7 @@ fn a_study_from_standard_input_gives_what_its_file_gives() {
 }
 
 #[test]
-fn faults_of_standard_input_have_their_places() {
+fn faults_of_standard_input_have_places() {
     let bench = Bench::new();
     for (text, says) in [
         (
@@ -85,7 +85,7 @@ fn faults_of_standard_input_have_their_places() {
 }
 
 #[test]
-fn a_value_set_is_as_if_it_stood_in_the_file() {
+fn a_setting_has_the_same_effect_as_a_value_in_the_file() {
     let bench = Bench::new();
     let blocks = |one: &str, two: &str| {
         format!(
@@ -125,7 +125,7 @@ fn a_value_set_is_as_if_it_stood_in_the_file() {
             &["initial_slip=pulled"],
             friction(&(TWO.to_owned() + r#", "initial_slip": "pulled""#), ""),
         ),
-        // Given in one block of two: only there. Given in none: in both.
+        // A parameter of one block is set there only. A parameter of no block is set in both.
         (
             blocks(TWO, ONE),
             &["beta=[2, 3]"],
@@ -174,7 +174,7 @@ fn a_value_set_is_as_if_it_stood_in_the_file() {
 }
 
 #[test]
-fn the_manifest_covers_what_is_set() {
+fn the_manifest_has_the_settings() {
     let bench = Bench::new();
     let text = friction(TWO, "");
     bench.file("s.json", &text);
@@ -194,7 +194,7 @@ fn the_manifest_covers_what_is_set() {
 }
 
 #[test]
-fn faults_of_what_is_set_have_their_places() {
+fn faults_of_settings_have_places() {
     let bench = Bench::new();
     let figure = r#",
   "figures": [{ "name": "a", "kind": "metric", "x": "alpha", "y": "rms_error", "where": { "alpha": 1 } }]"#;
@@ -263,7 +263,7 @@ fn faults_of_what_is_set_have_their_places() {
                 "--set right.L=2:1:1: parameters.right: must be an object to take \"L\", got \"wall\"",
             ],
         ),
-        // What no longer fits in the file is a fault of the file.
+        // A value in the file that becomes invalid is a fault of the file.
         (
             "f.json",
             "alpha=3",
@@ -281,7 +281,7 @@ fn faults_of_what_is_set_have_their_places() {
         done.err.lines().next(),
         Some("--set x0=2:1:1: \"x0\" is set twice")
     );
-    // Of several studies, the fault names the one that the value does not fit.
+    // With several studies, the fault names the study for which the value is invalid.
     let done = bench.expect(2, &["list", "s.json", "w.json", "--set", "alpha=1"]);
     let first = done.err.lines().next().unwrap();
     assert!(
@@ -296,7 +296,7 @@ fn faults_of_what_is_set_have_their_places() {
 }
 
 #[test]
-fn every_verb_that_reads_a_study_takes_values() {
+fn every_verb_that_reads_a_study_has_settings() {
     let bench = Bench::new();
     bench.file(
         "s.json",

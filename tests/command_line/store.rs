@@ -1,13 +1,13 @@
-//! Results that last: what is kept, found again, extended, damaged, killed and locked.
+//! The store: reused, extended, damaged and locked, and after a killed run.
 
-use crate::{Bench, bars, friction};
+use crate::{Bench, Done, ONE, TWO, bars, friction};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-/// 40 000 cases in three parts of 16 384, slowest by beta, and a map of some of them.
+/// 400 cases for each beta, in parts of 16 384, and a figure of some of them. beta varies slowest.
 fn sweep(betas: u32, last: &str) -> String {
     let parameters = format!(
         r#""law": "velocity-control", "beta": {{"range": [0.01, {}, 0.01]}}, "dT": "pi/8", "duration": "8*pi",
@@ -18,12 +18,12 @@ fn sweep(betas: u32, last: &str) -> String {
     friction(&parameters, figures)
 }
 
-/// What a run of `s.json` says on stderr.
-fn said(bench: &Bench) -> String {
+/// The text of a run of `s.json` on stderr.
+fn run(bench: &Bench) -> String {
     bench.expect(0, &["run", "s.json"]).err
 }
 
-/// The bytes of everything but the manifest, which tells of the file's place.
+/// The bytes of all files except the manifest, which depends on the path of the study.
 fn bytes(bench: &Bench, folder: &str) -> Vec<(String, Vec<u8>)> {
     let names = bench.everything(folder).into_iter();
     let names = names.filter(|name| !name.ends_with("manifest.json"));
@@ -37,11 +37,11 @@ fn bytes(bench: &Bench, folder: &str) -> Vec<(String, Vec<u8>)> {
         .collect()
 }
 
-/// The results of a study in a folder that nothing was ever run in.
+/// The results of a study in an empty folder.
 fn undisturbed(study: &str) -> Vec<(String, Vec<u8>)> {
     let bench = Bench::new();
     bench.file("s.json", study);
-    said(&bench);
+    run(&bench);
     bytes(&bench, "figures/s")
 }
 
@@ -54,20 +54,20 @@ fn parts(bench: &Bench) -> Vec<String> {
 fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
-    assert_eq!(said(&bench), "s: 40000 cases run\n");
-    assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
-    // The last part, which was not full and whose cases are found in the former one, and two new ones.
+    assert_eq!(run(&bench), "s: 40000 cases run\n");
+    assert_eq!(run(&bench), "s: 40000 of 40000 cases from the store\n");
+    // The last part was not full: its cases are read from the former one. Two parts are new.
     bench.file("s.json", sweep(200, "20"));
     assert_eq!(
-        said(&bench),
+        run(&bench),
         "s: 40000 of 80000 cases from the store, 40000 cases run: different parameters, not in the store yet (2 parts)\n"
     );
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(200, "20")));
-    // Shorter again: the parts beyond go.
+    // Fewer cases again: the last parts are removed.
     bench.file("s.json", sweep(100, "20"));
-    assert_eq!(said(&bench), "s: 40000 of 40000 cases from the store\n");
+    assert_eq!(run(&bench), "s: 40000 of 40000 cases from the store\n");
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(100, "20")));
-    // Another range of the fastest parameter changes most cases: numbers of part and parameters of those before.
+    // Another range of the fastest parameter changes most cases.
     let cases = || -> Vec<String> {
         let table = bench.text("figures/s/results.csv");
         let end = table.split(',').position(|name| name == "rms_error");
@@ -80,12 +80,12 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     };
     let former: BTreeSet<String> = cases().into_iter().collect();
     bench.file("s.json", sweep(100, "21"));
-    let told = said(&bench);
+    let output = run(&bench);
     let kept = cases().iter().filter(|case| former.contains(*case)).count();
     // The first value of the range is the same for each beta.
     assert!((100..4000).contains(&kept), "{kept}");
     assert_eq!(
-        told,
+        output,
         format!(
             "s: {kept} of 40000 cases from the store, {} cases run: different parameters (3 parts)\n",
             40_000 - kept
@@ -98,17 +98,17 @@ fn a_rerun_and_an_extended_study_compute_what_is_missing() {
     );
     bench.file("s.json", columns);
     assert_eq!(
-        said(&bench),
+        run(&bench),
         "s: 40000 cases run: different columns (3 parts)\n"
     );
 }
 
 #[test]
-fn a_damaged_part_is_named_and_computed_anew() {
+fn a_damaged_part_is_reported_and_computed_again() {
     let bench = Bench::new();
     let study = sweep(100, "20");
     bench.file("s.json", &study);
-    said(&bench);
+    run(&bench);
     let whole = bytes(&bench, "figures/s");
     let name = format!("figures/s/store/{}", parts(&bench)[1]);
     let mut damaged = fs::read(bench.path(&name)).unwrap();
@@ -118,23 +118,23 @@ fn a_damaged_part_is_named_and_computed_anew() {
     for bytes_left in [damaged, cut, Vec::new()] {
         fs::write(bench.path(&name), bytes_left).unwrap();
         assert_eq!(
-            said(&bench),
+            run(&bench),
             format!("s: 23616 of 40000 cases from the store, 16384 cases run: {name} is damaged\n")
         );
         assert_eq!(bytes(&bench, "figures/s"), whole);
     }
-    // Gone altogether.
+    // The part is missing.
     fs::remove_file(bench.path(&name)).unwrap();
     assert_eq!(
-        said(&bench),
+        run(&bench),
         "s: 23616 of 40000 cases from the store, 16384 cases run: not in the store yet\n"
     );
     assert_eq!(bytes(&bench, "figures/s"), whole);
 }
 
 #[test]
-fn a_killed_run_goes_on_to_the_same_bytes() {
-    // Three parts of 16 384 cases of 640 steps, killed once two are there.
+fn after_a_killed_run_the_next_gives_the_same_bytes() {
+    // Three parts of 16 384 cases of 640 steps. The run is killed when it has written two.
     let parameters = r#""law": "velocity-control", "beta": {"geomspace": [0.01, 1, 400]}, "dT": "pi/80", "duration": "8*pi",
         "x0": {"linspace": [1, 20, 120]}"#;
     let study = friction(parameters, "");
@@ -153,18 +153,18 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert!(!bench.path("figures/s/results.csv").exists());
-    let told = said(&bench);
-    // Whether all parts were done before the signal came is a matter of the machine.
-    let kept: u64 = told.split_whitespace().nth(1).unwrap().parse().unwrap();
-    assert!(kept >= 2 * 16_384, "{told}");
+    let output = run(&bench);
+    // The third part may be finished before the signal.
+    let from_store: u64 = output.split_whitespace().nth(1).unwrap().parse().unwrap();
+    assert!(from_store >= 2 * 16_384, "{output}");
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&study));
 }
 
 #[test]
-fn a_second_run_on_one_store_is_refused() {
+fn a_second_run_on_one_store_is_an_error() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
-    said(&bench);
+    run(&bench);
     let lock = File::open(bench.path("figures/s/store/.lock")).unwrap();
     lock.lock().unwrap();
     let done = bench.expect(1, &["run", "s.json"]);
@@ -178,7 +178,29 @@ fn a_second_run_on_one_store_is_refused() {
 }
 
 #[test]
-fn formats_by_number_of_cases_and_by_wish() {
+fn a_report_of_a_changed_study_waits_for_the_store() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(TWO, ""));
+    bench.expect(0, &["run", "s.json"]);
+    bench.file("s.json", friction(ONE, ""));
+    let lock = File::open(bench.path("figures/s/store/.lock")).unwrap();
+    lock.lock().unwrap();
+    let mut command = bench.command();
+    command.args(["report", "s.json"]);
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    // Time for an attempt to lock the store. The test passes for any time.
+    sleep(Duration::from_millis(500));
+    assert_eq!(child.try_wait().unwrap(), None);
+    lock.unlock().unwrap();
+    let done = Done::from(child.wait_with_output().unwrap());
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let results = bench.text("figures/s/results.csv");
+    assert_eq!(results.lines().count(), 1 + 1, "{done:?}");
+}
+
+#[test]
+fn formats_by_number_of_cases_and_by_option() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
     let done = bench.expect(0, &["run", "s.json", "--format", "parquet"]);
@@ -186,7 +208,7 @@ fn formats_by_number_of_cases_and_by_wish() {
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.expect(0, &["run", "s.json"]);
     assert!(bench.path("figures/s/results.csv").exists());
-    // What is not written any more goes.
+    // Files that the new run does not write are removed.
     bench.expect(0, &["run", "s.json", "--format", "parquet"]);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.file("s.json", sweep(251, "20"));
@@ -197,7 +219,7 @@ fn formats_by_number_of_cases_and_by_wish() {
 }
 
 #[test]
-fn the_first_case_without_a_solution_ends_a_run_that_is_to_fail_fast() {
+fn with_fail_fast_the_first_unsolved_case_ends_the_run() {
     let bench = Bench::new();
     // A step of 10^300 takes the velocity beyond the largest double.
     let block = |steps: &str| {
@@ -225,7 +247,7 @@ fn the_first_case_without_a_solution_ends_a_run_that_is_to_fail_fast() {
     assert_eq!(rows.len(), 3);
     assert!(rows[0].starts_with("case,law,") && rows[0].ends_with(",reason"));
     assert!(rows[1].starts_with("1,displacement-control,") && rows[2].starts_with("2,"));
-    // They are kept like others, and told again.
+    // The store has them too, and they are reported again.
     let done = bench.expect(3, &["run", "s.json"]);
     assert!(
         done.err.contains("4 of 4 cases from the store"),
@@ -244,35 +266,35 @@ fn the_first_case_without_a_solution_ends_a_run_that_is_to_fail_fast() {
 
 #[cfg(unix)]
 #[test]
-fn a_full_disk_is_told_and_what_is_there_stays() {
+fn a_full_disk_is_reported_and_complete_files_remain() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
-    said(&bench);
-    let whole = bytes(&bench, "figures/s");
+    run(&bench);
+    let before = bytes(&bench, "figures/s");
     bench.file("s.json", sweep(300, "20"));
-    // No file may grow beyond 64 KiB, which says what a full disk says at the same place.
-    let run = format!(
+    // With a limit of 64 KiB for files, writing fails in the same place as on a full disk.
+    let command = format!(
         "trap '' XFSZ; ulimit -f 128; exec {} run s.json --format csv",
         env!("CARGO_BIN_EXE_slipgap")
     );
     let shell = Command::new("bash")
-        .args(["-c", &run])
+        .args(["-c", &command])
         .current_dir(bench.path(""))
         .output()
         .unwrap();
     assert_eq!(shell.status.code(), Some(1), "{shell:?}");
     let err = String::from_utf8_lossy(&shell.stderr);
     assert!(err.contains("slipgap: cannot write figures/s/"), "{err}");
-    let names: Vec<String> = whole.iter().map(|(name, _)| name.clone()).collect();
+    let names: Vec<String> = before.iter().map(|(name, _)| name.clone()).collect();
     let left = bytes(&bench, "figures/s");
-    // What was not whole went: a full disk is not kept full.
+    // Incomplete files are removed.
     assert!(
         left.iter().all(|(name, _)| !name.ends_with(".partial")),
         "{:?}",
         left.iter().map(|l| &l.0).collect::<Vec<_>>()
     );
     let results = |all: &[(String, Vec<u8>)]| all.iter().find(|(n, _)| n == "results.csv").cloned();
-    assert_eq!(results(&left), results(&whole));
+    assert_eq!(results(&left), results(&before));
     assert!(
         names
             .iter()
@@ -280,12 +302,12 @@ fn a_full_disk_is_told_and_what_is_there_stays() {
             .count()
             > 2
     );
-    said(&bench);
+    run(&bench);
     assert_eq!(bytes(&bench, "figures/s"), undisturbed(&sweep(300, "20")));
 }
 
-/// Programs that read a column of the store and print it as JSON, the tools that they need, and whether they read the
-/// folder itself while a file in it is being written.
+/// Python programs that read a column of the store and print it as JSON, their packages, and whether they read the folder
+/// while a file in it is being written.
 const READERS: [(&[&str], &str, bool); 5] = [
     (
         &["pandas", "pyarrow"],
@@ -326,14 +348,14 @@ assert json.loads(m)['duration']['unit'] and json.loads(m)['gamma']['description
     ),
 ];
 
-/// Run where Python has these tools; elsewhere it says that it did not look.
+/// Tested if Python has these packages.
 #[test]
-fn other_tools_read_the_store() {
+fn other_programs_read_the_store() {
     let bench = Bench::new();
     let parameters =
         r#""gamma": [0.5, 1], "n": [4, 8, 16], "dt": 0.01, "duration": 1.5, "right": "wall""#;
     bench.file("s.json", bars(parameters, ""));
-    // A lock of an earlier version, which these tools cannot read, goes.
+    // The lock of an earlier version, which these programs cannot read, is removed.
     bench.file("figures/s/store/lock", "");
     bench.expect(0, &["run", "s.json"]);
     let csv = bench.text("figures/s/results.csv");
@@ -386,24 +408,24 @@ fn other_tools_read_the_store() {
     }
 }
 
-/// What tools see that read a folder as one table: no file but parts, apart from hidden ones.
+/// Programs that read a folder as one table find no file except parts and hidden files.
 #[test]
-fn a_store_shows_parts_only() {
+fn a_store_has_only_parts_and_hidden_files() {
     let bench = Bench::new();
     let parameters = r#""law": "velocity-control", "beta": [0.1, 1], "dT": 0.5, "duration": 3"#;
     bench.file("s.json", friction(parameters, ""));
-    // Not empty: a file of the user's.
+    // A file with content is the user's.
     bench.file("figures/s/store/lock", "mine");
-    said(&bench);
+    run(&bench);
     assert_eq!(bench.text("figures/s/store/lock"), "mine");
     fs::write(bench.path("figures/s/store/lock"), "").unwrap();
-    // Held by a run of an earlier version.
+    // Locked by a run of an earlier version.
     let held = File::open(bench.path("figures/s/store/lock")).unwrap();
     held.lock().unwrap();
-    said(&bench);
+    run(&bench);
     assert!(bench.path("figures/s/store/lock").exists());
     held.unlock().unwrap();
-    said(&bench);
+    run(&bench);
     let names = bench.everything("figures/s/store");
     let shown = names
         .iter()
@@ -414,10 +436,10 @@ fn a_store_shows_parts_only() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_told_before_anything_is_computed() {
+fn a_folder_that_cannot_be_written_is_reported_before_computing() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
-    // A file stands where a folder must be.
+    // A file has the name of the folder.
     let done = bench.expect(1, &["run", "s.json", "--out", "s.json/out"]);
     assert!(
         done.err

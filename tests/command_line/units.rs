@@ -1,4 +1,4 @@
-//! Results in the units of a study, from the file to tables, checks and indices.
+//! Results in the units of a study: tables, checks and indices.
 
 use crate::{Bench, bars};
 use std::fs;
@@ -20,7 +20,7 @@ fn store(bench: &Bench) -> Vec<(String, Vec<u8>)> {
 }
 
 #[test]
-fn asking_for_units_computes_no_case_and_leaves_the_store() {
+fn units_need_no_computing_and_do_not_change_the_store() {
     let bench = Bench::new();
     bench.file("s.json", bars(CASES, ""));
     bench.expect(0, &["run", "s.json"]);
@@ -33,10 +33,10 @@ fn asking_for_units_computes_no_case_and_leaves_the_store() {
     assert_eq!(store(&bench), parts);
     let table = bench.text("figures/s/results.csv");
     assert!(table.contains(",peak_force,peak_force_in_kN,"), "{table}");
-    // Nothing but columns that follow from others: no difference.
+    // Columns in units are not compared.
     bench.expect(0, &["compare", "plain", "figures"]);
     bench.expect(0, &["compare", "figures", "plain"]);
-    // Other names, and none again.
+    // Other names, then no units.
     bench.file("s.json", bars(CASES, &UNITS.replace("kN", "MN")));
     let done = bench.expect(0, &["run", "s.json"]);
     assert_eq!(done.err, "s: 3 of 3 cases from the store\n");
@@ -52,7 +52,7 @@ fn asking_for_units_computes_no_case_and_leaves_the_store() {
 }
 
 #[test]
-fn checks_figures_and_histories_take_results_in_units() {
+fn checks_figures_and_histories_use_results_in_units() {
     let bench = Bench::new();
     // Bars of [I]: F0 = A V0 sqrt(E rho) = 0.1, T_I = 0.2; the scaled peak of one spring is between 1 and 2.
     let check = r#", "checks": [{"metric": "peak_force_in_kN", "where": {"gamma": 1}, "min": 0.1, "max": MAX}]"#;
@@ -73,7 +73,7 @@ fn checks_figures_and_histories_take_results_in_units() {
     let history = bench.text("figures/s/histories/0.csv");
     assert!(history.starts_with("t,t_in_ms,r,r_in_mm,rdot,rdot_in_mm_per_ms,force,force_in_kN,"));
     assert!(bench.path("figures/s/h.png").is_file());
-    // From the store, too.
+    // Also from the store.
     bench.expect(0, &["report", "s.json"]);
     assert!(
         bench
@@ -89,8 +89,8 @@ fn checks_figures_and_histories_take_results_in_units() {
 }
 
 #[test]
-fn indices_of_a_force_in_units_see_the_velocity() {
-    // The scaled peak does not depend on V0 at all, and not much on gamma; the force is proportional to V0.
+fn indices_of_a_force_in_units_depend_on_the_velocity() {
+    // The scaled peak does not depend on V0, and little on gamma. The force is proportional to V0.
     let bench = Bench::new();
     let study = bars(
         r#""gamma": {"uniform": [0.5, 0.6]}, "V0": {"uniform": [1, 2]}, "n": 10, "dt": 0.05, "duration": 0.5"#,

@@ -1,9 +1,9 @@
-//! Bars that never touch before the end of the run: counted on stderr and in the manifest, their contact metrics empty.
+//! Cases without contact: counted on stderr and in the manifest, with empty contact metrics.
 
 use super::Bench;
 use serde_json::Value as Json;
 
-/// Gaps from 0 to 2: at a duration of 0.5 those of 1 and more are never closed.
+/// Gaps from 0 to 2. With a duration of 0.5, gaps of 1 and more do not close.
 fn study(gaps: usize) -> String {
     format!(
         r#"{{"problem": "bar-impact", "parameters": {{"gamma": 1, "n": 1, "dt": 0.25, "duration": 0.5,
@@ -12,7 +12,7 @@ fn study(gaps: usize) -> String {
 }
 
 #[test]
-fn runs_count_cases_that_never_touch() {
+fn runs_count_cases_without_contact() {
     let bench = Bench::new();
     bench.file("s.json", study(5));
     let note = "s.json: 3 of 5 cases have no contact before `duration`; their contact metrics are undefined";
@@ -48,7 +48,7 @@ fn runs_count_cases_that_never_touch() {
 }
 
 #[test]
-fn cases_that_nobody_looks_at_one_by_one_are_counted_too() {
+fn cases_are_counted_also_without_tables_and_figures() {
     let bench = Bench::new();
     bench.file("many.json", study(20_401));
     bench.file("all.json", study(2).replace("[0, 2, 2]", "[0.1, 0.2, 2]"));

@@ -1,4 +1,4 @@
-//! Verbs and words: list, schema, help, version, and words that do not fit.
+//! Verbs: list, schema, help, version, and mistakes on the command line.
 
 use crate::{Bench, ONE, TWO, friction};
 use std::process::Stdio;
@@ -18,7 +18,7 @@ fn help_and_version_go_to_stdout() {
 }
 
 #[test]
-fn words_that_do_not_fit_are_usage() {
+fn mistakes_on_the_command_line_have_exit_code_2() {
     let bench = Bench::new();
     bench.file("s.json", friction(ONE, ""));
     for words in [
@@ -39,7 +39,7 @@ fn words_that_do_not_fit_are_usage() {
 }
 
 #[test]
-fn list_tells_axes_cases_and_steps_without_running() {
+fn list_shows_axes_cases_and_steps_without_running() {
     let bench = Bench::new();
     // A run would take hours.
     let long =
@@ -95,7 +95,7 @@ fn a_title_cannot_move_the_cursor() {
 }
 
 #[test]
-fn schema_is_json_that_knows_the_problems() {
+fn the_schema_is_json_with_the_problems() {
     let text = Bench::new().expect(0, &["schema"]).out;
     let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
     let problems = &schema["properties"]["problem"]["enum"];
@@ -106,7 +106,7 @@ fn schema_is_json_that_knows_the_problems() {
 }
 
 #[test]
-fn the_schema_takes_one_value_or_a_list_in_where() {
+fn the_schema_allows_one_value_or_a_list_in_where() {
     let text = Bench::new().expect(0, &["schema"]).out;
     let schema: serde_json::Value = serde_json::from_str(&text).unwrap();
     for problem in ["friction-oscillator", "bar-impact"] {
@@ -124,7 +124,7 @@ fn the_schema_takes_one_value_or_a_list_in_where() {
 }
 
 #[test]
-fn a_reader_that_has_gone_away_is_no_failure() {
+fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::new();
     let figure = r#", "figures": [{ "name": "history", "kind": "history" }]"#;
     bench.file("studies/a.json", friction(TWO, figure));
@@ -157,7 +157,7 @@ fn a_reader_that_has_gone_away_is_no_failure() {
 }
 
 #[test]
-fn another_limit_to_the_number_of_cases() {
+fn another_limit_of_the_number_of_cases() {
     let bench = Bench::new();
     bench.file("s.json", friction(TWO, ""));
     let done = bench.expect(2, &["list", "s.json", "--limit", "1"]);
@@ -167,7 +167,7 @@ fn another_limit_to_the_number_of_cases() {
         done.err
     );
     bench.expect(0, &["list", "s.json", "--limit", "2"]);
-    // More than 10^9 only where it is asked for; they are not made to be counted.
+    // More than 10^9 combinations need the option. They are counted without being made.
     let axis = |name: &str| format!(r#""{name}": {{"linspace": [1, 2, 40000]}}"#);
     let many = format!(
         r#""law": "velocity-control", {}, {}, "dT": 0.1, "duration": 9"#,

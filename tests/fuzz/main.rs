@@ -1,15 +1,15 @@
-//! Studies changed or made up at random: read, listed, solved and drawn. A short form runs with all tests, the same every
-//! time; `make fuzz` runs the long one, for SLIPGAP_FUZZ_SECONDS (300) from SLIPGAP_FUZZ_SEED (the time of day).
+//! Random studies, changed or generated: read, listed, solved and drawn. The short form is a normal test with fixed seeds.
+//! `make fuzz` runs the long one, for SLIPGAP_FUZZ_SECONDS (300) from SLIPGAP_FUZZ_SEED (the time of day).
 
-mod chance;
-mod hold;
+mod check;
+mod generate;
 mod mutate;
-mod random;
+mod random_choice;
 mod words;
 mod xml;
 
-use chance::Chance;
-use hold::{Came, hold};
+use check::{Stage, check};
+use random_choice::RandomChoice;
 use std::collections::BTreeMap;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,8 +18,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant, SystemTime};
 
-/// Longest that a text may take before it counts as one that does not end. Texts take a second at most; this is no measure
-/// of speed.
+/// The time after which a text counts as endless. Texts take a second at most; the limit does not measure speed.
 const ENDLESS: Duration = Duration::from_secs(300);
 
 /// The studies that the project ships, and the ones that `init` writes.
@@ -34,56 +33,58 @@ fn shipped() -> Vec<String> {
     texts.chain(starts).collect()
 }
 
-/// The text of one seed: three of four made up, half of these changed; the others shipped studies, changed.
+/// The text of one seed: a changed shipped study, or a generated study with or without changes.
 fn text(seed: u64, shipped: &[String]) -> String {
-    let mut chance = Chance::new(seed);
-    match chance.below(8) {
-        0..2 => mutate::mutated(&shipped[chance.below(shipped.len())], &mut chance),
+    let mut random = RandomChoice::new(seed);
+    match random.below(8) {
+        0..2 => mutate::mutated(&shipped[random.below(shipped.len())], &mut random),
         2..5 => {
-            let made = random::study(&mut chance);
-            mutate::mutated(&made, &mut chance)
+            let made = generate::study(&mut random);
+            mutate::mutated(&made, &mut random)
         }
-        _ => random::study(&mut chance),
+        _ => generate::study(&mut random),
     }
 }
 
-/// Puts the text of a seed to the tests; a failure prints its seed and text.
-fn try_seed(seed: u64, shipped: &[String]) -> Came {
+/// Checks the text of a seed. A failure prints the seed and the text.
+fn try_seed(seed: u64, shipped: &[String]) -> Stage {
     let text = text(seed, shipped);
-    let held = catch_unwind(AssertUnwindSafe(|| hold(&text, &mut Chance::new(seed))));
+    let held = catch_unwind(AssertUnwindSafe(|| {
+        check(&text, &mut RandomChoice::new(seed))
+    }));
     held.unwrap_or_else(|_| panic!("seed {seed} fails; its study:\n{text}\n"))
 }
 
 #[test]
-fn studies_at_random_are_refused_or_run() {
+fn random_studies_have_faults_or_run() {
     let shipped = shipped();
-    let mut came: BTreeMap<Came, usize> = BTreeMap::new();
+    let mut stages: BTreeMap<Stage, usize> = BTreeMap::new();
     for seed in 0..400 {
-        *came.entry(try_seed(seed, &shipped)).or_default() += 1;
+        *stages.entry(try_seed(seed, &shipped)).or_default() += 1;
     }
-    // Made-up studies that are all refused would test little.
-    for least in [Came::Refused, Came::Solved, Came::Drawn] {
-        assert!(came.get(&least).copied().unwrap_or(0) >= 20, "{came:?}");
+    // Generated studies test little if all have faults.
+    for least in [Stage::Refused, Stage::Solved, Stage::Drawn] {
+        assert!(stages.get(&least).copied().unwrap_or(0) >= 20, "{stages:?}");
     }
 }
 
 #[test]
 #[ignore = "minutes: make fuzz"]
-fn studies_at_random_for_minutes() {
+fn random_studies_for_minutes() {
     let of = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     let start = of("SLIPGAP_FUZZ_SEED").unwrap_or(now.map_or(1, |now| now.as_secs()) << 20);
     let time = Duration::from_secs(of("SLIPGAP_FUZZ_SECONDS").unwrap_or(300));
     let (shipped, begun) = (shipped(), Instant::now());
     let next = AtomicU64::new(start);
-    let came = Mutex::new(BTreeMap::<Came, usize>::new());
+    let stages = Mutex::new(BTreeMap::<Stage, usize>::new());
     let failed = Mutex::new(Vec::new());
     let work = || {
         while begun.elapsed() < time {
             let seed = next.fetch_add(1, Ordering::Relaxed);
             let ended = end_of(seed, &shipped);
             match ended {
-                Some(how) => *came.lock().unwrap().entry(how).or_default() += 1,
+                Some(how) => *stages.lock().unwrap().entry(how).or_default() += 1,
                 None => failed.lock().unwrap().push(seed),
             }
         }
@@ -93,20 +94,20 @@ fn studies_at_random_for_minutes() {
     println!(
         "seeds {start}..{}: {:?}",
         next.into_inner(),
-        came.into_inner().unwrap()
+        stages.into_inner().unwrap()
     );
     let failed = failed.into_inner().unwrap();
     assert!(failed.is_empty(), "seeds that fail: {failed:?}");
 }
 
-/// How far a seed came, tried in a thread of its own; `None` if it failed. One that does not end ends the program.
-fn end_of(seed: u64, shipped: &[String]) -> Option<Came> {
+/// The stage of a seed, checked in a new thread; `None` if it failed. An endless text ends the program.
+fn end_of(seed: u64, shipped: &[String]) -> Option<Stage> {
     let (sender, receiver) = std::sync::mpsc::channel();
     std::thread::scope(|scope| {
         let tried = scope.spawn(move || {
-            let came = try_seed(seed, shipped);
+            let stages = try_seed(seed, shipped);
             let _ = sender.send(());
-            came
+            stages
         });
         if let Err(std::sync::mpsc::RecvTimeoutError::Timeout) = receiver.recv_timeout(ENDLESS) {
             eprintln!(

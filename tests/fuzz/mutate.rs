@@ -1,30 +1,30 @@
 //! Studies changed at random: as text, byte by byte, and as tokens.
 
-use crate::chance::Chance;
+use crate::random_choice::RandomChoice;
 use crate::words::{CHARACTERS, KEYS, NUMBERS, STRINGS};
 
 /// The text with one to four changes.
-pub fn mutated(text: &str, chance: &mut Chance) -> String {
+pub fn mutated(text: &str, random: &mut RandomChoice) -> String {
     let mut text = text.to_owned();
-    for _ in 0..=chance.below(4) {
-        text = match chance.below(3) {
-            0 => bytes(&text, chance),
-            _ => tokens(&text, chance),
+    for _ in 0..=random.below(4) {
+        text = match random.below(3) {
+            0 => bytes(&text, random),
+            _ => tokens(&text, random),
         };
     }
     text
 }
 
-/// A byte changed, a piece left out or repeated, a character put in, the end cut off.
-fn bytes(text: &str, chance: &mut Chance) -> String {
+/// Changes a byte, removes or repeats some bytes, inserts a character, or removes the end.
+fn bytes(text: &str, random: &mut RandomChoice) -> String {
     let mut bytes = text.as_bytes().to_vec();
     if bytes.is_empty() {
         return text.to_owned();
     }
-    let at = chance.below(bytes.len());
-    let end = (at + 1 + chance.below(40)).min(bytes.len());
-    match chance.below(10) {
-        0..4 => bytes[at] ^= 1 << chance.below(8),
+    let at = random.below(bytes.len());
+    let end = (at + 1 + random.below(40)).min(bytes.len());
+    match random.below(10) {
+        0..4 => bytes[at] ^= 1 << random.below(8),
         4..6 => drop(bytes.drain(at..end)),
         6 => {
             let piece = bytes[at..end].to_vec();
@@ -32,15 +32,15 @@ fn bytes(text: &str, chance: &mut Chance) -> String {
         }
         7 => bytes.truncate(at),
         _ => {
-            let character = chance.of(&CHARACTERS);
+            let character = random.of(&CHARACTERS);
             bytes.splice(at..at, character.bytes());
         }
     }
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Tokens exchanged, left out, repeated, or replaced by others of their kind.
-fn tokens(text: &str, chance: &mut Chance) -> String {
+/// Exchanges, removes or repeats tokens, or replaces them by others of the same kind.
+fn tokens(text: &str, random: &mut RandomChoice) -> String {
     let mut tokens = split(text);
     let solid = |token: &&str| !token.trim().is_empty();
     let places: Vec<usize> = (0..tokens.len()).filter(|i| solid(&tokens[*i])).collect();
@@ -48,27 +48,27 @@ fn tokens(text: &str, chance: &mut Chance) -> String {
         return text.to_owned();
     }
     let (a, b) = (
-        places[chance.below(places.len())],
-        places[chance.below(places.len())],
+        places[random.below(places.len())],
+        places[random.below(places.len())],
     );
     let mut quoted = String::new();
-    match chance.below(8) {
+    match random.below(8) {
         0 => tokens.swap(a, b),
         1 => drop(tokens.remove(a)),
         2 => tokens.insert(a, tokens[b]),
         _ => {
             let numbers: Vec<usize> = kind(&tokens, |c| c.is_ascii_digit() || c == '-');
             let strings: Vec<usize> = kind(&tokens, |c| c == '"');
-            if chance.once_in(2) && !numbers.is_empty() {
-                tokens[numbers[chance.below(numbers.len())]] = chance.of(&NUMBERS);
+            if random.once_in(2) && !numbers.is_empty() {
+                tokens[numbers[random.below(numbers.len())]] = random.of(&NUMBERS);
             } else if !strings.is_empty() {
-                let words = if chance.once_in(3) {
+                let words = if random.once_in(3) {
                     &KEYS[..]
                 } else {
                     &STRINGS[..]
                 };
-                quoted = format!("\"{}\"", chance.of(words));
-                tokens[strings[chance.below(strings.len())]] = &quoted;
+                quoted = format!("\"{}\"", random.of(words));
+                tokens[strings[random.below(strings.len())]] = &quoted;
             }
         }
     }
@@ -77,13 +77,13 @@ fn tokens(text: &str, chance: &mut Chance) -> String {
     joined
 }
 
-/// Places of the tokens that begin in a way.
+/// Indices of the tokens with such a first character.
 fn kind(tokens: &[&str], begins: impl Fn(char) -> bool) -> Vec<usize> {
-    let fits = |token: &str| token.chars().next().is_some_and(&begins);
-    (0..tokens.len()).filter(|i| fits(tokens[*i])).collect()
+    let matches = |token: &str| token.chars().next().is_some_and(&begins);
+    (0..tokens.len()).filter(|i| matches(tokens[*i])).collect()
 }
 
-/// Strings, runs of letters and digits, blanks, and single other characters.
+/// Splits into strings, words, white space and other characters.
 fn split(text: &str) -> Vec<&str> {
     let mut tokens = Vec::new();
     let mut rest = text;
@@ -103,7 +103,7 @@ fn split(text: &str) -> Vec<&str> {
     tokens
 }
 
-/// Number of bytes of the string that a text begins with.
+/// Length in bytes of the string at the beginning of a text.
 fn string_length(text: &str) -> usize {
     let mut escaped = false;
     for (i, c) in text.char_indices().skip(1) {

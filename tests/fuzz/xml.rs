@@ -1,7 +1,7 @@
-//! Whether a text is well-formed XML, as far as a picture needs it: one root, tags that close, attributes in quotes, known
-//! entities and only characters that XML 1.0 allows.
+//! Tests whether a picture is well-formed XML: one root, closed tags, quoted attributes, known entities, and only characters
+//! that XML 1.0 allows.
 
-/// What is wrong, if anything.
+/// The first fault, if any.
 pub fn fault(text: &str) -> Option<String> {
     let allowed = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{d7ff}' | '\u{e000}'..='\u{fffd}' | '\u{10000}'..);
     if let Some(c) = text.chars().find(|c| !allowed(*c)) {
@@ -100,7 +100,7 @@ fn attributes(text: &str) -> Option<String> {
 }
 
 #[test]
-fn what_is_not_well_formed_is_found() {
+fn faults_are_found() {
     for bad in [
         "<a>",
         "<a></b>",

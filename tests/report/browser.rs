@@ -1,11 +1,11 @@
-//! A page in a browser without a window.
+//! A page in a headless browser.
 
 use serde_json::Value as Json;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// What probes use to do what a reader does.
+/// Functions for probes: the actions of a reader.
 const READER: &str = r#"
 const root = document.querySelector(".results");
 const heads = () => [...root.querySelectorAll("thead th")];
@@ -20,7 +20,7 @@ const typed = text => { type(text); return count(); };
 const probe = {};
 "#;
 
-/// A Chromium of the usual names; says so where there is none.
+/// An installed Chromium, if any.
 pub fn chromium() -> Option<String> {
     let names = [
         "chromium",
@@ -39,7 +39,7 @@ pub fn chromium() -> Option<String> {
     found
 }
 
-/// Calls the browser in `folder` and gives what it prints.
+/// Runs the browser in `folder`; returns its output.
 pub fn browse(program: &str, folder: &Path, words: &[&str]) -> String {
     let output = Command::new(program)
         .args([
@@ -56,16 +56,16 @@ pub fn browse(program: &str, folder: &Path, words: &[&str]) -> String {
         .current_dir(folder)
         .output()
         .unwrap();
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(!said.contains("CONSOLE"), "{said}");
-    assert!(output.status.success(), "{said}");
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!errors.contains("CONSOLE"), "{errors}");
+    assert!(output.status.success(), "{errors}");
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// Loads the page with `script` after it, which fills the object `probe`, and gives that object.
+/// Loads the page, then `script`, which fills the object `probe`; returns this object.
 pub fn probe(program: &str, folder: &Path, page: &str, script: &str) -> Json {
     let faults = "<head>\n<script>window.faults = []; addEventListener('error', e => faults.push(e.message));</script>";
-    // A large page need not be printed to find what was probed.
+    // The page itself, which may be large, is not printed.
     let end = format!(
         "<script>{READER}{script}\ndocument.body.replaceChildren();\n\
          document.body.dataset.found = encodeURIComponent(JSON.stringify([window.faults, probe]));</script></body>"

@@ -1,11 +1,11 @@
-//! The results in a page, decoded by the description of their form and by nothing of the program's.
+//! The results in a page, decoded from the description of the format without code of the program.
 
 use serde_json::Value as Json;
 
 /// The first table of a page.
 pub struct Data {
     pub head: Json,
-    /// Name and cells of each column; `None` where a value is undefined.
+    /// Name and cells of each column; `None` if a value is undefined.
     pub columns: Vec<(String, Vec<Option<Cell>>)>,
 }
 
@@ -56,7 +56,7 @@ pub fn data(page: &str) -> Data {
     Data { head, columns }
 }
 
-/// The contents of the first script that begins so, and what follows it.
+/// The content of the first element with this start tag, and the text after it.
 fn cut<'a>(page: &'a str, begin: &str) -> (&'a str, &'a str) {
     let after = page.split_once(begin).expect("a script of the data").1;
     after.split_once("</script>").unwrap()
@@ -70,7 +70,7 @@ fn doubles(bytes: &[u8]) -> Vec<f64> {
         .collect()
 }
 
-/// The bytes of a base64 text: six bits a letter, whole bytes only.
+/// The bytes of a base64 text: six bits per letter, without incomplete bytes.
 pub fn bytes(base64: &str) -> Vec<u8> {
     assert_eq!(base64.len() % 4, 0);
     let (mut bytes, mut bits, mut count) = (Vec::new(), 0_u32, 0);

@@ -1,4 +1,4 @@
-//! 100 000 cases: all of them are in the page, and filter, sort and search look at all of them.
+//! A page with 100 000 cases: filter and sort use all of them.
 
 use super::browser::{chromium, probe};
 use super::data::{Cell, bytes, data};
@@ -8,8 +8,8 @@ use std::path::Path;
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// 50 000 values of beta, the first axis, so that no beta over 0.1 is among the first 20 000 cases; from x0 = 0.5 nothing
-/// moves, and work_error is undefined.
+/// 50 000 values of beta, the first axis, so that the first 20 000 cases have no beta above 0.1. With x0 = 0.5 there is no
+/// motion, and work_error is undefined.
 const STUDY: &str = r#"{ "problem": "friction-oscillator", "parameters": { "law": "velocity-control",
   "beta": { "linspace": [0.001, 0.4, 50000] }, "x0": [3, 0.5], "dT": "pi/10", "duration": "2*pi" },
   "figures": [ { "name": "curve", "title": "Every beta", "kind": "metric", "x": "beta", "y": "rms_error", "where": { "x0": 3 } } ],
@@ -59,9 +59,9 @@ fn every_cell_of_results_csv_is_in_the_page() {
 }
 
 #[test]
-fn neither_points_nor_checks_make_the_page_grow_with_the_cases() {
+fn points_and_checks_of_many_cases_do_not_enlarge_the_page() {
     let (_, page, (header, rows)) = &*REPORT;
-    // At most eight bytes a cell, four letters for three of them; a third of the columns have one value.
+    // At most eight bytes for a cell, and four letters for three bytes. A third of the columns have one value.
     let cells = header.len() * rows.len() * 8 / 3 * 4;
     assert!(page.len() < 2 * cells / 3, "{} bytes", page.len());
     assert!(page.contains("Checks: 100000 of 100000 met") && !page.contains("limits</th>"));
@@ -97,7 +97,7 @@ probe.falling = [values("case"), values("work_error")];
 "#;
 
 #[test]
-fn in_a_browser_filter_and_sort_look_at_every_case() {
+fn in_a_browser_filter_and_sort_use_every_case() {
     let Some(program) = chromium() else { return };
     let (folder, page, (header, rows)) = &*REPORT;
     let probe = probe(&program, folder.path(), page, PROBE);
@@ -119,26 +119,26 @@ fn in_a_browser_filter_and_sort_look_at_every_case() {
     );
     assert_eq!(probe["name"], found(100_000));
     assert_eq!(probe["absent"], "no case");
-    // What is not understood is named, with what is allowed.
-    let said: Vec<&str> = probe["faults"]
+    // A fault names the wrong word and the allowed ones.
+    let faults: Vec<&str> = probe["faults"]
         .as_array()
         .unwrap()
         .iter()
-        .map(|said| said.as_str().unwrap())
+        .map(|fault| fault.as_str().unwrap())
         .collect();
     let columns = header.join(", ");
     assert_eq!(
-        said[0],
+        faults[0],
         format!("No column is called “bta”. The columns are {columns}")
     );
     assert_eq!(
-        said[1],
+        faults[1],
         format!(
             "“bta” is neither a name in this table nor a comparison. The columns are {columns}"
         )
     );
     assert_eq!(
-        said[2..],
+        faults[2..],
         [
             "beta is a column: compare it with a value, as in beta>0.1",
             "“beta>” is not a comparison: write column, sign, value, as in beta>0.1",
@@ -151,7 +151,7 @@ fn in_a_browser_filter_and_sort_look_at_every_case() {
         (&probe["faulty"], &probe["rows"]),
         (&"true".into(), &0.into())
     );
-    // The best and the worst hundred of all.
+    // The hundred smallest and largest of all.
     let mut errors: Vec<(f64, usize)> = rows
         .iter()
         .map(|row| (number(row, "rms_error"), number(row, "case") as usize))
@@ -183,7 +183,7 @@ fn in_a_browser_filter_and_sort_look_at_every_case() {
             .unwrap(),
         worst
     );
-    // Cases 1 and 3 have no work_error: last both ways.
+    // Cases 1 and 3 have no work_error: they are last in both directions.
     let work = |case: usize| rows[case][place("work_error")].clone();
     let rising = number(&rows[0], "work_error") < number(&rows[2], "work_error");
     for (name, zero_first) in [("last", rising), ("falling", !rising)] {

@@ -1,10 +1,11 @@
-//! What a page does not hold, and what it must not hold.
+//! Limits of the content of a page, and text that it must escape.
 
 use super::browser::{chromium, probe};
 use super::data::data;
 use slipgap::batch;
 use slipgap::batch::Outcome;
 use slipgap::report::{self, Checks, Counts, Indices, Results, Section};
+use slipgap::solve::Unsolvable;
 use slipgap::study::{self, Study};
 use std::path::PathBuf;
 
@@ -18,7 +19,7 @@ fn outcomes(study: &Study) -> Vec<Outcome> {
     batch::all(study, &indicatif::ProgressBar::hidden()).unwrap()
 }
 
-/// The page of one study whose results may take `most` bytes.
+/// The page of one study with at most `most` bytes of results.
 fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String {
     let mut results = Results::new(study, PathBuf::from("out/s/store"), most);
     let mut counts = Counts::new(study);
@@ -46,12 +47,12 @@ fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String 
 const LIMIT: &str = "This page has only the first 1000 of 1500 cases, so it cannot filter or sort; all cases are in out/s/store";
 
 #[test]
-fn a_table_too_large_for_the_page_says_what_it_holds_and_refuses() {
+fn a_table_too_large_for_the_page_is_shortened_with_a_sentence() {
     let study = study::parse("s.json", FRICTION).unwrap();
     let outcomes = outcomes(&study);
     let mut results = Results::new(&study, PathBuf::new(), usize::MAX);
     outcomes.iter().for_each(|outcome| results.add(outcome));
-    // As many bytes as it takes, and one less.
+    // The exact size in bytes, and one byte less.
     let whole = page(&study, FRICTION, &outcomes, results.bytes());
     assert!(data(&whole).head["limit"].is_null() && !whole.contains("has only the first"));
     let part = page(&study, FRICTION, &outcomes, results.bytes() - 1);
@@ -93,11 +94,11 @@ fn a_table_too_large_for_the_page_says_what_it_holds_and_refuses() {
 }
 
 #[test]
-fn a_column_that_varies_beyond_the_rows_held_is_shown() {
+fn a_column_that_varies_after_the_shortened_rows_is_shown() {
     let text = FRICTION
         .replace(r#""x0": 3"#, r#""x0": [3, 4]"#)
         .replace("0.4, 1500", "0.4, 1100");
-    // x0 first: the rows held have one x0.
+    // x0 is the first axis: the rows on the page have one x0.
     let text = text.replace(
         r#""beta": { "linspace": [0.001, 0.4, 1100] }, "x0": [3, 4]"#,
         r#""x0": [3, 4], "beta": { "linspace": [0.001, 0.4, 1100] }"#,
@@ -149,8 +150,8 @@ fn cases_without_contact_or_solution_are_counted() {
     assert!(apart.contains(
         "<p>2 of 3 cases have no contact before <code>duration</code>; their contact metrics are undefined.</p>"
     ));
-    // A case without a solution has no metric either, and is not one without contact.
-    outcomes[2].failure = Some("S <grows>".into());
+    // A case without a solution has no metrics, but does not count as one without contact.
+    outcomes[2].failure = Some(Unsolvable::Stored("S <grows>".into()));
     outcomes[2].metrics.fill(None);
     let failed = page_of(&outcomes);
     assert!(failed.contains("<p>1 of 3 cases have no contact"));

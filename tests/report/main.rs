@@ -1,4 +1,4 @@
-//! The report: what stands on the page, and, where there is a Chromium, what the page does.
+//! The report: the content of the page, and its behaviour if there is a Chromium.
 
 mod browser;
 mod data;
@@ -10,8 +10,8 @@ use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
 
-/// Writes the study `s.json` into a folder of its own, calls `slipgap VERB s.json --out out` there for each of the verbs,
-/// and gives the folder and the page.
+/// Writes the study `s.json` into a new folder and runs `slipgap VERB s.json --out out` there for each of the verbs; returns
+/// the folder and the page.
 fn page_of(study: &str, verbs: &[&str]) -> (TempDir, String) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("s.json"), study).unwrap();
@@ -22,8 +22,8 @@ fn page_of(study: &str, verbs: &[&str]) -> (TempDir, String) {
             .current_dir(folder.path())
             .output()
             .unwrap();
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{said}");
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{errors}");
         printed = String::from_utf8_lossy(&output.stdout).into_owned();
     }
     assert_eq!(printed, "out/report.html\n");

@@ -1,4 +1,4 @@
-//! A small study: what stands on its page, and what a reader can do there.
+//! The page of a small study, and the actions of a reader.
 
 use super::browser::{browse, chromium, probe};
 use super::data::data;
@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use std::fs;
 use std::process::Command;
 
-/// 108 cases with one that is stranger than the others, a figure of each kind of hover, and a check that is not met.
+/// 108 cases, figures with each kind of hover text, and a check that is not met.
 const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact", "parameters": {
   "gamma": { "linspace": [0.25, 3, 12] }, "n": [2, 4, 8], "mass": ["lumped", "consistent"], "gap": [0], "dt": "0.1/n", "duration": 1.5,
   "right": "wall", "L": [10], "E": [100, 101, 102], "V0": 0.1 },
@@ -19,12 +19,12 @@ const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact",
 "#;
 
 #[test]
-fn the_page_has_everything_in_it_and_asks_for_nothing() {
+fn the_page_needs_no_other_file() {
     let (folder, page) = page_of(STUDY, &["report"]);
-    // The name of the SVG namespace is no address that is asked.
+    // The name of the SVG namespace is not an address to load.
     let rest = page.replace("http://www.w3.org/2000/svg", "");
-    for beside in ["http:", "https:", "src=", "@import", "url(", "<link"] {
-        assert!(!rest.contains(beside), "{beside}");
+    for address in ["http:", "https:", "src=", "@import", "url(", "<link"] {
+        assert!(!rest.contains(address), "{address}");
     }
     assert!(page.contains("Springs &amp; &lt;meshes&gt;"));
     assert!(
@@ -35,7 +35,7 @@ fn the_page_has_everything_in_it_and_asks_for_nothing() {
     assert!(page.contains(env!("CARGO_PKG_VERSION")));
     let solver = format!("solver {}", slipgap::batch::key::SOLVER_VERSION);
     assert!(page.contains(&solver));
-    // What `sha256sum` gives for the file.
+    // From `sha256sum`.
     let study = folder.path().join("s.json");
     if let Ok(sum) = Command::new("sha256sum").arg(study).output() {
         let sum = String::from_utf8(sum.stdout).unwrap();
@@ -44,12 +44,12 @@ fn the_page_has_everything_in_it_and_asks_for_nothing() {
     assert!(page.contains("<dt>F0</dt>") && page.contains("<dt>T_I</dt>"));
     assert!(!page.contains("Sobol'"), "no design");
     assert_eq!(data(&page).head["rows"], cases());
-    // The title of a figure that has one, else its name.
+    // The title of a figure, or its name without a title.
     assert!(
         page.contains("<figcaption>Peaks &amp; n</figcaption>")
             && page.contains("<figcaption>map</figcaption>")
     );
-    // A point to point at for each case of the map and of the curves.
+    // A point with hover text for each case of the map and of the curves.
     assert_eq!(page.matches("role=\"img\" aria-label=").count(), 2 * 36);
     assert!(
         page.contains("aria-label=\"n = 4, γ = 0.25: peak of F/F0 = "),
@@ -58,7 +58,7 @@ fn the_page_has_everything_in_it_and_asks_for_nothing() {
 }
 
 #[test]
-fn indices_stand_on_the_page_as_in_the_table_of_a_run() {
+fn indices_on_the_page_are_those_of_the_table() {
     let study = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
         "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]}, "dT": 0.5, "duration": 10},
         "design": {"kind": "saltelli", "n": 32}}"#;
@@ -87,12 +87,12 @@ fn indices_stand_on_the_page_as_in_the_table_of_a_run() {
     assert!(page.contains("<dt>Δ</dt>"));
 }
 
-/// 12 gammas, 2 mass matrices, and for n = 2, 4, 8 one, two and three values of E.
+/// Number of cases: 12 gammas, 2 mass matrices, and for n = 2, 4, 8 one, two and three values of E.
 fn cases() -> usize {
     12 * 2 * (1 + 2 + 3)
 }
 
-/// What a reader does, and what comes of it.
+/// The actions of a reader, and their results.
 const PROBE: &str = r#"
 probe.begun = count();
 probe.hidden = column("L");

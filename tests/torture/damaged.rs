@@ -1,10 +1,10 @@
-//! Stores that were damaged or tampered with between runs.
+//! Stores that are damaged or manipulated between runs.
 
 use crate::scene::OUT;
 use crate::{Random, Scene, Tree, long};
 use indicatif::ProgressBar;
 use slipgap::batch::store::Store;
-use slipgap::batch::{self, Wishes};
+use slipgap::batch::{self, RunOptions};
 use slipgap::study;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twox_hash::XxHash3_128;
@@ -26,16 +26,16 @@ fn damaged(rounds: u64) {
     for round in 0..rounds {
         let scene = &scenes[random.below(2) as usize];
         let mut tree = scene.wanted.clone();
-        let mut told = String::new();
+        let mut done = String::new();
         for _ in 0..=random.below(3) {
-            told += &damage(&mut tree, &scene.former, &mut random);
+            done += &damage(&mut tree, &scene.former, &mut random);
         }
         scene.bench.put(OUT, &tree);
-        scene.repaired(&format!("{:?}, round {round}: {told}", scene.words));
+        scene.repaired(&format!("{:?}, round {round}: {done}", scene.words));
     }
 }
 
-/// Damages a folder of results in one way; which.
+/// Damages a folder of results in one way; returns a description.
 fn damage(tree: &mut Tree, former: &Tree, random: &mut Random) -> String {
     let parts = |tree: &Tree| -> Vec<String> {
         tree.keys()
@@ -43,26 +43,26 @@ fn damage(tree: &mut Tree, former: &Tree, random: &mut Random) -> String {
             .cloned()
             .collect()
     };
-    let mine = parts(tree);
-    if mine.is_empty() {
-        return "no part is left; ".into();
+    let parts_now = parts(tree);
+    if parts_now.is_empty() {
+        return "there is no part; ".into();
     }
-    let one = mine[random.below(mine.len() as u64) as usize].clone();
-    let two = mine[random.below(mine.len() as u64) as usize].clone();
+    let one = parts_now[random.below(parts_now.len() as u64) as usize].clone();
+    let two = parts_now[random.below(parts_now.len() as u64) as usize].clone();
     let bytes = tree[&one].clone();
     let place = random.below(bytes.len() as u64) as usize;
-    let did = match random.below(10) {
+    let damage = match random.below(10) {
         0 => {
             flip(tree.get_mut(&one).unwrap(), random);
-            "a bit of one is turned"
+            "a bit of one is inverted"
         }
         1 => {
             tree.insert(one.clone(), bytes[..place].to_vec());
-            "one is cut short"
+            "one is truncated"
         }
         2 => {
             tree.insert(one.clone(), [&bytes[..], &bytes[..place]].concat());
-            "one goes on"
+            "one is longer"
         }
         3 => {
             let other = tree.insert(two.clone(), bytes).unwrap();
@@ -71,10 +71,10 @@ fn damage(tree: &mut Tree, former: &Tree, random: &mut Random) -> String {
         }
         4 => {
             tree.remove(&one);
-            "one is gone"
+            "one is removed"
         }
         5 => {
-            // Of two parts, or of a part that the study does not have.
+            // The number of another part, or of a part that the study does not have.
             let (_, number) = numbered(&two);
             let beyond = format!(
                 "{:0width$}",
@@ -88,33 +88,33 @@ fn damage(tree: &mut Tree, former: &Tree, random: &mut Random) -> String {
             };
             let (folder, _) = numbered(&one);
             tree.insert(format!("{folder}{number}-{}.parquet", sum(&bytes)), bytes);
-            "one is there under another number, too"
+            "one has a copy under another number"
         }
         6 => {
             let others = parts(former);
             let other = others[random.below(others.len() as u64) as usize].clone();
             tree.insert(other.clone(), former[&other].clone());
-            "one of a former study has come back"
+            "one of a former study is added"
         }
         7 => {
             tree.insert(one.clone(), vec![0; bytes.len()]);
-            "one holds zeros"
+            "one contains zeros"
         }
         8 => {
             tree.remove(&one);
             let cut = bytes[..place].to_vec();
             tree.insert(forged(&one, &cut), cut);
-            "one is cut short, with the sum of what is left"
+            "one is truncated, with a valid checksum"
         }
         _ => {
             tree.retain(|name, _| !name.starts_with("s/store/"));
-            "the store is gone"
+            "the store is removed"
         }
     };
-    format!("{did} ({one}); ")
+    format!("{damage} ({one}); ")
 }
 
-/// Turns one bit.
+/// Inverts one bit.
 fn flip(bytes: &mut [u8], random: &mut Random) {
     let bit = random.below(8 * bytes.len() as u64);
     if let Some(byte) = bytes.get_mut(bit as usize / 8) {
@@ -122,18 +122,18 @@ fn flip(bytes: &mut [u8], random: &mut Random) {
     }
 }
 
-/// The name of a part with the sum of other bytes.
+/// The name of a part with the checksum of other bytes.
 fn forged(name: &str, bytes: &[u8]) -> String {
     let (folder, number) = numbered(name);
     format!("{folder}{number}-{}.parquet", sum(bytes))
 }
 
-/// The sum in the name of a part.
+/// The checksum in the name of a part.
 fn sum(bytes: &[u8]) -> String {
     format!("{:032x}", XxHash3_128::oneshot(bytes))
 }
 
-/// What stands before the number of a part in its name, and the number.
+/// The name of a part up to its number, and the number.
 fn numbered(name: &str) -> (&str, &str) {
     let (front, _) = name.rsplit_once('-').unwrap();
     front.split_at(front.rfind('-').unwrap() + 1)
@@ -150,8 +150,8 @@ fn forged_parts_for_long() {
     forge(long(40_000));
 }
 
-/// A part whose name has the sum of its damaged bytes is read, and what it holds is anybody's guess; a run takes it or
-/// computes its cases anew, and does not panic. In this process, since few of the damaged ones are hard to read.
+/// A damaged part with a valid checksum can have any content. A run uses it or computes its cases again, and does not panic.
+/// The runs are in this process, because few of the damaged parts cause trouble.
 fn forge(rounds: u64) {
     let mut random = Random(3);
     let scene = Scene::run();
@@ -171,11 +171,11 @@ fn forge(rounds: u64) {
         scene.bench.put(OUT, &store);
         let run = || {
             let store = Store::open(&scene.bench.path(OUT).join("s")).unwrap();
-            let wishes = Wishes {
+            let options = RunOptions {
                 store: Some(&store),
-                ..Wishes::METRICS
+                ..RunOptions::METRICS
             };
-            batch::run(&study, &ProgressBar::hidden(), &wishes, |_| Ok(()))
+            batch::run(&study, &ProgressBar::hidden(), &options, |_| Ok(()))
         };
         let ended = catch_unwind(AssertUnwindSafe(run));
         assert!(

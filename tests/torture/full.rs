@@ -1,55 +1,55 @@
-//! Disks with no room: a limit on the size of files, and a small disk where the system gives one.
+//! Full disks: a limit on the size of files, and a small disk in memory if the system allows one.
 
 use crate::scene::OUT;
 use crate::{Done, Scene, Tree, program};
 use std::fs;
 
-/// Bytes that a disk in memory gives out at a time.
+/// Page size of a disk in memory, in bytes.
 const PAGE: u64 = 4096;
 
 #[test]
-fn files_that_may_not_grow() {
+fn limited_file_sizes() {
     limited(&[Scene::run(), Scene::report()], 9);
 }
 
 #[test]
 #[ignore = "minutes; make torture"]
-fn files_that_may_not_grow_at_every_size() {
+fn limited_file_sizes_at_every_size() {
     for scene in Scene::all() {
         limited(&[scene], 1);
     }
 }
 
-/// No file may grow beyond so many KiB, which fails at the places where a full disk does.
+/// Limits the size of files. Writing then fails in the same places as on a full disk.
 fn limited(scenes: &[Scene], stride: usize) {
     let bash = program("bash").unwrap();
     for scene in scenes {
-        let mut refused = 0;
+        let mut failures = 0;
         for limit in (0..).step_by(stride) {
             let what = format!("{:?} with files of {limit} KiB", scene.words);
             scene.reset();
             let line = format!("trap '' XFSZ; ulimit -f {limit}; exec \"$0\" \"$@\"");
-            let mut command = scene.bench.command(&bash);
+            let mut command = scene.bench.command_of(&bash);
             command.args(["-c", &line]).arg(program("slipgap").unwrap());
             let done = Done::from(command.args(scene.words).output().unwrap());
-            refused += usize::from(judged(scene, &done, &what));
+            failures += usize::from(failed(scene, &done, &what));
             scene.repaired(&what);
             if done.code == Some(0) {
                 break;
             }
         }
-        assert!(refused > 0, "{:?}: no limit was too small", scene.words);
+        assert!(failures > 0, "{:?}: no limit was too small", scene.words);
     }
 }
 
-/// Whether a run that had no room says so and leaves nothing but whole files; else it is complete.
-fn judged(scene: &Scene, done: &Done, what: &str) -> bool {
+/// Whether a run has failed. A failed run must report it and leave only complete files.
+fn failed(scene: &Scene, done: &Done, what: &str) -> bool {
     assert!(!done.err.contains("panicked"), "{what}: {done:?}");
     match done.code {
         Some(0) => scene.complete(what),
         Some(1) => {
             assert!(done.err.contains("slipgap: cannot "), "{what}: {done:?}");
-            scene.whole(false, what);
+            scene.only_complete_files(false, what);
         }
         _ => panic!("{what}: {done:?}"),
     }
@@ -67,7 +67,7 @@ fn a_disk_full_at_every_page() {
     full(&Scene::all(), 1);
 }
 
-/// A disk in memory with room for the former results and few pages more; then it grows, and the run is repeated.
+/// Runs on a disk in memory with space for the former results and some pages, then again with more space.
 fn full(scenes: &[Scene], stride: usize) {
     for scene in scenes {
         let used: u64 = scene
@@ -75,15 +75,15 @@ fn full(scenes: &[Scene], stride: usize) {
             .values()
             .map(|b| (b.len() as u64).div_ceil(PAGE))
             .sum();
-        let mut refused = 0;
+        let mut failures = 0;
         for free in (0..).step_by(stride) {
             let what = format!("{:?} with {free} pages of disk left", scene.words);
             let Some((done, after, again, repaired)) = on_disk(scene, (used + free) * PAGE) else {
-                eprintln!("no disk in memory to be had: not looked at");
+                eprintln!("a disk in memory is not allowed: not tested");
                 return;
             };
             scene.bench.put(OUT, &after);
-            refused += usize::from(judged(scene, &done, &what));
+            failures += usize::from(failed(scene, &done, &what));
             assert_eq!(again.code, Some(0), "{what}, with room: {again:?}");
             scene.bench.put(OUT, &repaired);
             scene.complete(&format!("{what}, with room"));
@@ -91,12 +91,12 @@ fn full(scenes: &[Scene], stride: usize) {
                 break;
             }
         }
-        assert!(refused > 0, "{:?}: no disk was too small", scene.words);
+        assert!(failures > 0, "{:?}: no disk was too small", scene.words);
     }
 }
 
-/// A run on a disk of so many bytes, and one more with room: how each ended and what it left. Nothing where the system
-/// lets nobody mount.
+/// A run on a disk of `size` bytes, and one with more space: how each ended, and its files. `None` if the system does not
+/// allow mounting.
 fn on_disk(scene: &Scene, size: u64) -> Option<(Done, Tree, Done, Tree)> {
     let bench = &scene.bench;
     scene.reset();
@@ -106,7 +106,7 @@ fn on_disk(scene: &Scene, size: u64) -> Option<(Done, Tree, Done, Tree)> {
     for folder in ["after", "repaired"] {
         fs::create_dir(bench.path(folder)).unwrap();
     }
-    // In a namespace of its own, with which the disk goes.
+    // The disk is in a new namespace and is removed with it.
     let script = format!(
         "mount -t tmpfs -o size={size} tmpfs {OUT} || exit 99
          cp -a former/. {OUT} || exit 98
@@ -115,7 +115,7 @@ fn on_disk(scene: &Scene, size: u64) -> Option<(Done, Tree, Done, Tree)> {
          PATH=/nonexistent \"$0\" \"$@\" 2> second; echo $? > second.code
          cp -a {OUT}/. repaired"
     );
-    let mut command = bench.command(program("unshare")?);
+    let mut command = bench.command_of(program("unshare")?);
     command.env("PATH", std::env::var_os("PATH")?);
     command.args(["-r", "-m", "sh", "-c", &script]);
     let output = command
@@ -124,8 +124,8 @@ fn on_disk(scene: &Scene, size: u64) -> Option<(Done, Tree, Done, Tree)> {
         .output()
         .ok()?;
     if !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(!matches!(output.status.code(), Some(97 | 98)), "{said}");
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(!matches!(output.status.code(), Some(97 | 98)), "{errors}");
         return None;
     }
     let done = |name: &str| Done {
@@ -134,6 +134,7 @@ fn on_disk(scene: &Scene, size: u64) -> Option<(Done, Tree, Done, Tree)> {
             .trim()
             .parse()
             .ok(),
+        out: String::new(),
         err: fs::read_to_string(bench.path(name)).unwrap(),
     };
     Some((

@@ -1,6 +1,6 @@
 //! Runs killed at random times.
 
-use crate::{Random, Scene, long, program};
+use crate::{Random, Scene, long};
 use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -22,13 +22,13 @@ fn killed(rounds: u64) {
         scene.reset();
         let begin = Instant::now();
         scene.repaired("undisturbed, over former results");
-        // When a run is killed is a matter of chance and of the machine; what then holds is not.
+        // The time of the kill is random and depends on the machine. The assertions do not.
         let lasts = begin.elapsed().as_micros() as u64;
         for round in 0..rounds {
             scene.reset();
-            // Killed up to four times in a row, then left alone.
+            // Killed one to four times, then undisturbed.
             for _ in 0..=random.below(4) {
-                let mut command = scene.bench.command(program("slipgap").unwrap());
+                let mut command = scene.bench.command();
                 command
                     .args(scene.words)
                     .stdout(Stdio::null())
@@ -37,7 +37,7 @@ fn killed(rounds: u64) {
                 sleep(Duration::from_micros(random.below(lasts)));
                 child.kill().unwrap();
                 child.wait().unwrap();
-                scene.whole(true, &format!("{:?}, round {round}", scene.words));
+                scene.only_complete_files(true, &format!("{:?}, round {round}", scene.words));
             }
             scene.repaired(&format!("{:?}, killed, round {round}", scene.words));
         }

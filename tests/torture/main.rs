@@ -1,10 +1,10 @@
-//! Runs that are killed, starved and disturbed. Whatever happens, every file with its final name is whole, and the next
-//! run leaves exactly what an undisturbed run leaves: the same files, the same bytes, nothing left over.
+//! Runs that are killed, without space, or disturbed. In every case all files with final names are complete, and the next run
+//! leaves exactly the same files with the same bytes as an undisturbed run.
 //!
-//! Each loop has a short form among the tests and a long one, which `make torture` runs. TORTURE=N makes the long ones N
-//! times as long.
+//! Each test has a short form and a long one, which `make torture` runs. TORTURE=N makes the long ones N times as long.
 #![cfg(unix)]
 
+#[path = "../common/bench.rs"]
 mod bench;
 mod damaged;
 mod full;
@@ -13,17 +13,19 @@ mod scene;
 mod threads;
 mod together;
 mod traced;
+mod tree;
 
-pub(crate) use bench::{Bench, Done, Tree, differences, program};
+pub(crate) use bench::{Bench, Done};
 pub(crate) use scene::Scene;
+pub(crate) use tree::{Tree, differences, program};
 
-/// Rounds of a long form.
+/// Number of rounds of a long form.
 pub(crate) fn long(rounds: u64) -> u64 {
     let factor = std::env::var("TORTURE").ok().and_then(|n| n.parse().ok());
     rounds * factor.unwrap_or(1)
 }
 
-/// Numbers that look random and are the same in every run (splitmix64).
+/// Reproducible random numbers (SplitMix64).
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {

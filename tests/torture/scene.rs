@@ -1,14 +1,14 @@
-//! What is disturbed: a command in a folder with the results of a former study, and what it leaves undisturbed.
+//! The disturbed commands, each in a folder with the results of a former study, and their undisturbed results.
 
 use crate::{Bench, Done, Tree, differences};
 use serde_json::Value as Json;
 
-/// A command, what stands in its output folder before, and what it leaves there when nothing disturbs it.
+/// A command, and the content of its output folder before and after an undisturbed run.
 pub(crate) struct Scene {
     pub(crate) bench: Bench,
-    /// The command's words.
+    /// The arguments of the command.
     pub(crate) words: &'static [&'static str],
-    /// The output folder as the former study left it.
+    /// The output folder after a run of the former study.
     pub(crate) former: Tree,
     /// The output folder after an undisturbed run in an empty folder.
     pub(crate) wanted: Tree,
@@ -17,10 +17,10 @@ pub(crate) struct Scene {
 /// The output folder of every scene.
 pub(crate) const OUT: &str = "figures";
 
-/// Says which files are a run's own, and changes as it goes on.
+/// The list of the files of runs, which changes during a run.
 const MANIFEST: &str = "s/manifest.json";
 
-/// A sweep in three chunks of a few cases each and a saltelli design, with a figure: all kinds of files in few writes.
+/// A sweep in three chunks of few cases and a saltelli design, with a figure: all kinds of files with few writes.
 fn study(betas: &str, figure: &str) -> String {
     format!(
         r#"{{ "problem": "friction-oscillator", "blocks": [
@@ -39,27 +39,27 @@ const LEDGER: &str = r#"{ "paper": "A paper", "studies": "studies", "claims": [
       "expect": [{ "metric": "rms_error", "min": 0, "max": 1 }] }] }] }"#;
 
 impl Scene {
-    /// A sweep over another one's results.
+    /// A run over the results of the former study.
     pub(crate) fn run() -> Scene {
         Scene::of(&["run", "--jobs", "1"])
     }
 
-    /// The same with histories.
+    /// A run with histories.
     pub(crate) fn histories() -> Scene {
         Scene::of(&["run", "--jobs", "1", "--histories"])
     }
 
-    /// A page about it.
+    /// A page about the study.
     pub(crate) fn report() -> Scene {
         Scene::of(&["report", "--jobs", "1"])
     }
 
-    /// Claims about it.
+    /// Claims about the study.
     pub(crate) fn claims() -> Scene {
         Scene::of(&["claims", "ledger.json", "--jobs", "1"])
     }
 
-    /// All of them.
+    /// All scenes.
     pub(crate) fn all() -> [Scene; 4] {
         [
             Scene::run(),
@@ -83,7 +83,7 @@ impl Scene {
             "\"name\": \"new\", \"title\": \"Former\"",
         );
         let former = match words[0] {
-            // A claim names the figure; a run has a figure that is no longer made.
+            // A claim names the figure. A run has a figure that the new study does not have.
             "claims" => former,
             _ => study("[0.1, 1.3, 0.1]", "old"),
         };
@@ -98,16 +98,15 @@ impl Scene {
         }
     }
 
-    /// Puts the former results in place.
+    /// Restores the former results.
     pub(crate) fn reset(&self) {
         self.bench.put(OUT, &self.former);
     }
 
-    /// Every file whose name is that of a result is one that the former or the undisturbed run wrote, to the byte. Under
-    /// other names there may be something only if `temporary`: what was written last when the run was killed. What a later
-    /// run may have to remove is in the manifest.
+    /// Asserts that every file of results has the bytes of the former or of the undisturbed run. Temporary files of a killed
+    /// run are allowed if `temporary`. The manifest must list all files that a later run may have to remove.
     #[track_caller]
-    pub(crate) fn whole(&self, temporary: bool, what: &str) {
+    pub(crate) fn only_complete_files(&self, temporary: bool, what: &str) {
         let tree = self.bench.tree(OUT);
         for (name, bytes) in &tree {
             if name == MANIFEST {
@@ -117,8 +116,11 @@ impl Scene {
             let ending = [".csv", ".png", ".svg", ".pdf", ".html", ".md", ".parquet"];
             let result = ending.iter().any(|ending| name.ends_with(ending));
             match known.iter().any(Option::is_some) {
-                true => assert!(known.contains(&Some(bytes)), "{what}: {name} is not whole"),
-                false => assert!(temporary && !result, "{what}: {name} is left"),
+                true => assert!(
+                    known.contains(&Some(bytes)),
+                    "{what}: {name} is not complete"
+                ),
+                false => assert!(temporary && !result, "{what}: {name} remains"),
             }
         }
         let Some(manifest) = tree.get(MANIFEST) else {
@@ -145,16 +147,20 @@ impl Scene {
         }
     }
 
-    /// An undisturbed run now leaves what it always leaves.
+    /// Asserts that an undisturbed run now gives the undisturbed results, and that the files it prints exist.
     #[track_caller]
     pub(crate) fn repaired(&self, what: &str) -> Done {
         let done = self.bench.run(self.words);
         assert_eq!(done.code, Some(0), "{what}: {done:?}");
+        let printed = done.out.lines().filter(|_| self.words[0] != "claims");
+        for path in printed {
+            assert!(self.bench.path(path).exists(), "{what}: {path}");
+        }
         self.complete(what);
         done
     }
 
-    /// The output folder is as an undisturbed run leaves it.
+    /// Asserts that the output folder is the same as after an undisturbed run.
     #[track_caller]
     pub(crate) fn complete(&self, what: &str) {
         let differ = differences(&self.bench.tree(OUT), &self.wanted);

@@ -3,11 +3,11 @@
 use crate::{Bench, differences};
 use std::fs;
 
-/// Studies that take a second or more each time: one chunk of many small cases serves as well.
-const DEAR: [&str; 3] = ["impact-map-gamma-n", "impact-sobol", "impact-budget"];
+/// Studies that take a second or more. Studies with many small cases test the same.
+const SLOW: [&str; 3] = ["impact-map-gamma-n", "impact-sobol", "impact-budget"];
 
 #[test]
-fn as_many_threads_as_you_like() {
+fn one_and_two_threads() {
     threads(&["2"], &|name| {
         ["friction-map-beta", "friction-fig5", "impact-fig4"].contains(&name)
     });
@@ -18,11 +18,11 @@ fn as_many_threads_as_you_like() {
 fn from_1_to_16_threads() {
     let jobs: Vec<String> = (2..=16).map(|jobs: u32| jobs.to_string()).collect();
     let jobs: Vec<&str> = jobs.iter().map(String::as_str).collect();
-    threads(&jobs, &|name| !DEAR.contains(&name));
-    threads(&["16"], &|name| DEAR.contains(&name));
+    threads(&jobs, &|name| !SLOW.contains(&name));
+    threads(&["16"], &|name| SLOW.contains(&name));
 }
 
-/// Runs the shipped studies that are wanted with one thread and with each of these numbers.
+/// Compares runs of shipped studies with one thread and with each of these numbers of threads.
 fn threads(jobs: &[&str], wanted: &dyn Fn(&str) -> bool) {
     let bench = Bench::new();
     let mut count = 0;

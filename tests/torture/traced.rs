@@ -1,10 +1,10 @@
-//! Runs killed at a system call, and calls that fail: strace does both where it is installed and may trace.
+//! Runs that are killed at a system call, and calls that fail, by strace if it is installed and allowed.
 
 use crate::{Bench, Done, Scene, program};
 use std::fs;
 use std::path::PathBuf;
 
-/// Calls that touch files, as strace takes them: some machines know only the newer form of a call.
+/// Calls for files, in the form of strace. Some machines have only the newer form of a call.
 const CALLS: [&str; 9] = [
     "/^open",
     "write",
@@ -17,8 +17,8 @@ const CALLS: [&str; 9] = [
     "close",
 ];
 
-/// Those of them that may fail. The standard library takes no answer from `close`, and panics by itself where a
-/// directory's fails, which no disk makes happen.
+/// Those of them that are made to fail. The standard library ignores errors of `close` and panics if it fails for a
+/// directory, which no disk causes.
 const FAILING: [&str; 8] = [
     "/^open",
     "write",
@@ -30,7 +30,7 @@ const FAILING: [&str; 8] = [
     "/^getdents",
 ];
 
-/// What a call may answer.
+/// The errors of the failing calls.
 const ERRORS: [&str; 4] = ["ENOSPC", "EIO", "EACCES", "EROFS"];
 
 #[test]
@@ -62,7 +62,7 @@ fn every_system_call_fails() {
     });
 }
 
-/// Disturbs every `stride`-th call of each kind, until there are no more.
+/// Disturbs every `stride`-th call of each kind, up to the last one.
 fn each(
     calls: &[&str],
     scenes: &[Scene],
@@ -77,7 +77,7 @@ fn each(
             scene,
         };
         for (place, call) in calls.iter().enumerate() {
-            // A short form begins elsewhere for each kind of call.
+            // The short form begins with a different call for each kind.
             let first = 1 + place as u64 % stride;
             let hits = (first..).step_by(stride as usize);
             let hits = hits.take_while(|n| disturb(&traced, call, *n)).count();
@@ -88,7 +88,7 @@ fn each(
     assert!(count > 10, "{count} runs were disturbed");
 }
 
-/// Kills a run at its n-th call of a kind; whether it has as many.
+/// Kills a run at its n-th call of a kind; returns whether it has so many.
 fn kill(traced: &Traced, call: &str, n: u64) -> bool {
     let scene = traced.scene;
     let what = format!("{:?} killed at {call} {n}", scene.words);
@@ -96,13 +96,13 @@ fn kill(traced: &Traced, call: &str, n: u64) -> bool {
     let (done, met) = traced.run(&format!("{call}:signal=KILL:when={n}"));
     assert_eq!(done.code.is_none(), met, "{what}: {done:?}");
     if met {
-        scene.whole(true, &what);
+        scene.only_complete_files(true, &what);
     }
     scene.repaired(&what);
     met
 }
 
-/// Has the n-th call of a kind fail; whether there are as many.
+/// Makes the n-th call of a kind fail; returns whether there are so many.
 fn fail(traced: &Traced, call: &str, n: u64, error: &str) -> bool {
     let scene = traced.scene;
     let what = format!("{:?} with {error} at {call} {n}", scene.words);
@@ -110,15 +110,15 @@ fn fail(traced: &Traced, call: &str, n: u64, error: &str) -> bool {
     let (done, met) = traced.run(&format!("{call}:error={error}:when={n}"));
     assert!(!done.err.contains("panicked"), "{what}: {done:?}");
     match done.code {
-        // Where nothing depends on the call.
+        // The result does not depend on the call.
         Some(0) => scene.complete(&what),
-        // Before it begins, the system's loader answers 127.
+        // The loader of the system exits with 127.
         Some(1 | 127) => {
-            // The first write of each thread fails: that of the message, too.
+            // The first write of each thread fails, also that of the message.
             let mute = call == "write" && n == 1;
             assert!(mute || !done.err.is_empty(), "{what}: no message");
-            // What cannot be removed stays.
-            scene.whole(call.contains("unlink"), &what);
+            // Files that cannot be removed remain.
+            scene.only_complete_files(call.contains("unlink"), &what);
         }
         _ => panic!("{what}: {done:?}"),
     }
@@ -126,17 +126,17 @@ fn fail(traced: &Traced, call: &str, n: u64, error: &str) -> bool {
     met
 }
 
-/// A scene whose command strace runs.
+/// A scene with its command run by strace.
 struct Traced<'a> {
     strace: PathBuf,
     scene: &'a Scene,
 }
 
 impl Traced<'_> {
-    /// Runs the command with an injection; how it ended, and whether the injection took place.
+    /// Runs the command with an injection; returns how it ended, and whether the injection happened.
     fn run(&self, inject: &str) -> (Done, bool) {
         let bench = &self.scene.bench;
-        let mut command = bench.command(&self.strace);
+        let mut command = bench.command_of(&self.strace);
         command.args(["-f", "-o", "trace", "-e", &format!("inject={inject}")]);
         command
             .arg(program("slipgap").unwrap())
@@ -148,11 +148,11 @@ impl Traced<'_> {
     }
 }
 
-/// strace, if it is installed and may trace.
+/// strace, if it is installed and allowed.
 fn strace() -> Option<PathBuf> {
     let works = |path: &PathBuf| {
         let bench = Bench::new();
-        let mut command = bench.command(path);
+        let mut command = bench.command_of(path);
         command.args([
             "-f",
             "-o",
@@ -165,7 +165,7 @@ fn strace() -> Option<PathBuf> {
     };
     let path = program("strace").filter(works);
     if path.is_none() {
-        eprintln!("strace is not installed or may not trace: not looked at");
+        eprintln!("strace is not installed or not allowed: not tested");
     }
     path
 }

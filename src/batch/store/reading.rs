@@ -1,46 +1,52 @@
-//! Parts read back from their files.
+//! Decodes parts from Parquet.
 
 use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, DataType};
-use parquet::errors::Result;
+use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
-use super::{FAILURE, general};
 use crate::batch::chunk::MOST_ROWS;
-use crate::batch::key::{Key, identity};
+use crate::batch::key::{Difference, Key, case_hash};
 use crate::compare::Rows;
 use crate::problem::parameter::{Kind, Parameter, Value, shortest};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 
-/// What was found of the cases of a part, as many as there are; or what differs from its key.
+/// Column of the reason why a case could not be solved.
+pub const FAILURE: &str = "failure";
+
+/// An error with this message.
+pub fn general(message: &str) -> ParquetError {
+    ParquetError::General(message.into())
+}
+
+/// The metrics of a part with so many cases, or the difference of its key.
 pub fn read(
     study: &Study,
     bytes: Vec<u8>,
     key: &Key,
     cases: usize,
-) -> Result<std::result::Result<MetricTable, &'static str>> {
+) -> Result<std::result::Result<MetricTable, Difference>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
-    if let Some(change) = key.change(&kept(&file)) {
-        return Ok(Err(change));
+    if let Some(difference) = key.difference(&stored_key(&file)) {
+        return Ok(Err(difference));
     }
     let count = rows(&file)?;
     if count != cases {
         return Err(general("wrong number of rows"));
     }
-    Ok(Ok(found(study, &file, count)?))
+    Ok(Ok(metrics(study, &file, count)?))
 }
 
-/// What was found of the cases of a former part, each with the identity of its parameters; none where results of that
-/// part cannot serve.
-pub fn former(
+/// The metrics of a part and the hashes of its cases; `None` if another solver computed it or it has other columns.
+pub fn read_hashed(
     study: &Study,
     bytes: Vec<u8>,
     key: &Key,
 ) -> Result<Option<(Vec<u128>, MetricTable)>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
-    if !key.same_way(&kept(&file)) {
+    if !key.same_solver_and_columns(&stored_key(&file)) {
         return Ok(None);
     }
     let count = rows(&file)?;
@@ -48,12 +54,12 @@ pub fn former(
     for parameter in study.problem.parameters() {
         columns.push(values(parameter, &file, count)?);
     }
-    let identity = |row: usize| {
+    let hash = |row: usize| {
         let case: Vec<Option<Value>> = columns.iter().map(|column| column[row]).collect();
-        identity(&case)
+        case_hash(&case)
     };
-    let identities = (0..count).map(identity).collect();
-    Ok(Some((identities, found(study, &file, count)?)))
+    let hashes = (0..count).map(hash).collect();
+    Ok(Some((hashes, metrics(study, &file, count)?)))
 }
 
 /// The values of a parameter.
@@ -95,7 +101,7 @@ fn values(
 }
 
 /// The key of a part.
-fn kept(file: &SerializedFileReader<Bytes>) -> Key {
+fn stored_key(file: &SerializedFileReader<Bytes>) -> Key {
     let metadata = file.metadata().file_metadata();
     let pairs = metadata
         .key_value_metadata()
@@ -120,13 +126,13 @@ fn place(file: &SerializedFileReader<Bytes>, name: &str) -> Result<usize> {
     place.ok_or_else(|| general("a column is missing"))
 }
 
-/// What was found of the cases of a part.
-fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Result<MetricTable> {
+/// The metrics of a part.
+fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Result<MetricTable> {
     let group = file.get_row_group(0)?;
-    let table = study.problem.metrics();
+    let names = study.problem.metrics();
     let (mut columns, mut width) = (Vec::new(), 0);
     for &metric in &study.metrics {
-        let place = place(file, &table[metric].name)?;
+        let place = place(file, &names[metric].name)?;
         let ColumnReader::DoubleColumnReader(reader) = group.get_column_reader(place)? else {
             return Err(general("a metric is not a number"));
         };
@@ -138,7 +144,7 @@ fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Res
         return Err(general("a reason is not text"));
     };
     let failures = cells(reader, count)?;
-    let (mut found, mut row) = (
+    let (mut table, mut row) = (
         MetricTable::new(failures.len(), width),
         vec![f64::NAN; width],
     );
@@ -146,16 +152,16 @@ fn found(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> Res
         for (metric, column) in &columns {
             row[*metric] = column.get(case).copied().flatten().unwrap_or(f64::NAN);
         }
-        found.set(case, row.iter().copied());
+        table.set(case, row.iter().copied());
         if let Some(why) = why {
-            found.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
+            table.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
         }
     }
-    Ok(found)
+    Ok(table)
 }
 
-/// The rows of a part as text, but for the column of failures.
-pub fn text(bytes: Vec<u8>) -> Result<Rows> {
+/// The rows of a part as text, without the column of failures.
+pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
     let mut text = Rows::default();
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let count = rows(&file)?;
@@ -168,7 +174,7 @@ pub fn text(bytes: Vec<u8>) -> Result<Rows> {
     let group = file.get_row_group(0)?;
     text.rows.resize(count, Vec::new());
     for place in 0..text.columns.len() {
-        let told: Vec<Option<String>> = match group.get_column_reader(place)? {
+        let cells: Vec<Option<String>> = match group.get_column_reader(place)? {
             ColumnReader::DoubleColumnReader(reader) => {
                 let numbers = cells(reader, count)?.into_iter();
                 numbers.map(|x| x.map(shortest)).collect()
@@ -183,14 +189,14 @@ pub fn text(bytes: Vec<u8>) -> Result<Rows> {
             }
             _ => return Err(general("a column has an unknown type")),
         };
-        for (row, cell) in text.rows.iter_mut().zip(told) {
+        for (row, cell) in text.rows.iter_mut().zip(cells) {
             row.push(cell.unwrap_or_default());
         }
     }
     Ok(text)
 }
 
-/// Number of rows, where a part can have as many: memory is made for them before they are read.
+/// Number of rows, if a part can have as many: memory is allocated before they are read.
 fn rows(file: &SerializedFileReader<Bytes>) -> Result<usize> {
     let rows = usize::try_from(file.metadata().file_metadata().num_rows()).ok();
     let one = file.num_row_groups() == 1;
@@ -198,7 +204,7 @@ fn rows(file: &SerializedFileReader<Bytes>) -> Result<usize> {
     rows.ok_or_else(|| general("the number of rows is impossible"))
 }
 
-/// The cells of a column of `count` rows: a value or none for each.
+/// The cells of a column of `count` rows.
 fn cells<D: DataType>(mut reader: ColumnReaderImpl<D>, count: usize) -> Result<Vec<Option<D::T>>> {
     let (mut values, mut levels) = (Vec::new(), Vec::new());
     reader.read_records(count, Some(&mut levels), None, &mut values)?;

@@ -1,4 +1,4 @@
-//! One part as a Parquet file: `case`, the parameters, the metrics, and `failure` where a case could not be solved.
+//! Encodes parts as Parquet: `case`, the parameters, the metrics, and `failure` if a case could not be solved.
 
 use std::iter::repeat_n;
 use std::sync::Arc;
@@ -16,24 +16,24 @@ use parquet::file::writer::{
 use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
 use serde_json::json;
 
-use super::uniform::{Made, Uniform};
-use super::{FAILURE, general};
+use super::constant_columns::{ConstantColumns, EncodedColumn};
+use super::reading::{FAILURE, general};
 use crate::batch::key::Key;
 use crate::problem::cases::{Cases, Column};
 use crate::problem::parameter::{Kind, Value};
 use crate::solve::MetricTable;
 use crate::study::Study;
 
-/// Bytes of the different values of a column from which on it has no dictionary.
+/// Largest dictionary of a column, in bytes.
 const DICTIONARY: usize = 1 << 14;
 
-/// The bytes of a part, its cases with the number of the first.
-pub fn written(
+/// The bytes of a part. `first` is the number of its first case.
+pub fn encode(
     study: &Study,
     key: &Key,
     (first, cases): (u64, &Cases),
-    found: &MetricTable,
-    uniform: &Uniform,
+    metrics: &MetricTable,
+    constant_columns: &ConstantColumns,
 ) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let (schema, properties) = (Arc::new(schema(study)?), Arc::new(properties(study, key)));
@@ -42,39 +42,43 @@ pub fn written(
     let mut rows = file.next_row_group()?;
     let len = cases.len();
     let numbers = (first..).take(len).map(|number| Some(number as i64));
-    put(&mut rows, |writer| fill::<Int64Type>(writer, len, numbers))?;
-    let given = cases.columns().iter().zip(study.problem.parameters());
-    for (place, (column, parameter)) in (1..).zip(given) {
+    write_next(&mut rows, |writer| {
+        write_cells::<Int64Type>(writer, len, numbers)
+    })?;
+    let parameters = cases.columns().iter().zip(study.problem.parameters());
+    for (place, (column, parameter)) in (1..).zip(parameters) {
         match column {
-            Column::Each(values) => put(&mut rows, |writer| {
-                parameters(writer, parameter.kind, len, values.iter().copied())
+            Column::Each(values) => write_next(&mut rows, |writer| {
+                write_values(writer, parameter.kind, len, values.iter().copied())
             })?,
             Column::Same(value) => {
-                let made = uniform.column(place, *value, len, || {
-                    alone(&columns[place], &properties, |writer| {
-                        parameters(writer, parameter.kind, len, repeat_n(*value, len))
+                let (bytes, footer) = constant_columns.column(place, *value, len, || {
+                    encode_column(&columns[place], &properties, |writer| {
+                        write_values(writer, parameter.kind, len, repeat_n(*value, len))
                     })
                 })?;
-                rows.append_column(&made.0, made.1)?;
+                rows.append_column(&bytes, footer)?;
             }
         }
     }
     for &metric in &study.metrics {
-        let values = found.column(metric);
-        put(&mut rows, |writer| fill::<DoubleType>(writer, len, values))?;
+        let values = metrics.column(metric);
+        write_next(&mut rows, |writer| {
+            write_cells::<DoubleType>(writer, len, values)
+        })?;
     }
-    let why = |case| Some(ByteArray::from(found.failure(case)?.to_string().as_str()));
+    let why = |case| Some(ByteArray::from(metrics.failure(case)?.to_string().as_str()));
     let reasons = (0..len).map(why);
-    put(&mut rows, |writer| {
-        fill::<ByteArrayType>(writer, len, reasons)
+    write_next(&mut rows, |writer| {
+        write_cells::<ByteArrayType>(writer, len, reasons)
     })?;
     rows.close()?;
     file.close()?;
     Ok(bytes)
 }
 
-/// How a part is laid out: values that many cases share go to a dictionary, as far as there are few; metrics differ
-/// from case to case, in all their bits, so that nothing makes them smaller.
+/// The encodings of the columns. A column with few different values has a dictionary. Metrics differ in all bits from case
+/// to case, so that no compression makes them smaller.
 fn properties(study: &Study, key: &Key) -> WriterProperties {
     let mut properties = WriterProperties::builder()
         .set_dictionary_enabled(true)
@@ -83,7 +87,7 @@ fn properties(study: &Study, key: &Key) -> WriterProperties {
         .set_created_by("slipgap".into())
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_key_value_metadata(Some(metadata(study, key)));
-    // Numbers of cases follow each other: their differences take no room.
+    // Case numbers are consecutive: their differences take almost no space.
     properties = properties
         .set_column_dictionary_enabled(ColumnPath::from("case"), false)
         .set_column_encoding(ColumnPath::from("case"), Encoding::DELTA_BINARY_PACKED);
@@ -97,7 +101,7 @@ fn properties(study: &Study, key: &Key) -> WriterProperties {
 }
 
 /// Writes the next column.
-fn put(
+fn write_next(
     rows: &mut SerializedRowGroupWriter<&mut Vec<u8>>,
     write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
 ) -> Result<()> {
@@ -107,12 +111,12 @@ fn put(
     writer.close()
 }
 
-/// Writes a column by itself, to be put into parts.
-fn alone(
+/// Encodes a column apart from a file, to be copied into parts.
+fn encode_column(
     column: &ColumnDescPtr,
     properties: &WriterPropertiesPtr,
     write: impl FnOnce(&mut ColumnWriter) -> Result<()>,
-) -> Result<Made> {
+) -> Result<EncodedColumn> {
     let mut bytes = TrackedWrite::new(Vec::new());
     let pages = Box::new(SerializedPageWriter::new(&mut bytes));
     let mut writer = get_column_writer(column.clone(), properties.clone(), pages);
@@ -122,21 +126,21 @@ fn alone(
 }
 
 /// Writes values of a parameter of this kind.
-fn parameters(
+fn write_values(
     writer: &mut ColumnWriter,
     kind: Kind,
     len: usize,
     values: impl Iterator<Item = Option<Value>>,
 ) -> Result<()> {
     match kind {
-        Kind::Number(_) => fill::<DoubleType>(writer, len, values.map(|v| v?.as_f64())),
-        Kind::Whole { .. } => fill::<Int64Type>(writer, len, values.map(|v| whole(v?))),
-        Kind::Choice(_) => fill::<ByteArrayType>(writer, len, values.map(|v| name(v?))),
+        Kind::Number(_) => write_cells::<DoubleType>(writer, len, values.map(|v| v?.as_f64())),
+        Kind::Whole { .. } => write_cells::<Int64Type>(writer, len, values.map(|v| integer(v?))),
+        Kind::Choice(_) => write_cells::<ByteArrayType>(writer, len, values.map(|v| name(v?))),
     }
 }
 
-/// Writes `len` cells: the values that are there, and for each row whether it has one.
-fn fill<D: DataType>(
+/// Writes `len` cells: the values, and for each row whether it has one.
+fn write_cells<D: DataType>(
     writer: &mut ColumnWriter,
     len: usize,
     cells: impl Iterator<Item = Option<D::T>>,
@@ -151,18 +155,18 @@ fn fill<D: DataType>(
     Ok(())
 }
 
-fn whole(value: Value) -> Option<i64> {
+fn integer(value: Value) -> Option<i64> {
     match value {
         Value::Whole(n) => Some(n as i64),
-        _ => None,
+        Value::Number(_) | Value::Name(_) => None,
     }
 }
 
-/// A name as it is stored: the table's own bytes, not a copy for each row.
+/// A name without a copy of its bytes for each row.
 fn name(value: Value) -> Option<ByteArray> {
     match value {
         Value::Name(name) => Some(Bytes::from_static(name.as_bytes()).into()),
-        _ => None,
+        Value::Number(_) | Value::Whole(_) => None,
     }
 }
 

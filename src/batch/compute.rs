@@ -1,0 +1,135 @@
+//! Computes cases: in lanes if possible, else one at a time.
+
+use super::chunk::WORK;
+use super::options::RunOptions;
+use super::part_result::Solutions;
+use crate::error::Error;
+use crate::problem::cases::Cases;
+use crate::problem::{Case, Solution};
+use crate::solve::{MetricTable, Unsolvable};
+use crate::study::Study;
+use rayon::prelude::*;
+
+/// Cases of one sweep if there are several threads.
+pub(super) const SLICE: usize = 4096;
+
+/// Whether cases of the study can be computed in lanes. Histories, budgets and the papers' own iteration need one case
+/// at a time.
+fn lanes_possible(study: &Study, options: &RunOptions) -> bool {
+    let table = study.problem.metrics();
+    options.on_solution.is_none()
+        && !study.once
+        && study.metrics.iter().all(|row| table[*row].default)
+}
+
+/// Largest number of tasks of the study, with the work `total`, that can run at the same time on any number of threads.
+pub(super) fn parallel_tasks(study: &Study, options: &RunOptions, total: f64) -> usize {
+    let cases = study.len() as usize;
+    let parts = (total / WORK as f64).ceil() as usize;
+    match lanes_possible(study, options) {
+        true => cases.div_ceil(SLICE).max(parts).min(cases),
+        false => cases,
+    }
+}
+
+/// The rows of cases that break no rule.
+pub(super) fn solvable_rows(cases: &Cases) -> Vec<u32> {
+    let rows = 0..cases.len() as u32;
+    rows.filter(|row| cases.may_be_solved(*row as usize))
+        .collect()
+}
+
+/// The metrics of these rows of a part, and the histories to keep. `tick` receives the number of finished rows, some at a
+/// time.
+pub(super) fn compute_rows(
+    study: &Study,
+    first: u64,
+    (cases, rows): (&Cases, &[u32]),
+    tick: &(dyn Fn(usize) + Sync),
+    options: &RunOptions,
+) -> Result<(MetricTable, Solutions), Error> {
+    let table = study.problem.metrics();
+    let lanes = lanes_possible(study, options);
+    let mut shown = cases.shown();
+    let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows
+        .iter()
+        .partition(|row| lanes && !(options.keep_history)(shown.at(**row as usize)));
+    let slice = match rayon::current_num_threads() {
+        1 => cases.len().max(1),
+        _ => SLICE,
+    };
+    let sweep = |rows: &[u32]| {
+        let swept = study.problem.sweep(cases, rows);
+        tick(rows.len());
+        swept
+    };
+    let swept: Vec<MetricTable> = in_lanes.par_chunks(slice).map(sweep).collect();
+    let swept = swept.into_iter().reduce(MetricTable::followed_by);
+    if in_lanes.len() == cases.len() {
+        return Ok((swept.unwrap_or_default(), Solutions::new()));
+    }
+    let mut shown = cases.shown();
+    let single = single.into_iter().map(|row| row as usize);
+    let single: Vec<(usize, Case)> = single.map(|row| (row, shown.at(row).clone())).collect();
+    let solve = |(row, case): &(usize, Case)| {
+        let solved = solve_case(study, first + *row as u64, case, options);
+        tick(1);
+        solved.map(|solved| (*row, solved))
+    };
+    let solved: Vec<(usize, SolvedCase)> =
+        single.par_iter().map(solve).collect::<Result<_, Error>>()?;
+    let (mut metrics, mut solutions) =
+        (MetricTable::new(cases.len(), table.len()), Solutions::new());
+    for (place, row) in in_lanes.into_iter().enumerate() {
+        if let Some(swept) = &swept {
+            metrics.copy(row as usize, swept, place);
+        }
+    }
+    for (row, why) in cases.refused() {
+        metrics.fail(row, Unsolvable::BrokenRules(why.to_owned()));
+    }
+    for (row, (own, solution)) in solved {
+        metrics.put(row, own);
+        solutions.extend(solution.map(|solution| (row, solution)));
+    }
+    Ok((metrics, solutions))
+}
+
+/// The metrics of one case, or why it has none, and its histories if they are kept.
+type SolvedCase = (Result<Vec<Option<f64>>, Unsolvable>, Option<Box<Solution>>);
+
+/// Solves one case with its histories.
+fn solve_case(
+    study: &Study,
+    number: u64,
+    case: &Case,
+    options: &RunOptions,
+) -> Result<SolvedCase, Error> {
+    let solution = match solution(study, case) {
+        Ok(solution) => solution,
+        Err(why) => return Ok((Err(why), None)),
+    };
+    if let Some(on_solution) = options.on_solution {
+        on_solution(number, &solution)?;
+    }
+    let metrics = solution.metrics.clone();
+    let kept = (options.keep_history)(case).then(|| Box::new(solution));
+    Ok((Ok(metrics), kept))
+}
+
+/// The solution of one case, with or without iteration as in the study.
+pub fn solution(study: &Study, case: &Case) -> Result<Solution, Unsolvable> {
+    match study.once {
+        true => study.problem.solve_once(case, &study.metrics),
+        false => study.problem.solve(case, &study.metrics),
+    }
+}
+
+/// Bytes, slightly below the largest size for which the C library raises its threshold.
+const MAPPED: usize = 31 << 20;
+
+/// Makes the allocator keep the memory of one part for the next. glibc returns freed memory to the system, which clears
+/// it again for every part, until a block of this size was freed once. Other allocators are not affected.
+pub fn keep_memory() {
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(MAPPED)));
+}

@@ -1,0 +1,266 @@
+//! Files that are complete or absent: written under a temporary name, then renamed.
+//!
+//! The temporary name is random and new, so that no other process and no link can have it. The file is locked while it is
+//! written, which distinguishes the files of another run from those that a killed run left.
+
+use crate::error::Error;
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
+use tempfile::{Builder, NamedTempFile};
+
+/// Beginning and end of every temporary name.
+const NAME: [&str; 2] = [".slipgap-", ".partial"];
+
+/// Number of random letters and digits between them.
+const RANDOM: usize = 12;
+
+/// Read-locked while a file is written at once, created or renamed.
+static WRITING: RwLock<()> = RwLock::new(());
+
+/// Temporary files that exist.
+static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Waits for files that are written at once, removes all temporary files, and prevents new ones until the guard is
+/// dropped.
+pub fn stop_writing() -> RwLockWriteGuard<'static, ()> {
+    let guard = WRITING.write().unwrap_or_else(PoisonError::into_inner);
+    for path in temporary_files().iter() {
+        let _ = fs::remove_file(path);
+    }
+    guard
+}
+
+/// Writes a file at once.
+pub(in crate::batch) fn write_atomically(
+    path: &Path,
+    write: impl FnOnce(&mut AtomicFile) -> io::Result<()>,
+) -> Result<(), Error> {
+    let _writing = writing();
+    let mut out = AtomicFile::new(path)?;
+    write(&mut out).map_err(Error::io("cannot write", path))?;
+    out.rename()
+}
+
+/// A file under a temporary name. It is removed unless it is committed.
+#[derive(Debug)]
+pub struct AtomicFile {
+    path: PathBuf,
+    /// `None` after the file was renamed.
+    out: Option<BufWriter<NamedTempFile>>,
+    temporary: PathBuf,
+}
+
+impl AtomicFile {
+    /// Creates the temporary file of `path`, in the same folder.
+    pub fn create(path: &Path) -> Result<AtomicFile, Error> {
+        let _writing = writing();
+        AtomicFile::new(path)
+    }
+
+    fn new(path: &Path) -> Result<AtomicFile, Error> {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let file = new_temporary(folder).map_err(Error::io("cannot write", path))?;
+        let temporary = file.path().to_owned();
+        temporary_files().insert(temporary.clone());
+        Ok(AtomicFile {
+            path: path.to_owned(),
+            out: Some(BufWriter::new(file)),
+            temporary,
+        })
+    }
+
+    /// Gives the file its final name and replaces a file of that name.
+    pub fn commit(self) -> Result<(), Error> {
+        let _writing = writing();
+        self.rename()
+    }
+
+    /// Waits until everything written is on the disk.
+    pub fn sync(&mut self) -> io::Result<()> {
+        self.flush()?;
+        match &self.out {
+            Some(out) => out.get_ref().as_file().sync_data(),
+            None => Ok(()),
+        }
+    }
+
+    fn rename(mut self) -> Result<(), Error> {
+        let Some(out) = self.out.take() else {
+            return Ok(());
+        };
+        let renamed = match out.into_inner() {
+            Ok(file) => file.persist(&self.path).map_err(|e| e.error),
+            Err(e) => Err(e.into_error()),
+        };
+        renamed.map_err(Error::io("cannot write", &self.path))?;
+        Ok(())
+    }
+}
+
+impl Write for AtomicFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.out {
+            Some(out) => out.write(bytes),
+            None => Err(io::ErrorKind::BrokenPipe.into()),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.as_mut().map_or(Ok(()), Write::flush)
+    }
+}
+
+impl Drop for AtomicFile {
+    fn drop(&mut self) {
+        // Without its final name the file is removed. The rest of the buffer is not written.
+        if let Some(out) = self.out.take() {
+            let (file, _) = out.into_parts();
+            drop(file);
+        }
+        temporary_files().remove(&self.temporary);
+    }
+}
+
+/// Whether files can be written in a folder.
+pub(super) fn can_write(folder: &Path) -> io::Result<()> {
+    new_temporary(folder).map(drop)
+}
+
+/// Removes the temporary files of killed runs from a folder.
+pub(in crate::batch) fn remove_leftovers(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let temporary = is_temporary(&entry.file_name());
+        if !temporary || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        // A file that is being written is locked.
+        if let Ok(file) = File::open(entry.path())
+            && file.try_lock().is_ok()
+        {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// A new file under a random name, locked.
+fn new_temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let new = |path: &Path| {
+        let mut options = OpenOptions::new();
+        options.read(true).write(true).create_new(true).open(path)
+    };
+    loop {
+        let file = Builder::new()
+            .prefix(NAME[0])
+            .suffix(NAME[1])
+            .rand_bytes(RANDOM)
+            .make_in(folder, new)?;
+        // A file system without locks: `remove_leftovers` cannot lock files there, and removes none.
+        let _ = file.as_file().lock();
+        // Another run may have removed the file before it was locked.
+        if fs::symlink_metadata(file.path()).is_ok() {
+            return Ok(file);
+        }
+    }
+}
+
+/// Whether a name is a temporary name.
+fn is_temporary(name: &OsStr) -> bool {
+    let name = name.to_str().and_then(|name| name.strip_prefix(NAME[0]));
+    let random = name.and_then(|name| name.strip_suffix(NAME[1]));
+    random.is_some_and(|r| r.len() == RANDOM && r.bytes().all(|b| b.is_ascii_alphanumeric()))
+}
+
+fn writing() -> RwLockReadGuard<'static, ()> {
+    WRITING.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
+        let mut names: Vec<String> = entries
+            .map(|e| e.file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_file_is_complete_or_absent() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        fs::write(&path, "old").unwrap();
+        let fails = write_atomically(&path, |out| {
+            out.write_all(b"half")?;
+            Err(io::Error::other("no more"))
+        });
+        assert!(fails.is_err());
+        assert_eq!(names(folder.path()), ["a.csv"]);
+        let mut file = AtomicFile::create(&path).unwrap();
+        file.write_all(&[b'x'; 1 << 17]).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        drop(file);
+        assert_eq!(names(folder.path()), ["a.csv"]);
+        write_atomically(&path, |out| out.write_all(b"new")).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert_eq!(names(folder.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn leftovers_are_removed_except_files_that_are_being_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        let mut file = AtomicFile::create(&path).unwrap();
+        let [written] = &names(folder.path())[..] else {
+            panic!("one file is being written");
+        };
+        let others = [
+            ".slipgap-probe",
+            ".slipgap-.partial",
+            ".slipgap-0123456789a.partial",
+            "results.csv.partial",
+        ];
+        for name in others.iter().chain(&[".slipgap-0123456789aB.partial"]) {
+            fs::write(folder.path().join(name), "rest").unwrap();
+        }
+        remove_leftovers(folder.path());
+        let mut kept: Vec<&str> = others.into_iter().chain([written.as_str()]).collect();
+        kept.sort_unstable();
+        assert_eq!(names(folder.path()), kept);
+        file.write_all(b"complete").unwrap();
+        file.commit().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"complete");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let (target, link) = (folder.path().join("target"), folder.path().join("a.csv"));
+        fs::write(&target, "target").unwrap();
+        std::os::unix::fs::symlink(&target, &link).unwrap();
+        write_atomically(&link, |out| out.write_all(b"new")).unwrap();
+        assert_eq!(fs::read(&target).unwrap(), b"target");
+        assert_eq!(fs::read(&link).unwrap(), b"new");
+        // `remove_leftovers` does not follow links either.
+        let leftover = folder.path().join(".slipgap-0123456789aB.partial");
+        std::os::unix::fs::symlink(&target, &leftover).unwrap();
+        remove_leftovers(folder.path());
+        assert!(fs::symlink_metadata(&leftover).is_ok() && target.exists());
+    }
+}

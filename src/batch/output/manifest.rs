@@ -1,0 +1,221 @@
+//! manifest.json: the origin of the results, and the list of the files that runs wrote.
+//!
+//! During a run the manifest also lists the files that the run may write. The next run removes those of a killed run.
+
+use super::atomic::write_atomically;
+use super::names::{HISTORIES, RESULTS, history_name};
+use crate::batch::key::SOLVER_VERSION;
+use crate::error::Error;
+use crate::study::{STDIN, Setting, Study};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
+use std::process::Command;
+
+/// Name of the file.
+const MANIFEST: &str = "manifest.json";
+
+/// Whether a file is the manifest of a folder of results and not a study. The content decides, because a study may have
+/// the same name.
+pub fn is_manifest(file: &Path) -> bool {
+    let content = || {
+        let manifest = json_of(file)?;
+        let program = manifest["program"] == env!("CARGO_PKG_NAME");
+        Some(program && manifest["study_sha256"].is_string())
+    };
+    file.file_name().is_some_and(|name| name == MANIFEST) && content().unwrap_or(false)
+}
+
+/// Whether the results.csv of a folder is of an earlier version of the study, by the hash in the manifest.
+pub fn is_outdated(results: &Path, study: &Study) -> bool {
+    let changed = || {
+        let manifest = json_of(&results.join(MANIFEST))?;
+        Some(manifest["study_sha256"].as_str()? != study.sha256)
+    };
+    results.join(RESULTS).is_file() && changed().unwrap_or(false)
+}
+
+/// The JSON in a file, if there is any.
+fn json_of(file: &Path) -> Option<Value> {
+    serde_json::from_slice(&fs::read(file).ok()?).ok()
+}
+
+/// The manifest of a folder.
+#[derive(Debug, Default)]
+pub(super) struct Manifest {
+    /// All entries; empty if the folder has no manifest.
+    entries: Map<String, Value>,
+    /// Files that runs wrote.
+    files: BTreeSet<String>,
+    /// Further files that an interrupted run may have written.
+    unfinished: Unfinished,
+}
+
+/// Histories of an interrupted run: those of the first `cases`, except files that existed before.
+#[derive(Debug, Default, Clone)]
+struct Unfinished {
+    cases: u64,
+    others: BTreeSet<String>,
+}
+
+impl Manifest {
+    /// Reads the manifest of a folder, if there is one.
+    ///
+    /// # Errors
+    /// The manifest does not list the files that runs wrote.
+    pub fn read(folder: &Path) -> Result<Manifest, Error> {
+        let path = folder.join(MANIFEST);
+        let bytes = match fs::read(&path) {
+            Err(e) if e.kind() == ErrorKind::NotFound => return Ok(Manifest::default()),
+            read => read.map_err(Error::io("cannot read", &path))?,
+        };
+        let unread = || {
+            let why = "it does not list the files that former runs wrote; remove it, and remove the files that are out of date";
+            Error::io("cannot read", path)(io::Error::other(why))
+        };
+        parse(&bytes).ok_or_else(unread)
+    }
+
+    /// Files that runs wrote or may have written.
+    pub fn owned(&self, folder: &Path) -> BTreeSet<String> {
+        let mut owned = self.files.clone();
+        if self.unfinished.cases > 0 {
+            let histories = histories(folder, self.unfinished.cases);
+            owned.extend(histories.filter(|name| !self.unfinished.others.contains(name)));
+        }
+        owned
+    }
+
+    /// Writes the manifest of a run that begins. The run may write `names`, and histories of the first `cases`.
+    pub fn begin(
+        mut self,
+        folder: &Path,
+        study: &Study,
+        file: &Path,
+        names: Vec<String>,
+        cases: u64,
+    ) -> Result<(), Error> {
+        let owned = self.owned(folder);
+        // Other files in the folder are the user's.
+        let others = |name: &String| !owned.contains(name);
+        if cases > 0 {
+            let present = histories(folder, cases.max(self.unfinished.cases));
+            self.unfinished.others = present.filter(others).collect();
+            self.unfinished.cases = self.unfinished.cases.max(cases);
+        }
+        let new = names
+            .into_iter()
+            .filter(|name| fs::symlink_metadata(folder.join(name)).is_err());
+        self.files.extend(new);
+        // The origin of a former run is kept, because its results are still in the folder.
+        let mut entries = match self.entries.is_empty() {
+            true => origin(study, file),
+            false => self.entries,
+        };
+        entries.insert("files".into(), json!(self.files));
+        let Unfinished { cases, others } = self.unfinished;
+        entries.insert(
+            "unfinished".into(),
+            json!({ "cases": cases, "others": others }),
+        );
+        write(folder, &entries)
+    }
+
+    /// Writes the manifest of a run that has ended, with the number of cases without contact.
+    pub fn end(
+        folder: &Path,
+        study: &Study,
+        file: &Path,
+        files: &[String],
+        cases_without_contact: u64,
+    ) -> Result<(), Error> {
+        let mut entries = origin(study, file);
+        entries.insert("files".into(), json!(files));
+        if study.problem.schema().contact_metric.is_some() {
+            entries.insert("cases_without_contact".into(), json!(cases_without_contact));
+        }
+        write(folder, &entries)
+    }
+}
+
+fn parse(bytes: &[u8]) -> Option<Manifest> {
+    let entries: Map<String, Value> = serde_json::from_slice(bytes).ok()?;
+    let names = |list: &Value| -> Option<BTreeSet<String>> {
+        let names = list.as_array()?.iter();
+        names.map(|name| Some(name.as_str()?.to_owned())).collect()
+    };
+    let files = names(entries.get("files")?)?;
+    let unfinished = match entries.get("unfinished") {
+        None => Unfinished::default(),
+        Some(run) => Unfinished {
+            cases: run.get("cases")?.as_u64()?,
+            others: names(run.get("others")?)?,
+        },
+    };
+    Some(Manifest {
+        entries,
+        files,
+        unfinished,
+    })
+}
+
+/// The histories of the first cases in the folder.
+fn histories(folder: &Path, cases: u64) -> impl Iterator<Item = String> {
+    let entries = fs::read_dir(folder.join(HISTORIES)).into_iter().flatten();
+    entries.flatten().filter_map(move |entry| {
+        let name = entry.file_name();
+        let case = name.to_str()?.strip_suffix(".csv")?.parse().ok()?;
+        let matches = case < cases && name.to_str() == Some(&format!("{case}.csv"));
+        matches.then(|| history_name(case))
+    })
+}
+
+/// The origin of results: study, versions, commit and settings.
+fn origin(study: &Study, file: &Path) -> Map<String, Value> {
+    let mut entries = json!({
+        "study": file.file_name().map(|name| name.to_string_lossy()),
+        "study_sha256": study.sha256,
+        "program": env!("CARGO_PKG_NAME"),
+        "program_version": env!("CARGO_PKG_VERSION"),
+        "solver_version": SOLVER_VERSION,
+        "git_commit": commit_of(file),
+    });
+    if !study.settings.is_empty() {
+        let settings = study.settings.iter().map(Setting::text);
+        entries["set"] = settings.collect();
+    }
+    match entries {
+        Value::Object(entries) => entries,
+        _ => Map::new(),
+    }
+}
+
+fn write(folder: &Path, entries: &Map<String, Value>) -> Result<(), Error> {
+    let entries = Value::Object(entries.clone());
+    write_atomically(&folder.join(MANIFEST), |out| {
+        writeln!(out, "{entries:#}")?;
+        // After a power failure without the manifest, no run would remove the files.
+        out.sync()
+    })
+}
+
+/// The commit of the repository of the study, if it is in a repository and git is installed.
+fn commit_of(file: &Path) -> Option<String> {
+    if file == Path::new(STDIN) {
+        return None;
+    }
+    let folder = file
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let output = Command::new("git")
+        .arg("-C")
+        .arg(folder)
+        .args(["rev-parse", "HEAD"])
+        .output()
+        .ok()
+        .filter(|output| output.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}

@@ -1,0 +1,18 @@
+//! Names of files in a folder of results.
+
+/// Name of the table of results.
+pub const RESULTS: &str = "results.csv";
+
+/// Name of the table of cases that could not be solved.
+pub const FAILURES: &str = "failures.csv";
+
+/// Name of the table of the indices of saltelli designs.
+pub const INDICES: &str = "sobol.csv";
+
+/// Folder of the histories, each `CASE.csv`.
+pub const HISTORIES: &str = "histories";
+
+/// Name of the history of a case.
+pub fn history_name(case: u64) -> String {
+    format!("{HISTORIES}/{case}.csv")
+}

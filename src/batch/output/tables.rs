@@ -1,0 +1,135 @@
+//! CSV tables: results.csv, failures.csv and the histories.
+
+use crate::batch::Outcome;
+use crate::problem::parameter::{Value, shortest};
+use crate::problem::unit::Dimension;
+use crate::problem::{Case, Solution};
+use crate::solve::Unsolvable;
+use crate::study::Study;
+use std::io::{self, Write};
+
+/// results.csv: one row for each case, in order. The columns are `case`, the parameters and the metrics.
+pub struct ResultTable<'a, W: Write> {
+    study: &'a Study,
+    writer: csv::Writer<W>,
+}
+
+impl<'a, W: Write> ResultTable<'a, W> {
+    /// Writes the header.
+    pub fn new(study: &'a Study, out: W) -> io::Result<ResultTable<'a, W>> {
+        let parameters = study.problem.parameters();
+        let mut writer = csv::Writer::from_writer(out);
+        let header = ["case"]
+            .into_iter()
+            .chain(parameters.iter().map(|p| &*p.name))
+            .chain(
+                study
+                    .columns
+                    .iter()
+                    .map(|&m| study.measures[m].name.as_str()),
+            );
+        writer.write_record(header)?;
+        Ok(ResultTable { study, writer })
+    }
+
+    /// Writes one case.
+    pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
+        let metrics = self.study.columns.iter().map(|&m| cell(outcome.metrics[m]));
+        let row = parameters(number, &outcome.case).chain(metrics);
+        Ok(self.writer.write_record(row)?)
+    }
+
+    /// Flushes the table and returns its writer.
+    pub fn finish(self) -> io::Result<W> {
+        self.writer.into_inner().map_err(|e| e.into_error())
+    }
+}
+
+/// failures.csv: the cases that could not be solved, with their parameters and the reason.
+pub struct FailureTable<W: Write>(csv::Writer<W>);
+
+impl<W: Write> FailureTable<W> {
+    /// Writes the header.
+    pub fn new(study: &Study, out: W) -> io::Result<FailureTable<W>> {
+        let mut writer = csv::Writer::from_writer(out);
+        let names = study.problem.parameters().iter().map(|p| &*p.name);
+        let header = ["case"].into_iter().chain(names).chain(["reason"]);
+        writer.write_record(header)?;
+        Ok(FailureTable(writer))
+    }
+
+    /// Writes one case.
+    pub fn row(&mut self, number: u64, case: &Case, why: &Unsolvable) -> io::Result<()> {
+        let row = parameters(number, case).chain([why.to_string()]);
+        Ok(self.0.write_record(row)?)
+    }
+
+    /// Flushes the table and returns its writer.
+    pub fn finish(self) -> io::Result<W> {
+        self.0.into_inner().map_err(|e| e.into_error())
+    }
+}
+
+/// The number and parameters of a case, as cells.
+fn parameters(number: u64, case: &Case) -> impl Iterator<Item = String> {
+    let value = |value: &Option<Value>| value.map(|v| v.to_string()).unwrap_or_default();
+    std::iter::once(number.to_string()).chain(case.values.iter().map(value))
+}
+
+/// Writes the history of a case with one row for each step. The columns are the time, the computed channels and the exact
+/// ones. If the study has units, each column is followed by the same quantity in these units.
+pub fn write_history(
+    study: &Study,
+    case: &Case,
+    solution: &Solution,
+    out: impl Write,
+) -> io::Result<()> {
+    let schema = study.problem.schema();
+    let (computed, exact) = (&solution.computed, &solution.exact);
+    let mut columns = vec![(
+        schema.time.column.to_string(),
+        Dimension::Time,
+        &computed.time[..],
+    )];
+    let channels = || schema.channels.iter().enumerate();
+    columns.extend(channels().map(|(i, channel)| {
+        let name = channel.name.to_string();
+        (name, channel.dimension, computed.channel(i))
+    }));
+    columns.extend(
+        channels()
+            .filter(|(_, channel)| channel.exact)
+            .map(|(i, channel)| {
+                let name = format!("{}_exact", channel.name);
+                (name, channel.dimension, exact.channel(i))
+            }),
+    );
+    let mut writer = csv::Writer::from_writer(out);
+    let units = study.units.as_ref();
+    let header = columns.iter().flat_map(|(name, dimension, _)| {
+        let in_units = units.map(|units| units.column(name, *dimension));
+        [Some(name.clone()), in_units].into_iter().flatten()
+    });
+    writer.write_record(header)?;
+    let size = |dimension| units.and_then(|_| study.problem.size(case, dimension));
+    let sizes: Vec<Option<f64>> = columns.iter().map(|column| size(column.1)).collect();
+    for i in 0..computed.len() {
+        let cells = columns
+            .iter()
+            .zip(&sizes)
+            .flat_map(|((_, _, values), size)| {
+                let in_units = size.map(|size| cell(Some(values[i] * size)));
+                [Some(shortest(values[i])), in_units].into_iter().flatten()
+            });
+        writer.write_record(cells)?;
+    }
+    writer.flush()
+}
+
+/// A number; empty if it is undefined.
+fn cell(value: Option<f64>) -> String {
+    value
+        .filter(|x| x.is_finite())
+        .map(shortest)
+        .unwrap_or_default()
+}

@@ -1,0 +1,118 @@
+//! Runs one part: reads it from the store, or computes and stores it.
+
+use super::chunk::Part;
+use super::key::{Key, case_hash};
+use super::options::RunOptions;
+use super::part_result::{PartResult, Solutions};
+use super::store::{EarlierCases, Miss};
+use super::{compute, units};
+use crate::error::Error;
+use crate::problem::cases::Cases;
+use crate::solve::MetricTable;
+use crate::study::Study;
+use indicatif::ProgressBar;
+
+/// Reads a part from the store, or computes and stores it.
+pub(super) fn run_part(
+    study: &Study,
+    part: Part,
+    bar: &ProgressBar,
+    options: &RunOptions,
+) -> Result<PartResult, Error> {
+    let (start, first, work) = (part.start, part.first, part.work as f64);
+    let cases = part.cases();
+    let store = options.store;
+    let store = store.map(|store| (store, Key::new(study, first, &cases)));
+    let readable = store.as_ref().filter(|_| !options.recompute);
+    let loaded = match readable {
+        Some((store, key)) => store.load(study, start, key, cases.len()),
+        None => Err(Miss::Absent),
+    };
+    let (metrics, solutions, stored, from_store) = match loaded {
+        Ok(metrics) => {
+            bar.inc(cases.len() as u64);
+            if let Some(progress) = options.progress {
+                progress.add_stored(work);
+            }
+            (metrics, Solutions::new(), Ok(()), cases.len() as u64)
+        }
+        Err(miss) => {
+            let earlier = match readable {
+                Some((store, key)) => store.earlier_cases(study, start, key),
+                None => EarlierCases::default(),
+            };
+            let missing = Missing::new(&cases, &earlier);
+            let (metrics, solutions) = missing.compute(study, (first, work), bar, options)?;
+            if let Some((store, key)) = store {
+                store.save(study, start, &key, (first, &cases), &metrics)?;
+            }
+            let from_store = missing.reused.len() as u64;
+            (metrics, solutions, Err(miss), from_store)
+        }
+    };
+    Ok(PartResult {
+        first,
+        metrics: units::with_unit_columns(study, &cases, metrics),
+        cases,
+        solutions,
+        stored,
+        from_store,
+    })
+}
+
+/// The cases of a part that is not in the store.
+struct Missing<'a> {
+    cases: &'a Cases,
+    /// Rows to compute.
+    rows: Vec<u32>,
+    /// Rows with metrics from other parts: the row, and the table and row of its metrics.
+    reused: Vec<(u32, &'a MetricTable, usize)>,
+}
+
+impl<'a> Missing<'a> {
+    fn new(cases: &'a Cases, earlier: &'a EarlierCases) -> Missing<'a> {
+        let (mut rows, mut reused) = (Vec::new(), Vec::new());
+        let mut shown = cases.shown();
+        for row in compute::solvable_rows(cases) {
+            match earlier.get(case_hash(&shown.at(row as usize).values)) {
+                Some((metrics, from)) => reused.push((row, metrics, from)),
+                None => rows.push(row),
+            }
+        }
+        Missing {
+            cases,
+            rows,
+            reused,
+        }
+    }
+
+    /// The metrics of all cases of the part, which has the work `work`, and the histories to keep.
+    fn compute(
+        &self,
+        study: &Study,
+        (first, work): (u64, f64),
+        bar: &ProgressBar,
+        options: &RunOptions,
+    ) -> Result<(MetricTable, Solutions), Error> {
+        let (cases, rows) = (self.cases, &self.rows[..]);
+        let solvable = rows.len() + self.reused.len();
+        let work_per_case = work / solvable.max(1) as f64;
+        bar.inc((cases.len() - rows.len()) as u64);
+        if let Some(progress) = options.progress {
+            progress.add_stored(work_per_case * self.reused.len() as f64);
+            progress.start_computing();
+        }
+        let tick = |rows: usize| {
+            bar.inc(rows as u64);
+            if let Some(progress) = options.progress {
+                progress.add_computed(work_per_case * rows as f64);
+            }
+        };
+        let (mut metrics, solutions) =
+            compute::compute_rows(study, first, (cases, rows), &tick, options)?;
+        for (row, from, place) in &self.reused {
+            metrics.copy(*row as usize, from, *place);
+        }
+        Ok((metrics, solutions))
+    }
+}

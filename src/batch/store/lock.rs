@@ -1,0 +1,46 @@
+//! The lock of a store: one run uses it at a time.
+
+use crate::error::Error;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io;
+use std::path::Path;
+
+/// Locked by the run that writes. pandas and pyarrow skip files whose names begin with a point.
+const LOCK: &str = ".lock";
+
+/// The name in an earlier version, which these programs read as a part.
+const FORMER_LOCK: &str = "lock";
+
+/// Opens the lock file and locks it by `acquire`.
+pub fn acquire(
+    folder: &Path,
+    acquire: impl Fn(&File) -> Result<(), TryLockError>,
+) -> Result<File, Error> {
+    let path = folder.join(LOCK);
+    // A link could lead to a file of the user.
+    if fs::symlink_metadata(&path).is_ok_and(|metadata| !metadata.is_file()) {
+        let why = io::Error::other("it is not a file; remove it");
+        return Err(Error::io("cannot lock", path)(why));
+    }
+    let mut options = OpenOptions::new();
+    let options = options.read(true).write(true).create(true).truncate(false);
+    let lock = options
+        .open(&path)
+        .map_err(Error::io("cannot write", &path))?;
+    match acquire(&lock) {
+        Ok(()) => Ok(lock),
+        Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),
+        Err(TryLockError::Error(e)) => Err(Error::io("cannot lock", path)(e)),
+    }
+}
+
+/// Removes the lock of an earlier version: an empty file that is not locked.
+pub fn remove_former(folder: &Path) {
+    let path = folder.join(FORMER_LOCK);
+    if fs::symlink_metadata(&path).is_ok_and(|metadata| metadata.is_file() && metadata.len() == 0)
+        && let Ok(file) = File::open(&path)
+        && file.try_lock().is_ok()
+    {
+        let _ = fs::remove_file(path);
+    }
+}

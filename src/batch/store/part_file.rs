@@ -1,0 +1,86 @@
+//! The files of a store: their names, and their content if it has the checksum in the name.
+
+use super::catch_panic::catch_panic;
+use super::reading;
+use crate::batch::key::checksum;
+use crate::compare::Rows;
+use crate::error::Error;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Name of the store in a folder of results.
+pub const STORE: &str = "store";
+
+/// The name of a part.
+pub fn name(start: u64, checksum: &str) -> String {
+    format!("part-{start:012}-{checksum}.parquet")
+}
+
+/// Start and checksum in the name of a part; `None` for a name that no run writes.
+pub fn parse_name(path: &Path) -> Option<(u64, &str)> {
+    let name = path.file_name()?.to_str()?;
+    let rest = name.strip_prefix("part-")?.strip_suffix(".parquet")?;
+    let (start, sum) = rest.split_once('-')?;
+    let digits = start.len() >= 8 && start.bytes().all(|b| b.is_ascii_digit());
+    let hexadecimal = |b: u8| matches!(b, b'0'..=b'9' | b'a'..=b'f');
+    let valid = digits && sum.len() == 32 && sum.bytes().all(hexadecimal);
+    Some((start.parse().ok().filter(|_| valid)?, sum))
+}
+
+/// The parts in a folder, in order, with the starts in their names.
+pub fn all_in(folder: &Path) -> Result<Vec<(u64, PathBuf)>, Error> {
+    let start = |path: &PathBuf| parse_name(path).map(|(start, _)| start);
+    let all = similar_in(folder)?.into_iter();
+    let mut parts: Vec<_> = all.filter_map(|path| Some((start(&path)?, path))).collect();
+    parts.sort();
+    Ok(parts)
+}
+
+/// The files `part-*.parquet` in a folder.
+pub fn similar_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut paths = Vec::new();
+    let unread = |e| Error::io("cannot read", folder)(e);
+    for entry in fs::read_dir(folder).map_err(unread)? {
+        let entry = entry.map_err(unread)?;
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let similar = name.starts_with("part-") && name.ends_with(".parquet");
+        if similar && !entry.file_type().map_err(unread)?.is_dir() {
+            paths.push(entry.path());
+        }
+    }
+    Ok(paths)
+}
+
+/// The bytes of a part, if they have the checksum in its name.
+pub fn read_checked(path: &Path) -> Option<Vec<u8>> {
+    let bytes = fs::read(path).ok()?;
+    is_undamaged(path, &bytes).then_some(bytes)
+}
+
+fn is_undamaged(path: &Path, bytes: &[u8]) -> bool {
+    parse_name(path).is_some_and(|(_, sum)| checksum(bytes) == sum)
+}
+
+/// The results in the store of a folder, as text.
+///
+/// # Errors
+/// A part that cannot be read, or is damaged.
+pub fn rows(results: &Path) -> Result<Rows, Error> {
+    let folder = results.join(STORE);
+    let mut rows = Rows::default();
+    for (_, path) in all_in(&folder)? {
+        let bytes = fs::read(&path).map_err(Error::io("cannot read", &path))?;
+        let damaged = || {
+            let source = io::Error::other("damaged; run the study again");
+            Error::io("cannot read", &path)(source)
+        };
+        if !is_undamaged(&path, &bytes) {
+            return Err(damaged());
+        }
+        let read = catch_panic(|| reading::read_text(bytes));
+        rows.extend(read.and_then(Result::ok).ok_or_else(damaged)?);
+    }
+    Ok(rows)
+}

@@ -1,0 +1,25 @@
+//! The arguments of `slipgap recommend`.
+
+use super::friction::FrictionArgs;
+use super::impact::ImpactArgs;
+use super::task::SearchTask;
+use clap::Subcommand;
+use slipgap::error::Error;
+
+#[derive(Subcommand)]
+pub enum RecommendArgs {
+    /// Find law, width (alpha or beta) and time step of a friction model
+    FrictionOscillator(FrictionArgs),
+    /// Find gamma, n, mass matrix and time step for the impact of two bars
+    BarImpact(ImpactArgs),
+}
+
+impl RecommendArgs {
+    /// The search that the arguments define.
+    pub fn search_task(self) -> Result<SearchTask, Error> {
+        match self {
+            RecommendArgs::FrictionOscillator(args) => Ok(args.search_task()),
+            RecommendArgs::BarImpact(args) => args.search_task(),
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! `slipgap recommend`: the cheapest parameters that reach a target, with the alternatives.
+
+mod args;
+mod friction;
+mod impact;
+mod tables;
+mod task;
+
+pub use args::RecommendArgs;
+pub use task::SearchTask;
+
+use super::NOT_MET;
+use super::terminal::{note, print};
+use slipgap::batch::output::Folder;
+use slipgap::error::Error;
+use slipgap::figures::style::DPI;
+use slipgap::figures::{self, Front};
+use slipgap::recommend::{Answer, search};
+use std::time::Instant;
+use tables::Row;
+
+/// Searches, writes the table and the picture of the candidates into their folder, and prints the answer; returns the exit
+/// code.
+pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
+    let (space, request) = (&*task.space, &task.request);
+    let mut folder = Folder::open(&task.common.out.join(&task.folder))?;
+    for line in space.notes() {
+        note(&line);
+    }
+    let start = Instant::now();
+    let answer = search(space, request);
+    let seconds = start.elapsed().as_secs_f64();
+    note(&format!("{} cases in {seconds:.1} s", answer.solved));
+    let Some(nearest) = answer.front.len().checked_sub(1) else {
+        note(
+            "slipgap: no case can be recommended: every case searched, or one of its neighbours, gains too much energy or has an undefined target metric",
+        );
+        return Ok(NOT_MET);
+    };
+    let chosen = answer.chosen();
+    let rows = rows(&answer, chosen.unwrap_or(nearest));
+    let mut text = tables::answer(space, request, &rows)?;
+    text += &format!(
+        "in a study: {}\n",
+        tables::study_parameters(space, &rows[0].candidate.cases[0])
+    );
+    let title = format!("Cost and error of {}", space.problem().name());
+    let front = Front {
+        title,
+        cost: space.cost_title().into(),
+        points: answer
+            .front
+            .iter()
+            .map(|c| [c.cost as f64, c.worst])
+            .collect(),
+        chosen,
+    };
+    let sheet = front.sheet();
+    for path in [
+        folder.write(
+            "front.csv",
+            tables::front(space, request, &answer).as_bytes(),
+        )?,
+        folder.write("front.png", &figures::png(&sheet, DPI)?)?,
+        folder.write("front.svg", figures::svg(&sheet, DPI)?.as_bytes())?,
+        folder.write("front.pdf", &figures::pdf(&sheet, DPI)?)?,
+    ] {
+        text += &format!("{}\n", path.display());
+    }
+    print(&text)?;
+    if chosen.is_none() {
+        note("slipgap: no case searched reaches the target; the nearest case is shown");
+        return Ok(NOT_MET);
+    }
+    Ok(0)
+}
+
+/// The answer, a cheaper candidate, and at most two that cost more.
+fn rows(answer: &Answer, at: usize) -> Vec<Row<'_>> {
+    let row = |at: usize, name| Row {
+        name,
+        candidate: &answer.front[at],
+    };
+    let reached = answer.front[at].worst <= 1.0;
+    let [chosen, cheaper] = match reached {
+        true => ["recommended", "cheaper, misses the target"],
+        false => [
+            "nearest, misses the target",
+            "cheaper, misses the target by more",
+        ],
+    };
+    let mut rows = vec![row(at, chosen)];
+    rows.extend(answer.cheaper(at).map(|at| row(at, cheaper)));
+    let first = answer.better(at);
+    let second = first.and_then(|first| answer.better(first));
+    let better = [first, second].into_iter().flatten();
+    rows.extend(better.map(|at| row(at, "costs more, smaller error")));
+    rows
+}

@@ -1,0 +1,326 @@
+//! The tables of an answer: errors of the candidates, their metrics, and the parameters for a study.
+
+use crate::commands::terminal::table;
+use slipgap::error::Error;
+use slipgap::problem::Case;
+use slipgap::problem::parameter::{Value, shortest};
+use slipgap::recommend::format::digits;
+use slipgap::recommend::{Answer, Candidate, FINER, Request, SearchSpace, Target, with_finer_step};
+
+/// A row of the table: a candidate, and why it is shown.
+pub struct Row<'a> {
+    pub name: &'static str,
+    pub candidate: &'a Candidate,
+}
+
+/// The metrics of a case by row of the problem's table.
+type Metrics = Vec<Option<f64>>;
+
+/// The largest errors of each candidate and its neighbours, then the default metrics of each candidate alone.
+pub fn answer(space: &dyn SearchSpace, request: &Request, rows: &[Row]) -> Result<String, Error> {
+    let mut metrics = Vec::new();
+    let mut errors = vec![errors_header(space, request)];
+    for row in rows {
+        let (cells, own) = errors_row(space, row)?;
+        errors.push(cells);
+        metrics.push((row.name.to_owned(), own));
+    }
+    errors.push(targets_row(space, request));
+    let mut text = table(&errors);
+    text += "Each error above is the largest one of the case and its neighbours. Only metrics with a target are limited. Metrics of the case alone:\n";
+    let mut warning = String::new();
+    if let Some(first) = rows.first() {
+        let problem = space.problem();
+        match problem.solve(&with_finer_step(problem, &first.candidate.cases[0]), &[]) {
+            Ok(finer) => {
+                warning = finer_step_warning(request, &metrics[0].1, &finer.metrics);
+                let name = format!("the same, step/{FINER}");
+                metrics.insert(1, (name, finer.metrics));
+            }
+            Err(why) => {
+                warning = format!("The case has no solution with 1/{FINER} of the step: {why}.\n");
+            }
+        }
+    }
+    text += &metrics_table(space, &metrics);
+    text += &warning;
+    Ok(text)
+}
+
+fn errors_header(space: &dyn SearchSpace, request: &Request) -> Vec<String> {
+    let mut header = vec![String::new()];
+    header.extend(space.table_parameters().into_iter().map(str::to_owned));
+    header.push(space.cost_title().into());
+    header.extend(request.targets.iter().map(|target| target.name.to_owned()));
+    header.extend(request.energy_gain.map(|_| "energy gain".to_owned()));
+    header.push("worst/target".into());
+    header
+}
+
+/// The errors of a candidate, and the metrics of its case.
+fn errors_row(space: &dyn SearchSpace, row: &Row) -> Result<(Vec<String>, Metrics), Error> {
+    let candidate = row.candidate;
+    let case = &candidate.cases[0];
+    let mut cells = vec![row.name.to_owned()];
+    let parameters = space.table_parameters().into_iter();
+    cells.extend(parameters.map(|name| space.table_cell(case, name)));
+    cells.push(candidate.cost.to_string());
+    cells.extend(candidate.errors.iter().map(|error| digits(*error)));
+    let (mut gains, mut metrics): (Vec<f64>, Vec<Metrics>) = Default::default();
+    for case in &candidate.cases {
+        let solution = space
+            .problem()
+            .solve(case, &[])
+            .map_err(|why| Error::Internal(why.to_string()))?;
+        gains.extend(space.energy_gain(case, &solution.computed));
+        metrics.push(solution.metrics);
+    }
+    cells.extend(gains.into_iter().reduce(f64::max).map(digits));
+    cells.push(digits(candidate.worst));
+    Ok((cells, metrics.swap_remove(0)))
+}
+
+fn targets_row(space: &dyn SearchSpace, request: &Request) -> Vec<String> {
+    let mut cells = vec!["target".to_owned()];
+    cells.extend(space.table_parameters().iter().map(|_| String::new()));
+    cells.push(String::new());
+    let limits = request.targets.iter().map(|target| target.limit);
+    let limits = limits.chain(request.energy_gain).chain([1.0]);
+    cells.extend(limits.map(|limit| format!("<= {}", shortest(limit))));
+    cells
+}
+
+/// The default metrics, one column for each case.
+fn metrics_table(space: &dyn SearchSpace, cases: &[(String, Metrics)]) -> String {
+    let mut rows = vec![vec![String::new()]];
+    rows[0].extend(cases.iter().map(|(name, _)| name.clone()));
+    let metrics = space.problem().metrics().iter().enumerate();
+    for (i, metric) in metrics.filter(|(_, metric)| metric.default) {
+        let mut cells = vec![metric.name.to_string()];
+        let values = cases.iter().map(|(_, metrics)| metrics[i]);
+        cells.extend(values.map(|value| value.map_or("undefined".into(), digits)));
+        rows.push(cells);
+    }
+    table(&rows)
+}
+
+/// A warning if the case reaches a target that it misses with a finer step.
+fn finer_step_warning(request: &Request, case: &Metrics, finer: &Metrics) -> String {
+    let missed =
+        |target: &&Target| target.error(case) <= target.limit && target.error(finer) > target.limit;
+    let missed = request.targets.iter().filter(missed);
+    let missed: Vec<String> = missed
+        .map(|t| {
+            let error = digits(t.error(finer));
+            format!("{} {error} > {}", t.name, shortest(t.limit))
+        })
+        .collect();
+    match missed.is_empty() {
+        true => String::new(),
+        false => format!(
+            "This answer is valid only for its own time step. With 1/{FINER} of the step it misses the target: {}.\n",
+            missed.join(", ")
+        ),
+    }
+}
+
+/// The parameters of a study with this case. Those with a point in their names are members of an object.
+pub fn study_parameters(space: &dyn SearchSpace, case: &Case) -> String {
+    let mut members = Vec::new();
+    let mut objects: Vec<(&str, Vec<String>)> = Vec::new();
+    for name in space.study_parameters() {
+        let Some(value) = case.get(name) else {
+            continue;
+        };
+        let text = space.study_value(case, name);
+        let text = match value {
+            Value::Name(_) => format!("\"{text}\""),
+            Value::Number(_) | Value::Whole(_) if text.contains(['/', '*']) => {
+                format!("\"{text}\"")
+            }
+            Value::Number(_) | Value::Whole(_) => text,
+        };
+        let Some((object, key)) = name.split_once('.') else {
+            members.push(format!("\"{name}\": {text}"));
+            continue;
+        };
+        let member = format!("\"{key}\": {text}");
+        match objects.iter_mut().find(|(name, _)| *name == object) {
+            Some((_, members)) => members.push(member),
+            None => objects.push((object, vec![member])),
+        }
+    }
+    let objects = objects.into_iter();
+    members.extend(objects.map(|(name, of)| format!("\"{name}\": {{ {} }}", of.join(", "))));
+    format!("\"parameters\": {{ {} }}", members.join(", "))
+}
+
+/// front.csv: all candidates of the answer.
+pub fn front(space: &dyn SearchSpace, request: &Request, answer: &Answer) -> String {
+    let errors = request
+        .targets
+        .iter()
+        .map(|target| target.name.replace(' ', "_"));
+    let parameters = space.table_parameters();
+    let mut header: Vec<String> = parameters.iter().map(|name| (*name).to_owned()).collect();
+    header.push("cost".into());
+    header.extend(errors);
+    header.push("worst".into());
+    let mut text = header.join(",") + "\n";
+    for candidate in &answer.front {
+        let value = |name: &&str| {
+            let value = candidate.cases[0].get(name);
+            value.map_or(String::new(), |value| value.to_string())
+        };
+        let mut cells: Vec<String> = parameters.iter().map(value).collect();
+        cells.push(candidate.cost.to_string());
+        let errors = candidate.errors.iter().chain([&candidate.worst]);
+        cells.extend(errors.map(|x| shortest(*x)));
+        text += &(cells.join(",") + "\n");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slipgap::history::History;
+    use slipgap::problem::cases::Cases;
+    use slipgap::problem::friction::FrictionOscillator;
+    use slipgap::problem::schema::Schema;
+    use slipgap::problem::{Problem, Solution, Violation};
+    use slipgap::recommend::friction::Friction;
+    use slipgap::recommend::{CostLevel, metric};
+    use slipgap::solve::{MetricTable, Unsolvable};
+    use std::sync::Arc;
+
+    /// Smallest step with a solution.
+    const SMALLEST: f64 = 0.05;
+
+    /// The friction oscillator without solutions for small steps.
+    #[derive(Debug)]
+    struct NoSmallSteps;
+
+    impl Problem for NoSmallSteps {
+        fn schema(&self) -> &Arc<Schema> {
+            FrictionOscillator.schema()
+        }
+
+        fn complete(&self, case: &mut Case) -> Vec<Violation> {
+            FrictionOscillator.complete(case)
+        }
+
+        fn system(&self, case: &Case) -> Result<slipgap::system::System, Unsolvable> {
+            FrictionOscillator.system(case)
+        }
+        fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
+            match case.at(self.schema().step) {
+                Some(step) if step < SMALLEST => Err(Unsolvable::OutOfRange),
+                _ => FrictionOscillator.solve(case, wanted),
+            }
+        }
+
+        fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
+            FrictionOscillator.solve_once(case, wanted)
+        }
+
+        fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
+            FrictionOscillator.sweep(cases, rows)
+        }
+
+        fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+            FrictionOscillator.exact(case, times)
+        }
+    }
+
+    struct Space(Friction, &'static dyn Problem);
+
+    impl SearchSpace for Space {
+        fn problem(&self) -> &'static dyn Problem {
+            self.1
+        }
+
+        fn table_parameters(&self) -> Vec<&'static str> {
+            self.0.table_parameters()
+        }
+
+        fn study_parameters(&self) -> Vec<&str> {
+            self.0.study_parameters()
+        }
+
+        fn study_value(&self, case: &Case, name: &str) -> String {
+            self.0.study_value(case, name)
+        }
+
+        fn notes(&self) -> Vec<String> {
+            self.0.notes()
+        }
+
+        fn cost_title(&self) -> &'static str {
+            self.0.cost_title()
+        }
+
+        fn costs(&self) -> Vec<u64> {
+            self.0.costs()
+        }
+
+        fn level(&self, index: usize) -> CostLevel {
+            self.0.level(index)
+        }
+
+        fn energy_drifts(&self) -> Option<[usize; 2]> {
+            None
+        }
+
+        fn energy_gain(&self, _: &Case, _: &History) -> Option<f64> {
+            None
+        }
+    }
+
+    #[test]
+    fn a_case_without_a_solution_at_the_finer_step_has_no_column() {
+        let friction = || Friction {
+            laws: vec!["velocity-control"],
+            x0: 12.0,
+        };
+        // pi/10, whose 16th part is below the limit.
+        let level = friction().level(8);
+        let case = level.cases[40].clone();
+        let candidate = Candidate {
+            cases: vec![case],
+            cost: 80,
+            errors: vec![0.01],
+            worst: 0.5,
+        };
+        let request = Request {
+            targets: vec![Target {
+                name: "rms_error",
+                metric: metric(&FrictionOscillator, "rms_error"),
+                ideal: 0.0,
+                limit: 0.02,
+            }],
+            energy_gain: None,
+        };
+        let text = |problem: &'static dyn Problem| {
+            let row = Row {
+                name: "recommended",
+                candidate: &candidate,
+            };
+            answer(&Space(friction(), problem), &request, &[row]).unwrap()
+        };
+        let (with, without) = (text(&FrictionOscillator), text(&NoSmallSteps));
+        assert!(with.contains("the same, step/16"), "{with}");
+        let sentence = "The case has no solution with 1/16 of the step: the motion leaves the range of double precision.\n";
+        let rest = without.strip_suffix(sentence).unwrap();
+        assert!(!rest.contains("step/16"), "{rest}");
+        // The other columns are the same.
+        for (line, other) in rest.lines().zip(with.lines()) {
+            let cells = |line: &str| {
+                line.split_whitespace()
+                    .map(str::to_owned)
+                    .collect::<Vec<_>>()
+            };
+            assert!(cells(other).starts_with(&cells(line)), "{line}\n{other}");
+        }
+    }
+}

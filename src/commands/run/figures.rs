@@ -1,0 +1,31 @@
+//! The figures of a study, drawn and written.
+
+use slipgap::batch::Outcome;
+use slipgap::batch::output::Folder;
+use slipgap::error::Error;
+use slipgap::figures;
+use slipgap::study::Study;
+use slipgap::study_figures;
+use std::path::PathBuf;
+
+/// Draws every figure of a study with `dpi` pixels per inch, and adds the paths of the files to `paths`.
+pub fn write(
+    study: &Study,
+    outcomes: &mut [Outcome],
+    dpi: u32,
+    folder: &mut Folder,
+    paths: &mut Vec<PathBuf>,
+) -> Result<(), Error> {
+    study_figures::add_histories(study, outcomes);
+    for figure in &study.figures {
+        let sheet = study_figures::with_cases(study, figure, outcomes, |cases| {
+            figures::sheet(study, figure, cases)
+        });
+        let name = &figure.name;
+        paths.push(folder.write(&format!("{name}.png"), &figures::png(&sheet, dpi)?)?);
+        let svg = figures::svg(&sheet, dpi)?;
+        paths.push(folder.write(&format!("{name}.svg"), svg.as_bytes())?);
+        paths.push(folder.write(&format!("{name}.pdf"), &figures::pdf(&sheet, dpi)?)?);
+    }
+    Ok(())
+}

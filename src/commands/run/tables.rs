@@ -1,0 +1,92 @@
+//! The tables that are written during a run: results.csv if wanted, and failures.csv if a case has no solution.
+
+use super::super::sources::Source;
+use super::unsolved::UnsolvedCases;
+use slipgap::batch::Outcome;
+use slipgap::batch::output::atomic::AtomicFile;
+use slipgap::batch::output::tables::{FailureTable, ResultTable};
+use slipgap::batch::output::{FAILURES, Folder, RESULTS};
+use slipgap::batch::store::Store;
+use slipgap::error::Error;
+use std::io;
+use std::path::PathBuf;
+
+/// The tables so far. They are removed unless they are finished.
+pub struct Tables<'a> {
+    source: &'a Source,
+    results: Option<ResultTable<'a, AtomicFile>>,
+    failures: Option<FailureTable<AtomicFile>>,
+    unsolved: UnsolvedCases<'a>,
+}
+
+impl<'a> Tables<'a> {
+    /// Creates results.csv if it is wanted.
+    pub fn create(source: &'a Source, folder: &Folder, results: bool) -> Result<Tables<'a>, Error> {
+        let table =
+            |file| ResultTable::new(&source.study, file).map_err(write_error(folder, RESULTS));
+        let results = match results {
+            true => Some(folder.create(RESULTS).and_then(table)?),
+            false => None,
+        };
+        Ok(Tables {
+            source,
+            results,
+            failures: None,
+            unsolved: UnsolvedCases::new(source),
+        })
+    }
+
+    /// Whether each case is a row of results.csv.
+    pub fn has_results(&self) -> bool {
+        self.results.is_some()
+    }
+
+    /// Adds a case.
+    pub fn add(&mut self, folder: &Folder, number: u64, outcome: &Outcome) -> Result<(), Error> {
+        if let Some(table) = &mut self.results {
+            let written = table.row(number, outcome);
+            written.map_err(write_error(folder, RESULTS))?;
+        }
+        let Some(why) = &outcome.failure else {
+            return Ok(());
+        };
+        self.unsolved.add(number, why);
+        let table = match &mut self.failures {
+            Some(table) => table,
+            none => {
+                let table = FailureTable::new(&self.source.study, folder.create(FAILURES)?);
+                none.insert(table.map_err(write_error(folder, FAILURES))?)
+            }
+        };
+        let written = table.row(number, &outcome.case, why);
+        written.map_err(write_error(folder, FAILURES))
+    }
+
+    /// Commits the files, adds their paths to `paths`, and reports cases without a solution. It returns whether every
+    /// case was solved.
+    pub fn finish(
+        self,
+        folder: &mut Folder,
+        store: &Store,
+        paths: &mut Vec<PathBuf>,
+    ) -> Result<bool, Error> {
+        paths.push(match self.results {
+            Some(table) => {
+                let file = table.finish().map_err(write_error(folder, RESULTS))?;
+                folder.commit(file, RESULTS)?
+            }
+            None => store.folder().to_owned(),
+        });
+        self.unsolved.report();
+        if let Some(table) = self.failures {
+            let file = table.finish().map_err(write_error(folder, FAILURES))?;
+            paths.push(folder.commit(file, FAILURES)?);
+        }
+        Ok(self.unsolved.is_empty())
+    }
+}
+
+/// The error of a table that cannot be written.
+fn write_error(folder: &Folder, name: &str) -> impl FnOnce(io::Error) -> Error {
+    Error::io("cannot write", folder.path_of(name))
+}

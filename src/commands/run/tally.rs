@@ -1,0 +1,68 @@
+//! The number of cases from the store, and why the others were computed.
+
+use super::super::terminal::progress;
+use slipgap::batch::PartResult;
+
+/// Largest number of reasons in the summary.
+const MOST_REASONS: usize = 3;
+
+/// The cases of a run, counted by their origin.
+#[derive(Debug)]
+pub struct Tally {
+    /// Whether the store was empty.
+    new_store: bool,
+    from_store: u64,
+    /// Reasons, with the number of parts of each.
+    reasons: Vec<(String, u64)>,
+}
+
+impl Tally {
+    /// No cases yet.
+    pub fn new(new_store: bool) -> Tally {
+        Tally {
+            new_store,
+            from_store: 0,
+            reasons: Vec::new(),
+        }
+    }
+
+    /// Counts a part.
+    pub fn add(&mut self, part: &PartResult) {
+        self.from_store += part.from_store;
+        let Err(miss) = &part.stored else {
+            return;
+        };
+        let why = miss.to_string();
+        match self.reasons.iter_mut().find(|(reason, _)| *reason == why) {
+            Some((_, count)) => *count += 1,
+            None => self.reasons.push((why, 1)),
+        }
+    }
+
+    /// One line about a run of so many cases.
+    pub fn summary(&self, cases: u64) -> String {
+        if self.from_store == cases {
+            return format!("{cases} of {cases} cases from the store");
+        }
+        if self.new_store {
+            return progress::cases_run(cases);
+        }
+        let text = |(reason, count): &(String, u64)| match count {
+            1 => reason.clone(),
+            _ => format!("{reason} ({count} parts)"),
+        };
+        let mut reasons: Vec<String> = self.reasons.iter().take(MOST_REASONS).map(text).collect();
+        if self.reasons.len() > MOST_REASONS {
+            reasons.push(format!(
+                "{} more reasons",
+                self.reasons.len() - MOST_REASONS
+            ));
+        }
+        let run = progress::cases_run(cases - self.from_store);
+        let from_store = match self.from_store {
+            0 => String::new(),
+            count => format!("{count} of {cases} cases from the store, "),
+        };
+        format!("{from_store}{run}: {}", reasons.join(", "))
+    }
+}

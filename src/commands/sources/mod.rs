@@ -1,0 +1,168 @@
+//! Reads the studies of a command. Each has the name of its folder of results.
+
+pub mod files;
+
+use slipgap::batch::output;
+use slipgap::error::Error;
+use slipgap::study::{self, Input, Setting, Study};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use walkdir::DirEntry;
+
+/// A study and its origin.
+pub struct Source {
+    /// The file as in the command, or the name of standard input.
+    pub file: PathBuf,
+    /// Its folder in the output folder, as in `claims/friction`.
+    pub name: String,
+    /// The text of the file.
+    pub text: String,
+    /// The study.
+    pub study: Study,
+}
+
+impl Source {
+    /// The file and the settings of the command line.
+    pub fn origin(&self) -> String {
+        let mut origin = self.file.display().to_string();
+        for setting in &self.study.settings {
+            origin += &format!(" --set '{}'", setting.text());
+        }
+        origin
+    }
+}
+
+/// Reads the studies in files and folders, in order, with the settings and at most `limit` raw combinations each. All
+/// faults of all files are reported. `-` is standard input.
+pub fn read(paths: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<Source>, Error> {
+    let mut files = Vec::new();
+    for path in paths {
+        files.extend(find(path)?);
+    }
+    let files = distinct(files)?;
+    let several = files.len() > 1;
+    files::read_all(files, |(file, name)| {
+        let (file, input) = match file == Path::new(DASH) {
+            true => (PathBuf::from(study::STDIN), Input::of_stdin()?),
+            false => {
+                let input = Input::of_file(&file)?;
+                (file, input)
+            }
+        };
+        let input = input.with(settings);
+        let study = input.study(limit);
+        let study = study.map_err(|error| {
+            if several {
+                with_file_name(error, &file)
+            } else {
+                error
+            }
+        })?;
+        let text = input.into_text();
+        Ok(Source {
+            file,
+            name,
+            text,
+            study,
+        })
+    })
+}
+
+/// The name of standard input on the command line.
+pub const DASH: &str = "-";
+
+/// Adds the name of the study to faults of settings, which are the same for several studies.
+fn with_file_name(mut error: Error, file: &Path) -> Error {
+    if let Error::Faults(faults) = &mut error {
+        for fault in faults
+            .iter_mut()
+            .filter(|fault| fault.file != file.display().to_string())
+        {
+            fault.message += &format!(" (in {})", file.display());
+        }
+    }
+    error
+}
+
+/// The study files in `path`, sorted, each with its relative path without `.json`.
+fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
+    if path == Path::new(DASH) {
+        return Ok(vec![(path.to_owned(), "stdin".into())]);
+    }
+    let files = find_named(path)?;
+    // Names are written to messages, tables, pictures and pages.
+    for (file, _) in &files {
+        let shown = file.to_string_lossy();
+        if let Some(c) = study::unprintable(&shown) {
+            let name = study::printable(&shown)
+                .replace('\n', "\\n")
+                .replace('\t', "\\t");
+            let what = format!("{name}: the name of a study cannot contain {c}; rename it");
+            return Err(Error::Usage(what));
+        }
+    }
+    Ok(files)
+}
+
+fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
+    if !path.is_dir() {
+        let stem = path.file_stem().unwrap_or(path.as_os_str());
+        // `...json` without its ending is a path outside the output folder.
+        if stem == "." || stem == ".." {
+            let what = format!(
+                "{} gives no valid name for a folder; rename it",
+                path.display()
+            );
+            return Err(Error::Usage(what));
+        }
+        return Ok(vec![(path.to_owned(), name(Path::new(stem)))]);
+    }
+    let wanted = |entry: &DirEntry| {
+        let hidden = entry.file_name().to_string_lossy().starts_with('.');
+        // The folder may contain results too.
+        files::is_json(entry) && !hidden && !output::is_manifest(entry.path())
+    };
+    let files = files::find(path, "studies (*.json)", wanted)?.into_iter();
+    let named = files.map(|file| {
+        let relative = file.strip_prefix(path).unwrap_or(&file).with_extension("");
+        let name = name(&relative);
+        (file, name)
+    });
+    Ok(named.collect())
+}
+
+/// Removes repeated files. Two files with the same folder of results are an error.
+fn distinct(files: Vec<(PathBuf, String)>) -> Result<Vec<(PathBuf, String)>, Error> {
+    let mut by_name: BTreeMap<String, PathBuf> = BTreeMap::new();
+    let mut distinct = Vec::new();
+    for (file, name) in files {
+        match by_name.get(&name) {
+            None => {
+                by_name.insert(name.clone(), file.clone());
+                distinct.push((file, name));
+            }
+            Some(first) if same(first, &file) => {}
+            Some(first) => {
+                return Err(Error::Usage(format!(
+                    "{} and {} would both write to folder {name}; rename one or run them separately",
+                    first.display(),
+                    file.display()
+                )));
+            }
+        }
+    }
+    Ok(distinct)
+}
+
+fn same(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    }
+}
+
+/// A relative path with `/` on every system.
+fn name(path: &Path) -> String {
+    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/")
+}

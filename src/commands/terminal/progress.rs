@@ -1,0 +1,93 @@
+//! Progress bars, and lines about finished work.
+
+use super::note;
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use slipgap::batch::cost;
+use slipgap::batch::work_progress::WorkProgress;
+use slipgap::study::Study;
+use std::fmt::Write;
+use std::io::{IsTerminal, stderr};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// Time between two frames of a spinner.
+const TICK: Duration = Duration::from_millis(100);
+
+/// A progress bar with rate and time left on a terminal, else a hidden one.
+pub fn bar(name: &str, cases: u64) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(
+        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {per_sec}, {eta} left",
+    )
+    .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(cases)
+        .with_style(style)
+        .with_prefix(name.to_owned())
+}
+
+/// The progress bar of a run with a store, and the counter of its work. The time left is computed from the work of this
+/// run, without the cases from the store.
+pub fn bar_with_store(name: &str, study: &Study) -> (ProgressBar, Arc<WorkProgress>) {
+    let bar = bar(name, study.len());
+    if bar.is_hidden() {
+        return (bar, Arc::new(WorkProgress::new(0.0)));
+    }
+    let work = Arc::new(WorkProgress::new(cost::total(study)));
+    let shown = work.clone();
+    let style = ProgressStyle::with_template(
+        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {time} left",
+    )
+    .unwrap_or_else(|_| ProgressStyle::default_bar())
+    .with_key("time", move |_: &ProgressState, out: &mut dyn Write| {
+        let left = shown.time_left();
+        let _ = out.write_str(&left.map_or("?".into(), |left| duration(left.as_secs_f64())));
+    });
+    (bar.with_style(style), work)
+}
+
+/// A rounded duration with its unit.
+pub fn duration(seconds: f64) -> String {
+    match seconds {
+        _ if seconds < 0.1 => "less than 0.1 s".into(),
+        _ if seconds < 10.0 => format!("{seconds:.1} s"),
+        _ if seconds < 120.0 => format!("{seconds:.0} s"),
+        _ if seconds < 2.0 * 3600.0 => format!("{:.0} min", seconds / 60.0),
+        _ if seconds < 48.0 * 3600.0 => format!("{:.0} h", seconds / 3600.0),
+        _ => format!("{:.0} days", seconds / 86_400.0),
+    }
+}
+
+/// A progress bar for work after the last case. Without a terminal it is hidden, and a line names the work if it is long.
+pub fn steps(name: &str, what: &str, steps: usize, long: bool) -> ProgressBar {
+    if !stderr().is_terminal() {
+        if long {
+            note(&format!("{name}: {what}"));
+        }
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{prefix} {spinner} {msg} {wide_bar} {pos}/{len}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    let bar = ProgressBar::new(steps as u64)
+        .with_style(style)
+        .with_prefix(name.to_owned())
+        .with_message(what.to_owned());
+    // A step may take many seconds. The spinner shows that the program runs.
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+/// Removes the bar and writes one line about the finished work.
+pub fn finish(bar: &ProgressBar, name: &str, summary: &str) {
+    bar.finish_and_clear();
+    note(&format!("{name}: {summary}"));
+}
+
+/// The number of cases in words.
+pub fn cases_run(cases: u64) -> String {
+    match cases {
+        1 => "1 case run".into(),
+        _ => format!("{cases} cases run"),
+    }
+}

@@ -1,0 +1,82 @@
+//! What a search is for, and its result.
+
+use crate::problem::Case;
+
+/// A limit of the error of a metric.
+#[derive(Debug, Clone)]
+pub struct Target {
+    /// Name of the error, as in `rms_error`.
+    pub name: &'static str,
+    /// Row of `problem.metrics()`.
+    pub metric: usize,
+    /// The ideal value, with which the error is relative; 0 if the metric is an error itself.
+    pub ideal: f64,
+    /// Largest error allowed, > 0.
+    pub limit: f64,
+}
+
+impl Target {
+    /// The error of a case; infinite if the metric is undefined.
+    pub fn error(&self, metrics: &[Option<f64>]) -> f64 {
+        let scale = if self.ideal == 0.0 { 1.0 } else { self.ideal };
+        let metric = metrics.get(self.metric).copied().flatten();
+        metric.map_or(f64::INFINITY, |x| ((x - self.ideal) / scale).abs())
+    }
+}
+
+/// The requirements for a case and its neighbours.
+#[derive(Debug, Clone)]
+pub struct Request {
+    /// Limits of errors.
+    pub targets: Vec<Target>,
+    /// Largest gain of energy, relative to the energy at the start; `None` for a problem whose law only dissipates.
+    pub energy_gain: Option<f64>,
+}
+
+/// The best candidate of a cost.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// Its case, then its neighbours.
+    pub cases: Vec<Case>,
+    /// Its cost.
+    pub cost: u64,
+    /// The largest error for each target, over case and neighbours.
+    pub errors: Vec<f64>,
+    /// The largest quotient of error and limit. The candidate reaches the target if it is at most 1.
+    pub worst: f64,
+}
+
+/// The result of a search.
+#[derive(Debug, Default)]
+pub struct Answer {
+    /// The best candidate of every cost at which `worst` is smaller than at all lower costs, in the order of costs.
+    pub front: Vec<Candidate>,
+    /// Number of cases solved.
+    pub solved: u64,
+}
+
+/// Largest quotient of costs or of `worst` of clearly different candidates.
+const CLEARLY: f64 = 0.8;
+
+impl Answer {
+    /// Index of the cheapest candidate that reaches the target, if any.
+    pub fn chosen(&self) -> Option<usize> {
+        self.front
+            .iter()
+            .position(|candidate| candidate.worst <= 1.0)
+    }
+
+    /// Index of the last candidate that costs clearly less than the one at `at`, else the first.
+    pub fn cheaper(&self, at: usize) -> Option<usize> {
+        let most = CLEARLY * self.front[at].cost as f64;
+        let clearly = self.front[..at].iter().rposition(|c| c.cost as f64 <= most);
+        clearly.or_else(|| (at > 0).then_some(0))
+    }
+
+    /// Index of the first candidate after `at` that is clearly better.
+    pub fn better(&self, at: usize) -> Option<usize> {
+        let most = CLEARLY * self.front[at].worst;
+        let further = self.front[at..].iter().position(|c| c.worst <= most);
+        further.map(|further| at + further)
+    }
+}
