@@ -66,11 +66,11 @@ noticed_numbers = --test budget --test budget_impact --test chain --test frictio
   --test sweep --test two_forms --test two_forms_impact
 changed_batch = -f 'src/batch/**' -f src/indices.rs -f src/compare.rs
 noticed_batch = --test command_line
-changed_study = -f 'src/study/**' -e 'src/study/ledger/**' -e 'src/study/describe/**'
+changed_study = -f 'src/study/**' -e 'src/study/describe/**'
 noticed_study = --test bad_studies --test study_language --test every_case --test command_line
 changed_figures = -f 'src/figures/**'
 noticed_figures = --test report
-changed_claims = -f 'src/claims/**' -f 'src/study/ledger/**' -f src/checks.rs
+changed_claims = -f 'src/claims/**' -f src/checks.rs
 noticed_claims = --test command_line --test findings
 changed_recommend = -f 'src/recommend/**'
 noticed_recommend = --test recommend

@@ -1,10 +1,10 @@
 //! One reading against the cases it names.
 
 use super::Finding;
+use super::ledger::{Demand, Expect, Looked, Reading};
 use crate::batch::Outcome;
 use crate::problem::{Lines, Problem, Snapshot};
 use crate::study::Study;
-use crate::study::ledger::{Demand, Expect, Looked, Reading};
 
 /// Most values that a finding lists one by one.
 const MOST: usize = 6;

@@ -1,14 +1,15 @@
 //! The papers' sentences, judged by computation: each claim of a ledger against the cases of the studies that settle it.
 
 mod judge;
+pub mod ledger;
 mod page;
 
 pub use page::{Judged, page};
 
 use crate::batch;
 use crate::error::Error;
-use crate::study::ledger::{Claim, Ledger};
 use indicatif::ProgressBar;
+use ledger::{Claim, Ledger};
 
 /// What a claim comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

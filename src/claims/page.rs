@@ -1,7 +1,7 @@
 //! The ledger as a page: a table of verdicts for each paper, then every claim with its readings and numbers.
 
+use super::ledger::{Claim, Ledger};
 use super::{Finding, Verdict};
-use crate::study::ledger::{Claim, Ledger};
 use std::fmt::Write;
 
 /// A ledger with what was computed for each reading of each claim.

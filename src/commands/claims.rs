@@ -2,9 +2,9 @@
 
 use super::{NOT_MET, columns, files, note, progress, say};
 use slipgap::batch::output::Folder;
+use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
-use slipgap::study::ledger::{self, Ledger};
 use std::path::{Path, PathBuf};
 
 /// Name of the page.

@@ -3,51 +3,36 @@
 //! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
 //! problem and of `figure::kinds` and collects every fault -> [`Study`] -> `block` and `cases`, made one at a time.
 
-mod applies;
-mod block;
-mod blocks;
+mod axes;
 mod cases;
-mod checks;
 mod decode;
-mod derived;
 mod describe;
-mod design;
 pub mod expression;
 mod figure;
-mod finish;
-mod hint;
-mod input;
-mod interval;
-mod kept;
-pub mod ledger;
 mod measure;
-mod object;
-mod parameters;
-mod place;
-mod plain;
-mod report;
-mod rules;
-mod scope;
-mod setting;
-mod spread;
+mod source;
 #[cfg(test)]
 mod tests;
-mod tree;
 pub mod units;
-mod value;
-mod zip;
+pub(crate) mod value;
 
-pub use block::{Axis, Block, Group};
+// For the ledger of claims, which is written in the same language.
+pub(crate) use cases::scope;
+pub(crate) use source::{faults, input, object, place, tree};
+// The name by which `figure` imports it.
+use source::faults as report;
+
+pub use cases::block::{Axis, Block, Group};
+pub use cases::design::{Design, Sampling};
+pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
-pub use design::{Design, Sampling};
-pub use input::{Input, STDIN};
 pub use measure::Measure;
 #[cfg(test)]
 pub(crate) use measure::measures;
-pub use plain::{printable, unprintable};
-pub use rules::MOST_CASES;
-pub use setting::Setting;
+pub use source::input::{Input, STDIN};
+pub use source::plain::{printable, unprintable};
+pub use source::setting::Setting;
 pub use units::Units;
 
 use crate::problem::Problem;

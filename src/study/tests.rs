@@ -1,10 +1,13 @@
 //! Tests with a problem of their own: parameters of a part, values that follow from others, rules across parameters.
 
+use super::axes::draft::Draft;
+use super::axes::parameters::parameters;
 use super::cases::select;
-use super::parameters::{Draft, parameters};
-use super::place::Texts;
-use super::report::Faults;
-use super::{Axis, Block, Filter, Group, rules, tree};
+use super::decode::validate;
+use super::source::faults::Faults;
+use super::source::place::Texts;
+use super::source::tree;
+use super::{Axis, Block, Filter, Group};
 use crate::problem::cases::Cases;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
@@ -127,7 +130,7 @@ fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
     if let Some(draft) = &draft
         && let Some(block) = draft.block(&Bars, &mut faults)
     {
-        rules::check(&Bars, draft, &block, &mut faults);
+        validate::check(&Bars, draft, &block, &mut faults);
     }
     let told = faults.in_file_order(Texts::new("s", text));
     (draft, told.iter().map(ToString::to_string).collect())
@@ -360,7 +363,7 @@ fn an_expression_is_computed_once_for_each_set_of_what_it_names() {
     let study = super::parse("x.json", &text).unwrap();
     let block = &study.blocks[0];
     let name = |row: usize| &*study.problem.parameters()[row].name;
-    let kept = |rule: &super::derived::Rule| rule.table.as_ref().map_or(0, Vec::len);
+    let kept = |rule: &super::cases::derived::Rule| rule.table.as_ref().map_or(0, Vec::len);
     let tables: Vec<(&str, usize)> = block
         .derived
         .iter()

@@ -1,10 +1,10 @@
 //! One value of the study file as a number, a string or a value of a parameter.
 
 use super::expression::Formula;
-use super::hint::unit;
-use super::plain::unprintable;
-use super::report::{Faults, quoted, shown, unknown};
-use super::tree::{Node, Tree};
+use super::source::faults::{Faults, quoted, shown, unknown};
+use super::source::hint::unit;
+use super::source::plain::unprintable;
+use super::source::tree::{Node, Tree};
 use crate::problem::PROBLEMS;
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 
@@ -12,7 +12,7 @@ use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 
 /// A string.
-pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
+pub(crate) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
     match &node.tree {
         Tree::Text(text) => match unprintable(text) {
             None => Some(text.clone()),
@@ -30,12 +30,12 @@ pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<Strin
 }
 
 /// A number in `range`, plain or as an expression.
-pub(super) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults) -> Option<f64> {
+pub(crate) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults) -> Option<f64> {
     within(node, path, range, None, faults)
 }
 
 /// The same; `of` is the parameter whose value it is, if it is one.
-pub(super) fn within(
+pub(crate) fn within(
     node: &Node,
     path: &str,
     range: Range,
@@ -51,7 +51,7 @@ pub(super) fn within(
 }
 
 /// One of several names, by its place among them.
-pub(super) fn name(
+pub(crate) fn name(
     node: &Node,
     path: &str,
     what: &str,
@@ -71,7 +71,7 @@ pub(super) fn name(
 }
 
 /// A value of `parameter`, by its declared kind.
-pub(super) fn value(
+pub(crate) fn value(
     node: &Node,
     path: &str,
     parameter: &Parameter,
@@ -119,7 +119,7 @@ fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) 
 }
 
 /// The sentence about a number with a unit, if the text is one; `of` is the parameter whose value it is, if it is one.
-pub(super) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
+pub(crate) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
     unit(text)?;
     let mut sentence = "a number is written without a unit".to_owned();
     if let Some(parameter) = of {

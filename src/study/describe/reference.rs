@@ -5,13 +5,14 @@ use std::fmt::Write;
 use super::values::allowed;
 use crate::problem::parameter::{Default, Parameter};
 use crate::problem::{PROBLEMS, Problem};
-use crate::study::blocks::BESIDE;
+use crate::study::axes::axis_rule::RULES;
+use crate::study::axes::design;
+use crate::study::axes::interval::INTERVALS;
+use crate::study::decode::blocks::BESIDE;
+use crate::study::decode::{self, checks, units};
 use crate::study::expression::words::{CONSTANTS, FUNCTIONS};
 use crate::study::figure::keys::{COMMON, Key};
 use crate::study::figure::kinds::KINDS;
-use crate::study::interval::INTERVALS;
-use crate::study::spread::RULES;
-use crate::study::{checks, decode, design, units};
 
 /// docs/study-files.md.
 pub fn reference() -> String {

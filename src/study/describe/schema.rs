@@ -10,12 +10,14 @@ use super::values::{
 };
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{Metric, PROBLEMS, Problem};
-use crate::study::blocks::BESIDE;
+use crate::study::axes::design;
+use crate::study::decode::blocks::BESIDE;
+use crate::study::decode::{self, checks, units};
 use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::limits::WIDTHS;
 use crate::study::figure::taken::MARKS;
-use crate::study::{checks, decode, design, units};
+use crate::study::units::IN;
 use std::sync::Arc;
 
 /// The schema as indented JSON with a newline at its end.
@@ -125,7 +127,7 @@ fn metric(problem: &dyn Problem) -> Json {
     }
     let in_units = json!({
         "type": "string",
-        "pattern": format!("^({}){}{UNIT}(_per_{UNIT})?$", of_unit.join("|"), units::IN),
+        "pattern": format!("^({}){}{UNIT}(_per_{UNIT})?$", of_unit.join("|"), IN),
         "description": "a metric in the units of the study",
     });
     json!({ "anyOf": [scaled, in_units] })

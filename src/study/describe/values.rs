@@ -3,8 +3,8 @@
 use serde_json::{Map, Value as Json, json};
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::study::interval::INTERVALS;
-use crate::study::spread::RULES;
+use crate::study::axes::axis_rule::RULES;
+use crate::study::axes::interval::INTERVALS;
 
 /// The `parameters` object, or the object that one of its keys holds.
 pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {

@@ -2,11 +2,11 @@
 
 mod operand;
 
+use super::formula::{ExpressionFault, Formula, Step};
 use super::words;
-use super::{ExpressionFault, Formula, Step};
 use crate::problem::parameter;
 use crate::problem::parameter::Parameter;
-use crate::study::report::unknown;
+use crate::study::source::faults::unknown;
 
 /// Deeper than any formula that a person writes.
 const DEEPEST: usize = 100;
@@ -22,12 +22,20 @@ pub(super) enum Kind {
     Quoted(usize, usize),
 }
 
+impl Formula {
+    /// Reads a number; names are those of `table`, pi and e.
+    pub fn number(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
+        parse(text, table, Kind::Number)
+    }
+
+    /// Reads a condition: comparisons joined by `and`, `or`, `not`.
+    pub fn condition(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
+        parse(text, table, Kind::Truth)
+    }
+}
+
 /// Reads the whole of `text`, which must be of `kind`.
-pub(super) fn parse(
-    text: &str,
-    table: &[Parameter],
-    kind: Kind,
-) -> Result<Formula, ExpressionFault> {
+fn parse(text: &str, table: &[Parameter], kind: Kind) -> Result<Formula, ExpressionFault> {
     let mut parser = Parser {
         text,
         table,

@@ -4,9 +4,10 @@ use std::f64::consts::{E, PI};
 
 use super::{Kind, Outcome, Parser, fault};
 use crate::problem::parameter;
-use crate::study::expression::words::{self, CONSTANTS, FUNCTIONS, Function, length_of_number};
-use crate::study::expression::{ExpressionFault, Step};
-use crate::study::report::unknown;
+use crate::study::expression::formula::{ExpressionFault, Step};
+use crate::study::expression::words::{self, CONSTANTS, FUNCTIONS, Function};
+use crate::study::source::faults::unknown;
+use crate::study::source::number::length_of_number;
 
 /// How tightly signs bind: more than a product, less than a power.
 const SIGN: u8 = 13;

@@ -1,0 +1,82 @@
+//! The key `design` of a block.
+
+use crate::problem::parameter::{Range, shortest};
+use crate::study::cases::design::{Design, Sampling};
+use crate::study::source::faults::Faults;
+use crate::study::source::object::Object;
+use crate::study::source::tree::Node;
+use crate::study::value::{name, number};
+
+/// The keys of a design, each with what it holds.
+pub(in crate::study) const KEYS: [(&str, &str); 3] = [
+    ("kind", "how the points are chosen"),
+    (
+        "n",
+        "number of points; a saltelli design of k parameters has n base points and n (k + 2) cases; a power of 2 is best for Sobol' sequences",
+    ),
+    (
+        "seed",
+        "a whole number that selects the sequence of random numbers; if left out, 0",
+    ),
+];
+
+/// The kinds of design, in the order of [`Sampling`].
+pub(in crate::study) const KINDS: [(&str, &str); 3] = [
+    (
+        "latin-hypercube",
+        "one point in each of n equal slices of every parameter",
+    ),
+    ("sobol", "the Sobol' sequence, shifted at random"),
+    (
+        "saltelli",
+        "n (k + 2) points from which Sobol' indices of every metric are estimated",
+    ),
+];
+
+/// Most points of a design.
+const MOST: f64 = 1e6;
+
+/// Largest seed: every whole number up to it is a double.
+const LARGEST_SEED: f64 = 9_007_199_254_740_992.0;
+
+/// Decodes a design; which parameters it samples is known later.
+pub(in crate::study) fn design(node: &Node, path: &str, faults: &mut Faults) -> Option<Design> {
+    let before = faults.count();
+    let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
+    let names = KINDS.map(|kind| kind.0);
+    let kind = object
+        .need("kind", &format!("one of {}", names.join(", ")), faults)
+        .and_then(|node| name(node, &object.path("kind"), "kind", &names, faults));
+    let mut whole = |key: &str, least: f64, most: f64| {
+        let node = object.get(key)?;
+        let path = object.path(key);
+        let x = number(node, &path, Range::Any, faults)?;
+        if x.fract() == 0.0 && (least..=most).contains(&x) {
+            return Some(x as u64);
+        }
+        let allowed = format!("a whole number from {least} to {most}");
+        faults.add(
+            node.at,
+            &path,
+            format!("must be {allowed}, got {}", shortest(x)),
+        );
+        None
+    };
+    let n = whole("n", 2.0, MOST);
+    let seed = whole("seed", 0.0, LARGEST_SEED).unwrap_or(0);
+    if object.get("n").is_none() {
+        object.missing("n", "the number of points", faults);
+    }
+    let sampling = [
+        Sampling::LatinHypercube,
+        Sampling::Sobol,
+        Sampling::Saltelli,
+    ][kind?];
+    (faults.count() == before).then_some(Design {
+        sampling,
+        n: n?,
+        seed,
+        parameters: Vec::new(),
+        scales: Vec::new(),
+    })
+}

@@ -1,0 +1,242 @@
+//! What names a figure or check may use: the problem's tables, and its cases as far as they are known.
+
+use crate::problem::Problem;
+use crate::problem::parameter::Value;
+use crate::study::source::faults::{Faults, join, quoted};
+use crate::study::source::object::Object;
+use crate::study::source::tree::{Member, Node, Tree};
+use crate::study::value::{name, value};
+use crate::study::{Block, Filter, Measure};
+use std::sync::Arc;
+
+/// Most combinations that are gone through to see what a filter chooses: some seconds, and the cases that a figure shows
+/// are held at once.
+const MOST_TRIED: u64 = 10_000_000;
+
+/// The problem of a study and its blocks.
+pub(crate) struct Scope {
+    pub problem: Arc<dyn Problem>,
+    /// What figures and checks may name of a case.
+    pub measures: Vec<Measure>,
+    /// Empty when a block is faulty: then nothing is said of which cases a filter chooses.
+    pub blocks: Vec<Block>,
+    /// Whether steps are solved once, so that nothing is known along the structure.
+    pub once: bool,
+}
+
+impl Scope {
+    pub fn parameters(&self) -> Vec<&str> {
+        self.problem.parameters().iter().map(|p| &*p.name).collect()
+    }
+
+    pub fn profiles(&self) -> Vec<&str> {
+        self.problem
+            .schema()
+            .profiles
+            .iter()
+            .map(|p| &*p.name)
+            .collect()
+    }
+
+    pub fn later(&self) -> Vec<&str> {
+        self.problem
+            .schema()
+            .later
+            .iter()
+            .map(|name| &**name)
+            .collect()
+    }
+
+    pub fn metrics(&self) -> Vec<&str> {
+        self.measures.iter().map(|m| m.name.as_str()).collect()
+    }
+
+    /// Whether the study has results in units.
+    pub fn has_units(&self) -> bool {
+        self.measures.iter().any(|m| m.dimension.is_some())
+    }
+
+    /// Decodes a `where`; a filter that no case meets is a fault.
+    pub fn filter(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<Filter> {
+        let table = self.problem.parameters();
+        let before = faults.count();
+        let object = Object::open(node, path, &self.parameters(), faults)?;
+        let mut terms = Vec::new();
+        for member in &object.members {
+            let Some(row) = table.iter().position(|p| p.name == member.key) else {
+                continue;
+            };
+            let path = object.path(&member.key);
+            if let Tree::Object(inner) = &member.node.tree {
+                let dotted = |inner: &Member| format!("{}.{}", member.key, inner.key);
+                let known = |key: &String| self.parameters().contains(&key.as_str());
+                if let Some(key) = inner.iter().map(dotted).find(known) {
+                    let dotted = quoted(&key);
+                    let message = format!("must be a value; write {dotted} as one key");
+                    faults.add(member.node.at, &path, message);
+                    continue;
+                }
+            }
+            let wanted = self.wanted(&member.node, &path, row, faults);
+            terms.extend(wanted.map(|wanted| (row, wanted)));
+        }
+        if faults.count() > before {
+            return None;
+        }
+        let filter = Filter(terms);
+        let chooses = |block: &Block| {
+            let mut chosen = block.select_among(MOST_TRIED, &*self.problem, &filter);
+            chosen.next().is_some()
+        };
+        if self.blocks.is_empty() || self.blocks.iter().any(chooses) {
+            return Some(filter);
+        }
+        object.fault(self.no_case(&filter), faults);
+        None
+    }
+
+    /// Reports a figure of so many cases that finding out what it draws would take very long.
+    pub fn countable(&self, filter: &Filter, at: usize, path: &str, faults: &mut Faults) -> bool {
+        let blocks = self.blocks.iter();
+        let count = blocks.fold(0u64, |sum, block| {
+            sum.saturating_add(block.candidates(filter))
+        });
+        if count > MOST_TRIED {
+            let message = format!(
+                "chooses among {count} combinations; allowed: at most {MOST_TRIED}; narrow the cases with \"where\""
+            );
+            faults.add(at, &join(path, "where"), message);
+        }
+        count <= MOST_TRIED
+    }
+
+    /// One value of a parameter or a list of them. Of a list, every value must occur in a case.
+    fn wanted(
+        &self,
+        node: &Node,
+        path: &str,
+        row: usize,
+        faults: &mut Faults,
+    ) -> Option<Vec<Value>> {
+        let parameter = &self.problem.parameters()[row];
+        let Tree::List(items) = &node.tree else {
+            return value(node, path, parameter, faults).map(|value| vec![value]);
+        };
+        if items.is_empty() {
+            faults.must_be(node, path, "a value or a non-empty list");
+            return None;
+        }
+        let before = faults.count();
+        let mut wanted = Vec::new();
+        for (i, item) in items.iter().enumerate() {
+            let path = format!("{path}[{i}]");
+            let Some(value) = value(item, &path, parameter, faults) else {
+                continue;
+            };
+            if let Some(message) = self.absent(row, value) {
+                faults.add(item.at, &path, message);
+            }
+            wanted.push(value);
+        }
+        (faults.count() == before).then_some(wanted)
+    }
+
+    /// Says that no case has a value of a parameter, and which values there are; `None` if one has it or the values are
+    /// not known.
+    fn absent(&self, row: usize, wanted: Value) -> Option<String> {
+        if self.too_many() {
+            return None;
+        }
+        let levels = self.levels(&Filter::default(), row);
+        if levels.is_empty() || wanted.is_one_of(&levels) {
+            return None;
+        }
+        let parameter = &self.problem.parameters()[row].name;
+        let mut there: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
+        if levels.len() > there.len() {
+            there.push("...".into());
+        }
+        let there = there.join(", ");
+        Some(format!(
+            "no case has {parameter} = {wanted}; the values are {there}"
+        ))
+    }
+
+    /// Whether a block has so many combinations that looking at all of them would take very long.
+    fn too_many(&self) -> bool {
+        let all = Filter::default();
+        let mut blocks = self.blocks.iter();
+        blocks.any(|block| block.candidates(&all) > MOST_TRIED)
+    }
+
+    /// Says that no case meets a filter, and which of its values no case has, if that is the reason.
+    fn no_case(&self, filter: &Filter) -> String {
+        if self.too_many() {
+            return format!(
+                "no case among the first {MOST_TRIED} possible combinations has all these values"
+            );
+        }
+        let single = filter.0.iter().filter(|(_, wanted)| wanted.len() == 1);
+        let mut absent = single.filter_map(|(row, wanted)| self.absent(*row, wanted[0]));
+        absent
+            .next()
+            .unwrap_or_else(|| "no case has all these values".into())
+    }
+
+    pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
+        super::select(&*self.problem, &self.blocks, filter)
+    }
+
+    /// Whether a parameter follows from others in every block of the cases that a filter chooses.
+    pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
+        let chosen = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
+        let mut blocks = self.blocks.iter().filter(chosen);
+        blocks.all(|block| block.follows(parameter, from))
+    }
+
+    /// The different values of a parameter among the cases a filter chooses.
+    pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
+        let blocks = self.blocks.iter();
+        let levels = blocks.flat_map(|block| block.levels(&*self.problem, filter, parameter));
+        super::distinct(levels)
+    }
+}
+
+/// One name or a list of different names, by their places among those allowed.
+pub(crate) fn names(
+    node: &Node,
+    path: &str,
+    what: &str,
+    allowed: &[&str],
+    faults: &mut Faults,
+) -> Option<Vec<usize>> {
+    let Tree::List(items) = &node.tree else {
+        return name(node, path, what, allowed, faults).map(|row| vec![row]);
+    };
+    if items.is_empty() {
+        faults.must_be(
+            node,
+            path,
+            &format!("the name of a {what} or a non-empty list of names"),
+        );
+        return None;
+    }
+    let before = faults.count();
+    let mut rows = Vec::new();
+    for (i, item) in items.iter().enumerate() {
+        let path = format!("{path}[{i}]");
+        let Some(row) = name(item, &path, what, allowed, faults) else {
+            continue;
+        };
+        if rows.contains(&row) {
+            faults.add(
+                item.at,
+                &path,
+                format!("{} given twice", quoted(allowed[row])),
+            );
+        } else {
+            rows.push(row);
+        }
+    }
+    (faults.count() == before).then_some(rows)
+}

@@ -1,0 +1,133 @@
+//! The blocks of a study: one in `parameters`, or several in `blocks`.
+
+use super::validate;
+use crate::problem::Problem;
+use crate::study::Block;
+use crate::study::axes::draft::Draft;
+use crate::study::axes::parameters::parameters;
+use crate::study::axes::zip::zip;
+use crate::study::expression::Formula;
+use crate::study::source::faults::{Faults, quoted};
+use crate::study::source::object::Object;
+use crate::study::source::tree::{Node, Tree};
+use crate::study::value::text;
+
+/// The blocks, of no more than `limit` raw combinations; none if one of them could not be decoded.
+pub(in crate::study) fn blocks(
+    object: &Object,
+    problem: Option<&dyn Problem>,
+    limit: u64,
+    faults: &mut Faults,
+) -> Vec<Block> {
+    let before = faults.count();
+    let (one, several) = (object.get("parameters"), object.get("blocks"));
+    match (one, several) {
+        (Some(_), Some(node)) => {
+            let message = "cannot be given together with \"parameters\"; give one of the two";
+            faults.add(node.at, "blocks", message);
+        }
+        (None, None) => {
+            let what = "the parameters of the cases, or \"blocks\" of them";
+            object.missing("parameters", what, faults);
+        }
+        _ => {}
+    }
+    // Both are decoded even so: every fault is told at once.
+    let mut drafts = Vec::new();
+    if let (Some(node), Some(problem)) = (one, problem) {
+        drafts.extend(draft(object, node, problem, faults));
+    }
+    if one.is_none() {
+        for key in BESIDE.map(|key| key.0) {
+            if let Some(node) = object.get(key) {
+                let message = "must be inside a block, next to its \"parameters\"";
+                faults.add(node.at, key, message);
+            }
+        }
+    }
+    drafts.extend(object.items("blocks", faults, |node, path, faults| {
+        let keys: Vec<&str> = std::iter::once("parameters")
+            .chain(BESIDE.map(|k| k.0))
+            .collect();
+        let object = Object::open(node, path, &keys, faults)?;
+        let node = object.need("parameters", "the parameters of the block", faults)?;
+        draft(&object, node, problem?, faults)
+    }));
+    if let (None, Some(node)) = (one, several)
+        && matches!(&node.tree, Tree::List(blocks) if blocks.is_empty())
+    {
+        faults.must_be(node, "blocks", "a non-empty list of blocks");
+    }
+    let mut whole = faults.count() == before;
+    let key = if several.is_some() {
+        "blocks"
+    } else {
+        "parameters"
+    };
+    let at = several.or(one).map_or(0, |node| node.at);
+    if !validate::count(&drafts, limit, at, key, faults) {
+        return Vec::new();
+    }
+    let Some(problem) = problem else {
+        return Vec::new();
+    };
+    let mut blocks = Vec::new();
+    for draft in &mut drafts {
+        draft.sample(problem.parameters());
+        let Some(block) = draft.block(problem, faults) else {
+            whole = false;
+            continue;
+        };
+        validate::check(problem, draft, &block, faults);
+        blocks.push(block);
+    }
+    // A case that breaks a rule is still a case that figures and checks may mean.
+    match whole {
+        true => blocks,
+        false => Vec::new(),
+    }
+}
+
+/// The keys that may stand beside `parameters`, each with what it holds.
+pub(in crate::study) const BESIDE: [(&str, &str); 3] = [
+    (
+        "zip",
+        "groups of axes that advance together: one case for each position, not for each combination",
+    ),
+    (
+        "when",
+        "a condition, as in \"dt <= 0.5/n\"; only combinations that meet it become cases; names are written in single quotes",
+    ),
+    (
+        "design",
+        "points that fill the ranges of all parameters given as uniform or loguniform",
+    ),
+];
+
+/// The parameters at `node` with what stands beside them in `object`.
+fn draft(
+    object: &Object,
+    node: &Node,
+    problem: &dyn Problem,
+    faults: &mut Faults,
+) -> Option<Draft> {
+    let table = problem.parameters();
+    let mut draft = parameters(node, &object.path("parameters"), table, faults)?;
+    if let Some(node) = object.get("zip") {
+        zip(node, &object.path("zip"), table, &mut draft, faults);
+    }
+    if let Some(node) = object.get("when") {
+        let path = object.path("when");
+        draft.when =
+            text(node, &path, faults).and_then(|text| match Formula::condition(&text, table) {
+                Ok(formula) => Some((formula, node.at, text)),
+                Err(fault) => {
+                    let message = format!("{}: {}", quoted(&text), fault.message);
+                    faults.add(node.at, &path, message);
+                    None
+                }
+            });
+    }
+    draft.design(object, faults);
+    Some(draft)
+}
