@@ -56,7 +56,7 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 	cargo test --locked --test torture -- --ignored --nocapture --test-threads 2
 
 # A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
-# `make mutants PART=study ONLY=spread` those of its lines as `cargo mutants --list` names them that match a pattern.
+# `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a pattern.
 # What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
 PART = numbers batch study figures claims recommend
 ONLY = .

@@ -22,8 +22,10 @@ pub(crate) use source::{faults, input, object, place, tree};
 // The name by which `figure` imports it.
 use source::faults as report;
 
-pub use cases::block::{Axis, Block, Group};
+pub use cases::block::Block;
 pub use cases::design::{Design, Sampling};
+pub use cases::filter::Filter;
+pub use cases::group::{Axis, Group};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
@@ -36,7 +38,6 @@ pub use source::setting::Setting;
 pub use units::Units;
 
 use crate::problem::Problem;
-use crate::problem::parameter::Value;
 use std::sync::Arc;
 
 /// A validated study.
@@ -67,10 +68,6 @@ pub struct Study {
     /// SHA-256 of the file's bytes, and of the settings where there are any, in hexadecimal digits.
     pub sha256: String,
 }
-
-/// Which cases are chosen: those that have, of each parameter named by its row, one of the values.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Filter(pub Vec<(usize, Vec<Value>)>);
 
 /// A tolerance: every case of the filter has the metric within the limits.
 #[derive(Debug)]

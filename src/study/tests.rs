@@ -1,9 +1,10 @@
 //! Tests with a problem of their own: parameters of a part, values that follow from others, rules across parameters.
 
-use super::axes::draft::Draft;
+use super::axes::draft::BlockDraft;
 use super::axes::parameters::parameters;
 use super::cases::select;
-use super::decode::validate;
+use super::decode::resolve::resolve;
+use super::decode::validate::validate;
 use super::source::faults::Faults;
 use super::source::place::Texts;
 use super::source::tree;
@@ -123,14 +124,14 @@ impl Problem for Bars {
 }
 
 /// The draft of a `parameters` text and the faults found, rules across parameters included.
-fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
+fn draft(text: &str) -> (Option<BlockDraft>, Vec<String>) {
     let mut faults = Faults::default();
     let node = tree::parse(text).unwrap_or_else(|e| panic!("{e:?}"));
     let draft = parameters(&node, "parameters", &TABLE, &mut faults);
     if let Some(draft) = &draft
-        && let Some(block) = draft.block(&Bars, &mut faults)
+        && let Some(block) = resolve(draft, &Bars, &mut faults)
     {
-        validate::check(&Bars, draft, &block, &mut faults);
+        validate(&Bars, draft, &block, &mut faults);
     }
     let told = faults.in_file_order(Texts::new("s", text));
     (draft, told.iter().map(ToString::to_string).collect())
@@ -140,7 +141,7 @@ fn block(text: &str) -> Block {
     let (draft, faults) = draft(text);
     assert!(faults.is_empty(), "{faults:?}");
     draft
-        .and_then(|draft| draft.block(&Bars, &mut Faults::default()))
+        .and_then(|draft| resolve(&draft, &Bars, &mut Faults::default()))
         .unwrap_or_else(|| panic!("{text}"))
 }
 
@@ -363,12 +364,16 @@ fn an_expression_is_computed_once_for_each_set_of_what_it_names() {
     let study = super::parse("x.json", &text).unwrap();
     let block = &study.blocks[0];
     let name = |row: usize| &*study.problem.parameters()[row].name;
-    let kept = |rule: &super::cases::derived::Rule| rule.table.as_ref().map_or(0, Vec::len);
+    let entries =
+        |formula: &super::cases::tabulated::Tabulated| formula.table.as_ref().map_or(0, Vec::len);
     let tables: Vec<(&str, usize)> = block
         .derived
         .iter()
-        .map(|d| (name(d.parameter), kept(&d.rule)))
+        .map(|d| (name(d.parameter), entries(&d.formula)))
         .collect();
     assert_eq!(tables, [("dt", 3), ("gap", 3), ("L", 1)]);
-    assert_eq!(block.when.as_ref().map(|when| kept(&when.rule)), Some(3));
+    assert_eq!(
+        block.when.as_ref().map(|when| entries(&when.formula)),
+        Some(3)
+    );
 }

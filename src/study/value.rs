@@ -8,7 +8,7 @@ use super::source::tree::{Node, Tree};
 use crate::problem::PROBLEMS;
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 
-/// What may stand for a number.
+/// What a number may be written as.
 const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 
 /// A string.
@@ -95,6 +95,26 @@ pub(crate) fn value(
             let chosen = name(node, path, &parameter.name, &names, faults)?;
             Some(Value::Name(choices[chosen].0))
         }
+    }
+}
+
+/// Nearer than this, relatively, to a whole number counts as that: 10/0.1 is 100.
+const WHOLE: f64 = 1e-9;
+
+/// A number as a value of a parameter, or what values the parameter allows.
+pub(super) fn value_of(x: f64, parameter: &Parameter) -> Result<Value, String> {
+    match parameter.kind {
+        Kind::Number(range) if range.contains(x) => Ok(Value::Number(x)),
+        Kind::Number(range) => Err(range.to_string()),
+        Kind::Whole { min, max } => {
+            let whole = x.round();
+            let near = (x - whole).abs() <= WHOLE * whole.abs();
+            if near && whole >= min as f64 && whole <= max as f64 {
+                return Ok(Value::Whole(whole as u64));
+            }
+            Err(format!("a whole number from {min} to {max}"))
+        }
+        Kind::Choice(_) => Err("a name".into()),
     }
 }
 

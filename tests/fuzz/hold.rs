@@ -84,7 +84,7 @@ fn refused(text: &str, faults: &[Fault]) {
 
 /// Cases are found by their numbers as they are found one after the other.
 fn listed(study: &Study, chance: &mut Chance) {
-    assert!(study.standing_for().next().is_some());
+    assert!(study.representative_cases().next().is_some());
     assert!(study.case(study.len()).is_none());
     let raw = study.raw_len();
     let from = chance.below(raw.min(1 << 40) as usize) as u64;

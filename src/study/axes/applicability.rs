@@ -1,18 +1,18 @@
-//! Which parameters apply in a block, by the names chosen in it.
+//! Which parameters apply in a block. Names given in the block decide it.
 
-use super::draft::Draft;
+use super::draft::BlockDraft;
 use crate::problem::parameter::{Default, Kind, Parameter, Value};
 use crate::study::source::faults::{Faults, join};
 
-/// Refuses a parameter that does not apply, and misses one that does and has no default.
-pub(in crate::study) fn applies(
-    draft: &Draft,
+/// Reports a parameter that is given and does not apply, and one that applies, has no default and is not given.
+pub(super) fn check_applicability(
+    draft: &BlockDraft,
     row: usize,
     parameter: &Parameter,
     table: &[Parameter],
     faults: &mut Faults,
 ) {
-    let given = draft.given.iter().find(|given| given.parameter == row);
+    let given = draft.get(row);
     let required = matches!(parameter.default, Default::Required);
     let missing = format!("missing: {}", described(parameter));
     let missing_path = join(&draft.path, &parameter.name);
@@ -22,46 +22,49 @@ pub(in crate::study) fn applies(
         }
         return;
     };
-    // Faulty or missing itself: then nothing can be said of what depends on it.
+    // A governor without a name is faulty or missing itself.
     let Some(chosen) = names(draft, governor, table) else {
         return;
     };
     let others: Vec<&str> = chosen.iter().copied().filter(|c| *c != wanted).collect();
-    let here = others.len() < chosen.len();
-    let apart = format!(
-        "applies only to {governor} {wanted}, but {governor} is also {} here; give each {governor} its own block \
-         in \"blocks\"",
-        others.join(", ")
-    );
+    let applies = others.len() < chosen.len();
+    let separate = || {
+        format!(
+            "applies only to {governor} {wanted}, but {governor} is also {} here; give each {governor} its own block \
+             in \"blocks\"",
+            others.join(", ")
+        )
+    };
     match given {
-        Some(given) if !here => {
-            let fitting = table.iter().filter(|p| match &p.applies {
+        Some(given) if !applies => {
+            let allowed = table.iter().filter(|p| match &p.applies {
                 Some((other, name)) => other == governor && chosen.iter().any(|own| own == name),
                 None => true,
             });
-            let fitting: Vec<&str> = fitting.map(|p| &*p.name).collect();
+            let allowed: Vec<&str> = allowed.map(|p| &*p.name).collect();
             let message = format!(
                 "does not apply to {governor} {}, only to {wanted}; allowed: {}",
                 chosen.join(", "),
-                fitting.join(", ")
+                allowed.join(", ")
             );
             faults.add(given.at, &given.path, message);
         }
-        Some(given) if !others.is_empty() => faults.add(given.at, &given.path, apart),
-        None if here && required && others.is_empty() => {
+        Some(given) if !others.is_empty() => faults.add(given.at, &given.path, separate()),
+        None if applies && required && others.is_empty() => {
             faults.add(draft.at, &missing_path, missing);
         }
-        None if here && required => {
-            faults.add(draft.at, &missing_path, format!("missing; it {apart}"));
+        None if applies && required => {
+            let message = format!("missing; it {}", separate());
+            faults.add(draft.at, &missing_path, message);
         }
-        _ => {}
+        Some(_) | None => {}
     }
 }
 
-/// The different names that the parameter called `governor` takes in a block.
-fn names(draft: &Draft, governor: &str, table: &[Parameter]) -> Option<Vec<&'static str>> {
+/// The different names that the parameter `governor` has in a block.
+fn names(draft: &BlockDraft, governor: &str, table: &[Parameter]) -> Option<Vec<&'static str>> {
     let row = table.iter().position(|p| p.name == governor)?;
-    let values: Vec<Value> = match draft.given.iter().find(|given| given.parameter == row) {
+    let values: Vec<Value> = match draft.get(row) {
         Some(given) => given.values.iter().map(|(value, _)| *value).collect(),
         None => match &table[row].default {
             Default::Is(value) => vec![*value],
@@ -79,7 +82,7 @@ fn names(draft: &Draft, governor: &str, table: &[Parameter]) -> Option<Vec<&'sta
     (!names.is_empty()).then_some(names)
 }
 
-/// What a parameter is and what it may be.
+/// The meaning of a parameter and its allowed values.
 fn described(parameter: &Parameter) -> String {
     let allowed = match parameter.kind {
         Kind::Number(range) => range.to_string(),

@@ -1,6 +1,8 @@
 //! The key `design` of a block.
 
-use crate::problem::parameter::{Range, shortest};
+use super::draft::{BlockDraft, ParameterDraft};
+use super::interval::Interval;
+use crate::problem::parameter::{Parameter, Range, shortest};
 use crate::study::cases::design::{Design, Sampling};
 use crate::study::source::faults::Faults;
 use crate::study::source::object::Object;
@@ -39,8 +41,69 @@ const MOST: f64 = 1e6;
 /// Largest seed: every whole number up to it is a double.
 const LARGEST_SEED: f64 = 9_007_199_254_740_992.0;
 
-/// Decodes a design; which parameters it samples is known later.
-pub(in crate::study) fn design(node: &Node, path: &str, faults: &mut Faults) -> Option<Design> {
+impl BlockDraft {
+    /// Decodes the design of the block, and finds the parameters that it samples.
+    pub fn design(&mut self, object: &Object, faults: &mut Faults) {
+        let sampled = |given: &&ParameterDraft| given.interval.is_some();
+        let rows = self.parameters.iter().filter(sampled);
+        let rows: Vec<usize> = rows.map(|given| given.parameter).collect();
+        let path = object.path("design");
+        let Some(node) = object.get("design") else {
+            for given in self.parameters.iter().filter(sampled) {
+                let message = "needs a \"design\" next to \"parameters\", which chooses the points";
+                faults.add(given.at, &given.path, message);
+            }
+            // Parameters without points cause no further faults.
+            self.faulty.extend(&rows);
+            self.parameters.retain(|given| given.interval.is_none());
+            return;
+        };
+        let decoded = decode(node, &path, faults);
+        if rows.is_empty() && self.faulty.is_empty() {
+            let message = "samples nothing: give parameters as {\"uniform\": [a, b]} or {\"loguniform\": [a, b]}";
+            faults.add(node.at, &path, message);
+        }
+        let others = self.parameters.iter().any(|given| given.values.len() > 1);
+        let saltelli = |d: &Design| d.sampling == Sampling::Saltelli;
+        if decoded.as_ref().is_some_and(saltelli) && (others || self.when.is_some()) {
+            let message = "a saltelli design allows no other axis and no \"when\" in its block";
+            faults.add(node.at, &path, message);
+        }
+        match decoded {
+            Some(mut design) if !rows.is_empty() => {
+                design.parameters = rows;
+                let intervals = self.parameters.iter().filter_map(|given| given.interval);
+                design.scales = intervals.map(Interval::scale).collect();
+                self.design = Some(design);
+            }
+            Some(_) | None => {
+                self.faulty.extend(&rows);
+                self.parameters.retain(|given| given.interval.is_none());
+            }
+        }
+    }
+
+    /// Sets the values of the parameters that the design samples.
+    pub fn sample(&mut self, table: &[Parameter]) {
+        let Some(design) = &self.design else {
+            return;
+        };
+        for given in &mut self.parameters {
+            let mut sampled = design.parameters.iter();
+            let dimension = sampled.position(|row| *row == given.parameter);
+            if let (Some(dimension), Some(interval)) = (dimension, given.interval) {
+                let parameter = &table[given.parameter];
+                let points = design.coordinates(dimension).into_iter();
+                given.values = points
+                    .map(|u| (interval.at(u, parameter), given.at))
+                    .collect();
+            }
+        }
+    }
+}
+
+/// Decodes a design, without the parameters that it samples.
+fn decode(node: &Node, path: &str, faults: &mut Faults) -> Option<Design> {
     let before = faults.count();
     let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
     let names = KINDS.map(|kind| kind.0);

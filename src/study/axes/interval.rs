@@ -2,11 +2,10 @@
 
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 use crate::study::Scale;
-use crate::study::cases::derived::fitted;
 use crate::study::source::faults::{Faults, join};
 use crate::study::source::object::Object;
 use crate::study::source::tree::{Node, Tree};
-use crate::study::value::within;
+use crate::study::value::{value_of, within};
 
 /// The distributions, each with what its list of two means.
 pub(in crate::study) const INTERVALS: [(&str, &str); 2] = [
@@ -29,8 +28,8 @@ pub(in crate::study) struct Interval {
 }
 
 impl Interval {
-    /// Whether `node` means an interval, by its keys.
-    pub fn meant(node: &Node) -> bool {
+    /// Whether `node` is an object with the key of an interval.
+    pub fn is_interval(node: &Node) -> bool {
         let Tree::Object(members) = &node.tree else {
             return false;
         };
@@ -69,7 +68,7 @@ impl Interval {
         let mut end = |i: usize| {
             let path = format!("{path}[{i}]");
             let x = within(&ends[i], &path, Range::Any, Some(parameter), faults)?;
-            if let Err(allowed) = fitted(x, parameter) {
+            if let Err(allowed) = value_of(x, parameter) {
                 let message = format!("must be {allowed}, got {}", shortest(x));
                 faults.add(ends[i].at, &path, message);
                 return None;

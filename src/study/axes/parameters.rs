@@ -1,44 +1,43 @@
-//! The `parameters` object of a block: values and axes by the problem's table, and which of them apply.
+//! The `parameters` object of a block: values, axes and expressions, decoded by the table of the problem.
 
-use super::applicability::applies;
+use super::applicability::check_applicability;
 use super::axis_rule;
-use super::draft::{Draft, Given};
+use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
 use crate::problem::parameter::{Kind, Parameter};
 use crate::study::expression::Formula;
-use crate::study::source::faults::quoted;
-use crate::study::source::faults::{Faults, join};
+use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::object::Object;
 use crate::study::source::tree::{Node, Tree};
 use crate::study::value::{value, with_unit};
 
-/// Decodes a `parameters` object, what is faulty left out; `None` if it is none.
+/// Decodes a `parameters` object without its faulty values; `None` if the node is not an object.
 pub(in crate::study) fn parameters(
     node: &Node,
     path: &str,
     table: &[Parameter],
     faults: &mut Faults,
-) -> Option<Draft> {
-    let mut given = Vec::new();
-    gather(node, path, "", table, &mut given, faults)?;
-    let mut draft = Draft {
+) -> Option<BlockDraft> {
+    let mut parameters = Vec::new();
+    gather(node, path, "", table, &mut parameters, faults)?;
+    let mut draft = BlockDraft {
         at: node.at,
         path: path.to_owned(),
-        given,
+        parameters,
         faulty: Vec::new(),
         zips: Vec::new(),
         when: None,
         design: None,
     };
     for (row, parameter) in table.iter().enumerate() {
-        applies(&draft, row, parameter, table, faults);
+        check_applicability(&draft, row, parameter, table, faults);
     }
-    let good = |given: &Given| {
+    let valid = |given: &ParameterDraft| {
         !given.values.is_empty() || given.formula.is_some() || given.interval.is_some()
     };
-    let without = draft.given.iter().filter(|given| !good(given));
-    draft.faulty = without.map(|given| given.parameter).collect();
-    draft.given.retain(good);
+    let faulty = draft.parameters.iter().filter(|given| !valid(given));
+    draft.faulty = faulty.map(|given| given.parameter).collect();
+    draft.parameters.retain(valid);
     Some(draft)
 }
 
@@ -48,7 +47,7 @@ fn gather(
     path: &str,
     prefix: &str,
     table: &[Parameter],
-    given: &mut Vec<Given>,
+    parameters: &mut Vec<ParameterDraft>,
     faults: &mut Faults,
 ) -> Option<()> {
     let mut allowed: Vec<&str> = Vec::new();
@@ -67,10 +66,10 @@ fn gather(
         let row = table.iter().position(|p| p.name == name);
         match (row, &member.node.tree) {
             (_, Tree::Object(_)) if group => {
-                gather(&member.node, &path, &within, table, given, faults);
+                gather(&member.node, &path, &within, table, parameters, faults);
             }
             (Some(parameter), _) => {
-                given.push(axis(&member.node, path, parameter, table, faults));
+                parameters.push(axis(&member.node, path, parameter, table, faults));
             }
             (None, _) => faults.must_be(&member.node, &path, "an object"),
         }
@@ -85,10 +84,10 @@ fn axis(
     parameter: usize,
     table: &[Parameter],
     faults: &mut Faults,
-) -> Given {
+) -> ParameterDraft {
     let before = faults.count();
     let row = &table[parameter];
-    let mut given = Given {
+    let mut given = ParameterDraft {
         parameter,
         path,
         at: node.at,
@@ -110,14 +109,14 @@ fn axis(
                 given.values.extend(value.map(|value| (value, item.at)));
             }
         }
-        Tree::Object(_) if Interval::meant(node) => {
+        Tree::Object(_) if Interval::is_interval(node) => {
             given.interval = Interval::decode(node, path, row, faults);
         }
         Tree::Object(_) => {
-            let rule = axis_rule::values(node, path, row, faults)
+            let values = axis_rule::values(node, path, row, faults)
                 .into_iter()
                 .flatten();
-            given.values.extend(rule.map(|value| (value, node.at)));
+            given.values.extend(values.map(|value| (value, node.at)));
         }
         Tree::Text(text) if !matches!(row.kind, Kind::Choice(_)) => {
             match Formula::number(text, table) {

@@ -1,6 +1,6 @@
 //! `zip`: parameters whose values advance together.
 
-use super::draft::Draft;
+use super::draft::BlockDraft;
 use crate::problem::parameter::Parameter;
 use crate::study::source::faults::{Faults, quoted, unknown};
 use crate::study::source::tree::{Node, Tree};
@@ -11,7 +11,7 @@ pub(in crate::study) fn zip(
     node: &Node,
     path: &str,
     table: &[Parameter],
-    draft: &mut Draft,
+    draft: &mut BlockDraft,
     faults: &mut Faults,
 ) {
     const WHAT: &str = "a list of lists of parameters, as in [[\"alpha\", \"dT\"]]";
@@ -41,11 +41,11 @@ pub(in crate::study) fn zip(
             .map(|row| (&*table[*row].name, draft.count(*row)));
         let lens: Vec<(&str, usize)> = lens.collect();
         if lens.iter().any(|(_, len)| *len != lens[0].1) {
-            let told = lens.iter().map(|(name, len)| format!("{name} has {len}"));
-            let told: Vec<String> = told.collect();
+            let counts = lens.iter().map(|(name, len)| format!("{name} has {len}"));
+            let counts: Vec<String> = counts.collect();
             let message = format!(
                 "needs the same number of values of each; {}",
-                told.join(", ")
+                counts.join(", ")
             );
             faults.add(group.at, &path, message);
             continue;
@@ -59,7 +59,7 @@ fn member(
     node: &Node,
     path: &str,
     table: &[Parameter],
-    draft: &Draft,
+    draft: &BlockDraft,
     rows: &[usize],
     faults: &mut Faults,
 ) -> Option<usize> {
@@ -69,19 +69,16 @@ fn member(
         None
     };
     let Some(row) = table.iter().position(|p| p.name == name) else {
-        let names: Vec<&str> = draft
-            .given
-            .iter()
-            .map(|g| &*table[g.parameter].name)
-            .collect();
+        let given = draft.parameters.iter();
+        let names: Vec<&str> = given.map(|g| &*table[g.parameter].name).collect();
         return refuse(unknown("parameter", &name, &names));
     };
     if draft.faulty.contains(&row) {
-        // Told already.
+        // Reported already.
         return None;
     }
     let quoted = quoted(&name);
-    match draft.given.iter().find(|given| given.parameter == row) {
+    match draft.get(row) {
         None => refuse(format!("{quoted} is not given in this block")),
         Some(given) if given.interval.is_some() => {
             refuse(format!("{quoted} belongs to the design"))

@@ -1,64 +1,49 @@
-//! A block of cases, made one at a time from their numbers: 10^9 of them take no more memory than ten.
+//! A block of cases. Each case is made from its number, so that 10^9 cases need no more memory than ten.
 
-use std::sync::OnceLock;
-
-use super::counts::Kept;
 use super::derived::{Condition, Derived};
 use super::design::Design;
+use super::group::{Axis, Group};
 use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};
+use std::sync::OnceLock;
 
-/// A block: the product of its groups of axes in file order, the last one fastest; what follows from them; and which of
-/// these raw combinations are cases.
+/// A block: all combinations of its groups of axes in file order, the last group fastest; the derived parameters; and the
+/// condition that selects the cases among the combinations.
 #[derive(Debug, Clone, Default)]
 pub struct Block {
-    /// Every parameter that has values of its own, a single value being an axis of one.
+    /// The axes of all parameters that have values. A single value is an axis of length 1.
     pub groups: Vec<Group>,
-    /// Parameters given by expressions, each after those it names.
+    /// Parameters given by expressions. Each comes after those in its expression.
     pub derived: Vec<Derived>,
-    /// What a combination must meet to be a case.
+    /// The condition that a combination must meet to be a case.
     pub when: Option<Condition>,
-    /// Where the values of one group come from, if from a design.
+    /// The design that gives the values of one group.
     pub design: Option<Design>,
-    /// Which combinations are cases; counted when first asked for.
-    pub(in crate::study) kept: OnceLock<Kept>,
-    /// What all raw combinations share; found when the first is made.
+    /// Numbers of cases, counted at the first use.
+    pub(in crate::study) counts: OnceLock<CaseCounts>,
+    /// The values that all combinations share, found at the first use.
     pub(in crate::study) shared: OnceLock<Option<Shared>>,
 }
 
-/// The values that all combinations of a block have, and the groups that make the difference.
+/// Numbers of cases of a block with a condition.
+#[derive(Debug, Clone)]
+pub(in crate::study) enum CaseCounts {
+    /// For a condition with a table: how many of the entries before each one meet it, and how many in all. No combination
+    /// has to be made.
+    Tabled(Vec<u64>),
+    /// Otherwise the number of cases before every `STRIDE`-th combination, and at the end.
+    Counted {
+        counts: Vec<u64>,
+        /// The first combination for which the condition has no value.
+        undecided: Option<u64>,
+    },
+}
+
+/// The values that all combinations of a block share, and the groups that vary.
 #[derive(Debug, Clone)]
 pub(in crate::study) struct Shared {
     values: Vec<Option<Value>>,
     varying: Vec<usize>,
-}
-
-/// Axes that advance together.
-#[derive(Debug, Clone)]
-pub struct Group {
-    /// At least one, all of one length.
-    pub axes: Vec<Axis>,
-}
-
-/// The values of one parameter.
-#[derive(Debug, Clone)]
-pub struct Axis {
-    /// Row of `problem.parameters()`.
-    pub parameter: usize,
-    /// At least one value.
-    pub values: Vec<Value>,
-}
-
-impl Group {
-    /// Number of values.
-    pub fn len(&self) -> u64 {
-        self.axes.first().map_or(0, |axis| axis.values.len() as u64)
-    }
-
-    /// Whether there are no values, which no study that was read allows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
 }
 
 impl Block {
@@ -72,39 +57,35 @@ impl Block {
         self.groups.iter().map(Group::len).product()
     }
 
-    /// Place of each group in combination `raw`.
-    pub(in crate::study) fn digits(&self, raw: u64) -> Vec<u64> {
-        let mut digits = vec![0; self.groups.len()];
+    /// The position in each group of combination `raw`.
+    pub(super) fn positions(&self, raw: u64) -> Vec<u64> {
+        let mut positions = vec![0; self.groups.len()];
         let mut rest = raw;
-        for (digit, group) in digits.iter_mut().zip(&self.groups).rev() {
-            *digit = rest % group.len();
+        for (position, group) in positions.iter_mut().zip(&self.groups).rev() {
+            *position = rest % group.len();
             rest /= group.len();
         }
-        digits
+        positions
     }
 
-    /// Combination `raw` with what it leaves out at its default, but before `Problem::complete`.
+    /// Combination `raw` with the defaults, before `Problem::complete`.
     pub(in crate::study) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
         let mut case = Case::new(problem.schema());
         self.put(problem, raw, &mut case);
         case
     }
 
-    /// The same in place of another case.
+    /// The same, written over `case`.
     pub(in crate::study) fn put(&self, problem: &dyn Problem, raw: u64, case: &mut Case) {
         let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
             case.values.fill(None);
-            self.fill(case, &self.digits(raw), self.derived.len());
+            self.fill(case, &self.positions(raw), self.derived.len());
             return;
         };
         case.values.copy_from_slice(&shared.values);
         let mut rest = raw;
-        for group in shared
-            .varying
-            .iter()
-            .rev()
-            .map(|group| &self.groups[*group])
-        {
+        let varying = shared.varying.iter().rev();
+        for group in varying.map(|group| &self.groups[*group]) {
             for axis in &group.axes {
                 case.values[axis.parameter] = Some(axis.values[(rest % group.len()) as usize]);
             }
@@ -112,7 +93,8 @@ impl Block {
         }
     }
 
-    /// What all combinations share; `None` where expressions or names that bring other parameters take part.
+    /// The values that all combinations share; `None` for a block with expressions, or with an axis of names that decide
+    /// which other parameters apply.
     fn shared(&self, problem: &dyn Problem) -> Option<Shared> {
         let table = problem.parameters();
         let varying: Vec<usize> = (0..self.groups.len())
@@ -120,11 +102,8 @@ impl Block {
             .collect();
         let governs = |axis: &Axis| {
             let name = &table[axis.parameter].name;
-            table.iter().any(|p| {
-                p.applies
-                    .as_ref()
-                    .is_some_and(|(governor, _)| governor == name)
-            })
+            let mut conditions = table.iter().filter_map(|p| p.applies.as_ref());
+            conditions.any(|(governor, _)| governor == name)
         };
         let axes = |group: &usize| self.groups[*group].axes.iter();
         if !self.derived.is_empty() || varying.iter().flat_map(axes).any(governs) {
@@ -138,11 +117,11 @@ impl Block {
         })
     }
 
-    /// Sets what stands at these places of the groups, defaults, and the first of the derived parameters.
-    pub(in crate::study) fn fill(&self, case: &mut Case, digits: &[u64], derived: usize) {
-        for (group, digit) in self.groups.iter().zip(digits) {
+    /// Sets the values at these positions of the groups, the defaults, and the first `derived` of the derived parameters.
+    pub(super) fn fill(&self, case: &mut Case, positions: &[u64], derived: usize) {
+        for (group, position) in self.groups.iter().zip(positions) {
             for axis in &group.axes {
-                case.values[axis.parameter] = Some(axis.values[*digit as usize]);
+                case.values[axis.parameter] = Some(axis.values[*position as usize]);
             }
         }
         for row in 0..case.schema.parameters.len() {
@@ -151,15 +130,7 @@ impl Block {
             }
         }
         for derived in self.derived.iter().take(derived) {
-            case.values[derived.parameter] = derived.value(self, case, digits);
+            case.values[derived.parameter] = derived.value(&self.groups, case, positions);
         }
-    }
-
-    /// The same as `raw_case`, with the values that follow from others. The rules that it breaks are named where it is
-    /// solved, see `Study::columns`.
-    pub(in crate::study) fn completed(&self, problem: &dyn Problem, raw: u64) -> Case {
-        let mut case = self.raw_case(problem, raw);
-        let _ = self.complete(problem, &mut case);
-        case
     }
 }

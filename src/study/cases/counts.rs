@@ -1,53 +1,42 @@
-//! Which combinations of a block its condition keeps as cases: counted, and found again by number.
+//! Which combinations of a block meet its condition: their number, and the combination of each case number.
 
+use super::block::{Block, CaseCounts};
 use crate::problem::Problem;
-use crate::study::Block;
-
-/// The counts of a block with a condition.
-#[derive(Debug, Clone)]
-pub(in crate::study) enum Kept {
-    /// Where the condition's values are known for all sets of what it depends on: how many sets before each meet it, and
-    /// how many do at all. No combination has to be made.
-    Known(Vec<u64>),
-    /// Otherwise the number of cases before every `STRIDE`-th combination, and at the end; and the first combination for
-    /// which the condition has no value.
-    Counted(Vec<u64>, Option<u64>),
-}
 
 /// Combinations between two counts of cases.
 const STRIDE: u64 = 4096;
 
 impl Block {
     /// Whether combination `raw` is a case.
-    pub(in crate::study) fn keeps(&self, problem: &dyn Problem, raw: u64) -> bool {
-        self.decides(problem, raw) == Some(true)
+    pub(in crate::study) fn is_case(&self, problem: &dyn Problem, raw: u64) -> bool {
+        self.meets_condition(problem, raw) == Some(true)
     }
 
-    /// The same; `None` where the condition has no value.
-    fn decides(&self, problem: &dyn Problem, raw: u64) -> Option<bool> {
+    /// The same; `None` if the condition has no value.
+    fn meets_condition(&self, problem: &dyn Problem, raw: u64) -> Option<bool> {
         let Some(when) = &self.when else {
             return Some(true);
         };
-        let digits = self.digits(raw);
-        let known = when.tabled(self, &digits);
-        known.or_else(|| when.holds(self, &self.raw_case(problem, raw), &digits))
+        let positions = self.positions(raw);
+        let tabled = when.tabled(&self.groups, &positions);
+        tabled.or_else(|| when.holds(&self.groups, &self.raw_case(problem, raw), &positions))
     }
 
-    fn kept(&self, problem: &dyn Problem) -> &Kept {
-        self.kept.get_or_init(|| {
-            let known = self.when.as_ref().and_then(|when| when.rule.table.as_ref());
-            match known {
-                Some(values) => Kept::Known(before(values)),
+    fn counts(&self, problem: &dyn Problem) -> &CaseCounts {
+        self.counts.get_or_init(|| {
+            let when = self.when.as_ref();
+            match when.and_then(|when| when.formula.table.as_ref()) {
+                Some(values) => CaseCounts::Tabled(running_count(values)),
                 None => self.counted(problem),
             }
         })
     }
 
-    fn counted(&self, problem: &dyn Problem) -> Kept {
+    fn counted(&self, problem: &dyn Problem) -> CaseCounts {
         let (mut counts, mut count, mut undecided) = (vec![0], 0, None);
         for raw in 0..self.raw_len() {
-            match self.decides(problem, raw) {
-                Some(kept) => count += u64::from(kept),
+            match self.meets_condition(problem, raw) {
+                Some(met) => count += u64::from(met),
                 None => undecided = undecided.or(Some(raw)),
             }
             if (raw + 1) % STRIDE == 0 {
@@ -55,15 +44,15 @@ impl Block {
             }
         }
         counts.push(count);
-        Kept::Counted(counts, undecided)
+        CaseCounts::Counted { counts, undecided }
     }
 
     /// The first combination for which the condition has no value.
     pub(in crate::study) fn undecided(&self, problem: &dyn Problem) -> Option<u64> {
         self.when.as_ref()?;
-        match self.kept(problem) {
-            Kept::Known(_) => None,
-            Kept::Counted(_, undecided) => *undecided,
+        match self.counts(problem) {
+            CaseCounts::Tabled(_) => None,
+            CaseCounts::Counted { undecided, .. } => *undecided,
         }
     }
 
@@ -72,9 +61,11 @@ impl Block {
         if self.when.is_none() {
             return self.raw_len();
         }
-        match self.kept(problem) {
-            Kept::Known(before) => before.last().copied().unwrap_or(0) * self.around(),
-            Kept::Counted(counts, _) => counts.last().copied().unwrap_or(0),
+        match self.counts(problem) {
+            CaseCounts::Tabled(before) => {
+                before.last().copied().unwrap_or(0) * self.combinations_per_entry()
+            }
+            CaseCounts::Counted { counts, .. } => counts.last().copied().unwrap_or(0),
         }
     }
 
@@ -83,11 +74,11 @@ impl Block {
         if self.when.is_none() {
             return raw;
         }
-        match self.kept(problem) {
-            Kept::Known(before) => self.cases_before(before, raw),
-            Kept::Counted(counts, _) => {
+        match self.counts(problem) {
+            CaseCounts::Tabled(before) => self.cases_before(before, raw),
+            CaseCounts::Counted { counts, .. } => {
                 let start = raw / STRIDE;
-                let between = (start * STRIDE..raw).filter(|raw| self.keeps(problem, *raw));
+                let between = (start * STRIDE..raw).filter(|raw| self.is_case(problem, *raw));
                 counts[start as usize] + between.count() as u64
             }
         }
@@ -101,88 +92,88 @@ impl Block {
         if self.when.is_none() {
             return Some(index);
         }
-        match self.kept(problem) {
-            Kept::Known(before) => Some(self.at_place(before, index)),
-            Kept::Counted(counts, _) => {
+        match self.counts(problem) {
+            CaseCounts::Tabled(before) => Some(self.combination_of(before, index)),
+            CaseCounts::Counted { counts, .. } => {
                 let start = counts.partition_point(|count| *count <= index);
                 let start = start.checked_sub(1)? as u64;
                 let skip = (index - counts[start as usize]) as usize;
-                let mut within =
-                    (start * STRIDE..self.raw_len()).filter(|raw| self.keeps(problem, *raw));
-                within.nth(skip)
+                let mut cases =
+                    (start * STRIDE..self.raw_len()).filter(|raw| self.is_case(problem, *raw));
+                cases.nth(skip)
             }
         }
     }
 
     /// Whether the condition depends on a group.
-    fn decisive(&self, group: usize) -> bool {
+    fn in_condition(&self, group: usize) -> bool {
         let when = self.when.as_ref();
-        when.is_some_and(|when| when.rule.on.contains(&group))
+        when.is_some_and(|when| when.formula.on.contains(&group))
     }
 
     /// Number of combinations of the groups that the condition does not depend on.
-    fn around(&self) -> u64 {
-        let others = (0..self.groups.len()).filter(|group| !self.decisive(*group));
+    fn combinations_per_entry(&self) -> u64 {
+        let others = (0..self.groups.len()).filter(|group| !self.in_condition(*group));
         others.map(|group| self.groups[group].len()).product()
     }
 
-    /// Number of cases before combination `raw`: group by group, those that have the same places before the group and an
-    /// earlier one in it. `before` counts sets as in [`Kept::Known`].
+    /// Number of cases before combination `raw`, summed over the groups: those with the same positions in the groups before
+    /// and an earlier position in the group. `before` is the list of [`CaseCounts::Tabled`].
     fn cases_before(&self, before: &[u64], raw: u64) -> u64 {
-        // The sets that begin with the places so far are `first..first + span`.
+        // The entries with the positions so far are `first..first + span`.
         let (mut first, mut span) = (0, before.len() as u64 - 1);
-        let (mut around, mut count) = (self.around(), 0);
+        let (mut repeats, mut count) = (self.combinations_per_entry(), 0);
         let met = |from: u64, to: u64| before[to as usize] - before[from as usize];
-        for (group, digit) in self.digits(raw).into_iter().enumerate() {
+        for (group, position) in self.positions(raw).into_iter().enumerate() {
             let len = self.groups[group].len();
-            if self.decisive(group) {
+            if self.in_condition(group) {
                 span /= len;
-                count += met(first, first + digit * span) * around;
-                first += digit * span;
+                count += met(first, first + position * span) * repeats;
+                first += position * span;
             } else {
-                around /= len;
-                count += digit * met(first, first + span) * around;
+                repeats /= len;
+                count += position * met(first, first + span) * repeats;
             }
         }
         count
     }
 
-    /// The combination that is case `index`, which there must be; the reverse of `cases_before`.
-    fn at_place(&self, before: &[u64], mut index: u64) -> u64 {
+    /// The combination that is case `index`, which must exist: the inverse of `cases_before`.
+    fn combination_of(&self, before: &[u64], mut index: u64) -> u64 {
         let (mut first, mut span) = (0, before.len() as u64 - 1);
-        let (mut around, mut raw) = (self.around(), 0);
+        let (mut repeats, mut raw) = (self.combinations_per_entry(), 0);
         let met = |from: u64, to: u64| before[to as usize] - before[from as usize];
         for (group, axes) in self.groups.iter().enumerate() {
             let len = axes.len();
-            let digit = if self.decisive(group) {
+            let position = if self.in_condition(group) {
                 span /= len;
-                // The first place up to whose end there are more cases than `index`.
+                // The first position at whose end there are more than `index` cases.
                 let (mut low, mut high) = (0, len - 1);
                 while low < high {
                     let middle = low + (high - low) / 2;
-                    match met(first, first + (middle + 1) * span) * around > index {
+                    match met(first, first + (middle + 1) * span) * repeats > index {
                         true => high = middle,
                         false => low = middle + 1,
                     }
                 }
-                index -= met(first, first + low * span) * around;
+                index -= met(first, first + low * span) * repeats;
                 first += low * span;
                 low
             } else {
-                around /= len;
-                let each = (met(first, first + span) * around).max(1);
-                let digit = index / each;
-                index -= digit * each;
-                digit
+                repeats /= len;
+                let each = (met(first, first + span) * repeats).max(1);
+                let position = index / each;
+                index -= position * each;
+                position
             };
-            raw = raw * len + digit;
+            raw = raw * len + position;
         }
         raw
     }
 }
 
-/// How many of the first values are true, for each number of them.
-fn before(values: &[f64]) -> Vec<u64> {
+/// The number of true values before each one, and in all.
+fn running_count(values: &[f64]) -> Vec<u64> {
     let mut counts = vec![0];
     let mut count = 0;
     for value in values {

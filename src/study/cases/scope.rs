@@ -1,12 +1,14 @@
 //! What names a figure or check may use: the problem's tables, and its cases as far as they are known.
 
+use super::block::Block;
+use super::filter::Filter;
 use crate::problem::Problem;
 use crate::problem::parameter::Value;
+use crate::study::Measure;
 use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::object::Object;
 use crate::study::source::tree::{Member, Node, Tree};
 use crate::study::value::{name, value};
-use crate::study::{Block, Filter, Measure};
 use std::sync::Arc;
 
 /// Most combinations that are gone through to see what a filter chooses: some seconds, and the cases that a figure shows

@@ -1,9 +1,10 @@
 //! The blocks of a study: one in `parameters`, or several in `blocks`.
 
-use super::validate;
+use super::resolve::resolve;
+use super::validate::{validate, within_limit};
 use crate::problem::Problem;
 use crate::study::Block;
-use crate::study::axes::draft::Draft;
+use crate::study::axes::draft::BlockDraft;
 use crate::study::axes::parameters::parameters;
 use crate::study::axes::zip::zip;
 use crate::study::expression::Formula;
@@ -38,7 +39,7 @@ pub(in crate::study) fn blocks(
         drafts.extend(draft(object, node, problem, faults));
     }
     if one.is_none() {
-        for key in BESIDE.map(|key| key.0) {
+        for key in BLOCK_KEYS.map(|key| key.0) {
             if let Some(node) = object.get(key) {
                 let message = "must be inside a block, next to its \"parameters\"";
                 faults.add(node.at, key, message);
@@ -47,7 +48,7 @@ pub(in crate::study) fn blocks(
     }
     drafts.extend(object.items("blocks", faults, |node, path, faults| {
         let keys: Vec<&str> = std::iter::once("parameters")
-            .chain(BESIDE.map(|k| k.0))
+            .chain(BLOCK_KEYS.map(|k| k.0))
             .collect();
         let object = Object::open(node, path, &keys, faults)?;
         let node = object.need("parameters", "the parameters of the block", faults)?;
@@ -65,7 +66,7 @@ pub(in crate::study) fn blocks(
         "parameters"
     };
     let at = several.or(one).map_or(0, |node| node.at);
-    if !validate::count(&drafts, limit, at, key, faults) {
+    if !within_limit(&drafts, limit, at, key, faults) {
         return Vec::new();
     }
     let Some(problem) = problem else {
@@ -74,11 +75,11 @@ pub(in crate::study) fn blocks(
     let mut blocks = Vec::new();
     for draft in &mut drafts {
         draft.sample(problem.parameters());
-        let Some(block) = draft.block(problem, faults) else {
+        let Some(block) = resolve(draft, problem, faults) else {
             whole = false;
             continue;
         };
-        validate::check(problem, draft, &block, faults);
+        validate(problem, draft, &block, faults);
         blocks.push(block);
     }
     // A case that breaks a rule is still a case that figures and checks may mean.
@@ -89,7 +90,7 @@ pub(in crate::study) fn blocks(
 }
 
 /// The keys that may stand beside `parameters`, each with what it holds.
-pub(in crate::study) const BESIDE: [(&str, &str); 3] = [
+pub(in crate::study) const BLOCK_KEYS: [(&str, &str); 3] = [
     (
         "zip",
         "groups of axes that advance together: one case for each position, not for each combination",
@@ -110,7 +111,7 @@ fn draft(
     node: &Node,
     problem: &dyn Problem,
     faults: &mut Faults,
-) -> Option<Draft> {
+) -> Option<BlockDraft> {
     let table = problem.parameters();
     let mut draft = parameters(node, &object.path("parameters"), table, faults)?;
     if let Some(node) = object.get("zip") {

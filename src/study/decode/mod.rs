@@ -2,7 +2,8 @@
 
 pub(super) mod blocks;
 pub(super) mod checks;
-mod resolve;
+mod references;
+pub(super) mod resolve;
 pub(super) mod units;
 pub(super) mod validate;
 
@@ -23,7 +24,7 @@ use crate::study::source::tree::{Node, Tree};
 use crate::study::units::Units;
 use crate::study::value::{self, name};
 use crate::study::{Check, Column, Figure, FigureKind, Study};
-use blocks::{BESIDE, blocks};
+use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use std::sync::Arc;
 use validate::MOST_CASES;
@@ -99,7 +100,7 @@ impl Input {
 
 /// The study at `root`, of no more than `limit` raw combinations; what it was read from is left out.
 pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Study> {
-    let keys: Vec<&str> = KEYS.iter().chain(&BESIDE).map(|key| key.0).collect();
+    let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
     let object = Object::open(root, "", &keys, faults)?;
     let mut string = |key: &str| {
         let node = object.get(key)?;

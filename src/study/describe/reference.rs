@@ -8,7 +8,7 @@ use crate::problem::{PROBLEMS, Problem};
 use crate::study::axes::axis_rule::RULES;
 use crate::study::axes::design;
 use crate::study::axes::interval::INTERVALS;
-use crate::study::decode::blocks::BESIDE;
+use crate::study::decode::blocks::BLOCK_KEYS;
 use crate::study::decode::{self, checks, units};
 use crate::study::expression::words::{CONSTANTS, FUNCTIONS};
 use crate::study::figure::keys::{COMMON, Key};
@@ -29,7 +29,7 @@ pub fn reference() -> String {
         .replace("{{rules}}", &pairs(&RULES))
         .replace("{{constants}}", &code(&CONSTANTS))
         .replace("{{functions}}", &code(&functions))
-        .replace("{{beside}}", &pairs(&BESIDE))
+        .replace("{{beside}}", &pairs(&BLOCK_KEYS))
         .replace("{{intervals}}", &pairs(&INTERVALS))
         .replace("{{designs}}", &pairs(&design::KINDS))
         .replace("{{design}}", &pairs(&design::KEYS))

@@ -11,7 +11,7 @@ use super::values::{
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{Metric, PROBLEMS, Problem};
 use crate::study::axes::design;
-use crate::study::decode::blocks::BESIDE;
+use crate::study::decode::blocks::BLOCK_KEYS;
 use crate::study::decode::{self, checks, units};
 use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
     let mut properties = Map::new();
-    for (key, meaning) in decode::KEYS.into_iter().chain(BESIDE) {
+    for (key, meaning) in decode::KEYS.into_iter().chain(BLOCK_KEYS) {
         properties.insert(key.into(), json!({ "description": meaning }));
     }
     properties.extend(beside());
@@ -71,9 +71,13 @@ fn beside() -> Map<String, Json> {
     ];
     let design = object(keys.into_iter().collect(), &["kind", "n"]);
     let keys = [
-        described("zip", json!({ "type": "array", "items": group }), &BESIDE),
-        described("when", json!({ "type": "string" }), &BESIDE),
-        described("design", design, &BESIDE),
+        described(
+            "zip",
+            json!({ "type": "array", "items": group }),
+            &BLOCK_KEYS,
+        ),
+        described("when", json!({ "type": "string" }), &BLOCK_KEYS),
+        described("design", design, &BLOCK_KEYS),
     ];
     keys.into_iter().collect()
 }
