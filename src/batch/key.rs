@@ -1,7 +1,7 @@
 //! Keys: what decides the results of a part, so that kept results serve again only where nothing has changed.
 
 use crate::problem::cases::{Cases, Column};
-use crate::problem::parameter::Value;
+use crate::problem::parameter::{ColumnRule, Value};
 use crate::study::Study;
 use twox_hash::XxHash3_128;
 
@@ -30,8 +30,12 @@ impl Key {
         let mut bytes = Vec::new();
         bytes.extend(first.to_le_bytes());
         bytes.extend(cases.len().to_le_bytes());
-        for column in cases.columns() {
-            match column {
+        let table = study.problem.parameters();
+        for row in study.parameter_columns() {
+            if table[row].column == ColumnRule::IfGiven {
+                bytes.extend(table[row].name.as_bytes());
+            }
+            match &cases.columns()[row] {
                 Column::Same(value) => {
                     bytes.push(0);
                     note(&mut bytes, *value);

@@ -11,6 +11,8 @@ pub mod pace;
 pub mod results;
 pub mod sobol;
 pub mod store;
+#[cfg(test)]
+mod tests_columns;
 mod units;
 pub mod whole;
 

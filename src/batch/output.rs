@@ -8,7 +8,7 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};
 
-pub use super::manifest::{history, is_manifest, outdated};
+pub use super::manifest::{history, is_manifest, outdated, problem_of};
 
 /// Name of the table of results.
 pub const RESULTS: &str = "results.csv";

@@ -1,7 +1,7 @@
 //! Tables for people and programs: results.csv and the histories.
 
 use super::Outcome;
-use crate::problem::parameter::{Value, shortest};
+use crate::problem::parameter::shortest;
 use crate::problem::unit::Dimension;
 use crate::problem::{Case, Solution};
 use crate::study::Study;
@@ -10,17 +10,20 @@ use std::io::{self, Write};
 /// results.csv, row by row: one a case in case order; `case`, the parameters in the table's order, then the metrics.
 pub struct Table<'a, W: Write> {
     study: &'a Study,
+    /// Rows of the parameters that are columns.
+    parameters: Vec<usize>,
     writer: csv::Writer<W>,
 }
 
 impl<'a, W: Write> Table<'a, W> {
     /// Writes the header.
     pub fn new(study: &'a Study, out: W) -> io::Result<Table<'a, W>> {
-        let parameters = study.problem.parameters();
+        let parameters = study.parameter_columns();
+        let table = study.problem.parameters();
         let mut writer = csv::Writer::from_writer(out);
         let header = ["case"]
             .into_iter()
-            .chain(parameters.iter().map(|p| &*p.name))
+            .chain(parameters.iter().map(|row| &*table[*row].name))
             .chain(
                 study
                     .columns
@@ -28,13 +31,17 @@ impl<'a, W: Write> Table<'a, W> {
                     .map(|&m| study.measures[m].name.as_str()),
             );
         writer.write_record(header)?;
-        Ok(Table { study, writer })
+        Ok(Table {
+            study,
+            parameters,
+            writer,
+        })
     }
 
     /// Writes one case.
     pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
         let metrics = self.study.columns.iter().map(|&m| cell(outcome.metrics[m]));
-        let row = parameters(number, &outcome.case).chain(metrics);
+        let row = parameters(number, &self.parameters, &outcome.case).chain(metrics);
         Ok(self.writer.write_record(row)?)
     }
 
@@ -45,34 +52,40 @@ impl<'a, W: Write> Table<'a, W> {
 }
 
 /// failures.csv, row by row: the cases that could not be solved, with their parameters and the reason.
-pub struct Failures<W: Write>(csv::Writer<W>);
+pub struct Failures<W: Write> {
+    /// Rows of the parameters that are columns.
+    parameters: Vec<usize>,
+    writer: csv::Writer<W>,
+}
 
 impl<W: Write> Failures<W> {
     /// Writes the header.
     pub fn new(study: &Study, out: W) -> io::Result<Failures<W>> {
         let mut writer = csv::Writer::from_writer(out);
-        let names = study.problem.parameters().iter().map(|p| &*p.name);
+        let parameters = study.parameter_columns();
+        let table = study.problem.parameters();
+        let names = parameters.iter().map(|row| &*table[*row].name);
         let header = ["case"].into_iter().chain(names).chain(["reason"]);
         writer.write_record(header)?;
-        Ok(Failures(writer))
+        Ok(Failures { parameters, writer })
     }
 
     /// Writes one case.
     pub fn row(&mut self, number: u64, case: &Case, why: &str) -> io::Result<()> {
-        let row = parameters(number, case).chain([why.to_owned()]);
-        Ok(self.0.write_record(row)?)
+        let row = parameters(number, &self.parameters, case).chain([why.to_owned()]);
+        Ok(self.writer.write_record(row)?)
     }
 
     /// What it was written to, with all rows.
     pub fn finish(self) -> io::Result<W> {
-        self.0.into_inner().map_err(|e| e.into_error())
+        self.writer.into_inner().map_err(|e| e.into_error())
     }
 }
 
-/// The number and parameters of a case, as cells.
-fn parameters(number: u64, case: &Case) -> impl Iterator<Item = String> {
-    let value = |value: &Option<Value>| value.map(|v| v.to_string()).unwrap_or_default();
-    std::iter::once(number.to_string()).chain(case.values.iter().map(value))
+/// The number of a case and the parameters in these rows, as cells.
+fn parameters(number: u64, rows: &[usize], case: &Case) -> impl Iterator<Item = String> {
+    let value = |row: &usize| case.values[*row].map(|v| v.to_string()).unwrap_or_default();
+    std::iter::once(number.to_string()).chain(rows.iter().map(value))
 }
 
 /// Writes a case's history, one row a step: the time, the computed channels, the exact ones; each column followed by the same

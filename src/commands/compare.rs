@@ -1,13 +1,15 @@
 //! `slipgap compare`: what two folders of results differ in.
 
 use super::{NOT_MET, columns, files, note, say};
-use slipgap::batch::output::RESULTS;
+use slipgap::batch::output::{RESULTS, problem_of};
 use slipgap::batch::store::{self, STORE};
-use slipgap::compare::{Rows, compare as held};
+use slipgap::compare::{Rows, compare as compare_tables, problem_of_columns};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
+use slipgap::problem::{Problem, find};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use walkdir::DirEntry;
 
 /// Compares the studies that `a` and `b` hold, or are; gives the exit code.
@@ -33,10 +35,16 @@ pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
             differing += apart(name, format!("only in {}", a.display()));
             continue;
         };
-        let Some(found) = held(&read(path)?, &read(other)?, tolerance) else {
-            differing += apart(name, "the two results are of different problems".into());
-            continue;
+        let (first, second) = (read(path)?, read(other)?);
+        let problems = [(path, &first), (other, &second)].map(|(path, rows)| problem(path, rows));
+        let problem = match problems {
+            [Some(problem), Some(second)] if problem.name() == second.name() => problem,
+            [Some(_), Some(_)] | [None, _] | [_, None] => {
+                differing += apart(name, "the two results are of different problems".into());
+                continue;
+            }
         };
+        let found = compare_tables(&*problem, &first, &second, tolerance);
         if found.same() {
             same += 1;
             continue;
@@ -95,6 +103,14 @@ fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
         (name.display().to_string(), folder)
     });
     Ok(named.collect())
+}
+
+/// The problem of a folder: the one in its manifest. If the manifest names none, the columns decide.
+fn problem(folder: &Path, rows: &Rows) -> Option<Arc<dyn Problem>> {
+    match problem_of(folder) {
+        Some(name) => find(&name),
+        None => problem_of_columns(&rows.columns),
+    }
 }
 
 /// The table of one folder.

@@ -43,7 +43,9 @@ pub fn written(
     let len = cases.len();
     let numbers = (first..).take(len).map(|number| Some(number as i64));
     put(&mut rows, |writer| fill::<Int64Type>(writer, len, numbers))?;
-    let given = cases.columns().iter().zip(study.problem.parameters());
+    let table = study.problem.parameters();
+    let parameter_rows = study.parameter_columns().into_iter();
+    let given = parameter_rows.map(|row| (&cases.columns()[row], &table[row]));
     for (place, (column, parameter)) in (1..).zip(given) {
         match column {
             Column::Each(values) => put(&mut rows, |writer| {
@@ -176,7 +178,12 @@ fn schema(study: &Study) -> Result<Type> {
         Ok::<_, ParquetError>(Arc::new(built))
     };
     let mut fields = vec![column("case", Physical::INT64)?];
-    for parameter in study.problem.parameters() {
+    let parameters = study.problem.parameters();
+    for parameter in study
+        .parameter_columns()
+        .iter()
+        .map(|row| &parameters[*row])
+    {
         let physical = match parameter.kind {
             Kind::Number(_) => Physical::DOUBLE,
             Kind::Whole { .. } => Physical::INT64,
@@ -198,8 +205,11 @@ fn schema(study: &Study) -> Result<Type> {
 
 /// The part's key, and unit and meaning of every column.
 fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
-    let parameters = study.problem.parameters().iter();
-    let parameters = parameters.map(|p| (&*p.name, &*p.unit, &*p.meaning));
+    let table = study.problem.parameters();
+    let rows = study.parameter_columns().into_iter();
+    let parameters = rows
+        .map(|row| &table[row])
+        .map(|p| (&*p.name, &*p.unit, &*p.meaning));
     let metrics = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
     let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning));
     let own = [

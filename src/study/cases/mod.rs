@@ -17,6 +17,7 @@ pub(super) use select::{case, distinct, select};
 
 use super::Study;
 use crate::problem::cases::Cases;
+use crate::problem::parameter::{ColumnRule, Parameter};
 use crate::problem::{Case, Violation};
 use block::Block;
 use filter::Filter;
@@ -30,22 +31,22 @@ impl Study {
         blocks.map(|block| block.len(&*self.problem)).sum()
     }
 
-    /// Whether there are no cases, which no study that was read allows.
+    /// Whether there are no cases. No valid study is empty.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Number of raw combinations; at most the limit that the study was read with.
+    /// Number of raw combinations, at most the limit of the study.
     pub fn raw_len(&self) -> u64 {
         self.blocks.iter().map(Block::raw_len).sum()
     }
 
-    /// Case `index`, from 0, complete; `None` from `len` on.
+    /// Case `index`, from 0, completed; `None` from `len` on.
     pub fn case(&self, index: u64) -> Option<Case> {
         case(&*self.problem, &self.blocks, index)
     }
 
-    /// The rules that case `index` breaks, which only a case of a large study does.
+    /// The rules that case `index` breaks. Only a large study has such cases.
     pub fn violations(&self, index: u64) -> Vec<Violation> {
         let found = place(&*self.problem, &self.blocks, index);
         found.map_or_else(Vec::new, |(block, raw)| {
@@ -54,10 +55,20 @@ impl Study {
         })
     }
 
-    /// What a completed case costs: steps times modes, with the references of the study's metrics.
+    /// The cost of a completed case: steps times modes, and the references of the study's metrics.
     pub fn work(&self, case: &Case) -> u64 {
         let references = self.problem.reference_work(case, &self.metrics);
         self.problem.work(case).saturating_add(references)
+    }
+
+    /// Rows of the parameters that are columns of tables, in the order of the problem's table.
+    pub fn parameter_columns(&self) -> Vec<usize> {
+        let table = self.problem.parameters().iter().enumerate();
+        let has_column = |(row, parameter): &(usize, &Parameter)| match parameter.column {
+            ColumnRule::Always => true,
+            ColumnRule::IfGiven => self.blocks.iter().any(|block| block.gives(*row)),
+        };
+        table.filter(has_column).map(|(row, _)| row).collect()
     }
 
     /// Number of the first case of a block.
@@ -75,41 +86,41 @@ impl Study {
         })
     }
 
-    /// All cases in order, made as they are asked for.
+    /// All cases in order, each made when the iterator reaches it.
     pub fn cases(&self) -> impl Iterator<Item = Case> + '_ {
         self.range(0, self.raw_len()).map(|(_, case)| case)
     }
 
-    /// The cases among raw combinations `from..to`, with their numbers, made as they are asked for.
+    /// The cases among raw combinations `from..to` with their numbers.
     pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
-        self.stretches(from, to).flat_map(|(block, raws, number)| {
+        self.parts(from, to).flat_map(|(block, raws, number)| {
             let raws = raws.filter(|raw| block.is_case(&*self.problem, *raw));
             (number..).zip(raws.map(|raw| block.completed(&*self.problem, raw)))
         })
     }
 
-    /// Raw combination `raw` where it is a case, complete.
+    /// Raw combination `raw` as a completed case; `None` if it is no case.
     pub fn combination(&self, raw: u64) -> Option<Case> {
         let mut rest = raw;
         for block in &self.blocks {
             if rest < block.raw_len() {
-                let kept = block.is_case(&*self.problem, rest);
-                return kept.then(|| block.completed(&*self.problem, rest));
+                let is_case = block.is_case(&*self.problem, rest);
+                return is_case.then(|| block.completed(&*self.problem, rest));
             }
             rest -= block.raw_len();
         }
         None
     }
 
-    /// The same as columns, with the number of the first.
+    /// The cases among raw combinations `from..to` as columns, and the number of the first.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
         let mut cases = Cases::new(self.problem.schema());
         let (mut case, mut first) = (Case::new(self.problem.schema()), None);
-        for (block, raws, number) in self.stretches(from, to) {
+        for (block, raws, number) in self.parts(from, to) {
             first.get_or_insert(number);
             for raw in raws.filter(|raw| block.is_case(&*self.problem, *raw)) {
                 block.put(&*self.problem, raw, &mut case);
-                // A large block was not checked case by case when the study was read.
+                // Of a large block, not every case was tested when the study was read.
                 let violations = block.complete(&*self.problem, &mut case);
                 match Violation::all(&violations) {
                     None => cases.push(&case),
@@ -120,14 +131,15 @@ impl Study {
         (first.unwrap_or(0), cases)
     }
 
-    /// What of raw combinations `from..to` lies in each block, by its own count, and the number of the first case there.
-    fn stretches(&self, from: u64, to: u64) -> impl Iterator<Item = (&Block, Range<u64>, u64)> {
+    /// The part of raw combinations `from..to` in each block, numbered from the start of the block, and the number of the
+    /// first case there.
+    fn parts(&self, from: u64, to: u64) -> impl Iterator<Item = (&Block, Range<u64>, u64)> {
         let (mut start, mut cases) = (0, 0);
         self.blocks.iter().filter_map(move |block| {
             let (first, before) = (start, cases);
             start += block.raw_len();
             let raws = from.clamp(first, start) - first..to.clamp(first, start) - first;
-            // The last block's cases need not be counted.
+            // The cases of the last block are not needed.
             if start < to {
                 cases += block.len(&*self.problem);
             }
@@ -137,7 +149,7 @@ impl Study {
         })
     }
 
-    /// The numbers of the cases that a filter chooses, rising.
+    /// The numbers of the cases that a filter selects, in rising order.
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
         select(&*self.problem, &self.blocks, filter)
     }
