@@ -52,7 +52,7 @@ fn judged(source: &Source) -> Result<(Judged<'_>, bool), Error> {
         let mut shown = done.cases.shown();
         for (place, number) in (0..done.len()).zip(done.first..) {
             let value = |metric| done.found.row(place).nth(metric).flatten();
-            for (check, value) in checks::judged(study, shown.at(place), value) {
+            for (check, value) in checks::applicable(study, shown.at(place), value) {
                 values[check].push((number, value.unwrap_or(f64::NAN)));
             }
             if let Some(why) = done.found.failure(place) {

@@ -37,20 +37,20 @@ pub fn claims(named: &[PathBuf], out: &Path) -> Result<u8, Error> {
             .map(|(r, _)| r.name.as_str());
         let changed = pairs.filter(|(r, f)| r.holds != f.holds);
         let changed: Vec<&str> = changed.map(|(r, _)| r.name.as_str()).collect();
-        let mut says = claim.says.clone();
+        let mut statement = claim.statement.clone();
         if verdict == Verdict::HoldsIf {
             let held: Vec<&str> = held.collect();
-            says += &format!(" [if: {}]", held.join("; "));
+            statement += &format!(" [if: {}]", held.join("; "));
         }
         if !changed.is_empty() {
-            says += &format!(" [changed: {}]", changed.join("; "));
+            statement += &format!(" [changed: {}]", changed.join("; "));
         }
         let mark = if changed.is_empty() { "" } else { "CHANGED" };
         rows.push(vec![
             claim.id.clone(),
-            verdict.said().into(),
+            verdict.as_str().into(),
             mark.into(),
-            says,
+            statement,
         ]);
     }
     say(&columns(&rows))?;

@@ -151,7 +151,7 @@ fn settled(sources: &[Source]) -> Result<Vec<Vec<Settled>>, Error> {
                 if let Some(place) = place(reading.study) {
                     settled[place].push(Settled {
                         id: claim.id.clone(),
-                        says: claim.says.clone(),
+                        says: claim.statement.clone(),
                         reading: reading.name.clone(),
                         found: finding.found.join("; "),
                         holds: finding.holds,

@@ -1,10 +1,10 @@
-//! A ledger from its file, with the studies it names.
+//! A ledger, read from its file with its studies.
 
 use std::cell::RefCell;
 use std::path::Path;
 
 use super::expect::expect;
-use super::{Claim, Ledger, Reading, Settling};
+use super::{Claim, Ledger, LedgerStudy, Reading};
 use crate::error::Error;
 use crate::study;
 use crate::study::faults::{Faults, quoted};
@@ -17,7 +17,8 @@ use crate::study::value::{name, text};
 
 const CLAIM: [&str; 6] = ["id", "where", "says", "quantity", "readings", "because"];
 const READING: [&str; 5] = ["reading", "study", "figure", "expect", "holds"];
-/// Reads a ledger and the studies it names. Faults name the file as `file` does.
+
+/// Reads a ledger and its studies. Faults name the file as `file` does.
 ///
 /// # Errors
 /// Every fault of the ledger, or of the first study that has any.
@@ -29,7 +30,7 @@ pub fn read(file: &Path) -> Result<Ledger, Error> {
     let ledger = ledger(&root, file, &mut faults)?;
     match ledger {
         Some(ledger) if faults.count() == 0 => Ok(ledger),
-        _ => Err(Error::Faults(
+        Some(_) | None => Err(Error::Faults(
             faults.in_file_order(Texts::new(&shown, &source)),
         )),
     }
@@ -53,8 +54,8 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         .parent()
         .unwrap_or(Path::new(""))
         .join(folder.unwrap_or_default());
-    // Studies are read where they are first named.
-    let found = RefCell::new((Vec::<Settling>::new(), None));
+    // A study is read at its first occurrence.
+    let found = RefCell::new((Vec::<LedgerStudy>::new(), None));
     let study = |node: &Node, path: &str, faults: &mut Faults| {
         let name = text(node, path, faults)?;
         let (studies, failed) = &mut *found.borrow_mut();
@@ -69,7 +70,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         }
         match study::read(&file) {
             Ok(study) => {
-                studies.push(Settling { name, file, study });
+                studies.push(LedgerStudy { name, file, study });
                 Some(studies.len() - 1)
             }
             Err(error) => {
@@ -128,7 +129,7 @@ fn claim(
     };
     let id = string("id", "a short name");
     let place = string("where", "its place in the paper");
-    let says = string("says", "the statement");
+    let statement = string("says", "the statement");
     let quantity = string("quantity", "the quantity that decides");
     let because = object.get("because");
     let because = because.and_then(|node| text(node, &object.path("because"), faults));
@@ -142,7 +143,7 @@ fn claim(
     (faults.count() == before).then_some(Claim {
         id: id?,
         place: place?,
-        says: says?,
+        statement: statement?,
         quantity: quantity?,
         readings,
         because,

@@ -1,6 +1,6 @@
-//! What a reading expects of the cases of its study.
+//! The expectations of a reading.
 
-use super::{Demand, Expect, Looked};
+use super::{Demand, Expect};
 use crate::problem::parameter::Range;
 use crate::study::Filter;
 use crate::study::faults::Faults;
@@ -31,7 +31,7 @@ pub(super) fn expect(
         Some(node) => scope.filter(node, &object.path("where"), faults),
         None => Some(Filter::default()),
     };
-    let of = match ["metric", "profile", "later"].map(|key| object.get(key)) {
+    let subject = match ["metric", "profile", "later"].map(|key| object.get(key)) {
         [Some(node), None, None] => {
             let all = scope.metrics();
             let row = name(node, &object.path("metric"), "metric", &all, faults)?;
@@ -42,23 +42,20 @@ pub(super) fn expect(
                     "the study does not compute this metric",
                 );
             }
-            Looked::Metric(row)
+            Subject::Metric(row)
         }
-        [None, Some(node), None] => Looked::Profile(name(
-            node,
-            &object.path("profile"),
-            "profile",
-            &scope.profiles(),
-            faults,
-        )?),
-        [None, None, Some(node)] => Looked::Later(name(
-            node,
-            &object.path("later"),
-            "later event",
-            &scope.later(),
-            faults,
-        )?),
-        _ => {
+        [None, Some(node), None] => {
+            let path = object.path("profile");
+            Subject::Profile(name(node, &path, "profile", &scope.profiles(), faults)?)
+        }
+        [None, None, Some(node)] => {
+            let path = object.path("later");
+            Subject::Later(name(node, &path, "later event", &scope.later(), faults)?)
+        }
+        [None, None, None]
+        | [Some(_), Some(_), _]
+        | [Some(_), _, Some(_)]
+        | [_, Some(_), Some(_)] => {
             object.fault("needs a \"metric\", a \"profile\" or a \"later\"", faults);
             return None;
         }
@@ -77,50 +74,68 @@ pub(super) fn expect(
             faults,
         )
     });
-    let demand = if let Looked::Profile(_) = of {
-        let times = object.items("times", faults, |node, path, faults| {
-            number(node, path, Range::NotNegative, faults)
-        });
-        match (away, max) {
-            (Some(away), Some(max)) if !times.is_empty() => Demand::Away { times, away, max },
-            _ => {
+    let demand = match subject {
+        Subject::Profile(profile) => {
+            let times = object.items("times", faults, |node, path, faults| {
+                number(node, path, Range::NotNegative, faults)
+            });
+            let (Some(away), Some(max), false) = (away, max, times.is_empty()) else {
                 object.fault("a profile needs \"times\", \"away\" and \"max\"", faults);
                 return None;
+            };
+            Demand::AwayFromFronts {
+                profile,
+                times,
+                away,
+                max,
             }
         }
-    } else if let Looked::Later(_) = of {
-        let range = Range::Positive;
-        let flights = object.items("flights", faults, |node, path, faults| {
-            let flight = number(node, path, range, faults)?;
-            if flight > LONGEST {
-                faults.must_be(node, path, &format!("at most {LONGEST}"));
+        Subject::Later(later) => {
+            let flights = object.items("flights", faults, |node, path, faults| {
+                let flight = number(node, path, Range::Positive, faults)?;
+                if flight > LONGEST {
+                    faults.must_be(node, path, &format!("at most {LONGEST}"));
+                }
+                Some(flight)
+            });
+            if flights.is_empty() || (min, max) == (None, None) {
+                let message = "\"later\" needs \"flights\" with \"min\", \"max\" or both";
+                object.fault(message, faults);
+                return None;
             }
-            Some(flight)
-        });
-        if flights.is_empty() || (min, max) == (None, None) {
-            let message = "\"later\" needs \"flights\" with \"min\", \"max\" or both";
-            object.fault(message, faults);
-            return None;
+            Demand::LaterEvent {
+                later,
+                flights,
+                min,
+                max,
+            }
         }
-        Demand::After { flights, min, max }
-    } else if let Some(along) = along {
-        sequence(&object, along, filter.as_ref()?, scope, faults)?
-    } else if min.is_some() || max.is_some() {
-        Demand::Within { min, max }
-    } else {
-        object.fault("needs \"min\", \"max\" or both, or \"along\"", faults);
-        return None;
+        Subject::Metric(metric) => match along {
+            Some(along) => sequence(&object, metric, along, filter.as_ref()?, scope, faults)?,
+            None if min.is_some() || max.is_some() => Demand::Within { metric, min, max },
+            None => {
+                object.fault("needs \"min\", \"max\" or both, or \"along\"", faults);
+                return None;
+            }
+        },
     };
     (faults.count() == before).then_some(Expect {
-        of,
         filter: filter?,
         demand,
     })
 }
 
-/// What is demanded along a parameter, each of whose values has one case.
+/// The quantity of an expectation, by its row.
+enum Subject {
+    Metric(usize),
+    Profile(usize),
+    Later(usize),
+}
+
+/// A demand along a parameter. Each of its values must have one case.
 fn sequence(
     object: &Object,
+    metric: usize,
     along: usize,
     filter: &Filter,
     scope: &Scope,
@@ -138,6 +153,7 @@ fn sequence(
             let trends = ["rising", "falling"];
             let row = name(node, &object.path("trend"), "trend", &trends, faults)?;
             Some(Demand::Trend {
+                metric,
                 along,
                 rising: row == 0,
             })
@@ -148,6 +164,7 @@ fn sequence(
             });
             match range[..] {
                 [a, b] if a <= b => Some(Demand::LeastAt {
+                    metric,
                     along,
                     range: [a, b],
                 }),
@@ -157,7 +174,7 @@ fn sequence(
                 }
             }
         }
-        _ => {
+        (None, None) | (Some(_), Some(_)) => {
             object.fault("\"along\" needs a \"trend\" or \"least_at\"", faults);
             None
         }

@@ -1,4 +1,4 @@
-//! A ledger of claims: sentences of a paper, each with the studies and values that decide whether it holds.
+//! A ledger of claims: statements of a paper, each with the studies that test it.
 
 mod decode;
 mod expect;
@@ -13,15 +13,15 @@ use std::path::PathBuf;
 pub struct Ledger {
     /// The paper, for the page.
     pub paper: String,
-    /// What is claimed, in the paper's order.
+    /// The claims in the order of the paper.
     pub claims: Vec<Claim>,
     /// The studies that the readings name.
-    pub studies: Vec<Settling>,
+    pub studies: Vec<LedgerStudy>,
 }
 
-/// A study that settles claims.
+/// A study that tests claims.
 #[derive(Debug)]
-pub struct Settling {
+pub struct LedgerStudy {
     /// Its folder under the output folder, as in `claims/impact-once`.
     pub name: String,
     /// Its file.
@@ -30,96 +30,93 @@ pub struct Settling {
     pub study: Study,
 }
 
-/// One sentence.
+/// One statement of a paper.
 #[derive(Debug)]
 pub struct Claim {
     /// Short name, as in `F4`.
     pub id: String,
-    /// Where it stands in the paper.
+    /// Its place in the paper.
     pub place: String,
-    /// What it says, in our words.
-    pub says: String,
-    /// What is computed to judge it.
+    /// The statement in our words.
+    pub statement: String,
+    /// What is computed to test it.
     pub quantity: String,
-    /// The readings tried.
+    /// The readings tested.
     pub readings: Vec<Reading>,
-    /// Why it fails or holds only if, or what else there is to say.
+    /// Why it fails or holds only in some readings, or another remark.
     pub because: Option<String>,
 }
 
-/// One way to read a sentence.
+/// One way to understand a statement.
 #[derive(Debug)]
 pub struct Reading {
     /// What is assumed.
     pub name: String,
     /// Which of the ledger's studies.
     pub study: usize,
-    /// A figure of that study to look at.
+    /// A figure of that study that shows it.
     pub figure: Option<String>,
-    /// All of these must be so.
+    /// The expectations. All must be met.
     pub expect: Vec<Expect>,
     /// The recorded verdict.
     pub holds: bool,
 }
 
-/// One thing that must be so for a reading to hold.
+/// One condition for a reading to hold.
 #[derive(Debug)]
 pub struct Expect {
-    /// What is looked at.
-    pub of: Looked,
-    /// In which cases.
+    /// The cases that it applies to.
     pub filter: Filter,
-    /// What must be so.
+    /// What must be true of these cases.
     pub demand: Demand,
 }
 
-/// What an expectation looks at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Looked {
-    /// Row of the study's measures.
-    Metric(usize),
-    /// Row of `problem.schema().profiles`: the root mean square of its error away from fronts.
-    Profile(usize),
-    /// Row of `problem.schema().later`: the root mean square of its error over flights.
-    Later(usize),
-}
-
-/// What must be so.
+/// What must be true of the cases. Metrics are rows of the study's measures; `along` is a row of `problem.parameters()`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Demand {
-    /// In every case within limits.
+    /// A metric is within limits in every case.
     Within {
+        /// The metric.
+        metric: usize,
         /// Smallest value allowed.
         min: Option<f64>,
         /// Largest value allowed.
         max: Option<f64>,
     },
-    /// From case to case along a parameter.
+    /// A metric rises or falls from case to case along a parameter.
     Trend {
-        /// Row of `problem.parameters()`.
+        /// The metric.
+        metric: usize,
+        /// The parameter.
         along: usize,
-        /// Whether it rises, or falls.
+        /// Whether the metric rises.
         rising: bool,
     },
-    /// Least at a value of a parameter within limits.
+    /// A metric is smallest at a value of a parameter within limits.
     LeastAt {
-        /// Row of `problem.parameters()`.
+        /// The metric.
+        metric: usize,
+        /// The parameter.
         along: usize,
-        /// Limits of that value.
+        /// Limits of the parameter.
         range: [f64; 2],
     },
-    /// A profile's error at these times, further than `away` from every front, at most `max`.
-    Away {
+    /// The root mean square of a profile's error away from the fronts is at most `max`.
+    AwayFromFronts {
+        /// Row of `problem.schema().profiles`.
+        profile: usize,
         /// Times in the problem's unit.
         times: Vec<f64>,
-        /// Distance in the profile's unit of place.
+        /// Smallest distance from every front, in the problem's unit of length.
         away: f64,
         /// Largest value allowed.
         max: f64,
     },
-    /// The error of a later event after these times of free motion, within limits.
-    After {
-        /// Times in the problem's unit.
+    /// The root mean square of the error of a later event, over times of free motion, is within limits.
+    LaterEvent {
+        /// Row of `problem.schema().later`.
+        later: usize,
+        /// Times of free motion in the problem's unit.
         flights: Vec<f64>,
         /// Smallest value allowed.
         min: Option<f64>,

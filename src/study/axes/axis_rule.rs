@@ -1,4 +1,4 @@
-//! Axes by rule instead of by list: evenly, by a factor, by a step. Their ends are the numbers given, to the bit.
+//! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit.
 
 use crate::metrics::SLACK;
 use crate::problem::parameter::{Kind, Parameter, Range, Value};
@@ -7,7 +7,7 @@ use crate::study::source::object::Object;
 use crate::study::source::tree::{Node, Tree};
 use crate::study::value::within;
 
-/// The rules, each with what its list of three means.
+/// The rules, each with the meaning of its three numbers.
 pub(in crate::study) const RULES: [(&str, &str); 3] = [
     (
         "linspace",
@@ -23,11 +23,21 @@ pub(in crate::study) const RULES: [(&str, &str); 3] = [
     ),
 ];
 
+/// A rule, in the order of [`RULES`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    Linspace,
+    Geomspace,
+    Range,
+}
+
+const ALL: [Rule; 3] = [Rule::Linspace, Rule::Geomspace, Rule::Range];
+
 /// Most values of an axis.
 const MOST: f64 = 1e6;
 
-/// The values of a rule, each within the parameter's range; whole-number parameters take the nearest whole numbers,
-/// each once.
+/// The values of a rule, each in the range of the parameter. A whole-number parameter has the nearest whole numbers, each
+/// once.
 pub(in crate::study) fn values(
     node: &Node,
     path: &str,
@@ -38,7 +48,7 @@ pub(in crate::study) fn values(
     let before = faults.count();
     let object = Object::open(node, path, &names, faults)?;
     let [member] = object.members[..] else {
-        // A key that does not belong here has been told already.
+        // An unknown key is reported already.
         if faults.count() == before {
             let what = format!("must have exactly one of {}", names.join(", "));
             object.fault(what, faults);
@@ -46,11 +56,12 @@ pub(in crate::study) fn values(
         return None;
     };
     let path = join(path, &member.key);
+    let index = names.iter().position(|name| *name == member.key)?;
+    let rule = ALL[index];
     let three = match &member.node.tree {
         Tree::List(items) if items.len() == 3 => items,
         _ => {
-            let (_, meaning) = RULES.iter().find(|rule| rule.0 == member.key)?;
-            faults.must_be(&member.node, &path, meaning);
+            faults.must_be(&member.node, &path, RULES[index].1);
             return None;
         }
     };
@@ -58,44 +69,46 @@ pub(in crate::study) fn values(
         let path = format!("{path}[{i}]");
         within(&three[i], &path, Range::Any, Some(parameter), faults)
     };
-    // Collected first, so that every faulty number is told.
+    // All three are decoded first, so that every faulty number is reported.
     let (a, b, c) = (item(0, faults), item(1, faults), item(2, faults));
     let (a, b, c) = (a?, b?, c?);
     let mut refuse = |i: usize, message: &str| {
         faults.add(three[i].at, &format!("{path}[{i}]"), message.to_owned());
         None
     };
-    let count = match member.key.as_str() {
-        "range" if c == 0.0 || (b - a) / c < 0.0 => {
+    let count = match rule {
+        Rule::Range if c == 0.0 || (b - a) / c < 0.0 => {
             return refuse(2, "must be a step that leads from a to b");
         }
-        "range" => ((b - a) / c * (1.0 + SLACK)).floor() + 1.0,
-        // Not by their product, which is 0 for two very small numbers.
-        "geomspace" if a == 0.0 || b == 0.0 || (a < 0.0) != (b < 0.0) => {
+        Rule::Range => ((b - a) / c * (1.0 + SLACK)).floor() + 1.0,
+        // The product of two very small numbers is 0, so the signs are compared.
+        Rule::Geomspace if a == 0.0 || b == 0.0 || (a < 0.0) != (b < 0.0) => {
             return refuse(1, "must have the sign of a, and neither may be 0");
         }
-        _ if c.fract() != 0.0 || c < 2.0 => return refuse(2, "must be a whole number >= 2"),
-        _ => c,
+        Rule::Geomspace | Rule::Linspace if c.fract() != 0.0 || c < 2.0 => {
+            return refuse(2, "must be a whole number >= 2");
+        }
+        Rule::Geomspace | Rule::Linspace => c,
     };
     if count > MOST {
         return refuse(2, &format!("gives {count} values; allowed: at most {MOST}"));
     }
     let steps = count - 1.0;
-    let point = |i: f64| match member.key.as_str() {
-        "linspace" if i == steps => b,
-        "linspace" => a + (b - a) * (i / steps),
-        "geomspace" if i == steps => b,
-        "geomspace" if i == 0.0 => a,
-        "geomspace" => a * libm::pow(b / a, i / steps),
-        _ if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
-        _ => a + i * c,
+    let point = |i: f64| match rule {
+        Rule::Linspace if i == steps => b,
+        Rule::Linspace => a + (b - a) * (i / steps),
+        Rule::Geomspace if i == steps => b,
+        Rule::Geomspace if i == 0.0 => a,
+        Rule::Geomspace => a * libm::pow(b / a, i / steps),
+        Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
+        Rule::Range => a + i * c,
     };
     let points = (0..count as u64).map(|i| point(i as f64));
-    fitted(points, &member.node, &path, parameter, faults)
+    to_values(points, &member.node, &path, parameter, faults)
 }
 
 /// The points as values of the parameter.
-fn fitted(
+fn to_values(
     points: impl Iterator<Item = f64>,
     node: &Node,
     path: &str,

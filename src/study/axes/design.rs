@@ -9,7 +9,7 @@ use crate::study::source::object::Object;
 use crate::study::source::tree::Node;
 use crate::study::value::{name, number};
 
-/// The keys of a design, each with what it holds.
+/// The keys of a design, each with its meaning.
 pub(in crate::study) const KEYS: [(&str, &str); 3] = [
     ("kind", "how the points are chosen"),
     (
@@ -110,14 +110,14 @@ fn decode(node: &Node, path: &str, faults: &mut Faults) -> Option<Design> {
     let kind = object
         .need("kind", &format!("one of {}", names.join(", ")), faults)
         .and_then(|node| name(node, &object.path("kind"), "kind", &names, faults));
-    let mut whole = |key: &str, least: f64, most: f64| {
+    let mut whole = |key: &str, min: f64, max: f64| {
         let node = object.get(key)?;
         let path = object.path(key);
         let x = number(node, &path, Range::Any, faults)?;
-        if x.fract() == 0.0 && (least..=most).contains(&x) {
+        if x.fract() == 0.0 && (min..=max).contains(&x) {
             return Some(x as u64);
         }
-        let allowed = format!("a whole number from {least} to {most}");
+        let allowed = format!("a whole number from {min} to {max}");
         faults.add(
             node.at,
             &path,

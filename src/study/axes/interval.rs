@@ -1,4 +1,4 @@
-//! Parameters that a design samples: between two ends, evenly or by ratio.
+//! The range of a parameter that a design samples.
 
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 use crate::study::Scale;
@@ -7,7 +7,7 @@ use crate::study::source::object::Object;
 use crate::study::source::tree::{Node, Tree};
 use crate::study::value::{value_of, within};
 
-/// The distributions, each with what its list of two means.
+/// The distributions, each with the meaning of its two numbers.
 pub(in crate::study) const INTERVALS: [(&str, &str); 2] = [
     (
         "uniform",
@@ -19,7 +19,7 @@ pub(in crate::study) const INTERVALS: [(&str, &str); 2] = [
     ),
 ];
 
-/// Where a parameter lies.
+/// A range and its distribution.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::study) struct Interval {
     low: f64,
@@ -37,7 +37,7 @@ impl Interval {
         members.iter().any(|member| known(&member.key))
     }
 
-    /// Decodes an interval, both of whose ends the parameter may take.
+    /// Decodes an interval. Both ends must be valid values of the parameter.
     pub fn decode(
         node: &Node,
         path: &str,
@@ -91,7 +91,7 @@ impl Interval {
         None
     }
 
-    /// The scale on which its values lie evenly.
+    /// The scale on which the distribution is uniform.
     pub fn scale(self) -> Scale {
         match self.log {
             true => Scale::Log,
@@ -99,7 +99,7 @@ impl Interval {
         }
     }
 
-    /// The value at `u`, 0 < u < 1; whole numbers are equally likely, or nearest by ratio.
+    /// The value at `u`, 0 < u < 1. For `uniform` all whole numbers are equally likely; for `loguniform` the value is rounded.
     pub fn at(self, u: f64, parameter: &Parameter) -> Value {
         let Interval { low, high, log } = self;
         let by_ratio = || (low * libm::pow(high / low, u)).clamp(low, high);
@@ -108,8 +108,8 @@ impl Interval {
             Kind::Whole { .. } => {
                 Value::Whole((low + u * (high - low + 1.0)).floor().min(high) as u64)
             }
-            _ if log => Value::Number(by_ratio()),
-            _ => Value::Number(low + u * (high - low)),
+            Kind::Number(_) | Kind::Choice(_) if log => Value::Number(by_ratio()),
+            Kind::Number(_) | Kind::Choice(_) => Value::Number(low + u * (high - low)),
         }
     }
 }

@@ -41,7 +41,7 @@ pub(in crate::study) fn parameters(
     Some(draft)
 }
 
-/// Decodes the keys of one object; `right.L` of the table is key `L` of the object `right`.
+/// Decodes the keys of an object. `right.L` of the table is key `L` of the object `right`.
 fn gather(
     node: &Node,
     path: &str,
@@ -133,7 +133,7 @@ fn axis(
                 }
             }
         }
-        _ => {
+        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {
             let value = value(node, path, row, faults);
             given.values.extend(value.map(|value| (value, node.at)));
         }

@@ -1,4 +1,4 @@
-//! `zip`: parameters whose values advance together.
+//! The key `zip`: parameters that advance together.
 
 use super::draft::BlockDraft;
 use crate::problem::parameter::Parameter;
@@ -6,7 +6,7 @@ use crate::study::source::faults::{Faults, quoted, unknown};
 use crate::study::source::tree::{Node, Tree};
 use crate::study::value::text;
 
-/// Decodes the groups of a `zip` into the draft; faulty ones are left out.
+/// Decodes the groups of a `zip` into the draft, without the faulty ones.
 pub(in crate::study) fn zip(
     node: &Node,
     path: &str,
@@ -54,7 +54,7 @@ pub(in crate::study) fn zip(
     }
 }
 
-/// The row of one name, which must be a list of values in no other group.
+/// The row of a parameter, which must have a list or rule and be in no other group.
 fn member(
     node: &Node,
     path: &str,
@@ -84,9 +84,9 @@ fn member(
             refuse(format!("{quoted} belongs to the design"))
         }
         Some(given) if !given.axis => refuse(format!("{quoted} has one value, not a list")),
-        _ if rows.contains(&row) || draft.zips.iter().any(|zip| zip.contains(&row)) => {
+        Some(_) if rows.contains(&row) || draft.zips.iter().any(|zip| zip.contains(&row)) => {
             refuse(format!("{quoted} is in a group already"))
         }
-        _ => Some(row),
+        Some(_) => Some(row),
     }
 }

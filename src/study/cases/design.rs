@@ -1,4 +1,4 @@
-//! Designs: points that fill the ranges of several parameters at once, the same for the same seed.
+//! Designs: points that fill the ranges of several parameters. The same seed gives the same points.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -7,7 +7,7 @@ use sobol::params::JoeKuoD6;
 
 use crate::study::Scale;
 
-/// How points are laid.
+/// How points are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
     /// One point in each of n slices of every parameter.
@@ -22,15 +22,15 @@ pub enum Sampling {
 /// A design of a block.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Design {
-    /// How points are laid.
+    /// How points are chosen.
     pub sampling: Sampling,
-    /// Its `n`.
+    /// The key `n`.
     pub n: u64,
-    /// What the random numbers begin with.
+    /// The seed of the random numbers.
     pub seed: u64,
     /// Rows of `problem.parameters()` that it samples, in file order.
     pub parameters: Vec<usize>,
-    /// The scale on which each of these is sampled evenly.
+    /// The scale on which each of them has a uniform distribution.
     pub scales: Vec<Scale>,
 }
 
@@ -39,21 +39,21 @@ impl Design {
     pub fn points(&self) -> u64 {
         match self.sampling {
             Sampling::Saltelli => self.n.saturating_mul(self.parameters.len() as u64 + 2),
-            _ => self.n,
+            Sampling::LatinHypercube | Sampling::Sobol => self.n,
         }
     }
 
-    /// The points of the parameter at `place` among those sampled, each in 0 < u < 1.
-    pub fn coordinates(&self, place: usize) -> Vec<f64> {
+    /// The coordinates of all points in one dimension, each in 0 < u < 1.
+    pub fn coordinates(&self, dimension: usize) -> Vec<f64> {
         match self.sampling {
-            Sampling::LatinHypercube => latin(self.n, self.random(place)),
-            Sampling::Sobol => self.sobol(place),
+            Sampling::LatinHypercube => latin(self.n, self.random(dimension)),
+            Sampling::Sobol => self.sobol(dimension),
             Sampling::Saltelli => {
                 let count = self.parameters.len();
-                let (a, b) = (self.sobol(place), self.sobol(count + place));
+                let (a, b) = (self.sobol(dimension), self.sobol(count + dimension));
                 let row = |i: usize| {
                     // A, AB_1 ... AB_k, B
-                    let mixed = (0..count).map(move |other| other == place);
+                    let mixed = (0..count).map(move |other| other == dimension);
                     std::iter::once(false)
                         .chain(mixed)
                         .chain([true])
@@ -66,7 +66,7 @@ impl Design {
         }
     }
 
-    /// Random numbers of one dimension, which further dimensions leave as they are.
+    /// The random numbers of one dimension. They do not depend on the number of dimensions.
     fn random(&self, dimension: usize) -> ChaCha8Rng {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(dimension as u64);
@@ -84,7 +84,7 @@ impl Design {
     }
 }
 
-/// Numbers between 0 and 1 that a double holds exactly.
+/// Number of steps between 0 and 1 that doubles represent exactly.
 const EXACT: f64 = (1_u64 << 52) as f64;
 
 /// One point in each of `n` slices, in random order.
@@ -106,7 +106,7 @@ fn latin(n: u64, mut random: ChaCha8Rng) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn of(sampling: Sampling, n: u64, seed: u64, count: usize) -> Design {
+    fn design(sampling: Sampling, n: u64, seed: u64, count: usize) -> Design {
         let parameters = (0..count).collect();
         Design {
             sampling,
@@ -119,10 +119,10 @@ mod tests {
 
     #[test]
     fn a_latin_hypercube_has_one_point_in_each_slice() {
-        let design = of(Sampling::LatinHypercube, 50, 7, 3);
-        for place in 0..3 {
+        let design = design(Sampling::LatinHypercube, 50, 7, 3);
+        for dimension in 0..3 {
             let mut slices: Vec<u64> = design
-                .coordinates(place)
+                .coordinates(dimension)
                 .iter()
                 .map(|u| (u * 50.0) as u64)
                 .collect();
@@ -133,10 +133,10 @@ mod tests {
 
     #[test]
     fn sobol_points_stay_a_net_under_the_shift() {
-        // Of 256 points of a (t, m, s)-net in two dimensions with t = 0, one lies in each of 16 x 16 boxes, and in each
+        // Of 256 points of a (t, m, s)-net in two dimensions with t = 0, one is in each of 16 x 16 boxes, and in each
         // of 2 x 128 and 128 x 2.
         for seed in [0, 1, 99] {
-            let design = of(Sampling::Sobol, 256, seed, 2);
+            let design = design(Sampling::Sobol, 256, seed, 2);
             let (x, y) = (design.coordinates(0), design.coordinates(1));
             for (across, up) in [(16.0, 16.0), (2.0, 128.0), (128.0, 2.0)] {
                 let boxes: std::collections::HashSet<(u64, u64)> = x
@@ -151,8 +151,10 @@ mod tests {
 
     #[test]
     fn a_saltelli_design_exchanges_one_column_at_a_time() {
-        let design = of(Sampling::Saltelli, 4, 3, 3);
-        let columns: Vec<Vec<f64>> = (0..3).map(|place| design.coordinates(place)).collect();
+        let design = design(Sampling::Saltelli, 4, 3, 3);
+        let columns: Vec<Vec<f64>> = (0..3)
+            .map(|dimension| design.coordinates(dimension))
+            .collect();
         assert!(columns.iter().all(|c| c.len() as u64 == design.points()));
         for base in 0..4 {
             let row = |i: usize| columns.iter().map(|c| c[5 * base + i]).collect::<Vec<_>>();
@@ -169,9 +171,9 @@ mod tests {
     #[test]
     fn a_seed_gives_its_points_and_another_others() {
         for sampling in [Sampling::LatinHypercube, Sampling::Sobol] {
-            let first = of(sampling, 32, 1, 2).coordinates(1);
-            assert_eq!(first, of(sampling, 32, 1, 5).coordinates(1));
-            assert_ne!(first, of(sampling, 32, 2, 2).coordinates(1));
+            let first = design(sampling, 32, 1, 2).coordinates(1);
+            assert_eq!(first, design(sampling, 32, 1, 5).coordinates(1));
+            assert_ne!(first, design(sampling, 32, 2, 2).coordinates(1));
             assert!(first.iter().all(|u| *u > 0.0 && *u < 1.0));
         }
     }

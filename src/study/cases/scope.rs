@@ -1,4 +1,4 @@
-//! What names a figure or check may use: the problem's tables, and its cases as far as they are known.
+//! The names that figures, checks and claims may use: the tables of the problem, and the cases of the study.
 
 use super::block::Block;
 use super::filter::Filter;
@@ -11,18 +11,18 @@ use crate::study::source::tree::{Member, Node, Tree};
 use crate::study::value::{name, value};
 use std::sync::Arc;
 
-/// Most combinations that are gone through to see what a filter chooses: some seconds, and the cases that a figure shows
-/// are held at once.
+/// Most combinations that are tested to find the cases that a filter selects. This takes some seconds; the cases of a figure
+/// are in memory together.
 const MOST_TRIED: u64 = 10_000_000;
 
 /// The problem of a study and its blocks.
 pub(crate) struct Scope {
     pub problem: Arc<dyn Problem>,
-    /// What figures and checks may name of a case.
+    /// Metrics, also in the units of the study.
     pub measures: Vec<Measure>,
-    /// Empty when a block is faulty: then nothing is said of which cases a filter chooses.
+    /// Empty if a block is faulty. The cases that a filter selects are then not tested.
     pub blocks: Vec<Block>,
-    /// Whether steps are solved once, so that nothing is known along the structure.
+    /// Whether each step is solved once; there are then no profiles.
     pub once: bool,
 }
 
@@ -58,7 +58,7 @@ impl Scope {
         self.measures.iter().any(|m| m.dimension.is_some())
     }
 
-    /// Decodes a `where`; a filter that no case meets is a fault.
+    /// Decodes a `where`. A filter that selects no case is a fault.
     pub fn filter(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<Filter> {
         let table = self.problem.parameters();
         let before = faults.count();
@@ -86,18 +86,18 @@ impl Scope {
             return None;
         }
         let filter = Filter(terms);
-        let chooses = |block: &Block| {
-            let mut chosen = block.select_among(MOST_TRIED, &*self.problem, &filter);
-            chosen.next().is_some()
+        let selects = |block: &Block| {
+            let mut selected = block.select_among(MOST_TRIED, &*self.problem, &filter);
+            selected.next().is_some()
         };
-        if self.blocks.is_empty() || self.blocks.iter().any(chooses) {
+        if self.blocks.is_empty() || self.blocks.iter().any(selects) {
             return Some(filter);
         }
         object.fault(self.no_case(&filter), faults);
         None
     }
 
-    /// Reports a figure of so many cases that finding out what it draws would take very long.
+    /// Reports a figure with so many combinations that selecting its cases would take very long; false if it is one.
     pub fn countable(&self, filter: &Filter, at: usize, path: &str, faults: &mut Faults) -> bool {
         let blocks = self.blocks.iter();
         let count = blocks.fold(0u64, |sum, block| {
@@ -112,7 +112,7 @@ impl Scope {
         count <= MOST_TRIED
     }
 
-    /// One value of a parameter or a list of them. Of a list, every value must occur in a case.
+    /// A value of a parameter or a list of values. Every value of a list must occur in a case.
     fn wanted(
         &self,
         node: &Node,
@@ -143,8 +143,8 @@ impl Scope {
         (faults.count() == before).then_some(wanted)
     }
 
-    /// Says that no case has a value of a parameter, and which values there are; `None` if one has it or the values are
-    /// not known.
+    /// The message that no case has a value of a parameter, with the values that cases have; `None` if a case has it or the
+    /// values are unknown.
     fn absent(&self, row: usize, wanted: Value) -> Option<String> {
         if self.too_many() {
             return None;
@@ -154,24 +154,24 @@ impl Scope {
             return None;
         }
         let parameter = &self.problem.parameters()[row].name;
-        let mut there: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
-        if levels.len() > there.len() {
-            there.push("...".into());
+        let mut shown: Vec<String> = levels.iter().take(10).map(Value::to_string).collect();
+        if levels.len() > shown.len() {
+            shown.push("...".into());
         }
-        let there = there.join(", ");
+        let shown = shown.join(", ");
         Some(format!(
-            "no case has {parameter} = {wanted}; the values are {there}"
+            "no case has {parameter} = {wanted}; the values are {shown}"
         ))
     }
 
-    /// Whether a block has so many combinations that looking at all of them would take very long.
+    /// Whether a block has so many combinations that testing all of them would take very long.
     fn too_many(&self) -> bool {
         let all = Filter::default();
         let mut blocks = self.blocks.iter();
         blocks.any(|block| block.candidates(&all) > MOST_TRIED)
     }
 
-    /// Says that no case meets a filter, and which of its values no case has, if that is the reason.
+    /// The message that a filter selects no case, with the value that no case has, if that is the reason.
     fn no_case(&self, filter: &Filter) -> String {
         if self.too_many() {
             return format!(
@@ -189,14 +189,14 @@ impl Scope {
         super::select(&*self.problem, &self.blocks, filter)
     }
 
-    /// Whether a parameter follows from others in every block of the cases that a filter chooses.
+    /// Whether the parameters in `from` decide a parameter, in every block with cases that a filter selects.
     pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
-        let chosen = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
-        let mut blocks = self.blocks.iter().filter(chosen);
+        let selected = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
+        let mut blocks = self.blocks.iter().filter(selected);
         blocks.all(|block| block.follows(parameter, from))
     }
 
-    /// The different values of a parameter among the cases a filter chooses.
+    /// The different values of a parameter among the cases that a filter selects.
     pub fn levels(&self, filter: &Filter, parameter: usize) -> Vec<Value> {
         let blocks = self.blocks.iter();
         let levels = blocks.flat_map(|block| block.levels(&*self.problem, filter, parameter));
@@ -204,7 +204,7 @@ impl Scope {
     }
 }
 
-/// One name or a list of different names, by their places among those allowed.
+/// A name or a list of different names, as indices of those allowed.
 pub(crate) fn names(
     node: &Node,
     path: &str,

@@ -8,8 +8,8 @@ use crate::problem::{Case, Problem};
 use std::collections::HashSet;
 
 impl Block {
-    /// The cases that `filter` chooses, as combination and case number of the block, rising. Axes are sieved before cases
-    /// are made.
+    /// The cases that `filter` selects, as combination and case number of the block, in rising order. The filter is applied
+    /// to the axes before cases are made.
     pub(in crate::study) fn select<'a>(
         &'a self,
         problem: &'a dyn Problem,
@@ -18,38 +18,38 @@ impl Block {
         self.select_among(u64::MAX, problem, filter)
     }
 
-    /// The same among the first `most` combinations that the axes allow.
+    /// The same among the first `most` combinations that the filtered axes give.
     pub(in crate::study) fn select_among<'a>(
         &'a self,
         most: u64,
         problem: &'a dyn Problem,
         filter: &'a Filter,
     ) -> impl Iterator<Item = (u64, u64)> + 'a {
-        let kept: Vec<Vec<u64>> = self
+        let positions: Vec<Vec<u64>> = self
             .groups
             .iter()
             .map(|group| group.positions(filter))
             .collect();
         let on_axis = |row: usize| self.axes().any(|axis| axis.parameter == row);
-        let settled = filter.0.iter().all(|(row, _)| on_axis(*row));
-        let count: u64 = kept.iter().map(|kept| kept.len() as u64).product();
+        let only_axes = filter.0.iter().all(|(row, _)| on_axis(*row));
+        let count: u64 = positions.iter().map(|p| p.len() as u64).product();
         let combinations = (0..count.min(most)).map(move |number| {
             let (mut rest, mut raw, mut stride) = (number, 0, 1);
-            for (group, kept) in self.groups.iter().zip(&kept).rev() {
-                let len = kept.len() as u64;
-                raw += stride * kept[(rest % len) as usize];
+            for (group, positions) in self.groups.iter().zip(&positions).rev() {
+                let len = positions.len() as u64;
+                raw += stride * positions[(rest % len) as usize];
                 stride *= group.len();
                 rest /= len;
             }
             raw
         });
-        let chosen = combinations.filter(move |raw| {
+        let selected = combinations.filter(move |raw| {
             self.is_case(problem, *raw)
-                && (settled || filter.matches(&self.completed(problem, *raw)))
+                && (only_axes || filter.matches(&self.completed(problem, *raw)))
         });
-        // Case numbers rise with combinations, so that each is counted on from the one before.
+        // Case numbers rise with combinations. Each is counted from the previous one.
         let (mut last, mut number) = (0, 0);
-        chosen.map(move |raw| {
+        selected.map(move |raw| {
             if self.when.is_none() {
                 return (raw, raw);
             }
@@ -63,7 +63,7 @@ impl Block {
         })
     }
 
-    /// Number of combinations that `select` goes through.
+    /// Number of combinations that `select` tests.
     pub(in crate::study) fn candidates(&self, filter: &Filter) -> u64 {
         let groups = self.groups.iter();
         groups
@@ -71,55 +71,59 @@ impl Block {
             .product()
     }
 
-    /// The different values of a parameter among the cases that `filter` may choose; none where it does not apply, or
-    /// where it follows from others without an expression.
+    /// The different values of a parameter among the cases that `filter` selects; none if the parameter does not apply, or
+    /// if the problem computes it from others.
     pub(in crate::study) fn levels(
         &self,
         problem: &dyn Problem,
         filter: &Filter,
         parameter: usize,
     ) -> Vec<Value> {
-        let axis_of = |group: &Group| group.axes.iter().position(|a| a.parameter == parameter);
-        let group = self.groups.iter().find(|group| axis_of(group).is_some());
-        let varies = group.is_some_and(|group| group.len() > 1)
-            || self.derived.iter().any(|d| d.parameter == parameter);
+        let on_axis = |group: &&Group| group.len() > 1 && group.has(parameter);
+        let group = self.groups.iter().find(on_axis);
+        let derived = self.derived.iter().any(|d| d.parameter == parameter);
         let mut raws = self.select(problem, filter).map(|(raw, _)| raw);
         let value = |raw: u64| self.raw_case(problem, raw).values[parameter];
-        match (group, &self.when) {
-            _ if !varies => raws.next().and_then(value).into_iter().collect(),
-            (Some(group), None) if raws.next().is_some() => {
-                let axis = &group.axes[axis_of(group).unwrap_or(0)];
-                let kept = group.positions(filter);
-                distinct(kept.iter().map(|place| axis.values[*place as usize]))
-            }
-            (Some(_), None) => Vec::new(),
-            _ => distinct(raws.filter_map(value)),
-        }
-    }
-
-    /// Whether a parameter follows from others: by advancing together with one of them, or by an expression.
-    pub fn follows(&self, parameter: usize, from: &[usize]) -> bool {
-        let has = |group: usize, row: usize| {
-            let axes = &self.groups[group].axes;
-            axes.iter().any(|axis| axis.parameter == row)
+        let Some(group) = group else {
+            return match derived {
+                true => distinct(raws.filter_map(value)),
+                false => raws.next().and_then(value).into_iter().collect(),
+            };
         };
-        let settled =
-            |group: usize| self.groups[group].len() == 1 || from.iter().any(|row| has(group, *row));
-        let mut groups = 0..self.groups.len();
+        if self.when.is_some() {
+            return distinct(raws.filter_map(value));
+        }
+        if raws.next().is_none() {
+            return Vec::new();
+        }
+        let positions = group.positions(filter);
+        let axis = group.axes.iter().find(|axis| axis.parameter == parameter);
+        let values = axis.map_or(&[][..], |axis| &axis.values);
+        distinct(positions.iter().map(|i| values[*i as usize]))
+    }
+
+    /// Whether the parameters in `from` decide a parameter: it advances together with one of them, or has an expression of
+    /// them.
+    pub fn follows(&self, parameter: usize, from: &[usize]) -> bool {
+        let decided = |group: &Group| group.len() == 1 || from.iter().any(|row| group.has(*row));
+        let mut groups = self.groups.iter();
         match self.derived.iter().find(|d| d.parameter == parameter) {
-            Some(derived) => derived.formula.on.iter().all(|group| settled(*group)),
-            None => groups.any(|group| has(group, parameter) && settled(group)),
+            Some(derived) => {
+                let mut on = derived.formula.on.iter();
+                on.all(|group| decided(&self.groups[*group]))
+            }
+            None => groups.any(|group| group.has(parameter) && decided(group)),
         }
     }
 
-    /// Whether the study gives a parameter's values, by a list or an expression.
+    /// Whether the block gives a parameter, as a value, a list, a rule or an expression.
     pub fn gives(&self, parameter: usize) -> bool {
         self.axes().any(|axis| axis.parameter == parameter)
             || self.derived.iter().any(|d| d.parameter == parameter)
     }
 }
 
-/// The values with repetitions dropped, in their order.
+/// The values in their order, without repetitions.
 pub(in crate::study) fn distinct(values: impl Iterator<Item = Value>) -> Vec<Value> {
     let mut seen = HashSet::new();
     values
@@ -127,7 +131,7 @@ pub(in crate::study) fn distinct(values: impl Iterator<Item = Value>) -> Vec<Val
         .collect()
 }
 
-/// The numbers of the cases in all `blocks` that a filter chooses, rising.
+/// The numbers of the cases in all `blocks` that a filter selects, in rising order.
 pub(in crate::study) fn select<'a>(
     problem: &'a dyn Problem,
     blocks: &'a [Block],
@@ -136,7 +140,7 @@ pub(in crate::study) fn select<'a>(
     let mut end = 0;
     blocks.iter().enumerate().flat_map(move |(i, block)| {
         let start = end;
-        // The last block's need not be counted.
+        // The cases of the last block are not needed.
         if i + 1 < blocks.len() {
             end += block.len(problem);
         }
@@ -146,13 +150,13 @@ pub(in crate::study) fn select<'a>(
     })
 }
 
-/// Case `index` of all `blocks`, complete; `None` beyond the last.
+/// Case `index` of all `blocks`, completed; `None` beyond the last.
 pub(in crate::study) fn case(problem: &dyn Problem, blocks: &[Block], index: u64) -> Option<Case> {
     let (block, raw) = place(problem, blocks, index)?;
     Some(block.completed(problem, raw))
 }
 
-/// The block of case `index` of all `blocks`, and which combination of it the case is; `None` beyond the last.
+/// The block of case `index` of all `blocks`, and the combination of the case in it; `None` beyond the last.
 pub(super) fn place<'a>(
     problem: &dyn Problem,
     blocks: &'a [Block],

@@ -1,4 +1,4 @@
-//! The blocks of a study: one in `parameters`, or several in `blocks`.
+//! The blocks of a study: one under `parameters`, or several under `blocks`.
 
 use super::resolve::resolve;
 use super::validate::{validate, within_limit};
@@ -31,9 +31,9 @@ pub(in crate::study) fn blocks(
             let what = "the parameters of the cases, or \"blocks\" of them";
             object.missing("parameters", what, faults);
         }
-        _ => {}
+        (Some(_), None) | (None, Some(_)) => {}
     }
-    // Both are decoded even so: every fault is told at once.
+    // Both are decoded, so that every fault is reported.
     let mut drafts = Vec::new();
     if let (Some(node), Some(problem)) = (one, problem) {
         drafts.extend(draft(object, node, problem, faults));
@@ -59,7 +59,7 @@ pub(in crate::study) fn blocks(
     {
         faults.must_be(node, "blocks", "a non-empty list of blocks");
     }
-    let mut whole = faults.count() == before;
+    let mut complete = faults.count() == before;
     let key = if several.is_some() {
         "blocks"
     } else {
@@ -76,20 +76,20 @@ pub(in crate::study) fn blocks(
     for draft in &mut drafts {
         draft.sample(problem.parameters());
         let Some(block) = resolve(draft, problem, faults) else {
-            whole = false;
+            complete = false;
             continue;
         };
         validate(problem, draft, &block, faults);
         blocks.push(block);
     }
-    // A case that breaks a rule is still a case that figures and checks may mean.
-    match whole {
+    // Figures and checks may select a case that breaks a rule.
+    match complete {
         true => blocks,
         false => Vec::new(),
     }
 }
 
-/// The keys that may stand beside `parameters`, each with what it holds.
+/// The keys of a block in addition to `parameters`, each with its meaning.
 pub(in crate::study) const BLOCK_KEYS: [(&str, &str); 3] = [
     (
         "zip",
@@ -105,7 +105,7 @@ pub(in crate::study) const BLOCK_KEYS: [(&str, &str); 3] = [
     ),
 ];
 
-/// The parameters at `node` with what stands beside them in `object`.
+/// The draft of a block: the parameters at `node` and the other keys of `object`.
 fn draft(
     object: &Object,
     node: &Node,

@@ -1,4 +1,4 @@
-//! The `checks` of a study.
+//! The key `checks` of a study.
 
 use crate::problem::parameter::{Range, shortest};
 use crate::study::cases::scope::Scope;
@@ -19,7 +19,7 @@ pub(in crate::study) const KEYS: [(&str, &str); 4] = [
     ("max", "largest value allowed"),
 ];
 
-/// Decodes one check; `None` if it has a fault.
+/// Decodes a check; `None` if it has a fault.
 pub(in crate::study) fn check(
     node: &Node,
     path: &str,

@@ -29,7 +29,7 @@ use checks::check;
 use std::sync::Arc;
 use validate::MOST_CASES;
 
-/// The keys of a study, each with what it holds.
+/// The keys of a study, each with its meaning.
 pub(in crate::study) const KEYS: [(&str, &str); 10] = [
     (
         "$schema",
@@ -93,12 +93,12 @@ impl Input {
                 sha256: self.sha256(),
                 ..study
             }),
-            _ => Err(Error::Faults(faults.in_file_order(texts))),
+            Some(_) | None => Err(Error::Faults(faults.in_file_order(texts))),
         }
     }
 }
 
-/// The study at `root`, of no more than `limit` raw combinations; what it was read from is left out.
+/// The study at `root`, of at most `limit` raw combinations, without its settings and hash.
 pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Study> {
     let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
     let object = Object::open(root, "", &keys, faults)?;
@@ -113,7 +113,7 @@ pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> O
     let units = object
         .get("units")
         .and_then(|node| Units::decode(node, problem.as_deref(), faults));
-    // Without a problem the names of parameters and metrics mean nothing.
+    // The other names need the tables of the problem.
     let problem = problem?;
     let once = object
         .get("iteration")
@@ -127,14 +127,14 @@ pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> O
         once,
     };
     let metrics = scope.metrics();
-    let asked = object.items("metrics", faults, |node, path, faults| {
+    let listed = object.items("metrics", faults, |node, path, faults| {
         name(node, path, "metric", &metrics, faults)
     });
     let figures = figures(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
-    let metrics = columns(&*scope.problem, &scope.measures, &asked, &figures, &checks);
+    let metrics = columns(&*scope.problem, &scope.measures, &listed, &figures, &checks);
     Some(Study {
         title,
         problem: scope.problem,
@@ -151,23 +151,22 @@ pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> O
     })
 }
 
-/// The problem by its name; a slip is a fault, but the problem that was meant serves to find further ones.
+/// The problem by its name. A misspelt name is a fault; the nearest problem is then used to find further faults.
 fn problem(object: &Object, faults: &mut Faults) -> Option<Arc<dyn Problem>> {
     let known: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
     let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
     match (name(node, "problem", "problem", &known, faults), &node.tree) {
         (Some(row), _) => Some(PROBLEMS[row].clone()),
-        (None, Tree::Text(slip)) => problem::find(nearest(slip, &known)?),
-        _ => None,
+        (None, Tree::Text(misspelt)) => problem::find(nearest(misspelt, &known)?),
+        (None, _) => None,
     }
 }
 
-/// The metrics that every study has, that the study lists, and that a figure or check needs, in units or not, in the
-/// table's order.
+/// The metrics that are default, that the study lists, and that a figure or check needs, in the order of the table.
 fn columns(
     problem: &dyn Problem,
     measures: &[Measure],
-    asked: &[usize],
+    listed: &[usize],
     figures: &[Figure],
     checks: &[Check],
 ) -> Vec<usize> {
@@ -195,8 +194,8 @@ fn columns(
         | FigureKind::Law => Vec::new(),
     });
     let checked = checks.iter().map(|check| check.metric);
-    let listed = asked.iter().copied().chain(checked);
-    let needed = listed.chain(drawn).map(|row| measures[row].metric);
+    let named = listed.iter().copied().chain(checked);
+    let needed = named.chain(drawn).map(|row| measures[row].metric);
     let needed: Vec<usize> = needed.collect();
     let metrics = problem.metrics().iter().enumerate();
     metrics

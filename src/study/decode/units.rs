@@ -53,11 +53,11 @@ impl Units {
 /// The name of a unit: it becomes part of a column's name and of a label in markup.
 fn label(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
     let label = text(node, path, faults)?;
-    let fits = |(place, c): (usize, char)| {
+    let allowed = |(place, c): (usize, char)| {
         c == 'µ' || c.is_ascii_alphabetic() || place > 0 && c.is_ascii_digit()
     };
     let count = label.chars().count();
-    if (1..=LONGEST).contains(&count) && label.chars().enumerate().all(fits) {
+    if (1..=LONGEST).contains(&count) && label.chars().enumerate().all(allowed) {
         return Some(label);
     }
     let what =
