@@ -3,10 +3,10 @@
 use crate::problem::Problem;
 use crate::problem::unit::Dimension;
 
-/// What is wrong where a study asks for results in units without saying which.
+/// The message for results in units in a study without the key.
 pub(super) const NEEDS_UNITS: &str = "results in units need the key \"units\" of the study";
 
-/// Names of the units of a study's parameters. The program converts nothing: the units have to agree with each other.
+/// Names of the units of the parameters of a study. The program converts nothing; the units must be consistent.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Units {
     pub(super) length: String,
@@ -43,10 +43,10 @@ impl Units {
     }
 }
 
-/// What separates a metric from its unit in the name of a column; no name of a table has it.
+/// The text between metric and unit in the name of a column. No name of a table contains it.
 pub(super) const IN: &str = "_in_";
 
-/// The metric of which a column in units has the name.
+/// The metric in the name of a column in units.
 pub fn scaled(column: &str) -> Option<&str> {
     column.split_once(IN).map(|(scaled, _)| scaled)
 }

@@ -1,4 +1,4 @@
-//! One value of the study file as a number, a string or a value of a parameter.
+//! A value of the study file as a number, a string, a name or a value of a parameter.
 
 use super::expression::Formula;
 use super::source::faults::{Faults, quoted, shown, unknown};
@@ -34,7 +34,7 @@ pub(crate) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults)
     within(node, path, range, None, faults)
 }
 
-/// The same; `of` is the parameter whose value it is, if it is one.
+/// The same; `of` is its parameter, if it is the value of one.
 pub(crate) fn within(
     node: &Node,
     path: &str,
@@ -50,7 +50,7 @@ pub(crate) fn within(
     None
 }
 
-/// One of several names, by its place among them.
+/// One of several names, as its index.
 pub(crate) fn name(
     node: &Node,
     path: &str,
@@ -63,14 +63,14 @@ pub(crate) fn name(
         faults.must_be(node, path, &names);
         return None;
     };
-    let found = allowed.iter().position(|right| right == name);
+    let found = allowed.iter().position(|known| known == name);
     if found.is_none() {
         faults.add(node.at, path, unknown(what, name, allowed));
     }
     found
 }
 
-/// A value of `parameter`, by its declared kind.
+/// A value of `parameter`, by its kind.
 pub(crate) fn value(
     node: &Node,
     path: &str,
@@ -98,7 +98,7 @@ pub(crate) fn value(
     }
 }
 
-/// Nearer than this, relatively, to a whole number counts as that: 10/0.1 is 100.
+/// Relative difference below which a number counts as a whole number: 10/0.1 is 100.
 const WHOLE: f64 = 1e-9;
 
 /// A number as a value of a parameter, or what values the parameter allows.
@@ -133,26 +133,28 @@ fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) 
                 faults.add(node.at, path, format!("{}: {what}", quoted(formula)));
             }
         },
-        _ => faults.must_be(node, path, NUMBER),
+        Tree::Object(_) | Tree::List(_) | Tree::Bool(_) | Tree::Null => {
+            faults.must_be(node, path, NUMBER);
+        }
     }
     None
 }
 
-/// The sentence about a number with a unit, if the text is one; `of` is the parameter whose value it is, if it is one.
+/// The hint for a number with a unit; `None` for other texts. `of` is the parameter, if it is the value of one.
 pub(crate) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
     unit(text)?;
-    let mut sentence = "a number is written without a unit".to_owned();
+    let mut hint = "a number is written without a unit".to_owned();
     if let Some(parameter) = of {
         let name = &parameter.name;
-        sentence += &match &*parameter.unit {
+        hint += &match &*parameter.unit {
             "1" => format!("; {name} is dimensionless: {}", parameter.meaning),
             unit => format!("; {name} is in {unit}: {}", parameter.meaning),
         };
     }
-    Some(sentence)
+    Some(hint)
 }
 
-/// Where an expression of parameters belongs, if the text is one.
+/// The hint for an expression of parameters, which is not allowed here; `None` for other texts.
 fn parameters_in(text: &str) -> Option<String> {
     PROBLEMS.iter().find_map(|problem| {
         let table = problem.parameters();
@@ -168,7 +170,7 @@ fn parameters_in(text: &str) -> Option<String> {
     })
 }
 
-/// Says what a number must be; of an expression, both its text and its value.
+/// Reports a number out of range. The message has the text of an expression and its value.
 fn out_of_range(node: &Node, path: &str, x: f64, range: &str, faults: &mut Faults) {
     let mut message = format!("must be {range}, got {}", shown(node));
     if matches!(node.tree, Tree::Text(_)) {

@@ -62,7 +62,7 @@ fn condition(
     let others = table.iter().find(|p| p.name == governor).map(|p| p.kind);
     let others: Vec<&str> = match others {
         Some(Kind::Choice(choices)) => choices.iter().map(|c| c.0).collect(),
-        _ => Vec::new(),
+        Some(Kind::Number(_) | Kind::Whole { .. }) | None => Vec::new(),
     };
     let others: Vec<&str> = others.into_iter().filter(|other| *other != name).collect();
     let refused = json!({

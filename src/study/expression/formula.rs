@@ -3,32 +3,32 @@
 use crate::problem::parameter::Value;
 use crate::problem::schema::Text;
 
-/// What is wrong with an expression, and at which byte of it.
+/// A fault of an expression, and its byte offset.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExpressionFault {
     /// Byte offset in the expression.
     pub offset: usize,
-    /// What is wrong, with what was expected.
+    /// What is wrong and what is allowed.
     pub message: String,
 }
 
-/// An expression, ready to be evaluated; it cannot fail but by numbers that are not finite, or a missing value.
+/// A parsed expression. Its evaluation fails only if a number is not finite or a value is missing.
 #[derive(Debug, Clone)]
 pub struct Formula {
-    /// Each with its place in the text.
+    /// Each with its offset in the text.
     pub(super) steps: Vec<(Step, usize)>,
     pub(super) uses: Vec<usize>,
     /// Names of the parameters in `uses`.
     pub(super) names: Vec<Text>,
 }
 
-/// What is done with the stack; truth is 1 or 0.
+/// A step on the stack; true is 1, false is 0.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Step {
     Number(f64),
-    /// The value of a row of the table.
+    /// The value of the parameter in a row of the table.
     Parameter(usize),
-    /// Whether a row of the table has this name.
+    /// Whether the parameter in a row has this name.
     Is(usize, &'static str),
     One(fn(f64) -> f64),
     Two(fn(f64, f64) -> f64),
@@ -40,15 +40,15 @@ impl Formula {
         place.map_or("", |place| &self.names[place])
     }
 
-    /// Rows of the parameters it names, each once, in the order of the text.
+    /// Rows of its parameters, each once, in the order of the text.
     pub fn uses(&self) -> &[usize] {
         &self.uses
     }
 
-    /// The value, given those of the parameters it names; truth is 1 or 0.
+    /// The value for these values of the parameters; true is 1, false is 0.
     ///
     /// # Errors
-    /// A step that is not finite; a parameter without a value.
+    /// The result of a step is not finite, or a parameter has no value.
     pub fn value(&self, of: &dyn Fn(usize) -> Option<Value>) -> Result<f64, ExpressionFault> {
         let mut stack: Vec<f64> = Vec::with_capacity(8);
         for &(step, offset) in &self.steps {

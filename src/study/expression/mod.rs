@@ -1,7 +1,7 @@
 //! Arithmetic and conditions in strings: `"8*pi"`, `"gamma * n * E * A / L"`, `"-2^2"` (which is -4), `"n > 2 and dt < 0.1"`.
 //!
-//! Text is read once into steps for a stack of numbers; names of parameters get their values when it is evaluated. Own
-//! code, because the permissively licensed crates either make -2^2 four or cannot say where a fault is.
+//! A text is parsed once into steps for a stack of numbers. Parameters get their values when the steps are evaluated. The
+//! permissively licensed crates either evaluate -2^2 to 4 or do not give the place of a fault.
 
 mod formula;
 mod parser;

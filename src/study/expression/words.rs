@@ -1,4 +1,4 @@
-//! The words of expressions: operators, constants, functions and numbers.
+//! The operators, constants and functions of expressions.
 
 use crate::problem::parameter::Value;
 
@@ -32,23 +32,23 @@ pub(in crate::study) const FUNCTIONS: [(&str, Function); 13] = [
 /// An operator between two operands.
 pub(super) struct Operator {
     pub token: &'static str,
-    /// How tightly it binds what is to its left.
+    /// Binding power on the left.
     pub binds: u8,
-    /// How tightly what is to its right must bind: for a power a little less, as 2^3^2 is 2^9.
+    /// Binding power on the right: for a power one less, because 2^3^2 is 2^9.
     pub right: u8,
     pub function: fn(f64, f64) -> f64,
 }
 
-/// How tightly comparisons bind.
+/// Binding power of comparisons.
 const COMPARISON: u8 = 4;
 
 impl Operator {
-    /// Whether it makes a condition of numbers.
+    /// Whether it compares numbers.
     pub fn compares(&self) -> bool {
         self.binds == COMPARISON
     }
 
-    /// Whether it makes a condition of conditions.
+    /// Whether it joins conditions.
     pub fn joins(&self) -> bool {
         self.binds < COMPARISON
     }
@@ -68,15 +68,15 @@ const fn operator_of(
     }
 }
 
-fn truth(holds: bool) -> f64 {
-    f64::from(u8::from(holds))
+fn truth(value: bool) -> f64 {
+    f64::from(u8::from(value))
 }
 
 pub(super) fn not(x: f64) -> f64 {
     1.0 - x
 }
 
-/// Longer tokens before those they begin with.
+/// Longer tokens come before those with which they begin.
 static OPERATORS: [Operator; 16] = [
     operator_of("or", 1, 1, f64::max),
     operator_of("||", 1, 1, f64::max),
@@ -96,7 +96,7 @@ static OPERATORS: [Operator; 16] = [
     operator_of("^", 14, 13, libm::pow),
 ];
 
-/// As a `where` compares numbers.
+/// Whether two numbers are equal, as in a `where`.
 fn same(a: f64, b: f64) -> bool {
     Value::Number(a).matches(Value::Number(b))
 }

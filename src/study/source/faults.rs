@@ -1,4 +1,4 @@
-//! Faults of meaning, collected while a study is decoded, and the words they are told in.
+//! The faults found while a study is decoded, and the parts of their messages.
 
 use std::fmt::Write;
 
@@ -15,11 +15,11 @@ const LONGEST_QUOTE: usize = 60;
 #[derive(Default)]
 pub(crate) struct Faults {
     first: Vec<(usize, String, String)>,
-    /// Those beyond [`MOST_REPORTED`], which are only counted.
+    /// Number of those beyond [`MOST_REPORTED`].
     more: usize,
 }
 
-/// Most faults of a file that are reported: nobody reads more, and a large file may have millions.
+/// Most faults of a file that are reported. A large file may have millions.
 const MOST_REPORTED: usize = 10_000;
 
 impl Faults {
@@ -32,7 +32,7 @@ impl Faults {
         }
     }
 
-    /// Adds that a value is not what it must be.
+    /// Adds the fault that a value is not `what`.
     pub fn must_be(&mut self, node: &Node, path: &str, what: &str) {
         self.add(
             node.at,
@@ -41,7 +41,7 @@ impl Faults {
         );
     }
 
-    /// How many there are; the same before and after means that nothing was wrong in between.
+    /// Number of faults. If it has not changed, no fault was added.
     pub fn count(&self) -> usize {
         self.first.len() + self.more
     }
@@ -54,7 +54,7 @@ impl Faults {
             let message = format!("and {} more faults", self.more);
             self.first.push((*at, String::new(), message));
         }
-        let told = self
+        let faults = self
             .first
             .into_iter()
             .enumerate()
@@ -74,11 +74,11 @@ impl Faults {
                     shown,
                 }
             });
-        told.collect()
+        faults.collect()
     }
 }
 
-/// Faults whose lines are shown: a reader mends the first, and finding thousands of lines takes time.
+/// Most faults whose lines are shown. Finding thousands of lines takes time.
 const MOST_SHOWN: usize = 20;
 
 /// The path of `key` within `path`.
@@ -91,7 +91,7 @@ pub(crate) fn join(path: &str, key: &str) -> String {
     }
 }
 
-/// A value as a message repeats it: on one line and not too long.
+/// A value for a message: on one line and not too long.
 pub(crate) fn shown(node: &Node) -> String {
     match &node.tree {
         Tree::Object(_) => "an object".into(),
@@ -115,11 +115,11 @@ pub(crate) fn shortened(text: &str) -> String {
         short.push('…');
     }
     let written = short.escape_debug().to_string().replace("\\'", "'");
-    // What escape_debug leaves as it is.
+    // Some characters remain after escape_debug.
     printable(&written)
 }
 
-/// Says that `name` is no `what`, with what was probably meant and all that is allowed.
+/// The message that a name is not one of those allowed, with the nearest one.
 pub(crate) fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
     let mut message = format!("unknown {what} {}", quoted(name));
     if let Some(nearest) = nearest(name, allowed) {
@@ -147,11 +147,11 @@ mod tests {
         faults.add(3, "b", "late");
         faults.add(0, "a", "early");
         faults.add(3, "b", "late");
-        let told: Vec<String> = faults
+        let messages: Vec<String> = faults
             .in_file_order(Texts::new("f", "x\ny\n"))
             .iter()
             .map(ToString::to_string)
             .collect();
-        assert_eq!(told, ["f:1:1: a: early", "f:2:2: b: late"]);
+        assert_eq!(messages, ["f:1:1: a: early", "f:2:2: b: late"]);
     }
 }

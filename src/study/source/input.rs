@@ -1,4 +1,4 @@
-//! What a study is read from: its text, from a file or from standard input, and the settings of the command line.
+//! The text of a study, from a file or standard input, and the settings of the command line.
 
 use std::fs::File;
 use std::io::{Read, stdin};
@@ -11,13 +11,13 @@ use super::setting::Setting;
 use super::tree::{self, Node};
 use crate::error::{Error, Fault};
 
-/// Name of standard input in faults, as compilers write it.
+/// Name of standard input in faults.
 pub const STDIN: &str = "<stdin>";
 
-/// Most bytes of a file: lists of 10^6 values for several axes fit in.
+/// Most bytes of a file: enough for lists of 10^6 values of several axes.
 const LARGEST: u64 = 64 << 20;
 
-/// The text of a study, and what the command line changes in it.
+/// The text of a study and the settings of the command line.
 pub struct Input {
     pub(in crate::study) file: String,
     pub(in crate::study) text: String,
@@ -46,7 +46,7 @@ impl Input {
         })
     }
 
-    /// The text on standard input, under the same conditions.
+    /// The text on standard input, of the same bounded size.
     ///
     /// # Errors
     /// As of a file.
@@ -85,7 +85,7 @@ impl Input {
     }
 }
 
-/// The text of a file of bounded size; other encodings than UTF-8 are refused.
+/// The text of a file of bounded size in UTF-8.
 pub(crate) fn text_of(file: &Path) -> Result<String, Error> {
     let opened = File::open(file).map_err(Error::io("cannot read", file))?;
     bounded(opened, file)
@@ -110,12 +110,12 @@ fn bounded(from: impl Read, file: &Path) -> Result<String, Error> {
     })
 }
 
-/// The tree of a text; `file` is its name in the fault of one that is no JSON.
+/// The tree of a text; `file` is its name in faults.
 pub(crate) fn tree_of(file: &str, text: &str) -> Result<Node, Error> {
     tree::parse(text).map_err(|fault| refused(file, text, fault.at, fault.message))
 }
 
-/// The one fault of a file that is no JSON.
+/// The fault of a file that cannot be parsed.
 fn refused(file: &str, text: &str, at: usize, message: String) -> Error {
     let (_, _, line, column) = Texts::new(file, text).at(at);
     Error::Faults(vec![Fault {

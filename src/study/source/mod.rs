@@ -1,4 +1,4 @@
-//! The text of a study: read, parsed with the place of every key and value, and the faults found in it.
+//! The text of a study: reading, parsing with the place of every key and value, and reporting faults.
 
 pub(crate) mod faults;
 pub(super) mod hint;

@@ -1,6 +1,6 @@
-//! How long a number is in a text.
+//! The length of a number in a text.
 
-/// Number of bytes that the number at the beginning of `rest` takes, as in 12, .5 or 1.5e-3.
+/// Number of bytes of the number at the beginning of `rest`, as in 12, .5 or 1.5e-3.
 pub(in crate::study) fn length_of_number(rest: &[u8]) -> usize {
     let digits = |from: usize| {
         let digits = rest[from..].iter().take_while(|b| b.is_ascii_digit());

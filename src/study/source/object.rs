@@ -11,7 +11,8 @@ pub(crate) struct Object<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// Takes `node` as an object with the keys `allowed`; every other key but `//` is a fault, and so is a second equal one.
+    /// The members of `node`, which must be an object with the keys `allowed`. Every other key except `//` is a fault, and so is
+    /// a repeated key.
     pub fn open(
         node: &'a Node,
         path: &str,
@@ -53,7 +54,7 @@ impl<'a> Object<'a> {
             .map(|member| &member.node)
     }
 
-    /// The value of `key`; its absence is a fault, told with what belongs there.
+    /// The value of `key`. If it is missing, that is a fault; `what` says what the key needs.
     pub fn need(&self, key: &str, what: &str, faults: &mut Faults) -> Option<&'a Node> {
         let found = self.get(key);
         if found.is_none() {
@@ -62,7 +63,7 @@ impl<'a> Object<'a> {
         found
     }
 
-    /// Decodes the items of the list under `key`, leaving out those with a fault; no list is no items.
+    /// Decodes the items of the list under `key`, without those with a fault. Without the key there are no items.
     pub fn items<T>(
         &self,
         key: &str,
@@ -90,7 +91,7 @@ impl<'a> Object<'a> {
         faults.add(self.at, &self.path(key), format!("missing: {what}"));
     }
 
-    /// Adds a fault of the object as a whole, at the opening brace.
+    /// Adds a fault of the object, at the opening brace.
     pub fn fault(&self, message: impl Into<String>, faults: &mut Faults) {
         faults.add(self.at, &self.path, message);
     }

@@ -1,8 +1,8 @@
-//! Byte offsets of a text as line and column.
+//! Line and column of byte offsets, and the line of a text with a mark under the column.
 
 use super::plain::is_plain;
 
-/// Walks forward through a text and tells where it stands; visiting offsets in rising order costs one pass in all.
+/// A position in a text with its line and column. Offsets in rising order need one pass over the text.
 pub(crate) struct Place<'a> {
     text: &'a str,
     offset: usize,
@@ -11,7 +11,7 @@ pub(crate) struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    /// Stands at the first character.
+    /// The first character.
     pub fn start(text: &'a str) -> Place<'a> {
         Place {
             text,
@@ -42,8 +42,8 @@ impl<'a> Place<'a> {
     }
 }
 
-/// What the offsets of faults count through: a file and, one byte behind its end, the settings of the command line, each
-/// one byte behind the one before.
+/// The texts that the offsets of faults refer to: a file and the settings of the command line. Each begins one byte after the
+/// end of the text before.
 pub(crate) struct Texts<'a>(Vec<Part<'a>>);
 
 /// One of them.
@@ -55,7 +55,7 @@ struct Part<'a> {
 }
 
 impl<'a> Texts<'a> {
-    /// A file alone.
+    /// A file without settings.
     pub fn new(name: &str, text: &'a str) -> Texts<'a> {
         let mut texts = Texts(Vec::new());
         texts.push(name.to_owned(), text);
@@ -85,11 +85,13 @@ impl<'a> Texts<'a> {
     }
 }
 
-/// Most characters of a line that are shown, and how many of them before the place.
+/// Most characters of a line that are shown.
 const WIDEST: usize = 100;
+
+/// Number of them before the place.
 const BEFORE: usize = 60;
 
-/// Line `line` of a text, or the part round character `column` of a long one, and below it a caret.
+/// Line `line` of a text and a caret below character `column`. Of a long line, only the part around the column.
 pub(crate) fn shown(text: &str, line: usize, column: usize) -> String {
     let full = text.lines().nth(line - 1).unwrap_or_default();
     let count = full.chars().count();
@@ -97,7 +99,7 @@ pub(crate) fn shown(text: &str, line: usize, column: usize) -> String {
         true => (column - 1).saturating_sub(BEFORE),
         false => 0,
     };
-    // What would move the cursor becomes a space.
+    // A character that would move the cursor becomes a space.
     let plain = |c: char| if is_plain(c) { c } else { ' ' };
     let part: String = full.chars().skip(start).take(WIDEST).map(plain).collect();
     let (before, after) = (
@@ -108,7 +110,7 @@ pub(crate) fn shown(text: &str, line: usize, column: usize) -> String {
     format!("  | {before}{}{after}\n  | {blank}^", part.trim_end())
 }
 
-/// Byte offset of the byte that is number `column` (from 1) of line `line` (from 1).
+/// Offset of byte `column` of line `line`, both from 1.
 pub(crate) fn offset_of(text: &str, line: usize, column: usize) -> usize {
     let before: usize = text
         .split_inclusive('\n')
@@ -138,18 +140,18 @@ mod tests {
     fn the_place_is_shown_under_its_line() {
         assert_eq!(shown("ab\n\tcd = 1\n", 2, 4), "  |  cd = 1\n  |    ^");
         assert_eq!(shown("", 1, 1), "  | \n  | ^");
-        // Beyond the end, as for a file that is cut off.
+        // Beyond the end, as in a file that is cut off.
         assert_eq!(shown("{", 1, 2), "  | {\n  |  ^");
         let long = format!("{}x{}", "α".repeat(200), "β".repeat(300));
-        let told = shown(&long, 1, 201);
-        let lines: Vec<&str> = told.lines().collect();
+        let shown = shown(&long, 1, 201);
+        let lines: Vec<&str> = shown.lines().collect();
         assert_eq!(lines[0].chars().count(), 4 + WIDEST + 2);
         let caret = lines[1].chars().position(|c| c == '^').unwrap();
         assert_eq!(lines[0].chars().nth(caret), Some('x'));
     }
 
     #[test]
-    fn finds_the_byte_again() {
+    fn offset_of_is_the_inverse_of_line_and_column() {
         assert_eq!(offset_of("ab\ncd", 2, 2), 4);
         assert_eq!(offset_of("ab\n", 2, 0), 3);
         assert_eq!(offset_of("", 1, 0), 0);

@@ -1,8 +1,8 @@
-//! Characters that a terminal, a picture or a page would not show as they are.
+//! Characters that a terminal, a picture or a page cannot show.
 
-/// Whether a character may stand in titles, notes, labels and names of files. Control characters move a terminal's cursor
-/// or send it commands, U+2028 and U+2029 break lines, the codes of directions make a line read otherwise than it is
-/// written, and noncharacters such as U+FFFE make XML ill-formed.
+/// Whether titles, notes, labels and names of files may contain a character. Control characters move the cursor of a terminal
+/// or send it commands, U+2028 and U+2029 break lines, codes of direction change the order in which a line is read, and
+/// noncharacters such as U+FFFE make XML ill-formed.
 pub(in crate::study) fn is_plain(c: char) -> bool {
     let direction = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let line = matches!(c, '\u{2028}' | '\u{2029}');
@@ -11,13 +11,13 @@ pub(in crate::study) fn is_plain(c: char) -> bool {
     !(c.is_control() || direction || line || noncharacter)
 }
 
-/// The first character that may not stand in a text, with its name.
+/// The code of the first character that a text may not contain.
 pub fn unprintable(text: &str) -> Option<String> {
     let c = text.chars().find(|c| !is_plain(*c))?;
     Some(format!("U+{:04X}", u32::from(c)))
 }
 
-/// The text with every such character written out, as in `\u{1b}`; line ends and tabs stay.
+/// The text with every such character as an escape, as in `\u{1b}`, except line ends and tabs.
 pub fn printable(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for c in text.chars() {
@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_planes_of_unicode_are_sorted_as_the_standard_does() {
+    fn exactly_the_characters_of_the_standard_are_not_plain() {
         // Unicode 16, 23.7: 66 noncharacters; 65 control characters (C0, DEL, C1); 2 separators; 9 codes of directions.
         let all = (0..=0x0010_ffff).filter_map(char::from_u32);
         assert_eq!(all.filter(|c| !is_plain(*c)).count(), 66 + 65 + 2 + 9);
@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_to_a_terminal_does_nothing_but_show() {
+    fn control_characters_are_escaped() {
         assert_eq!(printable("a\tb\n"), "a\tb\n");
         assert_eq!(
             printable("\u{1b}[31m\u{9b}\r\u{202e}"),

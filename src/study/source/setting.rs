@@ -1,4 +1,4 @@
-//! `NAME=VALUE` from the command line: a value of a parameter that replaces what the study gives.
+//! `NAME=VALUE` of the command line: a value of a parameter that replaces the one in the study.
 
 use super::faults::{Faults, join, quoted, shortened, shown};
 use super::tree::{self, Member, Node, SyntaxFault, Tree};
@@ -12,10 +12,10 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Takes `NAME=VALUE` apart.
+    /// Parses `NAME=VALUE`.
     ///
     /// # Errors
-    /// What is wrong, where there is no `=` or no name before it.
+    /// There is no `=`, or no name before it.
     pub fn new(text: &str) -> Result<Setting, String> {
         let name = |name: &str| {
             let mut parts = name.trim().split('.');
@@ -32,12 +32,12 @@ impl Setting {
         }
     }
 
-    /// The whole text.
+    /// The text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// What stands for the file in faults: on one line and not too long.
+    /// The name of the setting in faults: on one line and not too long.
     pub(in crate::study) fn source(&self) -> String {
         let text = shortened(&self.text).replace("\\\"", "\"");
         format!("--set {text}")
@@ -47,8 +47,8 @@ impl Setting {
         self.text[..self.equals].trim()
     }
 
-    /// The value, with offsets from the first byte of the text: JSON where it is JSON, otherwise a string such as a name
-    /// or an expression.
+    /// The value, with offsets from the first byte of the text. A value that is not JSON is a string, such as a name or an
+    /// expression.
     fn value(&self) -> Result<Node, SyntaxFault> {
         let written = &self.text[self.equals + 1..];
         let trimmed = written.trim();
@@ -58,7 +58,7 @@ impl Setting {
                 node.move_by(at);
                 Ok(node)
             }
-            // No expression and no name begins like this.
+            // An expression or a name does not begin like this.
             Err(fault) if trimmed.starts_with(['[', '{', '"']) => Err(SyntaxFault {
                 at: fault.at + at,
                 message: fault.message.replace("the file ends", "the value ends"),
@@ -108,7 +108,7 @@ fn put(root: &mut Node, setting: &Setting, value: &Node, start: usize, faults: &
     }
 }
 
-/// The `parameters` of a study that are objects, each with its path; others are faults anyway.
+/// The `parameters` of a study that are objects, each with its path. Decoding reports the others.
 fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
     let mut found = Vec::new();
     let Tree::Object(members) = &mut root.tree else {
@@ -130,7 +130,7 @@ fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
     found
 }
 
-/// Whether an object has a value under the names, each within the one before.
+/// Whether an object has a value under the nested keys `names`.
 fn gives(node: &Node, names: &[&str]) -> bool {
     let Some((first, rest)) = names.split_first() else {
         return true;
@@ -139,7 +139,7 @@ fn gives(node: &Node, names: &[&str]) -> bool {
         Tree::Object(members) => members
             .iter()
             .any(|member| member.key == *first && gives(&member.node, rest)),
-        _ => false,
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
     }
 }
 

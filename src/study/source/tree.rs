@@ -1,6 +1,6 @@
-//! JSON text as a tree in which every key and value knows its place, and equal keys are all kept.
+//! JSON text as a tree with the place of every key and value. Repeated keys remain.
 //!
-//! serde_json is the only parser: it takes the text apart into raw values, whose place is where they lie in the text.
+//! serde_json is the only parser. It gives raw values, which are slices of the text; their offsets are the places.
 
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
@@ -8,7 +8,7 @@ use serde_json::value::RawValue;
 use super::hint::unit;
 use super::place::offset_of;
 
-/// Deeper than any study, shallow enough for a small stack.
+/// Most levels of nesting: more than any study needs, and few enough for a small stack.
 const DEEPEST: usize = 32;
 
 /// A value and the byte offset of its first character.
@@ -38,7 +38,7 @@ pub(crate) struct Member {
 }
 
 impl Node {
-    /// Moves it `by` bytes further on, with all that it holds.
+    /// Adds `by` bytes to the offset of the node and of everything in it.
     pub fn move_by(&mut self, by: usize) {
         self.at += by;
         match &mut self.tree {
@@ -49,7 +49,7 @@ impl Node {
                 }
             }
             Tree::List(items) => items.iter_mut().for_each(|item| item.move_by(by)),
-            _ => {}
+            Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
         }
     }
 
@@ -60,7 +60,7 @@ impl Node {
                 .iter_mut()
                 .find(|member| member.key == key)
                 .map(|member| &mut member.node),
-            _ => None,
+            Tree::List(_) | Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => None,
         }
     }
 }
@@ -72,19 +72,19 @@ pub(crate) struct SyntaxFault {
     pub message: String,
 }
 
-/// Takes a text apart, strictly by RFC 8259.
+/// Parses a text strictly by RFC 8259.
 pub(crate) fn parse(text: &str) -> Result<Node, SyntaxFault> {
     if text.trim().is_empty() {
         let message = "the file is empty; a study is a JSON object, { ... }".into();
         return Err(SyntaxFault { at: 0, message });
     }
-    // Every fault but a half surrogate pair is found here, without recursion, however deep the text is nested.
-    let whole: &RawValue = serde_json::from_str(text).map_err(|e| syntax(text, text, &e))?;
-    grow(text, whole.get(), 0)
+    // This finds every fault except half a surrogate pair, without recursion for any depth.
+    let root: &RawValue = serde_json::from_str(text).map_err(|e| syntax(text, text, &e))?;
+    build(text, root.get(), 0)
 }
 
 /// The node of `part`, a value within `text`.
-fn grow(text: &str, part: &str, depth: usize) -> Result<Node, SyntaxFault> {
+fn build(text: &str, part: &str, depth: usize) -> Result<Node, SyntaxFault> {
     let at = offset_within(text, part);
     if depth > DEEPEST {
         let message = format!("nested more than {DEEPEST} levels deep; allowed: at most {DEEPEST}");
@@ -97,9 +97,9 @@ fn grow(text: &str, part: &str, depth: usize) -> Result<Node, SyntaxFault> {
             let mut members = Vec::with_capacity(raw.len());
             let mut end = at + 1;
             for (key, value) in raw {
-                // Only blanks and a comma lie between the value before and the quote that opens the key.
+                // Between the previous value and the quote of the key there are only blanks and a comma.
                 let key_at = end + text[end..].find('"').unwrap_or(0);
-                let node = grow(text, value.get(), depth + 1)?;
+                let node = build(text, value.get(), depth + 1)?;
                 end = node.at + value.get().len();
                 members.push(Member {
                     key,
@@ -111,7 +111,7 @@ fn grow(text: &str, part: &str, depth: usize) -> Result<Node, SyntaxFault> {
         }
         Some(b'[') => {
             let raw: Vec<&RawValue> = serde_json::from_str(part).map_err(bad)?;
-            let items = raw.iter().map(|item| grow(text, item.get(), depth + 1));
+            let items = raw.iter().map(|item| build(text, item.get(), depth + 1));
             Tree::List(items.collect::<Result<_, _>>()?)
         }
         Some(b'"') => Tree::Text(serde_json::from_str(part).map_err(bad)?),
@@ -123,12 +123,12 @@ fn grow(text: &str, part: &str, depth: usize) -> Result<Node, SyntaxFault> {
     Ok(Node { at, tree })
 }
 
-/// Where `part`, a slice of `text`, begins.
+/// The offset of `part`, a slice of `text`.
 fn offset_within(text: &str, part: &str) -> usize {
     part.as_ptr() as usize - text.as_ptr() as usize
 }
 
-/// Keys and raw values in file order, equal keys kept.
+/// Keys and raw values in file order, with repeated keys.
 struct Members<'a>(Vec<(String, &'a RawValue)>);
 
 impl<'de> Deserialize<'de> for Members<'de> {
@@ -153,7 +153,7 @@ impl<'de> Deserialize<'de> for Members<'de> {
     }
 }
 
-/// serde_json's fault of `part`, with its place in the whole text and, where the text shows what was meant, a hint.
+/// The fault that serde_json found in `part`, with its offset in the text and a hint, if there is one.
 fn syntax(text: &str, part: &str, error: &serde_json::Error) -> SyntaxFault {
     let start = offset_within(text, part);
     if error.is_eof() {
@@ -164,7 +164,7 @@ fn syntax(text: &str, part: &str, error: &serde_json::Error) -> SyntaxFault {
     let reason = reason(error);
     let mut at = start + offset_of(part, error.line(), error.column());
     if reason.starts_with("control character") {
-        // Of these alone serde_json names the place before.
+        // Only for these, serde_json gives the place before.
         at += 1;
     }
     while !text.is_char_boundary(at) {
@@ -177,16 +177,16 @@ fn syntax(text: &str, part: &str, error: &serde_json::Error) -> SyntaxFault {
     SyntaxFault { at, message }
 }
 
-/// What serde_json says, without its own line and column.
+/// The message of serde_json without its line and column.
 fn reason(error: &serde_json::Error) -> String {
-    let said = error.to_string();
-    match said.rfind(" at line ") {
-        Some(end) => said[..end].to_owned(),
-        None => said,
+    let message = error.to_string();
+    match message.rfind(" at line ") {
+        Some(end) => message[..end].to_owned(),
+        None => message,
     }
 }
 
-/// What to write instead, told by the reason and the text before and at the fault.
+/// What to write instead, from the reason and the text before and at the fault.
 fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
     let found = rest.chars().next()?;
     let number = "numbers are written as in 0.5, 5 or 1e-3";
@@ -215,7 +215,7 @@ fn hint(reason: &str, before: &str, rest: &str) -> Option<&'static str> {
     })
 }
 
-/// Whether a number stands before the fault and a unit at it.
+/// Whether a number is before the fault and a unit at it.
 fn has_unit(before: &str, rest: &str) -> bool {
     let word = rest.split([',', '}', ']', '\n']).next().unwrap_or_default();
     before.ends_with(|c: char| c.is_ascii_digit()) && unit(&format!("1 {word}")).is_some()
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn places_and_equal_keys_are_kept() {
+    fn places_and_repeated_keys_remain() {
         let node = parse("  {\"α\" : 1e999,\r\n\"α\":[ -0 ,null]}\n").unwrap();
         let list = Tree::List(vec![
             number(25, "-0"),
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_json_is_refused_at_its_place() {
+    fn text_that_is_not_json_is_refused_at_its_place() {
         for (text, at, says) in [
             ("", 0, "empty"),
             (" \n ", 0, "empty"),

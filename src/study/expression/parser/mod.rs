@@ -1,4 +1,4 @@
-//! A Pratt parser: from text to the steps of a formula, and what each part of it is.
+//! A Pratt parser: from a text to the steps of a formula.
 
 mod operand;
 
@@ -8,33 +8,33 @@ use crate::problem::parameter;
 use crate::problem::parameter::Parameter;
 use crate::study::source::faults::unknown;
 
-/// Deeper than any formula that a person writes.
+/// Most levels of nesting.
 const DEEPEST: usize = 100;
 
-/// What an operand is.
+/// The kind of an operand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Number,
     Truth,
-    /// The name that a row of the table has in the case.
+    /// The name of the parameter in a row of the table.
     Choice(usize),
     /// A name in quotes, at these bytes of the text.
     Quoted(usize, usize),
 }
 
 impl Formula {
-    /// Reads a number; names are those of `table`, pi and e.
+    /// Parses a number. Names are parameters of `table`, pi and e.
     pub fn number(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
         parse(text, table, Kind::Number)
     }
 
-    /// Reads a condition: comparisons joined by `and`, `or`, `not`.
+    /// Parses a condition: comparisons joined by `and`, `or`, `not`.
     pub fn condition(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
         parse(text, table, Kind::Truth)
     }
 }
 
-/// Reads the whole of `text`, which must be of `kind`.
+/// Parses `text`, which must be of `kind`.
 fn parse(text: &str, table: &[Parameter], kind: Kind) -> Result<Formula, ExpressionFault> {
     let mut parser = Parser {
         text,
@@ -59,7 +59,7 @@ fn parse(text: &str, table: &[Parameter], kind: Kind) -> Result<Formula, Express
         None => {
             let message = match kind {
                 Kind::Truth => "must be a condition, as in \"n > 2\"",
-                _ => "must be a number",
+                Kind::Number | Kind::Choice(_) | Kind::Quoted(..) => "must be a number",
             };
             Err(fault(0, message))
         }
@@ -81,7 +81,7 @@ struct Parser<'a> {
     table: &'a [Parameter],
     offset: usize,
     depth: usize,
-    /// The token read last, to name what an operand is missing after.
+    /// The last token, for the message about a missing operand.
     last: Option<&'a str>,
     steps: Vec<(Step, usize)>,
     uses: Vec<usize>,
@@ -113,7 +113,7 @@ impl<'a> Parser<'a> {
         self.steps.push((step, at));
     }
 
-    /// An operand and all operators after it that bind more tightly than `least`.
+    /// An operand and all operators after it with a binding power above `least`.
     fn operand_and_operators(&mut self, least: u8) -> Outcome {
         if self.depth == DEEPEST {
             return Err(self.fault(format!("nested more than {DEEPEST} deep")));
@@ -141,7 +141,7 @@ impl<'a> Parser<'a> {
         Ok(kind)
     }
 
-    /// What an operator makes of what stands on its two sides.
+    /// Applies an operator to its two operands.
     fn joined(
         &mut self,
         left: Kind,

@@ -1,4 +1,4 @@
-//! What stands between operators: numbers, names, calls, and anything in parentheses.
+//! Operands: numbers, names, calls of functions, and expressions in parentheses.
 
 use std::f64::consts::{E, PI};
 
@@ -9,10 +9,10 @@ use crate::study::expression::words::{self, CONSTANTS, FUNCTIONS, Function};
 use crate::study::source::faults::unknown;
 use crate::study::source::number::length_of_number;
 
-/// How tightly signs bind: more than a product, less than a power.
+/// Binding power of signs: above a product, below a power.
 const SIGN: u8 = 13;
 
-/// How tightly `not` binds: more than `and`, less than a comparison.
+/// Binding power of `not`: above `and`, below a comparison.
 const NOT: u8 = 3;
 
 impl Parser<'_> {
@@ -152,7 +152,9 @@ impl Parser<'_> {
         let at = self.offset;
         match self.operand_and_operators(0)? {
             Kind::Number => Ok(()),
-            _ => Err(fault(at, format!("{name} needs numbers"))),
+            Kind::Truth | Kind::Choice(_) | Kind::Quoted(..) => {
+                Err(fault(at, format!("{name} needs numbers")))
+            }
         }
     }
 

@@ -1,4 +1,4 @@
-//! What was probably meant by a name that is not known: the nearest name, a synonym, or something that is not modelled.
+//! Hints for an unknown name: the nearest name, a synonym, or a quantity that is not modelled.
 
 mod words;
 
@@ -6,10 +6,10 @@ use crate::study::source::number::length_of_number;
 use crate::study::units::{NEEDS_UNITS, scaled};
 use words::{OUTSIDE, SCALED, SYNONYMS, UNITS};
 
-/// Longer than any right name: comparing would only cost time.
+/// Most bytes of a name that is compared with others. Every valid name is shorter.
 const LONGEST: usize = 100;
 
-/// The sentence about a name that means something this program does not model, or that its equations are scaled by.
+/// The hint for a quantity that this program does not model, or that its equations are scaled by.
 pub(in crate::study) fn outside(name: &str, allowed: &[&str]) -> Option<String> {
     let in_units = |name: &str| scaled(name).is_some_and(|metric| allowed.contains(&metric));
     if in_units(name) && !allowed.iter().any(|known| in_units(known)) {
@@ -33,13 +33,13 @@ pub(in crate::study) fn outside(name: &str, allowed: &[&str]) -> Option<String> 
     })
 }
 
-/// The name that was probably meant: a synonym, a near misspelling, or one the beginning of the other.
+/// The name that was probably intended: a synonym, a near misspelling, or a name that begins with the other.
 pub(in crate::study) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     if name.len() > LONGEST {
         return None;
     }
-    if let Some(meant) = synonym(&plain(name), allowed) {
-        return Some(meant);
+    if let Some(intended) = synonym(&plain(name), allowed) {
+        return Some(intended);
     }
     if outside(name, allowed).is_some() {
         return None;
@@ -48,13 +48,13 @@ pub(in crate::study) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&
 }
 
 fn synonym<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    let (_, meant) = SYNONYMS.iter().find(|(words, _)| words.contains(&name))?;
+    let (_, names) = SYNONYMS.iter().find(|(words, _)| words.contains(&name))?;
     let found = |right: &&str| allowed.iter().find(|known| *known == right).copied();
-    meant.iter().find_map(found)
+    names.iter().find_map(found)
 }
 
-/// The name with the fewest letters wrong, left out, added or exchanged: at most none for two letters, one for up to six,
-/// two for more. The first letter is hardly ever wrong, but may be exchanged with the second.
+/// The name with the fewest letters wrong, missing, added or exchanged: at most one for three to six letters, two for more,
+/// none for fewer. The first letter must be right, or exchanged with the second.
 fn misspelt<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     let mut first = name.chars();
     let (first, second) = (first.next()?, first.next());
@@ -74,7 +74,8 @@ fn misspelt<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
         .map(|(_, right)| right)
 }
 
-/// The name that begins with this one, if one is the shortest of all that do; or the longest that this one begins with.
+/// The shortest of the names that begin with this one, if all others begin with it; otherwise the longest name with which
+/// this one begins.
 fn begun<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     if name.chars().count() < LEAST_BEGUN {
         return None;
@@ -95,13 +96,13 @@ fn begun<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     shorter.max_by_key(|right| right.len()).copied()
 }
 
-/// Fewest letters of a beginning.
+/// Fewest letters of such a beginning.
 const LEAST_BEGUN: usize = 3;
 
-/// A name without what is often written otherwise: capitals, `_`, `-`, `.` and blanks.
+/// A name in small letters without `_`, `-`, `.` and blanks, which are often written differently.
 fn plain(name: &str) -> String {
-    let kept = |c: &char| !matches!(c, '_' | '-' | '.' | ' ');
-    name.to_lowercase().chars().filter(kept).collect()
+    let compared = |c: &char| !matches!(c, '_' | '-' | '.' | ' ');
+    name.to_lowercase().chars().filter(compared).collect()
 }
 
 /// The unit that follows a number, as in `0.05 s` or `7850 kg/m^3`.
@@ -129,14 +130,14 @@ mod tests {
     }
 
     #[test]
-    fn slips_are_answered_by_what_was_meant_or_not_at_all() {
+    fn a_misspelt_name_has_the_intended_one_as_hint_or_none() {
         let (friction, bars) = (&names(0)[..], &names(1)[..]);
         let rules = &RULES.map(|rule| rule.0)[..];
         let laws = &["displacement-control", "velocity-control"][..];
         let keys = &crate::study::decode::KEYS.map(|key| key.0)[..];
         let metrics = &["peak_force", "peak_error", "rms_error", "rms_error_law"][..];
-        for (slip, allowed, meant) in [
-            // Wrong, left out, added, exchanged.
+        for (misspelt, allowed, intended) in [
+            // Wrong, missing, added, exchanged.
             ("alpa", friction, Some("alpha")),
             ("alpha1", friction, Some("alpha")),
             ("aplha", friction, Some("alpha")),
@@ -182,15 +183,15 @@ mod tests {
             ("", laws, None),
             ("_", laws, None),
         ] {
-            assert_eq!(nearest(slip, allowed), meant, "{slip}");
+            assert_eq!(nearest(misspelt, allowed), intended, "{misspelt}");
         }
         assert_eq!(nearest(&"alpha".repeat(1000), friction), None);
     }
 
     #[test]
-    fn what_is_not_modelled_is_answered_by_a_sentence() {
+    fn a_quantity_that_is_not_modelled_has_a_hint() {
         let (friction, bars) = (&names(0)[..], &names(1)[..]);
-        for (name, allowed, what) in [
+        for (name, allowed, hint) in [
             ("zeta", friction, Some("does not model damping;")),
             ("damping_ratio", bars, Some("does not model damping;")),
             ("forcing", friction, Some("does not model applied forces;")),
@@ -207,9 +208,9 @@ mod tests {
             ("beta1", friction, None),
         ] {
             let found = outside(name, allowed);
-            match what {
-                Some(what) => assert!(
-                    found.as_ref().is_some_and(|f| f.contains(what)),
+            match hint {
+                Some(hint) => assert!(
+                    found.as_ref().is_some_and(|f| f.contains(hint)),
                     "{name}: {found:?}"
                 ),
                 None => assert_eq!(found, None, "{name}"),
@@ -218,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn words_of_the_tables_are_as_names_are_compared() {
+    fn words_of_the_tables_are_written_as_names_are_compared() {
         let words = SYNONYMS.iter().flat_map(|row| row.0);
         let outside = OUTSIDE.iter().flat_map(|row| row.0);
         for word in words.chain(outside).chain(SCALED) {
@@ -231,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn units_are_told_from_other_text() {
+    fn units_are_distinguished_from_other_text() {
         for (text, expected) in [
             ("0.05 s", Some("s")),
             ("0.05s", Some("s")),

@@ -1,8 +1,6 @@
-//! The tables of words that users bring from other programs. Words are written as `super::plain` writes them: without
-//! capitals, `_`, `-`, `.` and blanks.
+//! Words of other programs. They are written as `super::plain` writes them: without capitals, `_`, `-`, `.` and blanks.
 
-/// Other words for names, as other programs have them, each with the names it may mean; the first that is allowed is
-/// meant.
+/// Synonyms of names, each with the names that it may refer to. The first of them that is allowed is used.
 pub(in crate::study) const SYNONYMS: &[(&[&str], &[&str])] = &[
     (
         &["logspace", "logrange", "geometric", "geom"],
@@ -53,7 +51,7 @@ pub(in crate::study) const SYNONYMS: &[(&[&str], &[&str])] = &[
     (&["filter", "select"], &["where", "when"]),
 ];
 
-/// What this program does not model, by the words for it.
+/// Words for quantities that this program does not model, and the quantity.
 pub(in crate::study) const OUTSIDE: &[(&[&str], &str)] = &[
     (
         &[
@@ -105,7 +103,7 @@ pub(in crate::study) const OUTSIDE: &[(&[&str], &str)] = &[
     (&["poisson", "poissonratio"], "lateral strain"),
 ];
 
-/// What the equations of the friction oscillator, which has `alpha`, are scaled by.
+/// Words for the scales of the friction oscillator, which has the parameter `alpha`.
 pub(in crate::study) const SCALED: &[&str] = &[
     "mu",
     "nu",
