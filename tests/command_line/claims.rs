@@ -96,7 +96,7 @@ fn an_undefined_value_does_not_hold() {
 
 #[test]
 fn faults_have_their_place_and_nothing_is_written() {
-    for (from, to, told) in [
+    for (from, to, message) in [
         ("rms_error", "rms_eror", "did you mean \"rms_error\"?"),
         ("\"fig\"", "\"nofig\"", "no study"),
         ("\"history\"", "\"histry\"", "unknown figure"),
@@ -117,7 +117,7 @@ fn faults_have_their_place_and_nothing_is_written() {
         let bench = bench(&[("studies/fig.json", STUDY), ("claims/a.json", &text)]);
         let done = bench.run(&["claims"]);
         assert_eq!(done.code, Some(2), "{to}: {}", done.err);
-        assert!(done.err.contains(told), "{to}: {}", done.err);
+        assert!(done.err.contains(message), "{to}: {}", done.err);
         assert!(done.err.contains("claims/a.json:"), "{}", done.err);
         assert!(!bench.path("figures").exists());
     }
@@ -148,7 +148,7 @@ fn holds(study: &str, expect: &str) -> bool {
 }
 
 #[test]
-fn a_profile_is_judged_where_it_is_further_from_every_front() {
+fn a_profile_is_tested_away_from_every_front() {
     // The profiles are those of an independent program (tests/data/impact.json, 50 digits): velocity at the nodes from the
     // left bar's free end on. Exact: 1 ahead of the front in the left bar, 0 behind it, -1 once it has come back; the
     // front is at |x| = 2 t, from the free end on at 2 - 2 t. At T_I/2 it is the free end itself.
@@ -195,7 +195,7 @@ fn a_profile_is_judged_where_it_is_further_from_every_front() {
 }
 
 #[test]
-fn a_later_impact_is_judged_by_what_it_is_off_over_the_flights() {
+fn a_later_impact_is_tested_by_its_error_over_the_flights() {
     // tests/reference/claims.py, second_impacts: one bar between two walls, full matrices. Printed to 8 digits.
     let study = IMPACT
         .replace("\"gamma\": 1, ", "")
@@ -216,9 +216,9 @@ fn a_later_impact_is_judged_by_what_it_is_off_over_the_flights() {
 }
 
 #[test]
-fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
+fn an_invalid_later_event_is_a_fault() {
     let study = IMPACT.replace(", \"k_I\": 0", "");
-    for (study, expect, told) in [
+    for (study, expect, message) in [
         (
             STUDY,
             r#"{ "later": "closing_speed", "flights": [1], "max": 1 }"#,
@@ -261,6 +261,6 @@ fn a_later_event_that_cannot_be_asked_for_is_a_fault() {
         ]);
         let done = bench.run(&["claims"]);
         assert_eq!(done.code, Some(2), "{expect}: {}", done.err);
-        assert!(done.err.contains(told), "{expect}: {}", done.err);
+        assert!(done.err.contains(message), "{expect}: {}", done.err);
     }
 }

@@ -9,7 +9,7 @@ fn what_changed_comes_largest_first_and_ends_with_5() {
     bench.file("deep/t.json", friction(TWO, ""));
     bench.expect(0, &["run", "s.json", "--out", "a"]);
     bench.expect(0, &["run", "deep/t.json", "--out", "a/deep"]);
-    // The cases the other way round are the same cases.
+    // The same cases in another order.
     let turned = TWO.replace("[0.1, 1]", "[1, 0.1]");
     bench.file("s.json", friction(&turned, ""));
     bench.expect(0, &["run", "s.json", "--out", "b"]);
@@ -18,10 +18,10 @@ fn what_changed_comes_largest_first_and_ends_with_5() {
         bench.expect(0, &["compare", "a", "b"]).err,
         "2 studies equal, 0 different\n"
     );
-    // Of the store alone.
+    // With only the store.
     std::fs::remove_file(bench.path("b/s/results.csv")).unwrap();
     bench.expect(0, &["compare", "a/s", "b/s"]);
-    // A finer step moves every metric; one of another case is left alone.
+    // A finer step moves every metric; the other cases stay equal.
     let finer = turned.replace("\"pi/10\"", "[\"pi/10\", \"pi/20\"]");
     bench.file("s.json", friction(&finer, ""));
     bench.expect(0, &["run", "s.json", "--out", "b"]);

@@ -10,7 +10,7 @@ use crate::study::axes::design;
 use crate::study::axes::interval::INTERVALS;
 use crate::study::decode::blocks::BLOCK_KEYS;
 use crate::study::decode::{self, checks, units};
-use crate::study::expression::words::{CONSTANTS, FUNCTIONS};
+use crate::study::expression::tokens::{CONSTANTS, FUNCTIONS};
 use crate::study::figure::keys::{COMMON, Key};
 use crate::study::figure::kinds::KINDS;
 

@@ -7,6 +7,6 @@ mod formula;
 mod parser;
 #[cfg(test)]
 mod tests;
-pub(super) mod words;
+pub(super) mod tokens;
 
 pub use formula::{ExpressionFault, Formula};

@@ -3,7 +3,7 @@
 mod operand;
 
 use super::formula::{ExpressionFault, Formula, Step};
-use super::words;
+use super::tokens;
 use crate::problem::parameter;
 use crate::problem::parameter::Parameter;
 use crate::study::source::faults::unknown;
@@ -122,7 +122,7 @@ impl<'a> Parser<'a> {
         let mut kind = self.operand()?;
         let mut compared = false;
         while self.peek().is_some() {
-            let Some(operator) = words::operator(&self.text[self.offset..]) else {
+            let Some(operator) = tokens::operator(&self.text[self.offset..]) else {
                 break;
             };
             if operator.binds <= least {
@@ -145,7 +145,7 @@ impl<'a> Parser<'a> {
     fn joined(
         &mut self,
         left: Kind,
-        operator: &words::Operator,
+        operator: &tokens::Operator,
         right: Kind,
         at: usize,
     ) -> Outcome {
@@ -193,7 +193,7 @@ impl<'a> Parser<'a> {
         };
         self.step(Step::Is(row, known), at);
         if token == "!=" {
-            self.step(Step::One(words::not), at);
+            self.step(Step::One(tokens::not), at);
         }
         Ok(Kind::Truth)
     }

@@ -5,7 +5,7 @@ use std::f64::consts::{E, PI};
 use super::{Kind, Outcome, Parser, fault};
 use crate::problem::parameter;
 use crate::study::expression::formula::{ExpressionFault, Step};
-use crate::study::expression::words::{self, CONSTANTS, FUNCTIONS, Function};
+use crate::study::expression::tokens::{self, CONSTANTS, FUNCTIONS, Function};
 use crate::study::source::faults::unknown;
 use crate::study::source::number::length_of_number;
 
@@ -59,7 +59,7 @@ impl Parser<'_> {
         if self.operand_and_operators(NOT)? != Kind::Truth {
             return Err(fault(at, "not needs a condition"));
         }
-        self.step(Step::One(words::not), at);
+        self.step(Step::One(tokens::not), at);
         Ok(Kind::Truth)
     }
 
