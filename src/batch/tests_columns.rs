@@ -11,6 +11,7 @@ use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Problem, Schema, Solution, Violation};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::study::{Axis, Block, Group, Study, parse};
+use crate::system::System;
 use std::sync::Arc;
 
 /// The friction oscillator with a parameter that has a default and a column only if it is given.
@@ -35,6 +36,9 @@ impl Problem for Extended {
     }
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         FrictionOscillator.complete(case)
+    }
+    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        FrictionOscillator.system(case)
     }
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         FrictionOscillator.solve(case, wanted)

@@ -10,8 +10,8 @@ use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::{self, cells};
-use crate::solve::sweep::LaneCase;
-use crate::solve::{self, ContactTrack, MetricTable, Unsolvable};
+use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
+use crate::system::System;
 use case::{FrictionLaw, LANES, OscillatorCase};
 use std::sync::Arc;
 use tables::{METRICS, SCHEMA, rows};
@@ -30,6 +30,10 @@ impl Problem for FrictionOscillator {
             return Vec::new();
         };
         time_rules("dT", step, duration)
+    }
+
+    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        Ok(self.lane_case(case)?.system())
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -60,7 +64,7 @@ impl Problem for FrictionOscillator {
 
 impl FrictionOscillator {
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
-        OscillatorCase::new(case, self.steps(case)).ok_or(Unsolvable::ParameterMissing)
+        OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }
 
     /// The computed and the exact history, with the metrics; `work` over |x0|.

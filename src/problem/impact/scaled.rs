@@ -4,7 +4,9 @@
 //! The left bar's mass is then (1 + z)/4, z = Z1/Z2, the right bar's theta/z of it, theta = T_2/T_1, and the spring's
 //! stiffness gamma n (1 + z). For like bars z = theta = 1 exactly: density and speed never reach the solver.
 
+use super::law::law;
 use super::tables::rows;
+use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
 use crate::problem::Case;
 use crate::system::BarPair;
@@ -22,6 +24,8 @@ pub struct Scaled {
     pub bars: Bars,
     /// Stiffness of the impact spring.
     pub spring: f64,
+    /// The contact law.
+    pub law: ContactLaw,
     /// L_R/L, for drawings; zero for a wall.
     pub length_ratio: f64,
 }
@@ -66,6 +70,7 @@ impl Scaled {
         } else {
             None
         };
+        let spring = case.at(rows::GAMMA)? * n * (1.0 + z);
         Some(Scaled {
             pair: BarPair {
                 left,
@@ -77,7 +82,8 @@ impl Scaled {
                 time_ratio: theta,
                 gap: case.at(rows::GAP)?,
             },
-            spring: case.at(rows::GAMMA)? * n * (1.0 + z),
+            spring,
+            law: law(case, spring)?,
             length_ratio: length,
         })
     }

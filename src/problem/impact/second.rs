@@ -30,7 +30,7 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if scaled.pair.right.is_some() && !scaled.pair.equal() {
         return [None; 2];
     }
-    let Some((mut stepper, law)) = solve::start::<1, Vec<_>>(&[system(scaled, dt, 0)]) else {
+    let Some((mut stepper, law)) = solve::start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]) else {
         return [None; 2];
     };
     let parted = 0.5 * scaled.bars.gap + CONTACT;
@@ -99,6 +99,7 @@ fn behind(stepper: &Stepper) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
@@ -125,6 +126,9 @@ mod tests {
                 gap,
             },
             spring: gamma * f64::from(n) * 4.0 * mass,
+            law: ContactLaw::ImpactSpring(ImpactSpring {
+                stiffness: gamma * f64::from(n) * 4.0 * mass,
+            }),
             length_ratio: 1.0,
         }
     }

@@ -10,7 +10,7 @@ pub(super) mod validate;
 use std::path::Path;
 
 use crate::error::Error;
-use crate::problem::{self, Budget, PROBLEMS, Problem};
+use crate::problem::{self, PROBLEMS, Problem};
 use crate::study::cases::scope::Scope;
 use crate::study::figure::figures;
 use crate::study::measure::{self, Measure};
@@ -23,7 +23,7 @@ use crate::study::source::setting;
 use crate::study::source::tree::{Node, Tree};
 use crate::study::units::Units;
 use crate::study::value::{self, name};
-use crate::study::{Check, Column, Figure, FigureKind, Study};
+use crate::study::{Check, Figure, Study};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use std::sync::Arc;
@@ -170,29 +170,8 @@ fn columns(
     figures: &[Figure],
     checks: &[Check],
 ) -> Vec<usize> {
-    let drawn = figures.iter().flat_map(|figure| match &figure.kind {
-        FigureKind::Metric { y, .. }
-        | FigureKind::Convergence { y, .. }
-        | FigureKind::Sobol { y } => y.clone(),
-        FigureKind::Map { z, .. } => vec![*z],
-        FigureKind::Scatter { x, y, colour, .. } => {
-            let columns = [Some(x), Some(y), colour.as_ref()];
-            let metric = |column: &Column| match column {
-                Column::Metric(row) => Some(*row),
-                Column::Parameter(_) => None,
-            };
-            columns.into_iter().flatten().filter_map(metric).collect()
-        }
-        FigureKind::Samples { y, .. } => vec![*y],
-        FigureKind::Budget { y, .. } => {
-            let budgets = y.iter().map(|row| &problem.schema().budgets[*row]);
-            budgets.flat_map(Budget::metrics).collect()
-        }
-        FigureKind::History { .. }
-        | FigureKind::Profile { .. }
-        | FigureKind::Wave { .. }
-        | FigureKind::Law => Vec::new(),
-    });
+    let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
+    let drawn = figures.iter().flat_map(shown);
     let checked = checks.iter().map(|check| check.metric);
     let named = listed.iter().copied().chain(checked);
     let needed = named.chain(drawn).map(|row| measures[row].metric);

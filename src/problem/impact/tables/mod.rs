@@ -6,13 +6,13 @@ mod parameters;
 pub(super) use metrics::{BUDGET, REFERENCE};
 pub(super) use parameters::rows;
 
-use super::second;
+use super::{law, second};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::{Dimension, Unit};
 use crate::problem::{Channel, Profile, Quantity, Schema};
 use metrics::{BUDGETS, MAX_OVERLAP, METRICS};
 use parameters::PARAMETERS;
-use std::borrow::Cow::Borrowed;
+use std::borrow::Cow::{Borrowed, Owned};
 use std::sync::{Arc, LazyLock};
 
 /// The scales of an impact.
@@ -85,7 +85,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
         ),
-        parameters: Borrowed(&PARAMETERS),
+        parameters: Owned(PARAMETERS.iter().chain(&law::PARAMETERS).cloned().collect()),
         metrics: Borrowed(&METRICS),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),
