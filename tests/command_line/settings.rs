@@ -260,7 +260,7 @@ fn faults_of_what_is_set_have_their_places() {
             "w.json",
             "right.L=2",
             &[
-                "--set right.L=2:1:1: parameters.right: must be an object to take \"L\", got \"wall\"",
+                "--set right.L=2:1:1: parameters.right: must be an object with the key \"L\", got \"wall\"",
             ],
         ),
         // What no longer fits in the file is a fault of the file.

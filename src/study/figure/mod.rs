@@ -1,9 +1,10 @@
 //! The `figures` of a study.
 
 mod checker;
+pub(super) mod extent;
 pub(super) mod keys;
 pub mod kinds;
-pub(super) mod limits;
+mod limits;
 mod sampled;
 pub(super) mod taken;
 mod vary;

@@ -157,7 +157,7 @@ fn insert(
     };
     if !matches!(node.tree, Tree::Object(_)) {
         let message = format!(
-            "must be an object to take {}, got {}",
+            "must be an object with the key {}, got {}",
             quoted(&names.join(".")),
             shown(node)
         );
