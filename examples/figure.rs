@@ -29,7 +29,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         })
         .collect();
     let sheet = sheet(&study, &study.figures[0], &drawn);
-    let (vector, pixels) = (svg(&sheet, 192)?, png(&sheet, 192)?);
+    let dots_per_inch = 192;
+    let (vector, pixels) = (svg(&sheet, dots_per_inch)?, png(&sheet, dots_per_inch)?);
 
     // One panel for each quantity.
     assert_eq!(sheet.panels.len(), 2);

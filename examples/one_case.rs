@@ -8,7 +8,7 @@ use slipgap::problem::{Case, find};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let problem = find("friction-oscillator").ok_or("no such problem")?;
     let alpha = 0.1;
-    let (case, broken) = Case::given(
+    let (case, broken_rules) = Case::given(
         &*problem,
         &[
             ("law", Value::Name("displacement-control")),
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             ("duration", Value::Number(25.0)),
         ],
     );
-    assert!(broken.is_empty(), "the case breaks a rule: {broken:?}");
+    assert!(broken_rules.is_empty(), "{broken_rules:?}");
     let solution = problem.solve(&case, &[])?;
 
     println!("{:>8} {:>12} {:>12}", "T", "X", "X exact");
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
 
-    // Coulomb's motion rests at X = 0 from 6 pi on. The model then vibrates on the spring of its contact, of width alpha.
+    // Coulomb's motion rests at X = 0 from 6 pi on. The model then vibrates on the spring of its friction element.
     let last = computed.displacement().last().ok_or("no step")?;
     assert!(last.abs() < 2.0 * alpha, "X = {last} at the end");
     Ok(())

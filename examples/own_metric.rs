@@ -1,4 +1,4 @@
-//! An own metric: the path that the mass slides until it rests, for narrower and narrower friction models.
+//! A metric of your own: the path that the mass slides until it rests, for narrower and narrower friction models.
 //!
 //! Run with `cargo run --example own_metric`.
 

@@ -10,6 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         r#"{ "problem": "bar-impact",
              "parameters": { "gamma": {"geomspace": [0.1, 10, 100]}, "n": 20, "dt": 0.001, "duration": 1.5 } }"#,
     )?;
+    // All combinations of the study, as columns of parameters, and the numbers of the cases to be solved.
     let (_, cases) = study.columns(0, study.raw_len());
     let rows: Vec<u32> = (0..cases.len() as u32).collect();
     let table = study.problem.sweep(&cases, &rows);

@@ -7,6 +7,7 @@ pub mod impact;
 pub mod parameter;
 pub mod schema;
 mod solution;
+mod text;
 pub mod unit;
 
 pub use case::{Case, Violation};

@@ -1,6 +1,6 @@
 //! The table that decoding, schema, columns, `explain` and the documentation read: one row a parameter.
 
-use super::schema::{Text, text};
+use super::text::{Text, text};
 use std::fmt;
 
 /// One parameter of a problem.

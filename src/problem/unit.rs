@@ -1,6 +1,6 @@
 //! The units of scaled results, and what they measure.
 
-use super::schema::Text;
+use super::text::Text;
 
 /// What a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

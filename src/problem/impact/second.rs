@@ -9,12 +9,7 @@ use super::case::system;
 use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeStart;
-use crate::problem::schema::Text;
 use crate::solve::{self, Stepper};
-use std::borrow::Cow::Borrowed;
-
-/// The numbers that [`second`] gives, in its order; each is 1 in the exact solution.
-pub static QUANTITIES: [Text; 2] = [Borrowed("closing_speed"), Borrowed("rebound_speed")];
 
 /// T_I, the exact contact's duration in both impacts.
 const CONTACT: f64 = 1.0;

@@ -1,6 +1,6 @@
 //! The fonts of a PDF file: of each embedded font the glyphs that the page shows, with their widths and characters.
 
-use super::objects::compressed;
+use super::compressed::compressed;
 use crate::error::Error;
 use crate::figures::text::font::{self, Glyph};
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};

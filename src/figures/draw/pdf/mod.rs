@@ -1,5 +1,6 @@
 //! The drawing backend behind PDF files: vector paths, and text in subsets of the embedded fonts.
 
+mod compressed;
 mod fonts;
 mod objects;
 

@@ -1,12 +1,10 @@
 //! The objects of a PDF file: catalog, page, fonts, images. Without dates and identifiers, so that equal pages are equal
 //! files.
 
+use super::compressed::compressed;
 use super::fonts::Fonts;
 use crate::error::Error;
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, TextStr};
-use std::io::Write;
 
 /// An image on the page.
 pub struct Picture {
@@ -85,12 +83,4 @@ pub fn file(
     resources.finish();
     sheet.finish();
     Ok(pdf.finish())
-}
-
-/// Bytes as zlib has them.
-pub fn compressed(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
-    // Writing to memory cannot fail.
-    let _ = encoder.write_all(bytes);
-    encoder.finish().unwrap_or_default()
 }

@@ -6,7 +6,7 @@ mod parameters;
 pub(super) use metrics::{BUDGET, REFERENCE};
 pub(super) use parameters::rows;
 
-use super::{law, second};
+use super::law;
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::{Dimension, Unit};
 use crate::problem::{Channel, Profile, Quantity, Schema};
@@ -54,6 +54,9 @@ static UNITS: [Unit; 4] = [
     unit(Dimension::Force, "F0", "/*F*_0_"),
 ];
 
+/// What `Problem::after` gives, in its order; each is 1 in the exact solution.
+static LATER: [Text; 2] = [Borrowed("closing_speed"), Borrowed("rebound_speed")];
+
 static CHANNELS: [Channel; 3] = [
     Channel::with_exact("r", Dimension::Length),
     Channel::with_exact("rdot", Dimension::Velocity),
@@ -100,7 +103,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
             in_pi: false,
         },
         place_title: Borrowed("*x*/*L*"),
-        later: Borrowed(&second::QUANTITIES),
+        later: Borrowed(&LATER),
         scales: Borrowed(&SCALES),
         units: Borrowed(&UNITS),
         alternatives: Borrowed(&[[Borrowed("gamma"), Borrowed("k_I")]]),
