@@ -57,7 +57,7 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 	cargo test --locked --test torture -- --ignored --nocapture --test-threads 2
 
 # A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
-# `make mutants PART=study ONLY=spread` those of its lines as `cargo mutants --list` names them that match a pattern.
+# `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a pattern.
 # What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
 PART = numbers batch study figures claims recommend
 ONLY = .
@@ -67,11 +67,11 @@ noticed_numbers = --test budget --test budget_impact --test chain --test frictio
   --test sweep --test two_forms --test two_forms_impact
 changed_batch = -f 'src/batch/**' -f src/indices.rs -f src/compare.rs
 noticed_batch = --test command_line
-changed_study = -f 'src/study/**' -e 'src/study/ledger/**' -e 'src/study/describe/**'
+changed_study = -f 'src/study/**' -e 'src/study/describe/**'
 noticed_study = --test bad_studies --test study_language --test every_case --test command_line
 changed_figures = -f 'src/figures/**'
 noticed_figures = --test report
-changed_claims = -f 'src/claims/**' -f 'src/study/ledger/**' -f src/checks.rs
+changed_claims = -f 'src/claims/**' -f src/checks.rs
 noticed_claims = --test command_line --test findings
 changed_recommend = -f 'src/recommend/**'
 noticed_recommend = --test recommend

@@ -1,4 +1,4 @@
-//! Tolerances: each check of a study held against every case it names.
+//! The checks of a study: limits of metrics, tested for every case that they apply to.
 
 use crate::batch::Outcome;
 use crate::problem::Case;
@@ -12,7 +12,7 @@ pub struct Verdict {
     pub case: u64,
     /// Name of the metric.
     pub metric: String,
-    /// Its value; `None` where it is undefined, which fails.
+    /// Its value; `None` if it is undefined, which fails.
     pub value: Option<f64>,
     /// Smallest value allowed.
     pub min: Option<f64>,
@@ -21,7 +21,7 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Whether the value lies within the limits.
+    /// Whether the value is within the limits.
     pub fn holds(&self) -> bool {
         self.value.is_some_and(|x| {
             self.min.is_none_or(|min| x >= min) && self.max.is_none_or(|max| x <= max)
@@ -30,7 +30,7 @@ impl Verdict {
 }
 
 impl Verdict {
-    /// The limits in words.
+    /// The limits as text.
     pub fn limits(&self) -> String {
         match (self.min, self.max) {
             (Some(min), Some(max)) => format!("{} .. {}", shortest(min), shortest(max)),
@@ -41,15 +41,15 @@ impl Verdict {
     }
 }
 
-/// The checks of the study that name a case, by their place in the file, each with the value that it judges.
-pub fn judged(
+/// The checks that apply to a case, by their index in the study, each with the value that it tests.
+pub fn applicable(
     study: &Study,
     case: &Case,
     value: impl Fn(usize) -> Option<f64>,
 ) -> impl Iterator<Item = (usize, Option<f64>)> {
-    let named = study.checks.iter().enumerate();
-    let named = named.filter(|(_, check)| check.filter.matches(case));
-    named.map(move |(i, check)| (i, value(check.metric).filter(|x| !x.is_nan())))
+    let checks = study.checks.iter().enumerate();
+    let applicable = checks.filter(|(_, check)| check.filter.matches(case));
+    applicable.map(move |(i, check)| (i, value(check.metric).filter(|x| !x.is_nan())))
 }
 
 /// The verdict of a check of the study on a case.
@@ -64,8 +64,8 @@ pub fn verdict(study: &Study, check: usize, case: u64, value: Option<f64>) -> Ve
     }
 }
 
-/// Holds every check of the study that names a case against it, each with its place in the file.
+/// Adds the verdict of every check that applies to a case, with the index of the check in the study.
 pub fn judge(study: &Study, number: u64, outcome: &Outcome, verdicts: &mut Vec<(usize, Verdict)>) {
-    let values = judged(study, &outcome.case, |metric| outcome.metrics[metric]);
+    let values = applicable(study, &outcome.case, |metric| outcome.metrics[metric]);
     verdicts.extend(values.map(|(check, value)| (check, verdict(study, check, number, value))));
 }

@@ -1,8 +1,10 @@
-//! Two tables of results of one study, held against each other: case by case, metric by metric.
+//! Comparison of two tables of results, case by case and metric by metric.
 
-use std::collections::{BTreeMap, HashMap};
+use std::borrow::Cow;
+use std::collections::HashMap;
 use std::sync::Arc;
 
+use crate::problem::parameter::{self, ColumnRule, Parameter};
 use crate::problem::{PROBLEMS, Problem};
 use crate::study::units::scaled;
 
@@ -11,7 +13,7 @@ use crate::study::units::scaled;
 pub struct Rows {
     /// Names of the columns.
     pub columns: Vec<String>,
-    /// Cells, in the order of the columns; empty where there is no value.
+    /// Cells, in the order of the columns; empty if there is no value.
     pub rows: Vec<Vec<String>>,
 }
 
@@ -23,31 +25,31 @@ impl Rows {
     }
 }
 
-/// What became of one metric.
+/// The differences of one metric.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {
     /// The column.
     pub metric: String,
-    /// Number of cases that differ by more than the tolerance, or have a value on one side alone.
+    /// Number of cases that differ by more than the tolerance, or have a value on one side only.
     pub cases: usize,
-    /// The largest difference: relative to the larger of both magnitudes; infinite where one side has no value.
+    /// The largest difference, relative to the larger magnitude; infinite if one side has no value.
     pub largest: f64,
-    /// Number of the case where it is, on the first side.
+    /// Number of its case on the first side.
     pub case: String,
     /// The two cells.
     pub cells: [String; 2],
 }
 
-/// What two tables differ in.
+/// The differences of two tables.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Comparison {
     /// Metrics that changed beyond the tolerance, the largest difference first.
     pub changes: Vec<Change>,
     /// Cases that both have.
     pub common: usize,
-    /// Cases of the first side alone, and of the second.
+    /// Cases on the first side only, and on the second.
     pub alone: [usize; 2],
-    /// Metrics of the first side alone, and of the second; those in the units of a study are not counted.
+    /// Metrics on the first side only, and on the second; those in the units of a study are not counted.
     pub columns: [Vec<String>; 2],
 }
 
@@ -58,38 +60,37 @@ impl Comparison {
     }
 }
 
-/// Compares two tables; cases are the same where all their parameters are, whatever their numbers. `None` where the
-/// columns are not those of a problem, or of two problems.
-pub fn compare(a: &Rows, b: &Rows, tolerance: f64) -> Option<Comparison> {
-    let has = |rows: &Rows, name: &str| rows.columns.iter().any(|column| column == name);
-    let of = |rows: &Rows| {
-        let all =
-            |problem: &&Arc<dyn Problem>| problem.parameters().iter().all(|p| has(rows, &p.name));
-        PROBLEMS.iter().find(all).cloned()
+/// The problem whose parameters are columns of a table: a guess for folders without a problem in the manifest.
+pub fn problem_of_columns(columns: &[String]) -> Option<Arc<dyn Problem>> {
+    let has_all = |problem: &&Arc<dyn Problem>| {
+        let mut table = problem.parameters().iter();
+        table.all(|p| p.column == ColumnRule::IfGiven || columns.iter().any(|c| *c == p.name))
     };
-    let problem = of(a)?;
-    if of(b)?.name() != problem.name() {
-        return None;
-    }
+    PROBLEMS.iter().find(has_all).cloned()
+}
+
+/// Compares two tables of a problem. Cases are the same if all their parameters are the same; their numbers may differ. A
+/// parameter without a column has its default in every case.
+pub fn compare(problem: &dyn Problem, a: &Rows, b: &Rows, tolerance: f64) -> Comparison {
+    let has = |rows: &Rows, name: &str| rows.columns.iter().any(|column| column == name);
     let is_metric =
         |name: &&String| **name != "case" && problem.parameters().iter().all(|p| p.name != **name);
     let metrics =
         |rows: &Rows| -> Vec<String> { rows.columns.iter().filter(is_metric).cloned().collect() };
     let only = |one: &Rows, other: &Rows| {
         let mut only = metrics(one);
-        // What is worked out from other columns is no difference of its own.
+        // A column in units follows from another column.
         only.retain(|name| !has(other, name) && scaled(name).is_none());
         only
     };
-    let names: Vec<&str> = problem.parameters().iter().map(|p| &*p.name).collect();
-    let (keys_a, keys_b) = (keys(a, &names), keys(b, &names));
-    let mut waiting: HashMap<&[&str], Vec<usize>> = HashMap::new();
+    let (keys_a, keys_b) = (keys(problem, a), keys(problem, b));
+    let mut unmatched: HashMap<&[Cow<str>], Vec<usize>> = HashMap::new();
     for (row, key) in keys_b.iter().enumerate().rev() {
-        waiting.entry(key).or_default().push(row);
+        unmatched.entry(key).or_default().push(row);
     }
     let mut partners: Vec<Option<usize>> = Vec::new();
     for key in &keys_a {
-        partners.push(waiting.get_mut(key.as_slice()).and_then(Vec::pop));
+        partners.push(unmatched.get_mut(key.as_slice()).and_then(Vec::pop));
     }
     let common = partners.iter().flatten().count();
     let mut comparison = Comparison {
@@ -129,24 +130,44 @@ pub fn compare(a: &Rows, b: &Rows, tolerance: f64) -> Option<Comparison> {
     }
     let by_size = |x: &Change, y: &Change| y.largest.total_cmp(&x.largest);
     comparison.changes.sort_by(by_size);
-    Some(comparison)
+    comparison
 }
 
-/// The cells of each row's parameters.
-fn keys<'a>(rows: &'a Rows, names: &[&str]) -> Vec<Vec<&'a str>> {
-    let places: BTreeMap<&str, usize> = rows
-        .columns
-        .iter()
-        .enumerate()
-        .map(|(place, name)| (name.as_str(), place))
-        .collect();
+/// The values of the parameters in each row, as text.
+fn keys<'a>(problem: &dyn Problem, rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> {
+    let place = |name: &str| rows.columns.iter().position(|column| column == name);
+    let table = problem.parameters().iter();
+    let places: Vec<(&Parameter, Option<usize>)> = table.map(|p| (p, place(&p.name))).collect();
     let key = |row: &'a Vec<String>| {
-        names
-            .iter()
-            .map(|name| row[places[name]].as_str())
-            .collect()
+        let mut key: Vec<Cow<str>> = Vec::new();
+        for (parameter, place) in &places {
+            key.push(match place {
+                Some(place) => Cow::Borrowed(&row[*place]),
+                None => Cow::Owned(default_of(parameter, &key, &places)),
+            });
+        }
+        key
     };
     rows.rows.iter().map(key).collect()
+}
+
+/// The default of a parameter as text; empty if it has none or does not apply. A name that decides whether it applies is
+/// earlier in the table, so that `key` has it.
+fn default_of(
+    parameter: &Parameter,
+    key: &[Cow<str>],
+    table: &[(&Parameter, Option<usize>)],
+) -> String {
+    let applies = parameter.applies.as_ref().is_none_or(|(governor, name)| {
+        let mut known = key.iter().zip(table);
+        known.any(|(value, (other, _))| other.name == *governor && value == name)
+    });
+    match &parameter.default {
+        parameter::Default::Is(value) if applies => value.to_string(),
+        parameter::Default::Is(_)
+        | parameter::Default::Required
+        | parameter::Default::Follows(_) => String::new(),
+    }
 }
 
 /// By how much two cells differ, relative to the larger magnitude.
@@ -192,10 +213,11 @@ mod tests {
     }
 
     #[test]
-    fn cases_are_found_by_their_parameters_and_changes_come_largest_first() {
+    fn cases_are_matched_by_their_parameters_and_changes_come_largest_first() {
         let a = table(&[("1", "2.0", "3"), ("2", "1", "4"), ("3", "", "5")]);
         let b = table(&[("2", "1", "4.4"), ("1", "2", "6"), ("4", "7", "7")]);
-        let found = compare(&a, &b, 0.1).unwrap();
+        let problem = find("friction-oscillator").unwrap();
+        let found = compare(&*problem, &a, &b, 0.1);
         assert_eq!((found.common, found.alone), (2, [1, 1]));
         let [change] = &found.changes[..] else {
             panic!("{found:?}")
@@ -204,20 +226,50 @@ mod tests {
         assert_eq!((change.metric.as_str(), change.cases), ("max_error", 1));
         assert_eq!((change.largest, change.case.as_str()), (0.5, "0"));
         assert_eq!(change.cells, ["3", "6"]);
-        assert!(!found.same() && compare(&a, &a, 0.0).unwrap().same());
+        assert!(!found.same() && compare(&*problem, &a, &a, 0.0).same());
     }
 
     #[test]
-    fn a_value_on_one_side_alone_is_the_largest_change() {
+    fn a_value_on_one_side_only_is_the_largest_change() {
         let a = table(&[("1", "", "1"), ("1", "2", "1")]);
         let b = table(&[("1", "1", "1.5"), ("1", "2", "1")]);
-        let found = compare(&a, &b, 0.0).unwrap();
-        let told: Vec<(&str, f64)> = found
+        let problem = find("friction-oscillator").unwrap();
+        let found = compare(&*problem, &a, &b, 0.0);
+        let largest: Vec<(&str, f64)> = found
             .changes
             .iter()
             .map(|c| (c.metric.as_str(), c.largest))
             .collect();
-        assert_eq!(told[0], ("rms_error", f64::INFINITY));
-        assert!((told[1].1 - 1.0 / 3.0).abs() < 1e-15);
+        assert_eq!(largest[0], ("rms_error", f64::INFINITY));
+        assert!((largest[1].1 - 1.0 / 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_parameter_without_a_column_has_its_default() {
+        let problem = find("friction-oscillator").unwrap();
+        let place = |rows: &Rows, name: &str| rows.columns.iter().position(|c| c == name).unwrap();
+        // Three cases that differ in x0 only; the default of x0 is 12.
+        let mut with = table(&[("1", "2", "3"), ("1", "4", "5"), ("1", "6", "7")]);
+        let x0 = place(&with, "x0");
+        for (row, value) in with.rows.iter_mut().zip(["9", "12", "13"]) {
+            row[x0] = value.into();
+        }
+        let mut without = table(&[("1", "4", "5")]);
+        without.columns.remove(x0);
+        without.rows[0].remove(x0);
+        for (a, b, only) in [(&with, &without, [2, 0]), (&without, &with, [0, 2])] {
+            let found = compare(&*problem, a, b, 0.0);
+            assert_eq!((found.common, found.alone), (1, only));
+            assert_eq!(found.changes, []);
+        }
+    }
+
+    #[test]
+    fn columns_name_a_problem_only_if_all_its_parameters_are_there() {
+        let mut columns = table(&[]).columns;
+        let name = |columns: &[String]| problem_of_columns(columns).map(|p| p.name().to_owned());
+        assert_eq!(name(&columns).as_deref(), Some("friction-oscillator"));
+        columns.retain(|column| column != "alpha");
+        assert_eq!(name(&columns), None);
     }
 }

@@ -1,16 +1,18 @@
-//! Studies that say something impossible: each fault at its line and column, all of them at once, and never a panic.
+//! Faulty studies: every fault is reported at its line and column, and none leads to a panic.
 
 use proptest::prelude::*;
 use slipgap::error::Error;
 use slipgap::study::{parse, read};
 
-/// What `parse` says of a text, one line a fault, without the file's name.
+/// The faults of a text, one line each, without the name of the file.
 fn faults(text: &str) -> Vec<String> {
     match parse("s.json", text) {
         Ok(_) => Vec::new(),
         Err(Error::Faults(faults)) => {
-            let told = faults.iter().map(ToString::to_string);
-            told.map(|line| line.replacen("s.json:", "", 1)).collect()
+            let messages = faults.iter().map(ToString::to_string);
+            messages
+                .map(|line| line.replacen("s.json:", "", 1))
+                .collect()
         }
         Err(other) => vec![format!("another error: {other}")],
     }
@@ -36,7 +38,7 @@ fn assert_faults(text: &str, expected: &[&str]) {
     assert!(fit, "{text}\nfound {found:#?}\nexpected {expected:#?}");
 }
 
-/// One parameter on the fourth line beside what is required.
+/// One parameter on the fourth line in addition to the required ones.
 #[track_caller]
 fn assert_parameter(given: &str, expected: &str) {
     let rest = "\"law\": \"displacement-control\", \"dT\": 0.1, \"duration\": 9";
@@ -44,7 +46,7 @@ fn assert_parameter(given: &str, expected: &str) {
 }
 
 #[test]
-fn expressions_of_parameters_stand_alone() {
+fn an_expression_of_parameters_is_a_single_value() {
     let alone = "names n; an expression with names of parameters is allowed only as the single value of a parameter";
     let bars = |dt: &str| {
         format!(
@@ -62,7 +64,7 @@ fn expressions_of_parameters_stand_alone() {
         assert_faults(&bars(dt), &[&format!("{at}{alone}")]);
     }
     assert_faults(&bars("\"0.3/n\""), &[]);
-    // A slip stays a slip.
+    // A misspelt name stays a fault.
     let found = faults(&bars("[\"0.3/sqr(2)\"]"));
     assert!(
         found[0].contains("unknown name \"sqr\", did you mean \"sqrt\"?"),
@@ -103,7 +105,7 @@ fn characters_that_would_not_be_shown_are_refused() {
             let at = if key == "title" { "7:10" } else { "7:9" };
             assert_faults(&figure(key), &[&format!("{at}: figures[0].{key}: {what}")]);
         }
-        // As a key, or where a name is wanted, it is told in a message that shows it written out.
+        // In a key or a name, the message shows the character as an escape.
         for found in faults(&with(
             &format!("{GOOD}, \"{text}\": 1"),
             &format!(", \"problem\": \"{text}\""),
@@ -140,10 +142,11 @@ fn a_condition_is_tried_for_every_combination() {
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), text).unwrap();
     let input = slipgap::study::Input::of_file(file.path()).unwrap();
-    let told = input.study(u64::MAX).unwrap_err().to_string();
+    let message = input.study(u64::MAX).unwrap_err().to_string();
     assert!(
-        told.contains("must be tested for 1000000000000 combinations; allowed: at most 1000000000"),
-        "{told}"
+        message
+            .contains("must be tested for 1000000000000 combinations; allowed: at most 1000000000"),
+        "{message}"
     );
 }
 
@@ -176,7 +179,7 @@ fn ends_that_no_double_lies_between_are_refused() {
 }
 
 #[test]
-fn many_faults_are_counted_and_not_all_told() {
+fn many_faults_are_counted_and_not_all_reported() {
     let many = vec!["-1"; 10_100].join(", ");
     let text = with(
         &format!(
@@ -467,14 +470,14 @@ fn the_whole() {
     );
 }
 
-/// A study of bars with these parameters and what stands beside them.
-fn bars(parameters: &str, beside: &str) -> String {
+/// A study of bars with these parameters and other keys.
+fn bars(parameters: &str, other_keys: &str) -> String {
     format!(
-        "{{\"problem\": \"bar-impact\", \"parameters\":\n{{\"gamma\": 1, \"duration\": 1.5, {parameters}}}{beside}}}"
+        "{{\"problem\": \"bar-impact\", \"parameters\":\n{{\"gamma\": 1, \"duration\": 1.5, {parameters}}}{other_keys}}}"
     )
 }
 
-/// Each `§` stands before a value with a fault, in the order of those expected.
+/// Each `§` is before a value with a fault, in the order of the expected ones.
 #[track_caller]
 fn assert_marked(text: &str, expected: &[&str]) {
     let (mut line, mut column, mut marks) = (1, 1, Vec::new());
@@ -550,7 +553,7 @@ fn expressions_of_parameters() {
 #[test]
 fn groups_and_conditions() {
     let axes = r#""n": [2, 4, 8], "dt": [0.1, 0.2, 0.3], "gap": [0, 1], "mass": "lumped""#;
-    for (beside, expected) in [
+    for (other_keys, expected) in [
         (
             r#""zip": §3"#,
             &["zip: must be a list of lists of parameters"][..],
@@ -590,7 +593,7 @@ fn groups_and_conditions() {
             &["blocks: cannot be given together with \"parameters\""],
         ),
     ] {
-        assert_marked(&bars(axes, &format!(",{beside}")), expected);
+        assert_marked(&bars(axes, &format!(",{other_keys}")), expected);
     }
     assert_marked(
         "{\"problem\": \"bar-impact\", \"blocks\": [{\"parameters\": {\"gamma\": 1, \"n\": 2, \"dt\": 0.1, \"duration\": 1}}],\n\"when\": §\"n > 1\"}",
@@ -600,7 +603,7 @@ fn groups_and_conditions() {
 
 #[test]
 fn designs() {
-    for (parameters, beside, expected) in [
+    for (parameters, other_keys, expected) in [
         (
             r#""n": §{"uniform": [2, 40]}, "dt": §{"loguniform": [0.01, 0.1]}"#,
             "",
@@ -646,7 +649,7 @@ fn designs() {
             &["design: samples nothing"],
         ),
     ] {
-        assert_marked(&bars(parameters, beside), expected);
+        assert_marked(&bars(parameters, other_keys), expected);
     }
     let late = faults(&bars(
         r#""n": {"uniform": [2, 40]}, "dt": {"uniform": [0.1, 2]}"#,
@@ -989,7 +992,7 @@ fn whole_study() -> String {
     )
 }
 
-/// A study with everything that stands beside parameters, for mutations as well.
+/// A study with every other key of a block, for mutations as well.
 const LANGUAGE: &str = r#"{ "problem": "bar-impact", "blocks": [
   { "parameters": { "gamma": [0.5, 1, 2], "n": [2, 4, 8], "dt": "0.1/max(n, 2)", "gap": {"range": [0, 1, 0.5]}, "duration": "1 + dt",
     "mass": ["lumped", "consistent"] }, "zip": [["gamma", "n"]], "when": "gap < 0.75 and (n != 4 or mass == 'lumped')" },
@@ -1102,7 +1105,7 @@ const WORDS: &[&str] = &[
     "[1, 2, 3, 4, 5, 6, 7, 8, 9]",
 ];
 
-/// Strings, numbers and what lies between them.
+/// Strings, numbers and the text between them.
 fn words(text: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let (mut quoted, mut number) = (false, false);

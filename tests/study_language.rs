@@ -1,14 +1,14 @@
-//! What a study's axes, groups, expressions, conditions and designs stand for: against lists written out.
+//! Axes, groups, expressions, conditions and designs of studies, compared with lists of their cases.
 
 use slipgap::problem::Case;
 use slipgap::problem::cases::Column;
 use slipgap::problem::parameter::Value;
 use slipgap::study::{Filter, Study, parse};
 
-/// A study of bars with these parameters, and what stands beside them.
-fn study(parameters: &str, beside: &str) -> Study {
+/// A study of bars with these parameters and other keys.
+fn study(parameters: &str, other_keys: &str) -> Study {
     let text = format!(
-        r#"{{"problem": "bar-impact", "parameters": {{"duration": 1.5, {parameters}}}{beside}}}"#
+        r#"{{"problem": "bar-impact", "parameters": {{"duration": 1.5, {parameters}}}{other_keys}}}"#
     );
     parse("s.json", &text).unwrap_or_else(|e| panic!("{text}\n{e}"))
 }
@@ -25,7 +25,7 @@ fn numbers(study: &Study, names: &[&str]) -> Vec<Vec<f64>> {
 
 #[test]
 fn expressions_follow_the_parameters_they_name() {
-    // In any order, through each other, through defaults (E A/L = 10), and as whole numbers: 100 * 0.07 is not 7.
+    // In any order, by each other, by defaults (E A/L = 10), and as whole numbers: 100 * 0.07 is not 7.
     let study = study(
         r#""dt": "0.5/n", "k_I": "g2 * n * E * A / L", "n": "100*x + 1", "gap": [0.07, 0.02]"#
             .replace("g2", "(2 + gap)")
@@ -46,7 +46,7 @@ fn expressions_follow_the_parameters_they_name() {
 }
 
 #[test]
-fn a_group_advances_together_where_its_first_member_stands() {
+fn a_group_advances_together_at_the_place_of_its_first_member() {
     let axes = r#""gamma": [1, 2], "n": [2, 4, 8], "gap": [0, 1], "dt": [0.1, 0.2, 0.3]"#;
     let study = study(axes, r#", "zip": [["dt", "n"]]"#);
     let mut expected = Vec::new();
@@ -71,21 +71,21 @@ fn a_condition_drops_combinations_and_numbers_those_left() {
         dt <= 0.5 / n && (gamma != 2.0 || case.choice("mass") == "lumped") || n == 60.0
     };
     let all: Vec<Case> = self::study(axes, "").cases().collect();
-    let told = |case: &Case| format!("{:?}", case.values);
-    let expected: Vec<String> = all.iter().filter(|case| met(case)).map(told).collect();
+    let values = |case: &Case| format!("{:?}", case.values);
+    let expected: Vec<String> = all.iter().filter(|case| met(case)).map(values).collect();
     assert!(expected.len() > 4096 && expected.len() < all.len());
     assert_eq!(study.len(), expected.len() as u64);
     assert_eq!(study.raw_len(), all.len() as u64);
-    let found: Vec<String> = study.cases().map(|case| told(&case)).collect();
+    let found: Vec<String> = study.cases().map(|case| values(&case)).collect();
     assert_eq!(found, expected);
     for index in [0, 1, 4000, 4097, expected.len() - 1] {
         let case = study.case(index as u64).unwrap();
-        assert_eq!(told(&case), expected[index], "{index}");
+        assert_eq!(values(&case), expected[index], "{index}");
     }
     assert!(study.case(study.len()).is_none());
     let (first, columns) = study.columns(0, study.raw_len());
     let mut shown = columns.shown();
-    let columns: Vec<String> = (0..columns.len()).map(|i| told(shown.at(i))).collect();
+    let columns: Vec<String> = (0..columns.len()).map(|i| values(shown.at(i))).collect();
     assert_eq!((first, &columns), (0, &expected));
     // Ranges of raw combinations have the cases among them, with their numbers.
     let mut pieces = Vec::new();
@@ -93,7 +93,7 @@ fn a_condition_drops_combinations_and_numbers_those_left() {
         pieces.extend(
             study
                 .range(start, start + 777)
-                .map(|(n, case)| (n, told(&case))),
+                .map(|(n, case)| (n, values(&case))),
         );
     }
     let numbered: Vec<(u64, String)> = (0..).zip(expected.clone()).collect();
@@ -146,12 +146,13 @@ fn blocks_with_conditions_follow_one_another() {
 }
 
 #[test]
-fn designs_fill_their_ranges_beside_a_grid() {
+fn designs_fill_their_ranges_in_addition_to_a_grid() {
     let parameters = r#""gamma": {"loguniform": [0.01, 100]}, "mass": ["lumped", "consistent"], "n": {"uniform": [3, 6]}, "dt": "0.1/n""#;
     for kind in ["latin-hypercube", "sobol"] {
         let design = |seed: u32| {
-            let beside = format!(r#", "design": {{"kind": "{kind}", "n": 400, "seed": {seed}}}"#);
-            study(parameters, &beside)
+            let other_keys =
+                format!(r#", "design": {{"kind": "{kind}", "n": 400, "seed": {seed}}}"#);
+            study(parameters, &other_keys)
         };
         let study = design(1);
         assert_eq!(study.len(), 800);
@@ -186,7 +187,7 @@ fn a_saltelli_design_has_n_times_k_plus_2_cases() {
 
 #[test]
 fn a_million_cases_are_made_one_at_a_time() {
-    // Every case by its number, none of them kept.
+    // Every case by its number.
     let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
         "beta": {"geomspace": [0.001, 10, 1000]}, "dT": {"geomspace": [0.001, 1, 1000]}, "duration": "100*dT", "x0": 12}}"#;
     let study = parse("s.json", text).unwrap();
@@ -199,13 +200,13 @@ fn a_million_cases_are_made_one_at_a_time() {
 }
 
 #[test]
-fn a_stiffness_may_be_said_beside_the_one_it_follows_from() {
+fn a_stiffness_may_be_given_together_with_its_alternative() {
     let axes = r#""gamma": [0.3, 1, 7], "n": [2, 10], "dt": "0.5 / n""#;
-    let said = study(&format!(r#"{axes}, "k_I": "gamma * n * E * A / L""#), "");
-    let left = study(axes, "");
+    let given = study(&format!(r#"{axes}, "k_I": "gamma * n * E * A / L""#), "");
+    let computed = study(axes, "");
     let columns = ["gamma", "k_I", "n", "dt"];
-    assert_eq!(numbers(&said, &columns), numbers(&left, &columns));
-    // The other way round, and by another that it names.
+    assert_eq!(numbers(&given, &columns), numbers(&computed, &columns));
+    // In the other direction, and through another parameter.
     let turned = study(
         r#""k_I": [30, 100], "n": 10, "dt": 0.1, "gamma": "gap * L / (n*E*A)", "gap": "k_I""#,
         "",

@@ -1,7 +1,7 @@
 //! Keys: everything that determines the results of a part. Stored results are used again only if their key is the same.
 
 use crate::problem::cases::{Cases, Column};
-use crate::problem::parameter::Value;
+use crate::problem::parameter::{ColumnRule, Value};
 use crate::study::Study;
 use std::fmt;
 use twox_hash::XxHash3_128;
@@ -31,8 +31,12 @@ impl Key {
         let mut bytes = Vec::new();
         bytes.extend(first.to_le_bytes());
         bytes.extend(cases.len().to_le_bytes());
-        for column in cases.columns() {
-            match column {
+        let table = study.problem.parameters();
+        for row in study.parameter_columns() {
+            if table[row].column == ColumnRule::IfGiven {
+                bytes.extend(table[row].name.as_bytes());
+            }
+            match &cases.columns()[row] {
                 Column::Same(value) => {
                     bytes.push(0);
                     push_value(&mut bytes, *value);

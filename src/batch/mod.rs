@@ -9,6 +9,8 @@ pub mod output;
 mod part_result;
 mod run_part;
 pub mod store;
+#[cfg(test)]
+mod tests_columns;
 mod units;
 pub mod work_progress;
 

@@ -1,21 +1,21 @@
-//! One reading against the cases it names.
+//! The test of a reading by the cases of its study.
 
 use super::Finding;
+use super::ledger::{Demand, Expect, Reading};
 use crate::batch::Outcome;
 use crate::problem::{Lines, Problem, Snapshot};
 use crate::study::Study;
-use crate::study::ledger::{Demand, Expect, Looked, Reading};
 
-/// Most values that a finding lists one by one.
+/// Most values that a finding lists separately.
 const MOST: usize = 6;
 
-/// Whether all that a reading expects is so.
+/// Tests everything that a reading expects.
 pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Finding {
-    let each = reading
+    let results = reading
         .expect
         .iter()
         .map(|e| expectation(study, outcomes, e));
-    let (holds, found): (Vec<bool>, Vec<String>) = each.unzip();
+    let (holds, found): (Vec<bool>, Vec<String>) = results.unzip();
     Finding {
         holds: holds.into_iter().all(|holds| holds),
         found,
@@ -25,63 +25,73 @@ pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Findin
 fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, String) {
     let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
     let cases: Vec<&Outcome> = cases.collect();
-    match (&expect.of, &expect.demand) {
-        (Looked::Profile(row), Demand::Away { times, away, max }) => {
-            let errors = cases
-                .iter()
-                .map(|o| away_from_fronts(&*study.problem, o, *row, times, *away));
-            let name = &study.problem.schema().profiles[*row].name;
+    let problem = &*study.problem;
+    let value = |o: &Outcome, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
+    match &expect.demand {
+        Demand::Within { metric, min, max } => {
+            let values = cases.iter().map(|o| value(o, *metric)).collect();
+            within(values, &study.measures[*metric].name, *min, *max)
+        }
+        Demand::Trend {
+            metric,
+            along,
+            rising,
+        } => {
+            let line = ordered(&cases, *along, |o| value(o, *metric));
+            let follows = |pair: &[[f64; 2]]| {
+                (pair[1][1] > pair[0][1]) == *rising && pair[1][1] != pair[0][1]
+            };
+            let holds = line
+                .as_ref()
+                .is_some_and(|line| line.windows(2).all(follows));
+            let name = &study.measures[*metric].name;
+            let parameter = &problem.parameters()[*along].name;
+            let found = format!("`{name}` along `{parameter}`: {}", listed(&line));
+            (holds, found)
+        }
+        Demand::LeastAt {
+            metric,
+            along,
+            range,
+        } => {
+            let line = ordered(&cases, *along, |o| value(o, *metric));
+            let least = line.and_then(|line| line.into_iter().min_by(|a, b| a[1].total_cmp(&b[1])));
+            let name = &study.measures[*metric].name;
+            let Some([at, x]) = least else {
+                return (false, format!("`{name}` undefined"));
+            };
+            let parameter = &problem.parameters()[*along].name;
+            let found = format!(
+                "`{name}` least at `{parameter}` = {}: {}",
+                short(at),
+                short(x)
+            );
+            (at >= range[0] && at <= range[1], found)
+        }
+        Demand::AwayFromFronts {
+            profile,
+            times,
+            away,
+            max,
+        } => {
+            let errors = cases.iter();
+            let errors = errors.map(|o| away_from_fronts(problem, o, *profile, times, *away));
+            let name = &problem.schema().profiles[*profile].name;
             within(errors.collect(), name, None, Some(*max))
         }
-        (Looked::Later(row), Demand::After { flights, min, max }) => {
+        Demand::LaterEvent {
+            later,
+            flights,
+            min,
+            max,
+        } => {
             let errors = cases
                 .iter()
-                .map(|o| off_by(&*study.problem, o, *row, flights));
-            let name = &study.problem.schema().later[*row];
+                .map(|o| later_error(problem, o, *later, flights));
+            let name = &problem.schema().later[*later];
             let (holds, found) = within(errors.collect(), name, *min, *max);
             (holds, format!("difference of {found}"))
         }
-        (Looked::Metric(row), demand) => {
-            let name = &study.measures[*row].name;
-            let value = |o: &&Outcome| o.metrics[*row].filter(|x| x.is_finite());
-            match demand {
-                Demand::Within { min, max } => {
-                    within(cases.iter().map(value).collect(), name, *min, *max)
-                }
-                Demand::Trend { along, rising } => {
-                    let line = ordered(&cases, *along, value);
-                    let holds = line.as_ref().is_some_and(|line| {
-                        line.windows(2).all(|pair| {
-                            (pair[1][1] > pair[0][1]) == *rising && pair[1][1] != pair[0][1]
-                        })
-                    });
-                    let parameter = &study.problem.parameters()[*along].name;
-                    (
-                        holds,
-                        format!("`{name}` along `{parameter}`: {}", listed(&line)),
-                    )
-                }
-                Demand::LeastAt { along, range } => {
-                    let line = ordered(&cases, *along, value);
-                    let least =
-                        line.and_then(|line| line.into_iter().min_by(|a, b| a[1].total_cmp(&b[1])));
-                    let parameter = &study.problem.parameters()[*along].name;
-                    match least {
-                        Some([at, x]) => (
-                            at >= range[0] && at <= range[1],
-                            format!(
-                                "`{name}` least at `{parameter}` = {}: {}",
-                                short(at),
-                                short(x)
-                            ),
-                        ),
-                        None => (false, format!("`{name}` undefined")),
-                    }
-                }
-                Demand::Away { .. } | Demand::After { .. } => (false, String::new()),
-            }
-        }
-        (Looked::Profile(_) | Looked::Later(_), _) => (false, String::new()),
     }
 }
 
@@ -99,11 +109,11 @@ fn within(
         (None, Some(max)) => format!(" (at most {})", short(max)),
         (None, None) => String::new(),
     };
-    (holds, format!("`{name}` {}{limits}", said(&values)))
+    (holds, format!("`{name}` {}{limits}", summary(&values)))
 }
 
-/// Values in words: each, or from the least to the largest of many.
-fn said(values: &[Option<f64>]) -> String {
+/// Values as text: each of them, or the range of many.
+fn summary(values: &[Option<f64>]) -> String {
     let known: Vec<f64> = values.iter().copied().flatten().collect();
     if known.len() < values.len() || known.is_empty() {
         return "undefined".into();
@@ -117,11 +127,11 @@ fn said(values: &[Option<f64>]) -> String {
     format!("{}..{} in {} cases", short(low), short(high), known.len())
 }
 
-/// Parameter and value of every case, the parameter rising; `None` where a value is undefined.
+/// Parameter and value of every case in rising order of the parameter; `None` if a value is undefined.
 fn ordered(
     cases: &[&Outcome],
     along: usize,
-    value: impl Fn(&&Outcome) -> Option<f64>,
+    value: impl Fn(&Outcome) -> Option<f64>,
 ) -> Option<Vec<[f64; 2]>> {
     let point = |o: &&Outcome| Some([o.case.values[along]?.as_f64()?, value(o)?]);
     let mut line = cases.iter().map(point).collect::<Option<Vec<_>>>()?;
@@ -141,7 +151,7 @@ fn listed(line: &Option<Vec<[f64; 2]>>) -> String {
     }
 }
 
-/// Four digits, as a reader wants them.
+/// A number with four digits.
 pub fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.3e}").parse().unwrap_or(x);
     match rounded.abs() {
@@ -150,7 +160,7 @@ pub fn short(x: f64) -> String {
     }
 }
 
-/// Root mean square of a profile's error where no front is near.
+/// Root mean square of the error of a profile further than `away` from every front.
 fn away_from_fronts(
     problem: &dyn Problem,
     outcome: &Outcome,
@@ -177,8 +187,13 @@ fn away_from_fronts(
     (count > 0).then(|| (sum / f64::from(count)).sqrt())
 }
 
-/// Root mean square over flights of what a later event's number, 1 in the exact solution, is off.
-fn off_by(problem: &dyn Problem, outcome: &Outcome, row: usize, flights: &[f64]) -> Option<f64> {
+/// Root mean square over the flights of the error of a number about the later event. The exact solution has 1.
+fn later_error(
+    problem: &dyn Problem,
+    outcome: &Outcome,
+    row: usize,
+    flights: &[f64],
+) -> Option<f64> {
     let mut sum = 0.0;
     for flight in flights {
         let x = (*problem.after(&outcome.case, *flight).get(row)?)?;
@@ -202,19 +217,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn limits_hold_for_every_value_and_none_is_missing() {
-        let hold = |values: &[Option<f64>]| within(values.to_vec(), "x", Some(1.0), Some(2.0)).0;
-        assert!(hold(&[Some(1.0), Some(2.0)]));
-        assert!(!hold(&[Some(1.0), Some(2.1)]) && !hold(&[Some(1.5), None]));
+    fn limits_apply_to_every_value_and_an_undefined_one_fails() {
+        let inside = |values: &[Option<f64>]| within(values.to_vec(), "x", Some(1.0), Some(2.0)).0;
+        assert!(inside(&[Some(1.0), Some(2.0)]));
+        assert!(!inside(&[Some(1.0), Some(2.1)]) && !inside(&[Some(1.5), None]));
     }
 
     #[test]
-    fn values_are_told_to_four_digits() {
+    fn values_have_four_digits() {
         assert_eq!(short(0.123456), "0.1235");
         assert_eq!(short(1e-7), "1e-7");
         assert_eq!(short(0.0), "0");
-        assert_eq!(said(&[Some(1.0), None]), "undefined");
-        assert_eq!(said(&[Some(3.0); 7]), "3..3 in 7 cases");
+        assert_eq!(summary(&[Some(1.0), None]), "undefined");
+        assert_eq!(summary(&[Some(3.0); 7]), "3..3 in 7 cases");
     }
 
     #[test]

@@ -1,28 +1,29 @@
-//! The papers' sentences, judged by computation: each claim of a ledger against the cases of the studies that settle it.
+//! The statements of the papers, tested by computation: each claim of a ledger by the cases of its studies.
 
 mod judge;
+pub mod ledger;
 mod page;
 
 pub use page::{Judged, page};
 
 use crate::batch;
 use crate::error::Error;
-use crate::study::ledger::{Claim, Ledger};
 use indicatif::ProgressBar;
+use ledger::{Claim, Ledger};
 
-/// What a claim comes to.
+/// The result of testing a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// In every reading tried.
+    /// The claim holds in every reading tested.
     Holds,
-    /// In some of them.
+    /// It holds in some of them.
     HoldsIf,
-    /// In none.
+    /// It holds in none.
     Fails,
 }
 
 impl Verdict {
-    /// From the readings' own verdicts.
+    /// The verdict from those of the readings.
     pub fn of(readings: impl Iterator<Item = bool>) -> Verdict {
         let (mut yes, mut no) = (false, false);
         for holds in readings {
@@ -32,12 +33,12 @@ impl Verdict {
         match (yes, no) {
             (true, false) => Verdict::Holds,
             (true, true) => Verdict::HoldsIf,
-            _ => Verdict::Fails,
+            (false, _) => Verdict::Fails,
         }
     }
 
-    /// In words.
-    pub fn said(self) -> &'static str {
+    /// The verdict as text.
+    pub fn as_str(self) -> &'static str {
         match self {
             Verdict::Holds => "holds",
             Verdict::HoldsIf => "holds if",
@@ -46,31 +47,31 @@ impl Verdict {
     }
 }
 
-/// What a reading came to, computed now.
+/// The computed result of a reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     /// Whether it holds.
     pub holds: bool,
-    /// What was found, expectation by expectation, in Markdown.
+    /// The values found for each expectation, in Markdown.
     pub found: Vec<String>,
 }
 
-/// Computes every claim of a ledger, reading by reading; each of its studies is run once.
+/// Tests every claim of a ledger, reading by reading. Each study is run once.
 ///
 /// # Errors
-/// A case without a solution is none: what looks at it does not hold.
+/// Only internal ones. An expectation of a case without a solution does not hold.
 pub fn compute(ledger: &Ledger, bar: &ProgressBar) -> Result<Vec<Vec<Finding>>, Error> {
     let mut outcomes = Vec::new();
-    for settling in &ledger.studies {
-        outcomes.push(batch::all(&settling.study, bar)?);
+    for ledger_study in &ledger.studies {
+        outcomes.push(batch::all(&ledger_study.study, bar)?);
     }
     let claim = |claim: &Claim| {
         let readings = claim.readings.iter();
-        let judged = readings.map(|reading| {
+        let findings = readings.map(|reading| {
             let study = &ledger.studies[reading.study].study;
             judge::reading(study, &outcomes[reading.study], reading)
         });
-        judged.collect()
+        findings.collect()
     };
     Ok(ledger.claims.iter().map(claim).collect())
 }

@@ -1,10 +1,10 @@
 //! The ledger as a page: a table of verdicts for each paper, then every claim with its readings and numbers.
 
+use super::ledger::{Claim, Ledger};
 use super::{Finding, Verdict};
-use crate::study::ledger::{Claim, Ledger};
 use std::fmt::Write;
 
-/// A ledger with what was computed for each reading of each claim.
+/// A ledger with the findings of each reading of each claim.
 #[derive(Debug)]
 pub struct Judged {
     /// The ledger.
@@ -14,13 +14,13 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// The claims with what was found.
+    /// The claims with their findings.
     pub fn claims(&self) -> impl Iterator<Item = (&Claim, &[Finding])> {
         let findings = self.findings.iter().map(Vec::as_slice);
         self.ledger.claims.iter().zip(findings)
     }
 
-    /// The claims of which a reading came out other than recorded.
+    /// Number of claims with a reading whose result is not the recorded one.
     pub fn changed(&self) -> usize {
         let changed = |(claim, findings): &(&Claim, &[Finding])| {
             let mut readings = claim.readings.iter().zip(*findings);
@@ -43,13 +43,13 @@ pub fn page(all: &[Judged]) -> String {
         let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);
         page.push_str("| | statement | verdict |\n| --- | --- | --- |\n");
         for (claim, findings) in judged.claims() {
-            let verdict = verdict(findings).said();
+            let verdict = verdict(findings).as_str();
             let id = &claim.id;
             let _ = writeln!(
                 page,
                 "| [{id}](#{}) | {} | {verdict} |",
                 id.to_lowercase(),
-                cell(&claim.says)
+                cell(&claim.statement)
             );
         }
         for (claim, findings) in judged.claims() {
@@ -59,7 +59,7 @@ pub fn page(all: &[Judged]) -> String {
     page
 }
 
-/// What a claim comes to by its findings.
+/// The verdict of a claim by its findings.
 pub fn verdict(findings: &[Finding]) -> Verdict {
     Verdict::of(findings.iter().map(|finding| finding.holds))
 }
@@ -70,8 +70,8 @@ fn section(page: &mut String, ledger: &Ledger, claim: &Claim, findings: &[Findin
         "\n### {}\n\n{}: {} **{}**\n\nThe test: {}.\n\n",
         claim.id,
         claim.place,
-        claim.says,
-        capital(verdict(findings).said()),
+        claim.statement,
+        capital(verdict(findings).as_str()),
         claim.quantity
     );
     page.push_str("| reading | computed | holds | figure |\n| --- | --- | --- | --- |\n");
@@ -99,7 +99,7 @@ fn section(page: &mut String, ledger: &Ledger, claim: &Claim, findings: &[Findin
     }
 }
 
-/// Words in a cell of a table.
+/// A text for a cell of a table.
 fn cell(words: &str) -> String {
     words.replace('|', "\\|")
 }

@@ -4,9 +4,9 @@ use super::NOT_MET;
 use super::sources::files;
 use super::terminal::{note, print, progress, table};
 use slipgap::batch::output::Folder;
+use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
-use slipgap::study::ledger::{self, Ledger};
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
@@ -39,7 +39,7 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
             .map(|(r, _)| r.name.as_str());
         let changed = pairs.filter(|(r, f)| r.holds != f.holds);
         let changed: Vec<&str> = changed.map(|(r, _)| r.name.as_str()).collect();
-        let mut statement = claim.says.clone();
+        let mut statement = claim.statement.clone();
         if verdict == Verdict::HoldsIf {
             let holding: Vec<&str> = holding.collect();
             statement += &format!(" [if: {}]", holding.join("; "));
@@ -50,7 +50,7 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
         let mark = if changed.is_empty() { "" } else { "CHANGED" };
         rows.push(vec![
             claim.id.clone(),
-            verdict.said().into(),
+            verdict.as_str().into(),
             mark.into(),
             statement,
         ]);

@@ -46,7 +46,9 @@ pub fn init(name: &str, problem: &dyn Problem) -> Result<u8, Error> {
         return Err(Error::Usage(what));
     }
     let up = "../".repeat(name.split('/').count());
+    let none = || Error::Usage(format!("{} has no example study", problem.name()));
     let text = study::start(problem)
+        .ok_or_else(none)?
         .replace("SCHEMA", &format!("{up}{SCHEMA}"))
         .replace("NAME", name);
     write(&path, &text)?;

@@ -54,7 +54,7 @@ fn axes(study: &Study) -> String {
 /// Smallest and largest number of steps of a case.
 fn steps(study: &Study) -> String {
     let (mut fewest, mut most) = (u64::MAX, 0);
-    for case in study.standing_for() {
+    for case in study.representative_cases() {
         let steps = study.problem.steps(&case);
         (fewest, most) = (fewest.min(steps), most.max(steps));
     }

@@ -157,7 +157,7 @@ fn tested_readings(sources: &[Source]) -> Result<Vec<Vec<TestedReading>>, Error>
                 if let Some(index) = index(reading.study) {
                     readings[index].push(TestedReading {
                         id: claim.id.clone(),
-                        statement: claim.says.clone(),
+                        statement: claim.statement.clone(),
                         reading: reading.name.clone(),
                         computed: finding.found.join("; "),
                         holds: finding.holds,

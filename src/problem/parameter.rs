@@ -18,6 +18,8 @@ pub struct Parameter {
     pub default: Default,
     /// The parameter and name that must be chosen for this one to apply, as `("law", "velocity-control")`.
     pub applies: Option<(Text, Text)>,
+    /// Which tables have a column of it.
+    pub column: ColumnRule,
     /// One sentence for schema and documentation.
     pub meaning: Text,
 }
@@ -37,6 +39,7 @@ impl Parameter {
             kind,
             default,
             applies: None,
+            column: ColumnRule::Always,
             meaning: Text::Borrowed(meaning),
         }
     }
@@ -57,9 +60,26 @@ impl Parameter {
             kind,
             default,
             applies: Some((Text::Borrowed(governor), Text::Borrowed(chosen))),
+            column: ColumnRule::Always,
             meaning: Text::Borrowed(meaning),
         }
     }
+
+    /// The same with a column only in the tables of studies that give the parameter. A new parameter with a default then
+    /// changes no table of an older study.
+    pub const fn with_column_if_given(mut self) -> Parameter {
+        self.column = ColumnRule::IfGiven;
+        self
+    }
+}
+
+/// Which tables of results have a column of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ColumnRule {
+    /// All.
+    Always,
+    /// Those of studies in which a block gives the parameter.
+    IfGiven,
 }
 
 /// The row of a table that has this name, for constants: a name that is not there does not compile.

@@ -25,6 +25,8 @@ pub struct Results<'a> {
     study: &'a Study,
     /// The folder with all cases.
     store: PathBuf,
+    /// Rows of the parameters that are columns.
+    parameters: Vec<usize>,
     /// Parameters, then the metrics of the study.
     columns: Vec<Column>,
     /// The first value of each column, and whether a different one follows.
@@ -37,10 +39,12 @@ pub struct Results<'a> {
 impl<'a> Results<'a> {
     /// No case yet, and a limit of the size in bytes.
     pub fn new(study: &'a Study, store: PathBuf, largest: usize) -> Results<'a> {
-        let count = study.problem.parameters().len() + study.columns.len();
+        let parameters = study.parameter_columns();
+        let count = parameters.len() + study.columns.len();
         Results {
             study,
             store,
+            parameters,
             columns: (0..count).map(|_| Column::new()).collect(),
             varies: vec![(f64::NAN, false); count],
             cases: 0,
@@ -52,8 +56,9 @@ impl<'a> Results<'a> {
     /// Adds the next case.
     pub fn add(&mut self, outcome: &Outcome) {
         let study = self.study;
-        let parameters = study.problem.parameters().iter().zip(&outcome.case.values);
-        let parameters = parameters.map(|(parameter, value)| number(parameter.kind, *value));
+        let table = study.problem.parameters();
+        let parameters = self.parameters.iter();
+        let parameters = parameters.map(|row| number(table[*row].kind, outcome.case.values[*row]));
         let metrics = study
             .columns
             .iter()
@@ -126,7 +131,10 @@ impl<'a> Results<'a> {
     /// The description of the columns for the script.
     fn head(&self) -> Json {
         let problem = &self.study.problem;
-        let parameters = problem.parameters().iter();
+        let parameters = self
+            .parameters
+            .iter()
+            .map(|row| &problem.parameters()[*row]);
         let parameters = parameters.map(|p| (&*p.name, &*p.unit, &*p.meaning, names(p.kind)));
         let metrics = self.study.columns.iter().map(|m| &self.study.measures[*m]);
         let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning, Vec::new()));

@@ -1,4 +1,4 @@
-//! The table of what a study knows of a case: the metrics of its problem, and the same in the units of the study.
+//! The metrics of a study: those of its problem, and the same in the units of the study.
 
 use super::units::Units;
 use crate::problem::Problem;
@@ -13,15 +13,15 @@ pub struct Measure {
     pub symbol: String,
     /// Unit, or `1`.
     pub unit: String,
-    /// Formula in words.
+    /// The formula as text.
     pub meaning: String,
     /// Row of `problem.metrics()`: the metric itself.
     pub metric: usize,
-    /// In the units of the study: what it measures. `None` for the metric as it is solved.
+    /// The dimension of a metric in the units of the study; `None` for the scaled metric.
     pub dimension: Option<Dimension>,
 }
 
-/// The metrics of a problem, row by row, and after them those that have a dimension in the units of the study, if it has any.
+/// The metrics of a problem, row by row, and then those with a dimension in the units of the study, if it has any.
 pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Measure> {
     let metrics = || problem.metrics().iter().enumerate();
     let scaled = metrics().map(|(row, metric)| Measure {
@@ -49,7 +49,7 @@ pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Meas
     scaled.chain(in_units).collect()
 }
 
-/// The rows of the measures of these metrics, each followed by the same in units, if there is one.
+/// The rows of these metrics, each followed by the same in units, if there is one.
 pub(super) fn columns(measures: &[Measure], metrics: &[usize]) -> Vec<usize> {
     let of = |metric: &usize| {
         let metric = *metric;

@@ -1,99 +1,80 @@
-//! A study file, read: problem, blocks of axes, columns, figures and checks.
+//! Studies: a file is read and validated, and gives the cases, figures and checks of a run.
 //!
-//! The way of the data: text -> `tree` (every key and value with its place) -> `decode`, which goes by the tables of the
-//! problem and of `figure::kinds` and collects every fault -> [`Study`] -> `block` and `cases`, made one at a time.
+//! The text becomes a tree with the place of every key and value (`source`). `decode` makes a [`Study`] of it by the tables of
+//! the problem and of `figure::kinds`, with the axes of its blocks (`axes`) and its figures (`figure`), and reports every
+//! fault. Each case is then made from its number (`cases`).
 
-mod applies;
-mod block;
-mod blocks;
+mod axes;
 mod cases;
-mod checks;
 mod decode;
-mod derived;
 mod describe;
-mod design;
 pub mod expression;
 mod figure;
-mod finish;
-mod hint;
-mod input;
-mod interval;
-mod kept;
-pub mod ledger;
 mod measure;
-mod object;
-mod parameters;
-mod place;
-mod plain;
-mod report;
-mod rules;
-mod scope;
-mod setting;
-mod spread;
+mod source;
 #[cfg(test)]
 mod tests;
-mod tree;
 pub mod units;
-mod value;
-mod zip;
+pub(crate) mod value;
 
-pub use block::{Axis, Block, Group};
+// For the ledger of claims, which has the same syntax.
+pub(crate) use cases::scope;
+pub(crate) use source::{faults, input, object, place, tree};
+
+pub use cases::block::Block;
+pub use cases::design::{Design, Sampling};
+pub use cases::filter::Filter;
+pub use cases::group::{Axis, Group};
+pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
-pub use design::{Design, Sampling};
 pub use figure::kinds::{self, FigureKind};
-pub use input::{Input, STDIN};
 pub use measure::Measure;
 #[cfg(test)]
 pub(crate) use measure::measures;
-pub use plain::{printable, unprintable};
-pub use rules::MOST_CASES;
-pub use setting::Setting;
+pub use source::input::{Input, STDIN};
+pub use source::plain::{printable, unprintable};
+pub use source::setting::Setting;
 pub use units::Units;
 
 use crate::problem::Problem;
-use crate::problem::parameter::Value;
 use std::sync::Arc;
 
 /// A validated study.
 #[derive(Debug)]
 pub struct Study {
-    /// What the study shows, in one line; empty if the study does not say.
+    /// The title; empty if the study has none.
     pub title: String,
-    /// The problem whose cases it runs.
+    /// The problem.
     pub problem: Arc<dyn Problem>,
-    /// Whether each step is solved once, by the papers' matrices, in place of its root.
+    /// Whether each step is solved once with the matrices of the papers, instead of to convergence.
     pub once: bool,
-    /// Blocks of cases, one after the other.
+    /// The blocks of cases in order.
     pub blocks: Vec<Block>,
-    /// Names of the units of its parameters, if results are wanted in them.
+    /// Names of the units of its parameters, if the study has results in units.
     pub units: Option<Units>,
-    /// What is known of a case: the rows of `problem.metrics()`, then those in the units of the study.
+    /// The rows of `problem.metrics()`, then those in the units of the study.
     pub measures: Vec<Measure>,
-    /// Rows of `problem.metrics()` that are solved for and stored, in the table's order.
+    /// Rows of `problem.metrics()` that are computed and stored, in the order of the table.
     pub metrics: Vec<usize>,
-    /// Rows of `measures` that results.csv has: each of the metrics, then the same in units.
+    /// Rows of `measures` that are columns of results.csv: each metric, then the same in units.
     pub columns: Vec<usize>,
     /// Figures to draw.
     pub figures: Vec<Figure>,
-    /// Tolerances to hold.
+    /// Limits to test.
     pub checks: Vec<Check>,
     /// Parameters that the command line set.
     pub settings: Vec<Setting>,
-    /// SHA-256 of the file's bytes, and of the settings where there are any, in hexadecimal digits.
+    /// SHA-256 of the bytes of the file and of the settings, in hexadecimal digits.
     pub sha256: String,
 }
 
-/// Which cases are chosen: those that have, of each parameter named by its row, one of the values.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Filter(pub Vec<(usize, Vec<Value>)>);
-
-/// A tolerance: every case of the filter has the metric within the limits.
+/// A check: every case of the filter must have the metric within the limits.
 #[derive(Debug)]
 pub struct Check {
     /// Row of the study's measures.
     pub metric: usize,
-    /// Which cases.
+    /// The cases that it applies to.
     pub filter: Filter,
     /// Smallest value allowed.
     pub min: Option<f64>,

@@ -1,10 +1,14 @@
-//! Tests with a problem of their own: parameters of a part, values that follow from others, rules across parameters.
+//! Tests with a small problem: parameters of an object, values that follow from others, rules across parameters.
 
+use super::axes::draft::BlockDraft;
+use super::axes::parameters::parameters;
 use super::cases::select;
-use super::parameters::{Draft, parameters};
-use super::place::Texts;
-use super::report::Faults;
-use super::{Axis, Block, Filter, Group, rules, tree};
+use super::decode::resolve::resolve;
+use super::decode::validate::validate;
+use super::source::faults::Faults;
+use super::source::place::Texts;
+use super::source::tree;
+use super::{Axis, Block, Filter, Group};
 use crate::problem::cases::Cases;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
@@ -124,37 +128,37 @@ impl Problem for Bars {
 }
 
 /// The draft of a `parameters` text and the faults found, rules across parameters included.
-fn draft(text: &str) -> (Option<Draft>, Vec<String>) {
+fn draft(text: &str) -> (Option<BlockDraft>, Vec<String>) {
     let mut faults = Faults::default();
     let node = tree::parse(text).unwrap_or_else(|e| panic!("{e:?}"));
     let draft = parameters(&node, "parameters", &TABLE, &mut faults);
     if let Some(draft) = &draft
-        && let Some(block) = draft.block(&Bars, &mut faults)
+        && let Some(block) = resolve(draft, &Bars, &mut faults)
     {
-        rules::check(&Bars, draft, &block, &mut faults);
+        validate(&Bars, draft, &block, &mut faults);
     }
-    let told = faults.in_file_order(Texts::new("s", text));
-    (draft, told.iter().map(ToString::to_string).collect())
+    let faults = faults.in_file_order(Texts::new("s", text));
+    (draft, faults.iter().map(ToString::to_string).collect())
 }
 
 fn block(text: &str) -> Block {
     let (draft, faults) = draft(text);
     assert!(faults.is_empty(), "{faults:?}");
     draft
-        .and_then(|draft| draft.block(&Bars, &mut Faults::default()))
+        .and_then(|draft| resolve(&draft, &Bars, &mut Faults::default()))
         .unwrap_or_else(|| panic!("{text}"))
 }
 
 fn values(case: &Case) -> String {
-    let told = case
+    let values = case
         .values
         .iter()
         .map(|v| v.map_or(String::new(), |v| v.to_string()));
-    told.collect::<Vec<_>>().join(",")
+    values.collect::<Vec<_>>().join(",")
 }
 
 #[test]
-fn a_part_of_the_problem_is_an_object_or_a_name() {
+fn a_parameter_may_be_an_object_or_a_name() {
     let of = |right: &str| format!("{{\"n\": 1, \"dt\": 1{right}}}");
     let first = |text: &str| values(&block(text).completed(&Bars, 0));
     assert_eq!(first(&of("")), "1,1,2,2,bar,10");
@@ -214,7 +218,7 @@ fn whole_numbers() {
 }
 
 #[test]
-fn rules_across_parameters_are_told_at_the_value_each_once() {
+fn a_broken_rule_is_reported_once_at_its_value() {
     let (_, faults) = draft("{\"n\": [1, 2], \"dt\": [1, 3, 1],\n \"duration\": [2, 200]}");
     let expected = [
         "s:1:25: parameters.dt[1]: must be at most duration = 2, got 3",
@@ -263,7 +267,7 @@ fn the_last_axis_is_the_fastest_in_file_order() {
 }
 
 #[test]
-fn a_filter_chooses_what_a_look_at_every_case_chooses() {
+fn a_filter_selects_the_cases_that_match() {
     let blocks = [
         block("{\"n\": [1, 2, 2], \"dt\": [0.1, 0.2, 0.1], \"right\": [\"bar\", \"wall\"]}"),
         block("{\"dt\": [\"0.3-0.1\", 1], \"n\": [2, 3], \"duration\": [2, 5]}"),
@@ -283,14 +287,14 @@ fn a_filter_chooses_what_a_look_at_every_case_chooses() {
         vec![number(1, 9.0)],
     ] {
         let filter = Filter(terms);
-        let chosen: Vec<u64> = select(&Bars, &blocks, &filter).collect();
+        let selected: Vec<u64> = select(&Bars, &blocks, &filter).collect();
         let total: u64 = blocks.iter().map(|b| b.len(&Bars)).sum();
-        let looked: Vec<u64> = (0..total)
+        let matching: Vec<u64> = (0..total)
             .filter(|i| {
                 super::cases::case(&Bars, &blocks, *i).is_some_and(|case| filter.matches(&case))
             })
             .collect();
-        assert_eq!(chosen, looked, "{filter:?}");
+        assert_eq!(selected, matching, "{filter:?}");
     }
 }
 
@@ -313,15 +317,15 @@ fn a_thousand_million_cases_cost_no_memory() {
     );
     let one = |row: usize, x: f64| (row, vec![Value::Number(x)]);
     let filter = Filter(vec![one(2, 457.0), one(3, 1000.0)]);
-    let chosen = block.select(&Bars, &filter);
+    let selected = block.select(&Bars, &filter);
     assert_eq!(
-        chosen.skip(999).map(|(raw, _)| raw).collect::<Vec<_>>(),
+        selected.skip(999).map(|(raw, _)| raw).collect::<Vec<_>>(),
         [999_456_999]
     );
 }
 
 #[test]
-fn axes_by_rule_end_where_they_say() {
+fn axes_by_rule_end_at_the_given_numbers() {
     let axis = |rule: &str| -> Vec<f64> {
         let text = format!(
             r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control",
@@ -343,7 +347,7 @@ fn axes_by_rule_end_where_they_say() {
 }
 
 #[test]
-fn a_whole_parameter_takes_each_nearest_whole_number_once() {
+fn an_axis_of_whole_numbers_has_each_nearest_one_once() {
     let text = r#"{"problem": "bar-impact", "parameters": {"gamma": 1, "dt": 0.1, "duration": 1,
                "n": {"geomspace": [1, 10, 9]}}}"#;
     let study = super::parse("x.json", text).unwrap();
@@ -353,8 +357,8 @@ fn a_whole_parameter_takes_each_nearest_whole_number_once() {
 }
 
 #[test]
-fn an_expression_is_computed_once_for_each_set_of_what_it_names() {
-    // gap goes by dt, which goes by n: three values of each for 3 x 200 combinations; of a constant, one.
+fn an_expression_is_computed_once_for_each_set_of_its_parameters() {
+    // gap depends on dt, which depends on n: three values of each for 3 x 200 combinations; one of a constant.
     let long: Vec<String> = (1..=200).map(|n| n.to_string()).collect();
     let text = format!(
         r#"{{"problem": "bar-impact", "parameters": {{"gamma": [{}], "n": [2, 4, 8], "gap": "2*dt", "dt": "0.1/n",
@@ -364,12 +368,16 @@ fn an_expression_is_computed_once_for_each_set_of_what_it_names() {
     let study = super::parse("x.json", &text).unwrap();
     let block = &study.blocks[0];
     let name = |row: usize| &*study.problem.parameters()[row].name;
-    let kept = |rule: &super::derived::Rule| rule.table.as_ref().map_or(0, Vec::len);
+    let entries =
+        |formula: &super::cases::tabulated::Tabulated| formula.table.as_ref().map_or(0, Vec::len);
     let tables: Vec<(&str, usize)> = block
         .derived
         .iter()
-        .map(|d| (name(d.parameter), kept(&d.rule)))
+        .map(|d| (name(d.parameter), entries(&d.formula)))
         .collect();
     assert_eq!(tables, [("dt", 3), ("gap", 3), ("L", 1)]);
-    assert_eq!(block.when.as_ref().map(|when| kept(&when.rule)), Some(3));
+    assert_eq!(
+        block.when.as_ref().map(|when| entries(&when.formula)),
+        Some(3)
+    );
 }

@@ -1,18 +1,18 @@
-//! One value of the study file as a number, a string or a value of a parameter.
+//! A value of the study file as a number, a string, a name or a value of a parameter.
 
 use super::expression::Formula;
-use super::hint::unit;
-use super::plain::unprintable;
-use super::report::{Faults, quoted, shown, unknown};
-use super::tree::{Node, Tree};
+use super::source::faults::{Faults, quoted, shown, unknown};
+use super::source::hint::unit;
+use super::source::plain::unprintable;
+use super::source::tree::{Node, Tree};
 use crate::problem::PROBLEMS;
 use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
 
-/// What may stand for a number.
+/// What a number may be written as.
 const NUMBER: &str = "a number or an expression in quotes such as \"8*pi\"";
 
 /// A string.
-pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
+pub(crate) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
     match &node.tree {
         Tree::Text(text) => match unprintable(text) {
             None => Some(text.clone()),
@@ -30,12 +30,12 @@ pub(super) fn text(node: &Node, path: &str, faults: &mut Faults) -> Option<Strin
 }
 
 /// A number in `range`, plain or as an expression.
-pub(super) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults) -> Option<f64> {
+pub(crate) fn number(node: &Node, path: &str, range: Range, faults: &mut Faults) -> Option<f64> {
     within(node, path, range, None, faults)
 }
 
-/// The same; `of` is the parameter whose value it is, if it is one.
-pub(super) fn within(
+/// The same; `of` is its parameter, if it is the value of one.
+pub(crate) fn within(
     node: &Node,
     path: &str,
     range: Range,
@@ -50,8 +50,8 @@ pub(super) fn within(
     None
 }
 
-/// One of several names, by its place among them.
-pub(super) fn name(
+/// One of several names, as its index.
+pub(crate) fn name(
     node: &Node,
     path: &str,
     what: &str,
@@ -63,15 +63,15 @@ pub(super) fn name(
         faults.must_be(node, path, &names);
         return None;
     };
-    let found = allowed.iter().position(|right| right == name);
+    let found = allowed.iter().position(|known| known == name);
     if found.is_none() {
         faults.add(node.at, path, unknown(what, name, allowed));
     }
     found
 }
 
-/// A value of `parameter`, by its declared kind.
-pub(super) fn value(
+/// A value of `parameter`, by its kind.
+pub(crate) fn value(
     node: &Node,
     path: &str,
     parameter: &Parameter,
@@ -98,6 +98,26 @@ pub(super) fn value(
     }
 }
 
+/// Relative difference below which a number counts as a whole number: 10/0.1 is 100.
+const WHOLE: f64 = 1e-9;
+
+/// A number as a value of a parameter, or what values the parameter allows.
+pub(super) fn value_of(x: f64, parameter: &Parameter) -> Result<Value, String> {
+    match parameter.kind {
+        Kind::Number(range) if range.contains(x) => Ok(Value::Number(x)),
+        Kind::Number(range) => Err(range.to_string()),
+        Kind::Whole { min, max } => {
+            let whole = x.round();
+            let near = (x - whole).abs() <= WHOLE * whole.abs();
+            if near && whole >= min as f64 && whole <= max as f64 {
+                return Ok(Value::Whole(whole as u64));
+            }
+            Err(format!("a whole number from {min} to {max}"))
+        }
+        Kind::Choice(_) => Err("a name".into()),
+    }
+}
+
 fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) -> Option<f64> {
     match &node.tree {
         Tree::Number(written) => match written.parse::<f64>() {
@@ -113,26 +133,28 @@ fn finite(node: &Node, path: &str, of: Option<&Parameter>, faults: &mut Faults) 
                 faults.add(node.at, path, format!("{}: {what}", quoted(formula)));
             }
         },
-        _ => faults.must_be(node, path, NUMBER),
+        Tree::Object(_) | Tree::List(_) | Tree::Bool(_) | Tree::Null => {
+            faults.must_be(node, path, NUMBER);
+        }
     }
     None
 }
 
-/// The sentence about a number with a unit, if the text is one; `of` is the parameter whose value it is, if it is one.
-pub(super) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
+/// The hint for a number with a unit; `None` for other texts. `of` is the parameter, if it is the value of one.
+pub(crate) fn with_unit(text: &str, of: Option<&Parameter>) -> Option<String> {
     unit(text)?;
-    let mut sentence = "a number is written without a unit".to_owned();
+    let mut hint = "a number is written without a unit".to_owned();
     if let Some(parameter) = of {
         let name = &parameter.name;
-        sentence += &match &*parameter.unit {
+        hint += &match &*parameter.unit {
             "1" => format!("; {name} is dimensionless: {}", parameter.meaning),
             unit => format!("; {name} is in {unit}: {}", parameter.meaning),
         };
     }
-    Some(sentence)
+    Some(hint)
 }
 
-/// Where an expression of parameters belongs, if the text is one.
+/// The hint for an expression of parameters, which is not allowed here; `None` for other texts.
 fn parameters_in(text: &str) -> Option<String> {
     PROBLEMS.iter().find_map(|problem| {
         let table = problem.parameters();
@@ -148,7 +170,7 @@ fn parameters_in(text: &str) -> Option<String> {
     })
 }
 
-/// Says what a number must be; of an expression, both its text and its value.
+/// Reports a number out of range. The message has the text of an expression and its value.
 fn out_of_range(node: &Node, path: &str, x: f64, range: &str, faults: &mut Faults) {
     let mut message = format!("must be {range}, got {}", shown(node));
     if matches!(node.tree, Tree::Text(_)) {

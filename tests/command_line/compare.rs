@@ -49,6 +49,38 @@ fn the_largest_difference_is_first_and_the_exit_code_is_5() {
     bench.expect(1, &["compare", "a", "nothing"]);
 }
 
+#[test]
+fn the_manifest_names_the_problem_and_the_columns_do_without_one() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(TWO, ""));
+    bench.expect(0, &["run", "s.json", "--out", "a"]);
+    bench.expect(0, &["run", "s.json", "--out", "b"]);
+    // A table of an earlier version without a column: every case has the default of x0.
+    let text = bench.text("b/s/results.csv");
+    let x0 = text.split(',').position(|name| name == "x0").unwrap();
+    let mut without = String::new();
+    for line in text.lines() {
+        let mut cells: Vec<&str> = line.split(',').collect();
+        cells.remove(x0);
+        without += &(cells.join(",") + "\n");
+    }
+    bench.file("b/s/results.csv", &without);
+    let equal = "1 studies equal, 0 different\n";
+    assert_eq!(bench.expect(0, &["compare", "a", "b"]).err, equal);
+    // Without a manifest the columns decide, and one of them is missing.
+    std::fs::remove_file(bench.path("b/s/manifest.json")).unwrap();
+    let done = bench.expect(5, &["compare", "a", "b"]);
+    assert!(done.err.contains("different problems"), "{}", done.err);
+    bench.file("b/s/results.csv", &text);
+    assert_eq!(bench.expect(0, &["compare", "a", "b"]).err, equal);
+    // The manifest decides, not the columns.
+    let manifest = bench.text("a/s/manifest.json");
+    let other = manifest.replace("friction-oscillator", "bar-impact");
+    bench.file("b/s/manifest.json", other);
+    let done = bench.expect(5, &["compare", "a", "b"]);
+    assert!(done.err.contains("different problems"), "{}", done.err);
+}
+
 /// A cell of results.csv.
 fn cell(text: &str, row: usize, column: &str) -> String {
     let mut lines = text.lines().map(|line| line.split(','));

@@ -111,6 +111,7 @@ fn the_manifest_has_the_origin_of_results() {
         [
             "study",
             "study_sha256",
+            "problem",
             "program",
             "program_version",
             "solver_version",
@@ -119,6 +120,7 @@ fn the_manifest_has_the_origin_of_results() {
         ]
     );
     assert_eq!(manifest["study"], "s.json");
+    assert_eq!(manifest["problem"], "friction-oscillator");
     assert_eq!(manifest["program_version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(manifest["files"], serde_json::json!(["results.csv"]));
     assert_eq!(manifest["study_sha256"].as_str().unwrap().len(), 64);

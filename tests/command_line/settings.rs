@@ -260,7 +260,7 @@ fn faults_of_settings_have_places() {
             "w.json",
             "right.L=2",
             &[
-                "--set right.L=2:1:1: parameters.right: must be an object to take \"L\", got \"wall\"",
+                "--set right.L=2:1:1: parameters.right: must be an object with the key \"L\", got \"wall\"",
             ],
         ),
         // A value in the file that becomes invalid is a fault of the file.

@@ -37,6 +37,12 @@ pub fn is_outdated(results: &Path, study: &Study) -> bool {
     results.join(RESULTS).is_file() && changed().unwrap_or(false)
 }
 
+/// Name of the problem in the manifest of a folder; `None` without a manifest, or in one of an earlier version.
+pub fn problem_of(folder: &Path) -> Option<String> {
+    let manifest = json_of(&folder.join(MANIFEST))?;
+    Some(manifest["problem"].as_str()?.to_owned())
+}
+
 /// The JSON in a file, if there is any.
 fn json_of(file: &Path) -> Option<Value> {
     serde_json::from_slice(&fs::read(file).ok()?).ok()
@@ -177,6 +183,7 @@ fn origin(study: &Study, file: &Path) -> Map<String, Value> {
     let mut entries = json!({
         "study": file.file_name().map(|name| name.to_string_lossy()),
         "study_sha256": study.sha256,
+        "problem": study.problem.name(),
         "program": env!("CARGO_PKG_NAME"),
         "program_version": env!("CARGO_PKG_VERSION"),
         "solver_version": SOLVER_VERSION,

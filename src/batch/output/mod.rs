@@ -6,7 +6,7 @@ mod names;
 pub mod sobol;
 pub mod tables;
 
-pub use manifest::{is_manifest, is_outdated};
+pub use manifest::{is_manifest, is_outdated, problem_of};
 pub use names::{FAILURES, INDICES, RESULTS, history_name};
 
 use crate::error::Error;

@@ -1,7 +1,7 @@
 //! CSV tables: results.csv, failures.csv and the histories.
 
 use crate::batch::Outcome;
-use crate::problem::parameter::{Value, shortest};
+use crate::problem::parameter::shortest;
 use crate::problem::unit::Dimension;
 use crate::problem::{Case, Solution};
 use crate::solve::Unsolvable;
@@ -11,17 +11,20 @@ use std::io::{self, Write};
 /// results.csv: one row for each case, in order. The columns are `case`, the parameters and the metrics.
 pub struct ResultTable<'a, W: Write> {
     study: &'a Study,
+    /// Rows of the parameters that are columns.
+    parameters: Vec<usize>,
     writer: csv::Writer<W>,
 }
 
 impl<'a, W: Write> ResultTable<'a, W> {
     /// Writes the header.
     pub fn new(study: &'a Study, out: W) -> io::Result<ResultTable<'a, W>> {
-        let parameters = study.problem.parameters();
+        let parameters = study.parameter_columns();
+        let table = study.problem.parameters();
         let mut writer = csv::Writer::from_writer(out);
         let header = ["case"]
             .into_iter()
-            .chain(parameters.iter().map(|p| &*p.name))
+            .chain(parameters.iter().map(|row| &*table[*row].name))
             .chain(
                 study
                     .columns
@@ -29,13 +32,17 @@ impl<'a, W: Write> ResultTable<'a, W> {
                     .map(|&m| study.measures[m].name.as_str()),
             );
         writer.write_record(header)?;
-        Ok(ResultTable { study, writer })
+        Ok(ResultTable {
+            study,
+            parameters,
+            writer,
+        })
     }
 
     /// Writes one case.
     pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
         let metrics = self.study.columns.iter().map(|&m| cell(outcome.metrics[m]));
-        let row = parameters(number, &outcome.case).chain(metrics);
+        let row = parameters(number, &self.parameters, &outcome.case).chain(metrics);
         Ok(self.writer.write_record(row)?)
     }
 
@@ -46,34 +53,40 @@ impl<'a, W: Write> ResultTable<'a, W> {
 }
 
 /// failures.csv: the cases that could not be solved, with their parameters and the reason.
-pub struct FailureTable<W: Write>(csv::Writer<W>);
+pub struct FailureTable<W: Write> {
+    /// Rows of the parameters that are columns.
+    parameters: Vec<usize>,
+    writer: csv::Writer<W>,
+}
 
 impl<W: Write> FailureTable<W> {
     /// Writes the header.
     pub fn new(study: &Study, out: W) -> io::Result<FailureTable<W>> {
         let mut writer = csv::Writer::from_writer(out);
-        let names = study.problem.parameters().iter().map(|p| &*p.name);
+        let parameters = study.parameter_columns();
+        let table = study.problem.parameters();
+        let names = parameters.iter().map(|row| &*table[*row].name);
         let header = ["case"].into_iter().chain(names).chain(["reason"]);
         writer.write_record(header)?;
-        Ok(FailureTable(writer))
+        Ok(FailureTable { parameters, writer })
     }
 
     /// Writes one case.
     pub fn row(&mut self, number: u64, case: &Case, why: &Unsolvable) -> io::Result<()> {
-        let row = parameters(number, case).chain([why.to_string()]);
-        Ok(self.0.write_record(row)?)
+        let row = parameters(number, &self.parameters, case).chain([why.to_string()]);
+        Ok(self.writer.write_record(row)?)
     }
 
     /// Flushes the table and returns its writer.
     pub fn finish(self) -> io::Result<W> {
-        self.0.into_inner().map_err(|e| e.into_error())
+        self.writer.into_inner().map_err(|e| e.into_error())
     }
 }
 
-/// The number and parameters of a case, as cells.
-fn parameters(number: u64, case: &Case) -> impl Iterator<Item = String> {
-    let value = |value: &Option<Value>| value.map(|v| v.to_string()).unwrap_or_default();
-    std::iter::once(number.to_string()).chain(case.values.iter().map(value))
+/// The number of a case and the parameters in these rows, as cells.
+fn parameters(number: u64, rows: &[usize], case: &Case) -> impl Iterator<Item = String> {
+    let value = |row: &usize| case.values[*row].map(|v| v.to_string()).unwrap_or_default();
+    std::iter::once(number.to_string()).chain(rows.iter().map(value))
 }
 
 /// Writes the history of a case with one row for each step. The columns are the time, the computed channels and the exact

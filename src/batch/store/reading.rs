@@ -9,7 +9,8 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use crate::batch::chunk::MOST_ROWS;
 use crate::batch::key::{Difference, Key, case_hash};
 use crate::compare::Rows;
-use crate::problem::parameter::{Kind, Parameter, Value, shortest};
+use crate::problem::Case;
+use crate::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 
@@ -50,13 +51,26 @@ pub fn read_hashed(
         return Ok(None);
     }
     let count = rows(&file)?;
+    let schema = study.problem.schema();
     let mut columns = Vec::new();
-    for parameter in study.problem.parameters() {
-        columns.push(values(parameter, &file, count)?);
+    for parameter in schema.parameters.iter() {
+        // A study that does not give the parameter stores no column of it.
+        let absent =
+            parameter.column == ColumnRule::IfGiven && place(&file, &parameter.name).is_err();
+        columns.push(match absent {
+            true => None,
+            false => Some(values(parameter, &file, count)?),
+        });
     }
-    let hash = |row: usize| {
-        let case: Vec<Option<Value>> = columns.iter().map(|column| column[row]).collect();
-        case_hash(&case)
+    let hash = |index: usize| {
+        let mut case = Case::new(schema);
+        for (row, column) in columns.iter().enumerate() {
+            case.values[row] = match column {
+                Some(values) => values[index],
+                None => case.default_at(row),
+            };
+        }
+        case_hash(&case.values)
     };
     let hashes = (0..count).map(hash).collect();
     Ok(Some((hashes, metrics(study, &file, count)?)))

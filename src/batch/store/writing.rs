@@ -45,8 +45,10 @@ pub fn encode(
     write_next(&mut rows, |writer| {
         write_cells::<Int64Type>(writer, len, numbers)
     })?;
-    let parameters = cases.columns().iter().zip(study.problem.parameters());
-    for (place, (column, parameter)) in (1..).zip(parameters) {
+    let table = study.problem.parameters();
+    let parameter_rows = study.parameter_columns().into_iter();
+    let given = parameter_rows.map(|row| (&cases.columns()[row], &table[row]));
+    for (place, (column, parameter)) in (1..).zip(given) {
         match column {
             Column::Each(values) => write_next(&mut rows, |writer| {
                 write_values(writer, parameter.kind, len, values.iter().copied())
@@ -180,7 +182,12 @@ fn schema(study: &Study) -> Result<Type> {
         Ok::<_, ParquetError>(Arc::new(built))
     };
     let mut fields = vec![column("case", Physical::INT64)?];
-    for parameter in study.problem.parameters() {
+    let parameters = study.problem.parameters();
+    for parameter in study
+        .parameter_columns()
+        .iter()
+        .map(|row| &parameters[*row])
+    {
         let physical = match parameter.kind {
             Kind::Number(_) => Physical::DOUBLE,
             Kind::Whole { .. } => Physical::INT64,
@@ -202,8 +209,11 @@ fn schema(study: &Study) -> Result<Type> {
 
 /// The part's key, and unit and meaning of every column.
 fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
-    let parameters = study.problem.parameters().iter();
-    let parameters = parameters.map(|p| (&*p.name, &*p.unit, &*p.meaning));
+    let table = study.problem.parameters();
+    let rows = study.parameter_columns().into_iter();
+    let parameters = rows
+        .map(|row| &table[row])
+        .map(|p| (&*p.name, &*p.unit, &*p.meaning));
     let metrics = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
     let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning));
     let own = [

@@ -1,6 +1,6 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::Dimension;
 use crate::problem::{Budget, Channel, Metric, Quantity, Schema};
@@ -24,6 +24,7 @@ static PARAMETERS: [Parameter; 7] = [
         ]),
         default: Default::Required,
         applies: None,
+        column: ColumnRule::Always,
         meaning: Borrowed("friction model"),
     },
     Parameter {
@@ -33,6 +34,7 @@ static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::Positive),
         default: Default::Required,
         applies: Some((Borrowed("law"), Borrowed("displacement-control"))),
+        column: ColumnRule::Always,
         meaning: Borrowed("elastic displacement before sliding, alpha = r^E/Delta [F (22)]"),
     },
     Parameter {
@@ -42,6 +44,7 @@ static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::Positive),
         default: Default::Required,
         applies: Some((Borrowed("law"), Borrowed("velocity-control"))),
+        column: ColumnRule::Always,
         meaning: Borrowed(
             "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]",
         ),
@@ -53,6 +56,7 @@ static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::Positive),
         default: Default::Required,
         applies: None,
+        column: ColumnRule::Always,
         meaning: Borrowed("time step, dT = omega_n dt; at most duration"),
     },
     Parameter {
@@ -62,6 +66,7 @@ static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::Positive),
         default: Default::Required,
         applies: None,
+        column: ColumnRule::Always,
         meaning: Borrowed("end of the motion, in T = omega_n t"),
     },
     Parameter {
@@ -71,6 +76,7 @@ static PARAMETERS: [Parameter; 7] = [
         kind: Kind::Number(Range::NotZero),
         default: Default::Is(Value::Number(12.0)),
         applies: None,
+        column: ColumnRule::Always,
         meaning: Borrowed("displacement at release, over Delta = nu N/k"),
     },
     Parameter {
@@ -90,6 +96,7 @@ static PARAMETERS: [Parameter; 7] = [
         ]),
         default: Default::Is(Value::Name("unloaded")),
         applies: Some((Borrowed("law"), Borrowed("displacement-control"))),
+        column: ColumnRule::Always,
         meaning: Borrowed("slip of the friction element at release"),
     },
 ];

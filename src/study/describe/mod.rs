@@ -1,4 +1,4 @@
-//! What a study file may say, for editors and readers: the schema, the page, and studies to begin with.
+//! The description of study files: the schema for editors, the reference page, and example studies.
 
 mod reference;
 mod schema;

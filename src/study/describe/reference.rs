@@ -1,17 +1,18 @@
-//! The page about study files: prose with lists from the tables that decode them.
+//! The reference page of study files: prose with lists from the tables that decode them.
 
 use std::fmt::Write;
 
 use super::values::allowed;
 use crate::problem::parameter::{Default, Parameter};
 use crate::problem::{PROBLEMS, Problem};
-use crate::study::blocks::BESIDE;
-use crate::study::expression::words::{CONSTANTS, FUNCTIONS};
+use crate::study::axes::axis_rule::RULES;
+use crate::study::axes::design;
+use crate::study::axes::interval::INTERVALS;
+use crate::study::decode::blocks::BLOCK_KEYS;
+use crate::study::decode::{self, checks, units};
+use crate::study::expression::tokens::{CONSTANTS, FUNCTIONS};
 use crate::study::figure::keys::{COMMON, Key};
 use crate::study::figure::kinds::KINDS;
-use crate::study::interval::INTERVALS;
-use crate::study::spread::RULES;
-use crate::study::{checks, decode, design, units};
 
 /// docs/study-files.md.
 pub fn reference() -> String {
@@ -28,7 +29,7 @@ pub fn reference() -> String {
         .replace("{{rules}}", &pairs(&RULES))
         .replace("{{constants}}", &code(&CONSTANTS))
         .replace("{{functions}}", &code(&functions))
-        .replace("{{beside}}", &pairs(&BESIDE))
+        .replace("{{beside}}", &pairs(&BLOCK_KEYS))
         .replace("{{intervals}}", &pairs(&INTERVALS))
         .replace("{{designs}}", &pairs(&design::KINDS))
         .replace("{{design}}", &pairs(&design::KEYS))
@@ -96,10 +97,10 @@ fn problem(problem: &dyn Problem) -> String {
         );
     }
     let named = |names: Vec<(&str, &str)>| {
-        let told = names
+        let items = names
             .iter()
             .map(|(name, title)| format!("`{name}` ({})", plain(title)));
-        told.collect::<Vec<_>>().join(", ")
+        items.collect::<Vec<_>>().join(", ")
     };
     let quantities = problem
         .schema()
@@ -128,14 +129,14 @@ fn problem(problem: &dyn Problem) -> String {
 }
 
 fn left_out(parameter: &Parameter) -> String {
-    let told = match &parameter.default {
+    let default = match &parameter.default {
         Default::Required => "required".into(),
         Default::Is(value) => value.to_string(),
         Default::Follows(from) => from.to_string(),
     };
     match &parameter.applies {
-        Some((governor, name)) => format!("{told}; only for {governor} {name}"),
-        None => told,
+        Some((governor, name)) => format!("{default}; only for {governor} {name}"),
+        None => default,
     }
 }
 
@@ -148,13 +149,13 @@ fn plain(title: &str) -> String {
     title.replace(['*', '_', '^'], "")
 }
 
-/// Words in a cell of a table.
-fn cell(words: &str) -> String {
-    words.replace('|', "\\|")
+/// A text for a cell of a table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
 }
 
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string());
     first.unwrap_or_default() + letters.as_str()
 }

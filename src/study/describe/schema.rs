@@ -1,6 +1,6 @@
 //! The JSON Schema of study files, made from the same tables that decode them.
 //!
-//! Draft 7, which editors know best. It refuses what it can; rules across parameters are left to `read`.
+//! It is draft 7, which most editors support. Rules across parameters are tested only by `read`.
 
 use serde_json::{Map, Value as Json, json};
 
@@ -10,21 +10,23 @@ use super::values::{
 };
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{Metric, PROBLEMS, Problem};
-use crate::study::blocks::BESIDE;
+use crate::study::axes::design;
+use crate::study::decode::blocks::BLOCK_KEYS;
+use crate::study::decode::{self, checks, units};
+use crate::study::figure::extent::WIDTHS;
 use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
-use crate::study::figure::limits::WIDTHS;
 use crate::study::figure::taken::MARKS;
-use crate::study::{checks, decode, design, units};
+use crate::study::units::IN;
 use std::sync::Arc;
 
 /// The schema as indented JSON with a newline at its end.
 pub fn schema() -> String {
     let mut properties = Map::new();
-    for (key, meaning) in decode::KEYS.into_iter().chain(BESIDE) {
+    for (key, meaning) in decode::KEYS.into_iter().chain(BLOCK_KEYS) {
         properties.insert(key.into(), json!({ "description": meaning }));
     }
-    properties.extend(beside());
+    properties.extend(block_keys());
     for (key, kind) in [
         ("$schema", "string"),
         ("title", "string"),
@@ -53,8 +55,8 @@ pub fn schema() -> String {
     format!("{schema:#}\n")
 }
 
-/// The keys that stand beside `parameters`.
-fn beside() -> Map<String, Json> {
+/// The keys of a block in addition to `parameters`.
+fn block_keys() -> Map<String, Json> {
     let described = |key: &str, mut schema: Json, table: &[(&str, &str)]| {
         let meaning = table.iter().find(|row| row.0 == key).map(|row| row.1);
         schema["description"] = meaning.unwrap_or_default().into();
@@ -69,14 +71,18 @@ fn beside() -> Map<String, Json> {
     ];
     let design = object(keys.into_iter().collect(), &["kind", "n"]);
     let keys = [
-        described("zip", json!({ "type": "array", "items": group }), &BESIDE),
-        described("when", json!({ "type": "string" }), &BESIDE),
-        described("design", design, &BESIDE),
+        described(
+            "zip",
+            json!({ "type": "array", "items": group }),
+            &BLOCK_KEYS,
+        ),
+        described("when", json!({ "type": "string" }), &BLOCK_KEYS),
+        described("design", design, &BLOCK_KEYS),
     ];
     keys.into_iter().collect()
 }
 
-/// What holds for studies of one problem; what it says several times goes into the definitions.
+/// The rules for studies of one problem. Parts that occur several times are definitions.
 fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Json {
     let mut define = |what: &str, schema: Json| {
         definitions.insert(name_of(problem, what), schema);
@@ -85,7 +91,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     let parameters = define("parameters", parameters(problem.parameters(), ""));
     let metric = define("metric", metric(problem));
     define("where", filter(problem));
-    let mut block = beside();
+    let mut block = block_keys();
     block.insert("parameters".into(), parameters.clone());
     let figures: Vec<Json> = KINDS.iter().map(|kind| of_kind(kind, problem)).collect();
     let figure = json!({
@@ -125,7 +131,7 @@ fn metric(problem: &dyn Problem) -> Json {
     }
     let in_units = json!({
         "type": "string",
-        "pattern": format!("^({}){}{UNIT}(_per_{UNIT})?$", of_unit.join("|"), units::IN),
+        "pattern": format!("^({}){}{UNIT}(_per_{UNIT})?$", of_unit.join("|"), IN),
         "description": "a metric in the units of the study",
     });
     json!({ "anyOf": [scaled, in_units] })
@@ -152,7 +158,7 @@ fn name_of(problem: &dyn Problem, what: &str) -> String {
     format!("{}.{what}", problem.name())
 }
 
-/// What holds for figures of one kind.
+/// The rules for figures of one kind.
 fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
     let mut properties = Map::new();
     let mut required = Vec::new();
@@ -175,12 +181,12 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
     })
 }
 
-/// What stands under a key of a figure.
+/// The value of a key of a figure.
 fn taken(key: &Key, problem: &dyn Problem) -> Json {
     let parameters = |numeric: bool| {
         let table = problem.parameters().iter();
-        let fitting = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
-        names(fitting.map(|p| (&*p.name, &*p.meaning)))
+        let suitable = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
+        names(suitable.map(|p| (&*p.name, &*p.meaning)))
     };
     let profiles = || {
         names(
@@ -308,9 +314,9 @@ mod tests {
         {
             let properties = &rules["then"]["properties"];
             for parameter in problem.parameters() {
-                let told = Json::from(&*parameter.meaning).to_string();
+                let meaning = Json::from(&*parameter.meaning).to_string();
                 assert!(
-                    text.contains(told.trim_end_matches('"')),
+                    text.contains(meaning.trim_end_matches('"')),
                     "{}",
                     parameter.name
                 );

@@ -1,11 +1,37 @@
-//! Studies to begin with.
+//! Example studies.
 
 use crate::problem::Problem;
 
-/// A small commented study of a problem, with `NAME` for its name and `SCHEMA` for the way to the schema.
-pub fn start(problem: &dyn Problem) -> &'static str {
-    match problem.name() {
-        "friction-oscillator" => include_str!("start/friction-oscillator.json"),
-        _ => include_str!("start/bar-impact.json"),
+/// The examples, by the name of their problem.
+const EXAMPLES: [(&str, &str); 2] = [
+    (
+        "friction-oscillator",
+        include_str!("start/friction-oscillator.json"),
+    ),
+    ("bar-impact", include_str!("start/bar-impact.json")),
+];
+
+/// A small study of a problem with remarks, with `NAME` for its name and `SCHEMA` for the path of the schema; `None` if there
+/// is no example.
+pub fn start(problem: &dyn Problem) -> Option<&'static str> {
+    let mut examples = EXAMPLES.into_iter();
+    let (_, text) = examples.find(|(name, _)| *name == problem.name())?;
+    Some(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::PROBLEMS;
+
+    #[test]
+    fn every_problem_has_an_example_of_its_own() {
+        for problem in PROBLEMS.iter() {
+            let name = format!("\"problem\": \"{}\"", problem.name());
+            assert!(
+                start(&**problem).is_some_and(|text| text.contains(&name)),
+                "{name}"
+            );
+        }
     }
 }

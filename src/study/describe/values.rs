@@ -1,17 +1,17 @@
-//! The parameters of a problem and their values in the words of JSON Schema.
+//! The parameters of a problem and their values in JSON Schema.
 
 use serde_json::{Map, Value as Json, json};
 
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::study::interval::INTERVALS;
-use crate::study::spread::RULES;
+use crate::study::axes::axis_rule::RULES;
+use crate::study::axes::interval::INTERVALS;
 
-/// The `parameters` object, or the object that one of its keys holds.
+/// The `parameters` object, or the object under one of its keys.
 pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
     let mut properties: Map<String, Json> = Map::new();
     let mut required = Vec::new();
     let mut conditions = Vec::new();
-    // Keys that are objects too, as `right`.
+    // Keys that may be objects, as `right`.
     let mut objects = Vec::new();
     for parameter in table {
         let Some(rest) = parameter.name.strip_prefix(prefix) else {
@@ -23,14 +23,14 @@ pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
             }
             objects.push(key);
             let within = parameters(table, &format!("{prefix}{key}."));
-            let mut whole = properties
+            let mut schema = properties
                 .remove(key)
                 .unwrap_or_else(|| json!({ "anyOf": [] }));
-            match whole.get_mut("anyOf").and_then(Json::as_array_mut) {
+            match schema.get_mut("anyOf").and_then(Json::as_array_mut) {
                 Some(forms) => forms.push(within),
-                None => whole = json!({ "anyOf": [whole, within] }),
+                None => schema = json!({ "anyOf": [schema, within] }),
             }
-            properties.insert(key.into(), whole);
+            properties.insert(key.into(), schema);
             continue;
         }
         properties.insert(rest.into(), axis(parameter));
@@ -40,7 +40,7 @@ pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
             Some((governor, name)) if prefix.is_empty() => {
                 conditions.extend(condition(rest, governor, name, needed, table));
             }
-            _ => {}
+            None | Some(_) => {}
         }
     }
     let mut schema = object(properties, &required);
@@ -50,7 +50,7 @@ pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
     schema
 }
 
-/// What the choice of one parameter means for another: needed with one name, refused with the rest.
+/// The rule that a parameter is required or allowed only with one name of its governor.
 fn condition(
     key: &str,
     governor: &str,
@@ -62,7 +62,7 @@ fn condition(
     let others = table.iter().find(|p| p.name == governor).map(|p| p.kind);
     let others: Vec<&str> = match others {
         Some(Kind::Choice(choices)) => choices.iter().map(|c| c.0).collect(),
-        _ => Vec::new(),
+        Some(Kind::Number(_) | Kind::Whole { .. }) | None => Vec::new(),
     };
     let others: Vec<&str> = others.into_iter().filter(|other| *other != name).collect();
     let refused = json!({
@@ -113,16 +113,16 @@ fn axis(parameter: &Parameter) -> Json {
     schema
 }
 
-/// The range in words, or the names with their meaning.
+/// The range as text, or the names with their meanings.
 pub(super) fn allowed(parameter: &Parameter) -> String {
     match parameter.kind {
         Kind::Number(range) => range.to_string(),
         Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),
         Kind::Choice(choices) => {
-            let told = choices
+            let names = choices
                 .iter()
-                .map(|(name, means)| format!("{name}: {means}"));
-            told.collect::<Vec<_>>().join("; ")
+                .map(|(name, meaning)| format!("{name}: {meaning}"));
+            names.collect::<Vec<_>>().join("; ")
         }
     }
 }
@@ -174,7 +174,7 @@ pub(super) fn interval() -> Json {
     )
 }
 
-/// An object with exactly one of several keys, each a list of so many numbers.
+/// An object with exactly one of several keys, each with a list of `count` numbers.
 fn one_of(keys: &[(&str, &str)], count: usize, meaning: &str) -> Json {
     let list = json!({ "type": "array", "minItems": count, "maxItems": count, "items": number(Range::Any) });
     let properties = keys.iter().map(|(name, meaning)| {
@@ -189,7 +189,7 @@ fn one_of(keys: &[(&str, &str)], count: usize, meaning: &str) -> Json {
     schema
 }
 
-/// A string that stands for a number.
+/// An expression in a string.
 pub(super) fn expression() -> Json {
     json!({
         "type": "string",
@@ -198,7 +198,7 @@ pub(super) fn expression() -> Json {
     })
 }
 
-/// One of several names. Editors that know `enumDescriptions` show what each means.
+/// One of several names. Editors that support `enumDescriptions` show the meanings.
 pub(super) fn names<'a>(names: impl Iterator<Item = (&'a str, &'a str)>) -> Json {
     let (names, meanings): (Vec<&str>, Vec<&str>) = names.unzip();
     json!({ "enum": names, "enumDescriptions": meanings })
@@ -215,7 +215,7 @@ pub(super) fn object(mut properties: Map<String, Json>, required: &[&str]) -> Js
     })
 }
 
-/// A reference to a definition; within `allOf`, as draft 7 ignores what stands beside a bare one.
+/// A reference to a definition. It is in `allOf` because draft 7 ignores other keys next to `$ref`.
 pub(super) fn refer(name: &str) -> Json {
     json!({ "allOf": [{ "$ref": format!("#/definitions/{name}") }] })
 }

@@ -1,101 +1,12 @@
 //! Arithmetic and conditions in strings: `"8*pi"`, `"gamma * n * E * A / L"`, `"-2^2"` (which is -4), `"n > 2 and dt < 0.1"`.
 //!
-//! Text is read once into steps for a stack of numbers; names of parameters get their values when it is evaluated. Own
-//! code, because the permissively licensed crates either make -2^2 four or cannot say where a fault is.
+//! A text is parsed once into steps for a stack of numbers. Parameters get their values when the steps are evaluated. The
+//! permissively licensed crates either evaluate -2^2 to 4 or do not give the place of a fault.
 
+mod formula;
 mod parser;
 #[cfg(test)]
 mod tests;
-pub(super) mod words;
+pub(super) mod tokens;
 
-use crate::problem::parameter::{Parameter, Value};
-use crate::problem::schema::Text;
-
-/// What is wrong with an expression, and at which byte of it.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ExpressionFault {
-    /// Byte offset in the expression.
-    pub offset: usize,
-    /// What is wrong, with what was expected.
-    pub message: String,
-}
-
-/// An expression, ready to be evaluated; it cannot fail but by numbers that are not finite, or a missing value.
-#[derive(Debug, Clone)]
-pub struct Formula {
-    /// Each with its place in the text.
-    steps: Vec<(Step, usize)>,
-    uses: Vec<usize>,
-    /// Names of the parameters in `uses`.
-    names: Vec<Text>,
-}
-
-/// What is done with the stack; truth is 1 or 0.
-#[derive(Debug, Clone, Copy)]
-enum Step {
-    Number(f64),
-    /// The value of a row of the table.
-    Parameter(usize),
-    /// Whether a row of the table has this name.
-    Is(usize, &'static str),
-    One(fn(f64) -> f64),
-    Two(fn(f64, f64) -> f64),
-}
-
-impl Formula {
-    /// Reads a number; names are those of `table`, pi and e.
-    pub fn number(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
-        parser::parse(text, table, parser::Kind::Number)
-    }
-
-    /// Reads a condition: comparisons joined by `and`, `or`, `not`.
-    pub fn condition(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
-        parser::parse(text, table, parser::Kind::Truth)
-    }
-
-    fn name(&self, row: usize) -> &str {
-        let place = self.uses.iter().position(|own| *own == row);
-        place.map_or("", |place| &self.names[place])
-    }
-
-    /// Rows of the parameters it names, each once, in the order of the text.
-    pub fn uses(&self) -> &[usize] {
-        &self.uses
-    }
-
-    /// The value, given those of the parameters it names; truth is 1 or 0.
-    ///
-    /// # Errors
-    /// A step that is not finite; a parameter without a value.
-    pub fn value(&self, of: &dyn Fn(usize) -> Option<Value>) -> Result<f64, ExpressionFault> {
-        let mut stack: Vec<f64> = Vec::with_capacity(8);
-        for &(step, offset) in &self.steps {
-            let missing = |row: usize| ExpressionFault {
-                offset,
-                message: format!("{} has no value here", self.name(row)),
-            };
-            let mut take = || stack.pop().unwrap_or(f64::NAN);
-            let value = match step {
-                Step::Number(x) => x,
-                Step::Parameter(row) => of(row)
-                    .and_then(Value::as_f64)
-                    .ok_or_else(|| missing(row))?,
-                Step::Is(row, name) => {
-                    let is = of(row).ok_or_else(|| missing(row))? == Value::Name(name);
-                    f64::from(u8::from(is))
-                }
-                Step::One(function) => function(take()),
-                Step::Two(function) => {
-                    let right = take();
-                    function(take(), right)
-                }
-            };
-            if !value.is_finite() {
-                let message = format!("must be finite, got {value}");
-                return Err(ExpressionFault { offset, message });
-            }
-            stack.push(value);
-        }
-        Ok(stack.pop().unwrap_or(f64::NAN))
-    }
-}
+pub use formula::{ExpressionFault, Formula};

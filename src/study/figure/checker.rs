@@ -3,7 +3,7 @@
 use super::taken::Values;
 use crate::problem::Case;
 use crate::problem::parameter::{Default, Value, shortest};
-use crate::study::report::{Faults, join};
+use crate::study::faults::{Faults, join};
 use crate::study::scope::Scope;
 use crate::study::{Figure, Scale};
 

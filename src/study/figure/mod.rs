@@ -1,9 +1,10 @@
 //! The `figures` of a study.
 
 mod checker;
+pub(super) mod extent;
 pub(super) mod keys;
 pub mod kinds;
-pub(super) mod limits;
+mod limits;
 mod sampled;
 pub(super) mod taken;
 mod vary;
@@ -11,8 +12,8 @@ mod vary;
 use std::collections::HashSet;
 
 use crate::study::Figure;
+use crate::study::faults::{Faults, join, quoted};
 use crate::study::object::Object;
-use crate::study::report::{Faults, join, quoted};
 use crate::study::scope::Scope;
 use crate::study::tree::Node;
 use crate::study::value::name;

@@ -1,10 +1,10 @@
 //! The values under the keys of a figure, decoded by the types in the table of `kinds`.
 
+use super::extent;
 use super::keys::{Key, RIDGES, SCALES, Takes};
-use super::limits;
 use crate::problem::parameter::{self, Range};
+use crate::study::faults::{Faults, join};
 use crate::study::object::Object;
-use crate::study::report::{Faults, join};
 use crate::study::scope::{Scope, names};
 use crate::study::tree::{Node, Tree};
 use crate::study::units::NEEDS_UNITS;
@@ -167,8 +167,8 @@ pub(in crate::study) fn take(
         Takes::Text | Takes::Kind => return text(node, path, faults).map(Taken::Text),
         Takes::Filter => return scope.filter(node, path, faults).map(Taken::Filter),
         Takes::Times => return times(node, path, faults).map(Taken::Times),
-        Takes::Width => return limits::width(node, path, faults).map(Taken::Width),
-        Takes::Range => return limits::range(node, path, faults).map(Taken::Range),
+        Takes::Width => return extent::width(node, path, faults).map(Taken::Width),
+        Takes::Range => return extent::range(node, path, faults).map(Taken::Range),
         Takes::Scale => {
             let all = [Scale::Linear, Scale::Log];
             return name(node, path, "scale", &SCALES, faults).map(|row| Taken::Scale(all[row]));

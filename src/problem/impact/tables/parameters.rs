@@ -1,6 +1,6 @@
 //! The parameters of the bar impact.
 
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range, Value};
 use std::borrow::Cow::Borrowed;
 
 /// A row of the table of parameters that applies always.
@@ -19,6 +19,7 @@ const fn row(
         kind,
         default,
         applies: None,
+        column: ColumnRule::Always,
         meaning: Borrowed(meaning),
     }
 }

@@ -1,33 +1,41 @@
-//! A Pratt parser: from text to the steps of a formula, and what each part of it is.
+//! A Pratt parser: from a text to the steps of a formula.
 
 mod operand;
 
-use super::words;
-use super::{ExpressionFault, Formula, Step};
+use super::formula::{ExpressionFault, Formula, Step};
+use super::tokens;
 use crate::problem::parameter;
 use crate::problem::parameter::Parameter;
-use crate::study::report::unknown;
+use crate::study::source::faults::unknown;
 
-/// Deeper than any formula that a person writes.
+/// Most levels of nesting.
 const DEEPEST: usize = 100;
 
-/// What an operand is.
+/// The kind of an operand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Number,
     Truth,
-    /// The name that a row of the table has in the case.
+    /// The name of the parameter in a row of the table.
     Choice(usize),
     /// A name in quotes, at these bytes of the text.
     Quoted(usize, usize),
 }
 
-/// Reads the whole of `text`, which must be of `kind`.
-pub(super) fn parse(
-    text: &str,
-    table: &[Parameter],
-    kind: Kind,
-) -> Result<Formula, ExpressionFault> {
+impl Formula {
+    /// Parses a number. Names are parameters of `table`, pi and e.
+    pub fn number(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
+        parse(text, table, Kind::Number)
+    }
+
+    /// Parses a condition: comparisons joined by `and`, `or`, `not`.
+    pub fn condition(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
+        parse(text, table, Kind::Truth)
+    }
+}
+
+/// Parses `text`, which must be of `kind`.
+fn parse(text: &str, table: &[Parameter], kind: Kind) -> Result<Formula, ExpressionFault> {
     let mut parser = Parser {
         text,
         table,
@@ -51,7 +59,7 @@ pub(super) fn parse(
         None => {
             let message = match kind {
                 Kind::Truth => "must be a condition, as in \"n > 2\"",
-                _ => "must be a number",
+                Kind::Number | Kind::Choice(_) | Kind::Quoted(..) => "must be a number",
             };
             Err(fault(0, message))
         }
@@ -73,7 +81,7 @@ struct Parser<'a> {
     table: &'a [Parameter],
     offset: usize,
     depth: usize,
-    /// The token read last, to name what an operand is missing after.
+    /// The last token, for the message about a missing operand.
     last: Option<&'a str>,
     steps: Vec<(Step, usize)>,
     uses: Vec<usize>,
@@ -105,7 +113,7 @@ impl<'a> Parser<'a> {
         self.steps.push((step, at));
     }
 
-    /// An operand and all operators after it that bind more tightly than `least`.
+    /// An operand and all operators after it with a binding power above `least`.
     fn operand_and_operators(&mut self, least: u8) -> Outcome {
         if self.depth == DEEPEST {
             return Err(self.fault(format!("nested more than {DEEPEST} deep")));
@@ -114,7 +122,7 @@ impl<'a> Parser<'a> {
         let mut kind = self.operand()?;
         let mut compared = false;
         while self.peek().is_some() {
-            let Some(operator) = words::operator(&self.text[self.offset..]) else {
+            let Some(operator) = tokens::operator(&self.text[self.offset..]) else {
                 break;
             };
             if operator.binds <= least {
@@ -133,11 +141,11 @@ impl<'a> Parser<'a> {
         Ok(kind)
     }
 
-    /// What an operator makes of what stands on its two sides.
+    /// Applies an operator to its two operands.
     fn joined(
         &mut self,
         left: Kind,
-        operator: &words::Operator,
+        operator: &tokens::Operator,
         right: Kind,
         at: usize,
     ) -> Outcome {
@@ -185,7 +193,7 @@ impl<'a> Parser<'a> {
         };
         self.step(Step::Is(row, known), at);
         if token == "!=" {
-            self.step(Step::One(words::not), at);
+            self.step(Step::One(tokens::not), at);
         }
         Ok(Kind::Truth)
     }

@@ -1,17 +1,18 @@
-//! What stands between operators: numbers, names, calls, and anything in parentheses.
+//! Operands: numbers, names, calls of functions, and expressions in parentheses.
 
 use std::f64::consts::{E, PI};
 
 use super::{Kind, Outcome, Parser, fault};
 use crate::problem::parameter;
-use crate::study::expression::words::{self, CONSTANTS, FUNCTIONS, Function, length_of_number};
-use crate::study::expression::{ExpressionFault, Step};
-use crate::study::report::unknown;
+use crate::study::expression::formula::{ExpressionFault, Step};
+use crate::study::expression::tokens::{self, CONSTANTS, FUNCTIONS, Function};
+use crate::study::source::faults::unknown;
+use crate::study::source::number::length_of_number;
 
-/// How tightly signs bind: more than a product, less than a power.
+/// Binding power of signs: above a product, below a power.
 const SIGN: u8 = 13;
 
-/// How tightly `not` binds: more than `and`, less than a comparison.
+/// Binding power of `not`: above `and`, below a comparison.
 const NOT: u8 = 3;
 
 impl Parser<'_> {
@@ -58,7 +59,7 @@ impl Parser<'_> {
         if self.operand_and_operators(NOT)? != Kind::Truth {
             return Err(fault(at, "not needs a condition"));
         }
-        self.step(Step::One(words::not), at);
+        self.step(Step::One(tokens::not), at);
         Ok(Kind::Truth)
     }
 
@@ -151,7 +152,9 @@ impl Parser<'_> {
         let at = self.offset;
         match self.operand_and_operators(0)? {
             Kind::Number => Ok(()),
-            _ => Err(fault(at, format!("{name} needs numbers"))),
+            Kind::Truth | Kind::Choice(_) | Kind::Quoted(..) => {
+                Err(fault(at, format!("{name} needs numbers")))
+            }
         }
     }
 

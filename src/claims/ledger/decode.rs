@@ -1,0 +1,198 @@
+//! A ledger, read from its file with its studies.
+
+use std::cell::RefCell;
+use std::path::Path;
+
+use super::expect::expect;
+use super::{Claim, Ledger, LedgerStudy, Reading};
+use crate::error::Error;
+use crate::study;
+use crate::study::faults::{Faults, quoted};
+use crate::study::input::{text_of, tree_of};
+use crate::study::object::Object;
+use crate::study::place::Texts;
+use crate::study::scope::Scope;
+use crate::study::tree::{Node, Tree};
+use crate::study::value::{name, text};
+
+const CLAIM: [&str; 6] = ["id", "where", "says", "quantity", "readings", "because"];
+const READING: [&str; 5] = ["reading", "study", "figure", "expect", "holds"];
+
+/// Reads a ledger and its studies. Faults name the file as `file` does.
+///
+/// # Errors
+/// Every fault of the ledger, or of the first study that has any.
+pub fn read(file: &Path) -> Result<Ledger, Error> {
+    let shown = file.display().to_string();
+    let source = text_of(file)?;
+    let root = tree_of(&shown, &source)?;
+    let mut faults = Faults::default();
+    let ledger = ledger(&root, file, &mut faults)?;
+    match ledger {
+        Some(ledger) if faults.count() == 0 => Ok(ledger),
+        Some(_) | None => Err(Error::Faults(
+            faults.in_file_order(Texts::new(&shown, &source)),
+        )),
+    }
+}
+
+fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger>, Error> {
+    let Some(object) = Object::open(root, "", &["paper", "studies", "claims"], faults) else {
+        return Ok(None);
+    };
+    let mut string = |key: &str, what: &str| {
+        let node = object.need(key, what, faults)?;
+        text(node, &object.path(key), faults)
+    };
+    let paper = string("paper", "the name of the paper");
+    let folder = string(
+        "studies",
+        "the folder of the studies, relative to this file",
+    );
+    object.need("claims", "a list of claims", faults);
+    let folder = file
+        .parent()
+        .unwrap_or(Path::new(""))
+        .join(folder.unwrap_or_default());
+    // A study is read at its first occurrence.
+    let found = RefCell::new((Vec::<LedgerStudy>::new(), None));
+    let study = |node: &Node, path: &str, faults: &mut Faults| {
+        let name = text(node, path, faults)?;
+        let (studies, failed) = &mut *found.borrow_mut();
+        if let Some(at) = studies.iter().position(|s| s.name == name) {
+            return Some(at);
+        }
+        let file = folder.join(format!("{name}.json"));
+        if !file.is_file() {
+            let message = format!("no study {}", file.display());
+            faults.add(node.at, path, message);
+            return None;
+        }
+        match study::read(&file) {
+            Ok(study) => {
+                studies.push(LedgerStudy { name, file, study });
+                Some(studies.len() - 1)
+            }
+            Err(error) => {
+                failed.get_or_insert(error);
+                None
+            }
+        }
+    };
+    let scope = |at: usize| {
+        let (studies, _) = &*found.borrow();
+        let study = &studies[at].study;
+        let figures: Vec<String> = study.figures.iter().map(|f| f.name.clone()).collect();
+        let scope = Scope {
+            problem: study.problem.clone(),
+            measures: study.measures.clone(),
+            blocks: study.blocks.clone(),
+            once: study.once,
+        };
+        (scope, figures, study.columns.clone())
+    };
+    let claims = object.items("claims", faults, |node, path, faults| {
+        claim(node, path, faults, &|node, path, faults| {
+            reading(node, path, faults, &study, &scope)
+        })
+    });
+    for (i, claim) in claims.iter().enumerate() {
+        if claims[..i].iter().any(|first| first.id == claim.id) {
+            object.fault(
+                format!("two claims have the id {}", quoted(&claim.id)),
+                faults,
+            );
+        }
+    }
+    let (studies, failed) = found.into_inner();
+    match failed {
+        Some(error) => Err(error),
+        None => Ok(paper.map(|paper| Ledger {
+            paper,
+            claims,
+            studies,
+        })),
+    }
+}
+
+fn claim(
+    node: &Node,
+    path: &str,
+    faults: &mut Faults,
+    reading: &dyn Fn(&Node, &str, &mut Faults) -> Option<Reading>,
+) -> Option<Claim> {
+    let before = faults.count();
+    let object = Object::open(node, path, &CLAIM, faults)?;
+    let mut string = |key: &str, what: &str| {
+        let node = object.need(key, what, faults)?;
+        text(node, &object.path(key), faults)
+    };
+    let id = string("id", "a short name");
+    let place = string("where", "its place in the paper");
+    let statement = string("says", "the statement");
+    let quantity = string("quantity", "the quantity that decides");
+    let because = object.get("because");
+    let because = because.and_then(|node| text(node, &object.path("because"), faults));
+    let readings = object.items("readings", faults, reading);
+    if faults.count() == before && readings.is_empty() {
+        object.missing("readings", "at least one reading", faults);
+    }
+    if faults.count() == before && because.is_none() && readings.iter().any(|r| !r.holds) {
+        object.missing("because", "why it does not hold in every reading", faults);
+    }
+    (faults.count() == before).then_some(Claim {
+        id: id?,
+        place: place?,
+        statement: statement?,
+        quantity: quantity?,
+        readings,
+        because,
+    })
+}
+
+fn reading(
+    node: &Node,
+    path: &str,
+    faults: &mut Faults,
+    study: &dyn Fn(&Node, &str, &mut Faults) -> Option<usize>,
+    scope: &dyn Fn(usize) -> (Scope, Vec<String>, Vec<usize>),
+) -> Option<Reading> {
+    let before = faults.count();
+    let object = Object::open(node, path, &READING, faults)?;
+    let assumed = object
+        .need("reading", "what is assumed", faults)
+        .and_then(|node| text(node, &object.path("reading"), faults));
+    let holds = match object.need("holds", "the recorded verdict", faults) {
+        Some(Node {
+            tree: Tree::Bool(holds),
+            ..
+        }) => Some(*holds),
+        Some(node) => {
+            faults.must_be(node, &object.path("holds"), "true or false");
+            None
+        }
+        None => None,
+    };
+    let at = object
+        .need("study", "the study that decides", faults)
+        .and_then(|node| study(node, &object.path("study"), faults))?;
+    let (scope, figures, columns) = scope(at);
+    let figure = object.get("figure").and_then(|node| {
+        let names: Vec<&str> = figures.iter().map(String::as_str).collect();
+        let row = name(node, &object.path("figure"), "figure", &names, faults)?;
+        Some(figures[row].clone())
+    });
+    let expect = object.items("expect", faults, |node, path, faults| {
+        expect(node, path, &scope, &columns, faults)
+    });
+    if faults.count() == before && expect.is_empty() {
+        object.missing("expect", "at least one expectation", faults);
+    }
+    (faults.count() == before).then_some(Reading {
+        name: assumed?,
+        study: at,
+        figure,
+        expect,
+        holds: holds?,
+    })
+}

@@ -1,0 +1,140 @@
+//! From the draft of a block to the block: expressions in the order of their references, and the condition.
+
+use super::references::{check_given, report_circle, restates};
+use super::validate::MOST_CASES;
+use crate::problem::{Problem, Schema};
+use crate::study::Block;
+use crate::study::axes::draft::{BlockDraft, ParameterDraft};
+use crate::study::cases::derived::{Condition, Derived, not_computed, refused};
+use crate::study::cases::tabulated::Tabulated;
+use crate::study::expression::Formula;
+use crate::study::source::faults::{Faults, quoted};
+use crate::study::value::value_of;
+use std::sync::Arc;
+
+/// The block of a draft; `None` if an expression has a fault or refers to a faulty parameter.
+pub(in crate::study) fn resolve(
+    draft: &BlockDraft,
+    problem: &dyn Problem,
+    faults: &mut Faults,
+) -> Option<Block> {
+    let table = problem.parameters();
+    let mut block = Block {
+        groups: draft.axes(),
+        design: draft.design.clone(),
+        ..Block::default()
+    };
+    let before = faults.count();
+    let mut unresolved: Vec<&ParameterDraft> = Vec::new();
+    let mut all_given = true;
+    for given in &draft.parameters {
+        if let Some((formula, text)) = &given.formula {
+            let place = (given.at, given.path.as_str());
+            all_given &= check_given(draft, (formula, text), place, table, faults);
+            unresolved.push(given);
+        }
+    }
+    if !all_given {
+        return None;
+    }
+    while !unresolved.is_empty() {
+        let is_ready = |given: &&ParameterDraft| {
+            let mut uses = given.formula.iter().flat_map(|(formula, _)| formula.uses());
+            uses.all(|row| unresolved.iter().all(|other| other.parameter != *row))
+        };
+        let Some(ready) = unresolved.iter().position(is_ready) else {
+            report_circle(draft, &unresolved, table, faults);
+            return None;
+        };
+        let given = unresolved.remove(ready);
+        if let Some(formula) = &given.formula {
+            let restates = restates(draft, given, problem);
+            derive(
+                &mut block,
+                given,
+                formula,
+                restates,
+                problem.schema(),
+                faults,
+            );
+        }
+    }
+    if let Some((formula, at, text)) = &draft.when {
+        let path = match draft.path.strip_suffix("parameters") {
+            Some(path) => format!("{path}when"),
+            None => "when".into(),
+        };
+        if !check_given(draft, (formula, text), (*at, &path), table, faults) {
+            return None;
+        }
+        if let Err(message) = add_condition(&mut block, formula, text, problem) {
+            faults.add(*at, &path, message);
+        }
+    }
+    (faults.count() == before).then_some(block)
+}
+
+/// Adds the condition of a block.
+///
+/// # Errors
+/// The condition has no value for a case, no case meets it, or it would take too long to test.
+fn add_condition(
+    block: &mut Block,
+    formula: &Formula,
+    text: &str,
+    problem: &dyn Problem,
+) -> Result<(), String> {
+    let mut tabulated = Tabulated::new(formula.clone(), block);
+    if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
+        return Err(not_computed(formula, text, &case, &fault));
+    }
+    let (has_table, count) = (tabulated.table.is_some(), block.raw_len());
+    block.when = Some(Condition { formula: tabulated });
+    if !has_table && count > MOST_CASES {
+        return Err(format!(
+            "{}: must be tested for {count} combinations; allowed: at most {MOST_CASES}",
+            quoted(text)
+        ));
+    }
+    if let Some(raw) = block.undecided(problem) {
+        let case = block.raw_case(problem, raw);
+        return match formula.value(&|row| case.values[row]) {
+            Ok(_) => Ok(()),
+            Err(fault) => Err(not_computed(formula, text, &case, &fault)),
+        };
+    }
+    match block.len(problem) {
+        0 => Err(format!("{}: no combination meets it", quoted(text))),
+        _ => Ok(()),
+    }
+}
+
+/// Adds a derived parameter. Its first invalid value is a fault.
+fn derive(
+    block: &mut Block,
+    given: &ParameterDraft,
+    (formula, text): &(Formula, String),
+    restates: bool,
+    schema: &Arc<Schema>,
+    faults: &mut Faults,
+) {
+    let mut tabulated = Tabulated::new(formula.clone(), block);
+    let parameter = &schema.parameters[given.parameter];
+    let invalid = match tabulated.tabulate(block, schema) {
+        Err((case, _)) => Some(case),
+        Ok(()) => {
+            let mut values = tabulated.table.iter().flatten();
+            let invalid = values.position(|x| value_of(*x, parameter).is_err());
+            invalid.map(|entry| tabulated.case(block, entry as u64, schema))
+        }
+    };
+    if let Some(message) = invalid.and_then(|case| refused(formula, text, &case, parameter)) {
+        faults.add(given.at, &given.path, message);
+    }
+    block.derived.push(Derived {
+        parameter: given.parameter,
+        text: text.to_owned(),
+        restates,
+        formula: tabulated,
+    });
+}

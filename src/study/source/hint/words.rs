@@ -1,0 +1,127 @@
+//! Words of other programs. They are written as `super::plain` writes them: without capitals, `_`, `-`, `.` and blanks.
+
+/// Synonyms of names, each with the names that it may refer to. The first of them that is allowed is used.
+pub(in crate::study) const SYNONYMS: &[(&[&str], &[&str])] = &[
+    (
+        &["logspace", "logrange", "geometric", "geom"],
+        &["geomspace"],
+    ),
+    (&["arange", "seq", "sequence"], &["range"]),
+    (&["linrange", "linear"], &["linspace"]),
+    (&["lognormal", "logarithmic"], &["loguniform", "log"]),
+    (
+        &["lhs", "lhc", "latinhypercubesampling"],
+        &["latin-hypercube"],
+    ),
+    (&["alfa"], &["alpha"]),
+    (
+        &["timestep", "step", "stepsize", "deltat", "h"],
+        &["dT", "dt"],
+    ),
+    (
+        &["tend", "tmax", "tfinal", "endtime", "time", "totaltime"],
+        &["duration"],
+    ),
+    (&["initialdisplacement", "amplitude", "u0"], &["x0"]),
+    (
+        &["initialvelocity", "velocity", "speed", "impactvelocity"],
+        &["V0"],
+    ),
+    (&["elements", "nelements", "nel", "mesh"], &["n"]),
+    (&["youngsmodulus", "youngmodulus", "modulus"], &["E"]),
+    (&["area", "crosssection"], &["A"]),
+    (&["density"], &["rho"]),
+    (&["length"], &["L"]),
+    (
+        &[
+            "penalty",
+            "contactstiffness",
+            "impactstiffness",
+            "springstiffness",
+        ],
+        &["k_I"],
+    ),
+    (
+        &["impact", "collision", "pounding", "bars"],
+        &["bar-impact"],
+    ),
+    (&["oscillator", "sdof"], &["friction-oscillator"]),
+    (&["timehistory"], &["history"]),
+    (&["contour", "heatmap"], &["map"]),
+    (&["filter", "select"], &["where", "when"]),
+];
+
+/// Words for quantities that this program does not model, and the quantity.
+pub(in crate::study) const OUTSIDE: &[(&[&str], &str)] = &[
+    (
+        &[
+            "damping",
+            "dampingratio",
+            "zeta",
+            "xi",
+            "rayleigh",
+            "dashpot",
+        ],
+        "damping",
+    ),
+    (
+        &[
+            "forcing",
+            "load",
+            "excitation",
+            "forcingfrequency",
+            "frequencyratio",
+        ],
+        "applied forces",
+    ),
+    (
+        &[
+            "groundmotion",
+            "groundacceleration",
+            "record",
+            "earthquake",
+            "accelerogram",
+            "pga",
+            "basemotion",
+        ],
+        "ground motion",
+    ),
+    (
+        &["restitution", "coefficientofrestitution"],
+        "a coefficient of restitution",
+    ),
+    (
+        &[
+            "plasticity",
+            "yield",
+            "yieldstress",
+            "yieldstrength",
+            "hardening",
+        ],
+        "plastic deformation",
+    ),
+    (&["poisson", "poissonratio"], "lateral strain"),
+];
+
+/// Words for the scales of the friction oscillator, which has the parameter `alpha`.
+pub(in crate::study) const SCALED: &[&str] = &[
+    "mu",
+    "nu",
+    "frictioncoefficient",
+    "normalforce",
+    "k",
+    "stiffness",
+    "m",
+    "mass",
+    "omega",
+    "omegan",
+    "frequency",
+    "period",
+];
+
+/// Units that a number may carry in other programs.
+pub(in crate::study) const UNITS: &[&str] = &[
+    "s", "sec", "ms", "us", "µs", "min", "Hz", "kHz", "m", "cm", "mm", "km", "um", "µm", "in",
+    "ft", "N", "kN", "MN", "Pa", "kPa", "MPa", "GPa", "psi", "kg", "g", "t", "rad", "deg", "°",
+    "%",
+];
