@@ -90,7 +90,7 @@ fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
     let bars: [Bar; L] = array::from_fn(|l| Bar {
         elements: 6,
         mass: 0.3 + CASES[(first + l) % 8][1],
-        trip: 1.0 + CASES[(first + l) % 8][0],
+        travel_time: 1.0 + CASES[(first + l) % 8][0],
         kind: Mass::Lumped,
     });
     let modes: [Vec<Mode>; L] = array::from_fn(|l| bars[l].modes().collect());

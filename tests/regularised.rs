@@ -1,7 +1,8 @@
 //! The regularised motions in continuous time against an adaptive integration, their energy, their limits and the steps.
 
 use proptest::prelude::*;
-use slipgap::exact::coulomb::{Coulomb, State};
+use slipgap::exact::State;
+use slipgap::exact::coulomb::Coulomb;
 use slipgap::exact::regularised::Regularised;
 use std::f64::consts::PI;
 

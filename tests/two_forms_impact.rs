@@ -16,7 +16,7 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
     let bar = Bar {
         elements: n,
         mass: 0.5,
-        trip: 1.0,
+        travel_time: 1.0,
         kind,
     };
     Scaled {
@@ -116,7 +116,7 @@ fn both_forms_agree_for_other_meshes_steps_and_bars() {
     unlike.pair.right = Some(Bar {
         elements: 7,
         mass: 0.9,
-        trip: 1.7,
+        travel_time: 1.7,
         kind: Mass::Lumped,
     });
     assert!(compare(&unlike, 0.01, 3.0).1 < round_off(0.01));

@@ -188,11 +188,9 @@ mod tests {
 
     /// Rows at T = i pi/2 with these X and S.
     fn history(rows: &[(f64, f64)]) -> History {
-        let mut history = History::of_contact(rows.len());
-        for (i, &(x, s)) in rows.iter().enumerate() {
-            history.push(i as f64 * 0.5 * PI, [x, 0.0, s]);
-        }
-        history
+        let rows = rows.iter().enumerate();
+        rows.map(|(i, &(x, s))| (i as f64 * 0.5 * PI, [x, 0.0, s]))
+            .collect()
     }
 
     fn metrics(x0: f64, c: &History) -> [Option<f64>; COUNT] {

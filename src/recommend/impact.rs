@@ -176,7 +176,7 @@ impl Impact {
 /// When the ends part for the first time, by the exact solution; `None` where that takes too long to follow.
 fn parting(scaled: &Scaled) -> Option<f64> {
     let shorter = match scaled.pair.right {
-        Some(right) => right.trip.min(1.0),
+        Some(right) => right.travel_time.min(1.0),
         None => 1.0,
     };
     let longer = |trips: &f64| Some(4.0 * trips).filter(|trips| *trips <= MOST_TRIPS);

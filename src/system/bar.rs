@@ -30,7 +30,7 @@ pub struct Bar {
     /// Mass of the whole bar.
     pub mass: f64,
     /// Travel time there and back, 2 L/C0.
-    pub trip: f64,
+    pub travel_time: f64,
     /// How the mass is laid.
     pub kind: Mass,
 }
@@ -54,7 +54,7 @@ impl Bar {
     fn modal(&self, j: u32) -> (f64, f64) {
         let n = f64::from(self.elements);
         let s = sin(f64::from(j) * PI / (2.0 * n));
-        let rate = 2.0 * n / self.trip; // C0/h
+        let rate = 2.0 * n / self.travel_time; // C0/h
         let ends = if j == 0 || j == self.elements {
             1.0
         } else {
@@ -89,8 +89,8 @@ mod tests {
         let n = bar.elements as usize;
         let (mut m, mut k) = (DMatrix::zeros(n + 1, n + 1), DMatrix::zeros(n + 1, n + 1));
         let element = bar.mass / n as f64;
-        // EA/h = (EA/C0) (C0/h) with EA/C0 = mass C0/L = 2 mass/trip.
-        let stiffness = 2.0 * bar.mass / bar.trip * (2.0 * n as f64 / bar.trip);
+        // EA/h = (EA/C0) (C0/h) with EA/C0 = mass C0/L = 2 mass/travel_time.
+        let stiffness = 2.0 * bar.mass / bar.travel_time * (2.0 * n as f64 / bar.travel_time);
         let (own, other) = match bar.kind {
             Mass::Lumped => (element / 2.0, 0.0),
             Mass::Consistent => (element / 3.0, element / 6.0),
@@ -115,7 +115,7 @@ mod tests {
                 let bar = Bar {
                     elements,
                     mass: 3.0,
-                    trip: 0.7,
+                    travel_time: 0.7,
                     kind,
                 };
                 let (m, k) = assembled(&bar);

@@ -1,8 +1,9 @@
 //! The exact solution at the steps of a run, and what the metrics ask of it: the same for all cases with its gap, bars,
 //! step and duration.
 
+use crate::exact::State;
 use crate::exact::first_step;
-use crate::exact::wave::{State, Wave};
+use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::metrics::reached;
 use std::ops::Range;

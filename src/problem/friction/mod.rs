@@ -71,10 +71,10 @@ impl FrictionOscillator {
         work: f64,
         wanted: &[usize],
     ) -> Result<Solution, Unsolvable> {
-        let mut computed = History::of_contact(track.0.len());
-        for (i, [x, v, s]) in track.0.iter().enumerate() {
-            computed.push(i as f64 * case.step, [*x, *v, *s]);
-        }
+        let steps = track.0.iter().enumerate();
+        let computed: History = steps
+            .map(|(i, contact)| (i as f64 * case.step, *contact))
+            .collect();
         if !computed.is_finite() {
             return Err(Unsolvable::OutOfRange);
         }
@@ -102,16 +102,10 @@ impl FrictionOscillator {
 /// The exact motion at these times.
 fn coulomb(x0: f64, times: &[f64]) -> History {
     let coulomb = Coulomb::new(x0);
-    let mut exact = History::of_contact(times.len());
-    for &time in times {
-        let state = coulomb.at(time);
-        exact.push(time, [state.displacement, state.velocity, state.force]);
-    }
-    exact
+    History::sample(times, |time| coulomb.at(time).values())
 }
 
-/// The motion under the case's softened law in continuous time; `None` where that is not known, see
-/// [`regularised::holds`].
+/// The motion with the softened law of the case in continuous time; `None` outside the range of [`regularised::holds`].
 fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
     let (x0, force, end) = (case.x0, case.force, *times.last()?);
     let mut motion = match case.law {
@@ -120,10 +114,5 @@ fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
         FrictionLaw::Velocity(law) => regularised::holds(x0, law.compliance, 0.0, end)
             .then(|| Regularised::velocity(x0, law.compliance)),
     }?;
-    let mut history = History::of_contact(times.len());
-    for &time in times {
-        let state = motion.at(time);
-        history.push(time, [state.displacement, state.velocity, state.force]);
-    }
-    Some(history)
+    Some(History::sample(times, |time| motion.at(time).values()))
 }

@@ -80,10 +80,10 @@ mod tests {
     /// Impedances z : 1, trips 1 : theta; a wall for z = 0.
     fn scaled(z: f64, theta: f64, gap: f64) -> Scaled {
         let mass = 0.25 * (1.0 + z);
-        let bar = |elements, mass, trip| Bar {
+        let bar = |elements, mass, travel_time| Bar {
             elements,
             mass,
-            trip,
+            travel_time,
             kind: Mass::Lumped,
         };
         Scaled {

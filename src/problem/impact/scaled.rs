@@ -53,14 +53,14 @@ impl Scaled {
         let left = Bar {
             elements: n as u32,
             mass,
-            trip: 1.0,
+            travel_time: 1.0,
             kind,
         };
         let right = if z > 0.0 {
             Some(Bar {
                 elements: case.at(rows::RIGHT_N)? as u32,
                 mass: mass * theta / z,
-                trip: theta,
+                travel_time: theta,
                 kind,
             })
         } else {

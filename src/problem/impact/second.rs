@@ -110,7 +110,7 @@ mod tests {
         let left = Bar {
             elements: n,
             mass,
-            trip: 1.0,
+            travel_time: 1.0,
             kind,
         };
         Scaled {
@@ -187,7 +187,7 @@ mod tests {
         let unlike = Scaled {
             pair: BarPair {
                 right: Some(Bar {
-                    trip: 1.1,
+                    travel_time: 1.1,
                     ..like.pair.left
                 }),
                 ..like.pair

@@ -100,7 +100,7 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
 /// EA/h in the case's scales.
 fn element_stiffness(bar: &Bar) -> f64 {
     let n = f64::from(bar.elements);
-    bar.mass / n * (2.0 * n / bar.trip) * (2.0 * n / bar.trip)
+    bar.mass / n * (2.0 * n / bar.travel_time) * (2.0 * n / bar.travel_time)
 }
 
 /// Displacements and velocities at the nodes from those of the modes.
