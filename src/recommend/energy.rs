@@ -17,6 +17,6 @@ pub fn gain(case: &Case, computed: &History) -> Option<f64> {
         force: lanes(computed.force()),
     };
     let energy = energy_of_books(&track, Lane([start]), computed.len());
-    let (Lane([start]), Lane([greatest])) = (energy.start, energy.greatest);
+    let (Lane([start]), Lane([greatest])) = (energy.start, energy.largest);
     Some((greatest - start) / start)
 }

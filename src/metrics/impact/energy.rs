@@ -9,9 +9,9 @@ pub struct Energy<const L: usize> {
     /// At t = 0.
     pub start: Lane<L>,
     /// Smallest at a step.
-    pub least: Lane<L>,
+    pub smallest: Lane<L>,
     /// Largest at a step.
-    pub greatest: Lane<L>,
+    pub largest: Lane<L>,
     /// At the last step.
     pub last: Lane<L>,
 }
@@ -20,36 +20,36 @@ impl<const L: usize> Energy<L> {
     fn new(start: Lane<L>) -> Self {
         Energy {
             start,
-            least: start,
-            greatest: start,
+            smallest: start,
+            largest: start,
             last: start,
         }
     }
 
     #[inline(always)]
-    fn note(&mut self, energy: Lane<L>) {
-        self.least = self.least.smaller(energy);
-        self.greatest = self.greatest.larger(energy);
+    fn update(&mut self, energy: Lane<L>) {
+        self.smallest = self.smallest.smaller(energy);
+        self.largest = self.largest.larger(energy);
         self.last = energy;
     }
 }
 
 impl Energy<1> {
-    /// Of the energies at the steps, at least one.
+    /// From the energies at the steps; there must be at least one.
     pub fn of(steps: &[f64]) -> Energy<1> {
         let mut energy = Energy::new(Lane([steps.first().copied().unwrap_or(f64::NAN)]));
         for step in steps {
-            energy.note(Lane([*step]));
+            energy.update(Lane([*step]));
         }
         energy
     }
 }
 
-/// The energy over the first `count` steps from the force and the displacement of the contact alone; `start` is that of the
-/// bars at t = 0.
+/// The energy over the first `count` steps from the force and the displacement of the contact alone; `start` is the energy of
+/// the bars at t = 0.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// books of a step), and the spring stores S r/2; S = -F. Only a step in which the contact changes its state changes the sum.
+/// section 5), and the spring stores S r/2; S = -F. The sum changes only in steps in which the contact opens or closes.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
@@ -65,7 +65,7 @@ pub fn energy_of_books<const L: usize>(
     let mut energy = Energy::new(start - f_before * r_before * 0.5);
     for (r, f) in r.iter().zip(force).skip(1) {
         bars = bars + (f_before + *f) * (*r - r_before) * 0.5;
-        energy.note(bars - *f * *r * 0.5);
+        energy.update(bars - *f * *r * 0.5);
         (r_before, f_before) = (*r, *f);
     }
     energy

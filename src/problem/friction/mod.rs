@@ -9,6 +9,7 @@ use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
+use crate::metrics::friction::{work_by_energy, work_by_trapezoids};
 use crate::metrics::{self, cells};
 use crate::solve::sweep::LaneCase;
 use crate::solve::{self, ContactTrack, MetricTable, Unsolvable};
@@ -35,7 +36,8 @@ impl Problem for FrictionOscillator {
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let motion = solve::run::<ContactTrack>(&own.system())?;
-        let work = own.work(motion.end.map(|Lane([x])| x));
+        let [Lane([x]), Lane([v]), _] = motion.end;
+        let work = work_by_energy(own.x0, [x, v]);
         self.judge(&own, &motion.track, work, wanted)
     }
 
@@ -48,8 +50,7 @@ impl Problem for FrictionOscillator {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
         solve::once::run(&own.system(), |structure| track.0.push(structure.contact()))?;
-        // A step solved once is not in equilibrium at its end, so that the energy there does not give the work.
-        let work = metrics::friction::work(&track.0, own.x0.abs());
+        let work = work_by_trapezoids(&track.0, own.x0);
         self.judge(&own, &track, work, wanted)
     }
 
