@@ -1,4 +1,4 @@
-//! Solving: systems moved through time, one at a time or many side by side. Written once for all problems.
+//! Solving: integration of systems in time, one at a time or several together. Written once for all problems.
 
 pub mod once;
 pub mod sweep;
@@ -37,8 +37,9 @@ impl<const L: usize, T: Default> Default for Motion<L, T> {
     }
 }
 
-/// L systems at t = 0 with as many modes each, and the law of the first one's kind over a step; `None` without a mode.
-// Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+/// L systems at t = 0 with equal numbers of modes, and their laws over a step; `None` without a mode. All laws have the kind of
+/// the first one.
+// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 pub fn start<const L: usize, M: Modes<L>>(
     systems: &[System; L],
 ) -> Option<(AverageAcceleration<L, M>, AnyStep<L>)> {
@@ -54,7 +55,7 @@ pub fn start<const L: usize, M: Modes<L>>(
     for (same, system) in same.iter_mut().zip(systems) {
         *same = system.linear == first.linear;
     }
-    // A mode of a bar costs sines, as much as some steps. Most cases of a sweep have the same modes.
+    // A mode of a bar needs sines, as much time as some steps. Most cases of a sweep have the same modes.
     let modes = (0..first.linear.len()).map(|j| {
         let shared = first.linear.mode(j);
         let mut own = [shared; L];
@@ -89,8 +90,8 @@ fn at_start<const L: usize>(own: &[ModeAtStart; L]) -> ModeStart<L> {
     start
 }
 
-/// Moves L systems with as many modes each and laws of one kind to their last steps; for each whether its motion stays
-/// finite.
+/// Integrates L systems with equal numbers of modes and laws of one kind to their last steps. Returns for each whether its motion
+/// is finite.
 pub fn advance<const L: usize, M: Modes<L>, T: Track<L>>(
     systems: &[System; L],
     motion: &mut Motion<L, T>,
@@ -127,7 +128,10 @@ pub fn advance<const L: usize, M: Modes<L>, T: Track<L>>(
     end.finite()
 }
 
-/// One system moved to its last step; an error where the motion does not stay finite.
+/// Integrates one system to its last step.
+///
+/// # Errors
+/// [`Unsolvable::OutOfRange`] if the motion does not remain finite.
 pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
     let mut motion = Motion::default();
     match advance::<1, Vec<_>, T>(&[*system], &mut motion) {
@@ -139,7 +143,7 @@ pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
 /// The constant average acceleration method for one system.
 pub type Stepper = AverageAcceleration<1>;
 
-/// One system moved to its last step; `visit` gets the number of each step, from 0 on, and the structure then.
+/// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
 pub fn visit(system: &System, mut visit: impl FnMut(u64, &Stepper)) {
     let Some((mut stepper, law)) = start::<1, Vec<_>>(&[*system]) else {
         return;
@@ -165,7 +169,7 @@ impl<const L: usize, M: Modes<L>, T: Track<L>> Visitor<L> for Steps<'_, L, M, T>
     }
 }
 
-// A small function of its own: together with other code its loop would be compiled less well.
+// A separate small function: with other code around it, its loop compiles to slower instructions.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
 fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
     stepper: &mut AverageAcceleration<L, M>,
