@@ -11,7 +11,7 @@
 //!
 //! The method of integration decides how much of S(i) is still to be applied: all of it in the constant average acceleration
 //! method (`start` = `end`), nothing in a method whose prediction contains it (`start` = 0). Each law gives the one root of
-//! both equations in closed form. Newton's iteration of the papers converges to it where it converges; on clipped laws it can
+//! both equations in closed form. Newton's iteration of the papers has the same root if it converges; on clipped laws it can
 //! cycle.
 
 mod displacement_control;
@@ -92,7 +92,7 @@ pub trait Law: Copy {
         work - (self.stored_energy(r_end, s_end) - self.stored_energy(r, s))
     }
 
-    /// The law as the papers print it, at r under S; `None` where they do not.
+    /// The law as the papers print it, at r under S; `None` if they do not.
     fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
         None
     }
@@ -117,7 +117,7 @@ pub trait Visitor<const L: usize> {
     fn visit(self, law: &impl StepLaw<L>);
 }
 
-/// Friction limit `nu |N| <N>`: zero where the contact is open, N >= 0 [F (1), (3)].
+/// Friction limit `nu |N| <N>`: zero for an open contact, N >= 0 [F (1), (3)].
 pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
     if normal_force < 0.0 {
         nu * normal_force.abs()
@@ -188,7 +188,7 @@ macro_rules! laws {
                 }
             }
 
-            /// The law as the papers print it, at r under S; `None` where they do not.
+            /// The law as the papers print it, at r under S; `None` if they do not.
             pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
                 match self {
                     $(ContactLaw::$law(law) => law.element(r, s)),+

@@ -31,19 +31,4 @@ mod tests {
             assert!((high / square.sqrt() - 1.0).abs() < 2.0 * f64::EPSILON);
         }
     }
-
-    #[test]
-    fn both_forms_of_the_middle_are_equal() {
-        // From 0 on, an end is 0 or both ends are within a factor of 2, where the difference has no round-off.
-        let (mut low, mut high) = (0.0, 0.1 + 0.2);
-        for step in 0..60 {
-            let middle = 0.5 * (low + high);
-            assert_eq!(middle, low + 0.5 * (high - low));
-            if step == 0 || step % 3 == 1 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-    }
 }

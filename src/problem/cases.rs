@@ -16,7 +16,7 @@ pub struct Cases {
     refused: BTreeMap<usize, String>,
 }
 
-/// The values of one parameter over many cases; `None` where it does not apply.
+/// The values of one parameter over many cases; `None` if it does not apply.
 #[derive(Debug, Clone)]
 pub enum Column {
     /// One for all cases.

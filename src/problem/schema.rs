@@ -111,7 +111,7 @@ pub struct TimeAxis {
     pub in_pi: bool,
 }
 
-/// A quantity over time, computed and exact: one column of a history, and one with `_exact` behind its name where `exact` is
+/// A quantity over time, computed and exact: one column of a history, and one with `_exact` after its name if `exact` is
 /// set.
 #[derive(Debug, Clone)]
 pub struct Channel {

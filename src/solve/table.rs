@@ -53,7 +53,7 @@ impl MetricTable {
         row.iter().map(|x| defined(*x))
     }
 
-    /// A metric of every case; `None` where one is undefined.
+    /// A metric of every case; `None` if one is undefined.
     pub fn column(&self, metric: usize) -> impl Iterator<Item = Option<f64>> + '_ {
         let (inside, width) = (metric < self.width, self.width);
         let cell = move |case: usize| match inside {

@@ -10,7 +10,7 @@ pub struct BarPair {
     pub left: Bar,
     /// The right bar; `None` for a wall.
     pub right: Option<Bar>,
-    /// rdot(0) of the rigid-body motion; negative where the gap closes.
+    /// rdot(0) of the rigid-body motion; negative if the gap closes.
     pub velocity: f64,
 }
 

@@ -32,16 +32,19 @@ pub fn holds(x0: f64, width: f64, force: f64, end: f64) -> bool {
 ///
 /// Its error is round-off of the largest |X| times the number of pieces passed.
 ///
-/// Friction does less work than Coulomb's 72 nu N Delta, by the spring that alpha adds. At 8 pi and alpha = 1 it is 71.49:
+/// The energy gives the peaks: with S at its limit, the peak P is followed by sqrt((P - 1)^2 + 4 alpha) - 1 on the other side.
+/// For P = 12 and alpha = 5.75 this is sqrt(144) - 1 = 11:
 ///
 /// ```
 /// use slipgap::exact::regularised::Regularised;
-/// use std::f64::consts::PI;
 ///
-/// let end = Regularised::displacement(12.0, 1.0, 0.0).at(8.0 * PI);
-/// let [x, v] = [end.displacement, end.velocity];
-/// let work = (12.0 * 12.0 - x * x - v * v) / 2.0;
-/// assert!((work - 71.49).abs() < 5e-3);
+/// let mut motion = Regularised::displacement(12.0, 5.75, 1.0);
+/// let sliding = motion.next_event();
+/// assert!((motion.at(sliding).force + 1.0).abs() < 1e-14);
+/// // The next event is the end of sliding, at the peak.
+/// motion.at(sliding + 1e-6);
+/// let peak = motion.at(motion.next_event());
+/// assert!((peak.displacement + 11.0).abs() < 1e-13 && peak.velocity.abs() < 1e-13);
 /// ```
 #[derive(Debug, Clone)]
 pub struct Regularised(Model);

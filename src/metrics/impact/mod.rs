@@ -225,17 +225,17 @@ mod tests {
         track.resize(4);
         track.force.fill(Lane([0.7]));
         track.displacement.fill(Lane([-0.1]));
-        let found = |duration: f64| {
+        let impulse_error = |duration: f64| {
             let exact = Sampled::new(&wave, 0.3, 3, duration);
             cells(evaluate(&track, &Energy::of(&[1.0]), Lane([0.0]), &exact))[6]
         };
         assert!(
-            (found(1.1).unwrap() + 0.3).abs() < 1e-15,
+            (impulse_error(1.1).unwrap() + 0.3).abs() < 1e-15,
             "{:?}",
-            found(1.1)
+            impulse_error(1.1)
         );
         // The duration must be beyond the separation.
-        assert_eq!([found(1.0), found(0.95)], [None; 2]);
+        assert_eq!([impulse_error(1.0), impulse_error(0.95)], [None; 2]);
     }
 
     #[test]
@@ -291,9 +291,9 @@ mod tests {
         // A step later there is a contact.
         let touching = [(0.25, -1.0, 0.0), (-0.1, -0.5, 1.0)];
         assert!(!without(&touching, 0.25));
-        let found = metrics(&touching, 0.25, &[2.0], 0.5);
+        let metrics = metrics(&touching, 0.25, &[2.0], 0.5);
         assert_eq!(
-            [found[2], found[3], found[5], found[7]],
+            [metrics[2], metrics[3], metrics[5], metrics[7]],
             [Some(0.0), Some(0.1), Some(1.0), Some(0.5)]
         );
     }

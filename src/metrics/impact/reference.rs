@@ -14,9 +14,9 @@ pub fn reference(wave: &Wave, exact: &Sampled) -> [Option<f64>; COUNT] {
         return [None; COUNT];
     }
     let end = (exact.count() - 1) as f64 * exact.step;
-    let parted = wave.first_touch() + exact.lasts;
+    let separation = wave.first_touch() + exact.lasts;
     [
-        reached(end, parted).then_some(exact.lasts),
+        reached(end, separation).then_some(exact.lasts),
         Some(wave.peak_force(end)),
         Some(wave.restitution(end)),
     ]

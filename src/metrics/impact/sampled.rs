@@ -63,15 +63,15 @@ impl Sampled {
         let time = |i: usize| i as f64 * step;
         let until = |mark: f64| first_step(count, mark / step, |i| !reached(mark, time(i)));
         let from = first_step(count, settled / step, |i| reached(time(i), settled));
-        let [_, parted] = wave.durations();
+        let [_, separation] = wave.durations();
         Sampled {
             step,
             openings: until(watched),
             watched: from..until(watched).max(from),
             lasts,
             touches: !reached(touch, end),
-            impulse: parted
-                .filter(|parted| !reached(*parted, duration))
+            impulse: separation
+                .filter(|separation| !reached(*separation, duration))
                 .map(|_| wave.impulse(end)),
             duration,
             at,

@@ -42,7 +42,7 @@ pub struct OscillatorCase {
 }
 
 impl OscillatorCase {
-    /// The parameters; `None` where one is not given.
+    /// The parameters; `None` if one is not given.
     pub fn new(case: &Case, last: u64) -> Option<OscillatorCase> {
         let x0 = case.at(rows::X0)?;
         let limit = 1.0;

@@ -30,7 +30,7 @@ pub struct ImpactCase {
 }
 
 impl ImpactCase {
-    /// The parameters; `None` where one is not given.
+    /// The parameters; `None` if one is not given.
     pub fn new(case: &Case) -> Option<ImpactCase> {
         Some(ImpactCase {
             scaled: Scaled::new(case)?,

@@ -33,8 +33,8 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     let Some((mut stepper, law)) = solve::start::<1, Vec<_>>(&[system(scaled, dt, 0)]) else {
         return [None; 2];
     };
-    let parted = 0.5 * scaled.bars.gap + CONTACT;
-    let first = ((parted + 0.5 * flight) / dt).round() as u64;
+    let separation = 0.5 * scaled.bars.gap + CONTACT;
+    let first = ((separation + 0.5 * flight) / dt).round() as u64;
     for _ in 0..first {
         stepper.step(&law);
     }
@@ -44,7 +44,7 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     let Some(mut stepper) = far_ends(scaled, dt, flight, &stepper) else {
         return [None; 2];
     };
-    let end = parted + flight + CONTACT + REST - first as f64 * dt;
+    let end = separation + flight + CONTACT + REST - first as f64 * dt;
     let mut closing = None;
     for _ in 0..(end / dt).round() as u64 {
         let before = stepper.contact();
@@ -169,9 +169,9 @@ mod tests {
         ] {
             // A pair on k_I is two bars on walls with 2 k_I each.
             for (wall, gamma) in [(false, gamma), (true, 2.0 * gamma)] {
-                let found = second(&scaled(n, gamma, gap, kind, wall), dt, flight);
-                for (found, expected) in found.into_iter().zip(expected) {
-                    let difference = (found.unwrap() - expected).abs();
+                let speeds = second(&scaled(n, gamma, gap, kind, wall), dt, flight);
+                for (speed, expected) in speeds.into_iter().zip(expected) {
+                    let difference = (speed.unwrap() - expected).abs();
                     assert!(
                         difference < tolerance,
                         "n {n}, gamma {gamma}, wall {wall}: {difference:e}"
