@@ -19,6 +19,7 @@ report: ## one page about all studies, figures/report.html: tables to sort and f
 test: ## check results and verdicts against recorded values, run all tests
 	cargo run --locked -- check
 	cargo run --locked -- claims --out target
+	for example in one_case sweep figure own_metric; do cargo run --locked --quiet --example $$example > target/$$example.txt || exit 1; done
 	cargo test --locked
 
 lint: ## formatting, clippy and documentation without warnings

@@ -15,25 +15,25 @@ const SWEEPS: [(&str, &str, u64); 4] = [
         "displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "alpha": {"geomspace": [0.01, 10, 1024]}}"#,
-        1833,
+        1823,
     ),
     (
         "velocity-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        1780,
+        1791,
     ),
     (
         "bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5,
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        24195,
+        18919,
     ),
     (
         "unlike bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5, "right": {"A": 2, "n": 20},
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        55627,
+        36579,
     ),
 ];
 

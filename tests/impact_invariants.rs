@@ -6,12 +6,12 @@ use common::case;
 use serde_json::{Value as Json, json};
 use slipgap::history::History;
 use slipgap::lane::Lane;
-use slipgap::metrics::impact::{Energy, Track, energy_of_books};
+use slipgap::metrics::impact::{Energy, Track};
 use slipgap::problem::impact::case::{ImpactCase, system};
 use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Case, Problem, Snapshot, Solution, find};
 use slipgap::solve;
-use slipgap::solve::sweep::LaneCase;
+use slipgap::solve::ToSystem;
 use std::sync::Arc;
 
 fn problem() -> Arc<dyn Problem> {
@@ -56,12 +56,11 @@ fn energy_by_the_work_of_the_contact_is_that_of_all_modes() {
             touching.push(r < 0.0);
         });
         let track = solve::run::<Track<1>>(&system).unwrap().track;
-        let start = Lane([system.linear.energy()]);
         let mut worst: f64 = 0.0;
         for (step, sum) in sums.iter().enumerate() {
             let Energy {
                 last: Lane([own]), ..
-            } = energy_of_books(&track, start, step + 1);
+            } = Energy::of_case(&track, &system, step + 1);
             worst = worst.max((own - sum).abs() / sums[0]);
         }
         // Round-off of r in each step, of order 1, times the force; sums over up to 42 modes.

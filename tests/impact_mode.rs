@@ -54,7 +54,7 @@ fn projection_has_the_modes_amplitude_and_frequency() {
                 .collect();
             // The shape is not quite zero at the free end; also round-off of sums over n modes and the steps.
             let tolerance = libm::pow(x, f64::from(n)) + 1e-11;
-            let (mut stepper, law) = start::<1, Vec<_>>(&[system(&scaled, dt, 0)]).unwrap();
+            let (mut stepper, law) = start::<1, Vec<_>, _>(&[system(&scaled, dt, 0)]).unwrap();
             let mut worst: f64 = 0.0;
             for step in 1..=4500 {
                 stepper.step(&law);

@@ -52,10 +52,7 @@ fn numbers<const L: usize>(first: usize) -> [f64; L] {
 }
 
 fn oscillators<const L: usize>(first: usize) -> AverageAcceleration<L, [ModeState<L>; 1]> {
-    let unit = Mode {
-        omega2: 1.0,
-        phi2: 1.0,
-    };
+    let unit = Mode::new(1.0, 1.0);
     let start = ModeStart {
         mode: [unit; L],
         displacement: lane(first, 2),

@@ -53,19 +53,23 @@ impl Set {
     }
 
     fn modal(&self, force: f64) -> Stepper {
-        let mut b = DVector::zeros(self.u.len());
+        let mut b = DMatrix::zeros(self.u.len(), 1);
         for (node, sign) in self.assembly.nodes.iter().zip([-1.0, 1.0]) {
             if let Some(i) = node {
-                b[*i] += sign;
+                b[(*i, 0)] += sign;
             }
         }
         let modal = Modal::new(&self.assembly.mass, &self.assembly.stiffness, &b).unwrap();
-        let (x, v) = (&modal.to_modes * &self.u, &modal.to_modes * &self.v);
-        let start = modal.modes.iter().enumerate().map(|(k, &mode)| ModeStart {
-            mode: [mode],
-            displacement: Lane([x[k]]),
-            velocity: Lane([v[k]]),
-        });
+        let (x, v) = (modal.shares(0, &self.u), modal.shares(0, &self.v));
+        let start = modal
+            .modes(0)
+            .into_iter()
+            .enumerate()
+            .map(|(k, mode)| ModeStart {
+                mode: [mode],
+                displacement: Lane([x[k]]),
+                velocity: Lane([v[k]]),
+            });
         Stepper::new(Lane([self.dt]), start, Lane([0.0]), Lane([force])).unwrap()
     }
 

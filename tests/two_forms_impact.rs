@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 use slipgap::contact::element::ImpactElement;
+use slipgap::contact::{ContactLaw, ImpactSpring};
 use slipgap::exact::wave::Bars;
 use slipgap::lane::Lane;
 use slipgap::problem::impact::case::system;
@@ -31,6 +32,9 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
             gap: 0.0,
         },
         spring: 2.0 * gamma * f64::from(n),
+        law: ContactLaw::ImpactSpring(ImpactSpring {
+            stiffness: 2.0 * gamma * f64::from(n),
+        }),
         length_ratio: 1.0,
     }
 }
@@ -51,11 +55,11 @@ fn textbook(scaled: &Scaled, dt: f64) -> Newmark<ImpactElement> {
 /// The last time of the comparison in T_I, and the largest difference over the round-off allowed at that time.
 fn compare(scaled: &Scaled, dt: f64, duration: f64) -> (f64, f64) {
     let steps = (duration / dt).round() as usize;
-    let (mut modal, law) = start::<1, Vec<_>>(&[system(scaled, dt, 0)]).unwrap();
+    let (mut modal, law) = start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]).unwrap();
     // The same with a gap that is 1e-13 larger: the amplification of a disturbance by the problem.
     let mut moved = *scaled;
     moved.bars.gap += 1e-13;
-    let (mut disturbed, other_law) = start::<1, Vec<_>>(&[system(&moved, dt, 0)]).unwrap();
+    let (mut disturbed, other_law) = start::<1, Vec<_>, _>(&[system(&moved, dt, 0)]).unwrap();
     let mut book = textbook(scaled, dt);
     let (mut growth, mut largest): (f64, f64) = (1.0, 0.0);
     for step in 1..=steps {

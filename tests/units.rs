@@ -4,7 +4,7 @@ use indicatif::ProgressBar;
 use slipgap::batch::results::{Table, history};
 use slipgap::batch::{self, Outcome};
 use slipgap::figures::sheet::Sheet;
-use slipgap::figures::{Shown, sheet};
+use slipgap::figures::{DrawnCase, sheet};
 use slipgap::problem::PROBLEMS;
 use slipgap::problem::unit::Dimension;
 use slipgap::study::{Study, parse};
@@ -301,13 +301,13 @@ fn drawn(study: &Study) -> Sheet {
     let shown = outcomes
         .iter()
         .zip(&solutions)
-        .map(|(outcome, solution)| Shown {
+        .map(|(outcome, solution)| DrawnCase {
             case: &outcome.case,
             metrics: &outcome.metrics,
             solution: Some(solution),
             snapshots: &[],
         });
-    let shown: Vec<Shown> = shown.collect();
+    let shown: Vec<DrawnCase> = shown.collect();
     sheet(study, &study.figures[0], &shown)
 }
 

@@ -3,7 +3,7 @@
 use slipgap::batch::output::Folder;
 use slipgap::batch::{self, Outcome};
 use slipgap::error::Error;
-use slipgap::figures::{self, Shown};
+use slipgap::figures::{self, DrawnCase};
 use slipgap::problem::{Case, Snapshot};
 use slipgap::study::{Figure, Study};
 use std::path::PathBuf;
@@ -59,15 +59,15 @@ pub fn with_shown<T>(
     study: &Study,
     figure: &Figure,
     outcomes: &[Outcome],
-    draw: impl FnOnce(&[Shown]) -> Result<T, Error>,
+    draw: impl FnOnce(&[DrawnCase]) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
     let chosen: Vec<&Outcome> = chosen.collect();
     let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
-    let shown: Vec<Shown> = chosen
+    let shown: Vec<DrawnCase> = chosen
         .iter()
         .zip(&snapshots)
-        .map(|(outcome, snapshots)| Shown {
+        .map(|(outcome, snapshots)| DrawnCase {
             case: &outcome.case,
             metrics: &outcome.metrics,
             solution: outcome.solution.as_deref(),
@@ -80,8 +80,7 @@ pub fn with_shown<T>(
 /// What a figure draws along the structure; nothing of a case that could not be solved.
 fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
     let (problem, case) = (&study.problem, &outcome.case);
-    let duration = case.number("duration").unwrap_or(0.0);
-    let times = figure.kind.snapshot_times(duration, problem.steps(case));
+    let times = figure.kind.snapshot_times(&**problem, case);
     if times.is_empty() || outcome.failure.is_some() {
         return Vec::new();
     }

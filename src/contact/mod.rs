@@ -117,6 +117,24 @@ pub trait Visitor<const L: usize> {
     fn visit(self, law: &impl StepLaw<L>);
 }
 
+/// Code that is compiled for each law separately, with the laws of L cases.
+pub trait LawsVisitor<const L: usize> {
+    /// The result.
+    type Output;
+    /// Runs with the laws.
+    fn visit<W: Law>(self, laws: &[W; L]) -> Self::Output;
+}
+
+/// Energies that L contacts store at r under S.
+#[inline(always)]
+pub fn stored_energies<W: Law, const L: usize>(laws: &[W; L], r: Lane<L>, s: Lane<L>) -> Lane<L> {
+    let mut energies = r;
+    for (l, law) in laws.iter().enumerate() {
+        energies.0[l] = law.stored_energy(r.0[l], s.0[l]);
+    }
+    energies
+}
+
 /// Friction limit `nu |N| <N>`: zero for an open contact, N >= 0 [F (1), (3)].
 pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
     if normal_force < 0.0 {
@@ -162,6 +180,21 @@ macro_rules! laws {
             pub fn kind(&self) -> LawKind {
                 match self {
                     $(ContactLaw::$law(_) => LawKind::$law),+
+                }
+            }
+
+            /// Runs the visitor with the laws themselves; all cases have a law of the first one's kind.
+            pub fn accept<const L: usize, V: LawsVisitor<L>>(laws: &[ContactLaw; L], visitor: V) -> V::Output {
+                match laws[0] {
+                    $(ContactLaw::$law(first) => {
+                        let mut own = [first; L];
+                        for (own, law) in own.iter_mut().zip(laws) {
+                            if let ContactLaw::$law(law) = law {
+                                *own = *law;
+                            }
+                        }
+                        visitor.visit(&own)
+                    }),+
                 }
             }
 

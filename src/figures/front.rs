@@ -1,16 +1,16 @@
-//! What accuracy costs: the best that each cost buys, the target, and the case recommended.
+//! Error over cost: the smallest error for each cost, the target, and the recommended case.
 
-use super::layout;
-use super::legend::Key;
-use super::sheet::{Panel, Series, Sheet};
-use super::style::{self, Marker, Stroke};
-use super::ticks;
+use crate::figures::layout;
+use crate::figures::layout::legend::Key;
+use crate::figures::layout::sheet::{Panel, Series, Sheet};
+use crate::figures::layout::ticks;
+use crate::figures::style::{self, Marker, Stroke};
 use libm::log10;
 
 /// A front to draw.
 #[derive(Debug)]
 pub struct Front {
-    /// What it is about, for readers that cannot see it.
+    /// Its title in plain text, for screen readers.
     pub title: String,
     /// Axis title of the cost.
     pub cost: String,
@@ -20,7 +20,7 @@ pub struct Front {
     pub chosen: Option<usize>,
 }
 
-/// Least distance of markers along the axis, over its length: a marker's own width.
+/// Least distance of markers along the axis, relative to its length: the width of a marker.
 const APART: f64 = 0.02;
 
 /// The points to mark along a logarithmic axis, so that no marker hides the next.

@@ -1,9 +1,9 @@
-//! Which parameters tell the cases of a figure apart, and how its legend says so.
+//! The parameters that distinguish the cases of a figure, and the labels of the legend.
 
-use super::Shown;
-use super::number;
+use crate::figures::DrawnCase;
+use crate::figures::text::{markup, number};
 use crate::problem::Case;
-use crate::problem::parameter::{Default, Kind, Parameter, Value};
+use crate::problem::parameter::{Default, Parameter, Value};
 use crate::study::Study;
 use std::collections::HashMap;
 
@@ -12,12 +12,12 @@ pub fn same(a: Option<Value>, b: Option<Value>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => a.matches(b),
         (None, None) => true,
-        _ => false,
+        (Some(_), None) | (None, Some(_)) => false,
     }
 }
 
 /// The different values of parameter `row` among the cases, in order of appearance.
-pub fn values(cases: &[Shown], row: usize) -> Vec<Option<Value>> {
+pub fn values(cases: &[DrawnCase], row: usize) -> Vec<Option<Value>> {
     let mut found: Vec<Option<Value>> = Vec::new();
     for shown in cases {
         let value = shown.case.values[row];
@@ -28,8 +28,8 @@ pub fn values(cases: &[Shown], row: usize) -> Vec<Option<Value>> {
     found
 }
 
-/// The parameters that vary, and are the same wherever `by` is: panels of `by` tell them all. `by` is the first.
-pub fn bound(table: &[Parameter], cases: &[Shown], by: usize) -> Vec<usize> {
+/// `by`, and the parameters that vary but are the same in all cases with the same `by`: the captions of panels give them.
+pub fn bound(table: &[Parameter], cases: &[DrawnCase], by: usize) -> Vec<usize> {
     let groups = values(cases, by);
     let settled = |row: &usize| {
         groups.iter().all(|group| {
@@ -43,33 +43,44 @@ pub fn bound(table: &[Parameter], cases: &[Shown], by: usize) -> Vec<usize> {
     std::iter::once(by).chain(others.filter(settled)).collect()
 }
 
-/// What a case has for these parameters, in markup, without those that only repeat another.
-pub fn all_said(table: &[Parameter], cases: &[Shown], rows: &[usize], case: &Case) -> String {
-    let telling = rows.iter().filter(|row| !echoes(cases, **row));
-    let part = |row: &usize| Some(said(&table[*row], case.values[*row]?, digits(cases, *row)));
-    let parts = telling.filter_map(part);
+/// The values of these parameters in a case, in markup, without those that only repeat another.
+pub fn value_labels(
+    table: &[Parameter],
+    cases: &[DrawnCase],
+    rows: &[usize],
+    case: &Case,
+) -> String {
+    let distinguishing = rows.iter().filter(|row| !repeats_another(cases, **row));
+    let part = |row: &usize| {
+        Some(value_label(
+            &table[*row],
+            case.values[*row]?,
+            digits(cases, *row),
+        ))
+    };
+    let parts = distinguishing.filter_map(part);
     parts.collect::<Vec<_>>().join(", ")
 }
 
-/// The parameters that tell no curves over `x` apart: `x`, what follows from it, and what the problem works out from it
+/// The parameters that do not distinguish curves over `x`: `x`, what follows from it, and what the problem works out from it
 /// and others.
-pub fn along(study: &Study, cases: &[Shown], x: usize) -> Vec<usize> {
+pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
     let table = study.problem.parameters();
     let given = |row: usize| study.blocks.iter().any(|block| block.gives(row));
     let worked_out =
         |row: &usize| matches!(table[*row].default, Default::Follows(_)) && !given(*row);
     let follows = |row: &usize| study.blocks.iter().all(|block| block.follows(*row, &[x]));
-    let (mut along, mut telling) = (vec![x], Vec::new());
+    let (mut along, mut distinguishing) = (vec![x], Vec::new());
     for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
         match !worked_out(&row) && !study.blocks.is_empty() && follows(&row) {
             true => along.push(row),
-            false if !worked_out(&row) => telling.push(row),
+            false if !worked_out(&row) => distinguishing.push(row),
             false => {}
         }
     }
-    // A value that the problem works out tells a curve apart if all cases of one have it.
-    let curve = |shown: &Shown| -> Vec<Option<(u64, &str)>> {
-        let its = telling.iter().map(|row| shown.case.values[*row]);
+    // A value that the problem computes distinguishes a curve if all cases of the curve have it.
+    let curve = |shown: &DrawnCase| -> Vec<Option<(u64, &str)>> {
+        let its = distinguishing.iter().map(|row| shown.case.values[*row]);
         its.map(|value| value.map(Value::identity)).collect()
     };
     let settled = |row: &usize| {
@@ -84,14 +95,14 @@ pub fn along(study: &Study, cases: &[Shown], x: usize) -> Vec<usize> {
     along
 }
 
-fn varies(cases: &[Shown], row: usize) -> bool {
+fn varies(cases: &[DrawnCase], row: usize) -> bool {
     values(cases, row).iter().flatten().count() > 1
 }
 
-/// Whether a parameter has in every case the value of one before it: the right bar's mesh is as the left one's.
-fn echoes(cases: &[Shown], row: usize) -> bool {
+/// Whether a parameter has the value of an earlier one in every case, as the mesh of the right bar that of the left one.
+fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
     let repeats = |other| {
-        let alike = |c: &Shown| same(c.case.values[other], c.case.values[row]);
+        let alike = |c: &DrawnCase| same(c.case.values[other], c.case.values[row]);
         cases.iter().all(alike)
     };
     (0..row).any(repeats)
@@ -100,17 +111,19 @@ fn echoes(cases: &[Shown], row: usize) -> bool {
 /// The parameters that labels name: `by`, or else all that vary but the rows `except`.
 pub fn named(
     table: &[Parameter],
-    cases: &[Shown],
+    cases: &[DrawnCase],
     by: Option<usize>,
     except: &[usize],
 ) -> Vec<usize> {
     let rows = match by {
         Some(row) => vec![row],
         None => (0..table.len())
-            .filter(|row| !except.contains(row) && varies(cases, *row) && !echoes(cases, *row))
+            .filter(|row| {
+                !except.contains(row) && varies(cases, *row) && !repeats_another(cases, *row)
+            })
             .collect(),
     };
-    // A law need not be named where each case's own parameter tells it.
+    // A choice is not named if each case has a parameter that applies only to its choice.
     let implied = |row: usize| {
         cases.iter().all(|shown| {
             let depends = |other: &usize| {
@@ -126,10 +139,10 @@ pub fn named(
     rows.iter().copied().filter(|row| !implied(*row)).collect()
 }
 
-/// The labels of the cases by the parameters that `named` finds. Never empty ones.
+/// The labels of the cases by the parameters that `named` finds; none is empty.
 pub fn labels(
     table: &[Parameter],
-    cases: &[Shown],
+    cases: &[DrawnCase],
     by: Option<usize>,
     except: &[usize],
 ) -> Vec<String> {
@@ -144,17 +157,19 @@ pub fn labels(
         .collect()
 }
 
-/// Significant digits that tell the values of a parameter apart.
-pub fn digits(cases: &[Shown], row: usize) -> usize {
+/// Significant digits that distinguish the values of a parameter.
+pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
     let values = cases.iter().filter_map(|shown| shown.case.values[row]);
     number::digits(values.filter_map(|value| value.as_f64()))
 }
 
 /// The label of a case by these parameters, each with its number of digits.
-fn label(table: &[Parameter], shown: &Shown, rows: &[(usize, usize)]) -> String {
+fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> String {
     let parts: Vec<_> = rows
         .iter()
-        .filter_map(|(row, digits)| Some(said(&table[*row], shown.case.values[*row]?, *digits)))
+        .filter_map(|(row, digits)| {
+            Some(value_label(&table[*row], shown.case.values[*row]?, *digits))
+        })
         .collect();
     if parts.is_empty() {
         "computed".into()
@@ -163,15 +178,17 @@ fn label(table: &[Parameter], shown: &Shown, rows: &[(usize, usize)]) -> String 
     }
 }
 
-/// `symbol = value` in markup, with so many significant digits; a name speaks for itself.
-pub fn said(parameter: &Parameter, value: Value, digits: usize) -> String {
-    match (parameter.kind, value) {
-        (Kind::Choice(_), Value::Name(name)) => super::markup::escape(name),
-        _ => format!("{} = {}", parameter.symbol, number::value(value, digits)),
+/// `symbol = value` in markup, with this number of significant digits; only the name for a choice.
+pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String {
+    match value {
+        Value::Name(name) => markup::escape(name),
+        Value::Number(_) | Value::Whole(_) => {
+            format!("{} = {}", parameter.symbol, number::value(value, digits))
+        }
     }
 }
 
-/// Numbers the labels by first appearance, so that equal labels look alike: for each label its number, and all of them.
+/// For each label its index among the different labels, and the different labels in order of first appearance.
 pub fn numbered(labels: &[String]) -> (Vec<usize>, Vec<String>) {
     let mut distinct: Vec<String> = Vec::new();
     let numbers = labels

@@ -1,4 +1,4 @@
-//! The look of the figures, in one place. Lengths are points of 1/72 inch.
+//! Sizes, lines, markers and colours of the figures. Lengths are points of 1/72 inch.
 
 /// Width of a figure over one column of a journal, 90 mm.
 pub const SINGLE: f64 = 255.0;
@@ -14,7 +14,7 @@ pub fn units(length: f64) -> u32 {
     (length * UNITS).round() as u32
 }
 
-/// Pixels an inch that figures have if nobody asks for others: twice those of a plain screen.
+/// Pixels an inch of figures by default: twice those of a plain screen.
 pub const DPI: u32 = 192;
 
 /// Pixels of a point.
@@ -22,17 +22,17 @@ pub fn pixels(dpi: u32) -> f64 {
     f64::from(dpi) / 72.0
 }
 
-/// Type size of axis titles, headings and panel letters.
+/// Type size of axis titles, headings and captions.
 pub const TITLE: f64 = 9.5;
 /// Type size of numbers at ticks, legends and notes.
 pub const LABEL: f64 = 8.5;
-/// Sub- and superscripts: size over that of the text beside them.
+/// Sub- and superscripts: size relative to that of the text.
 pub const SCRIPT: f64 = 0.7;
-/// How far a subscript drops, over the size of the text beside it.
+/// How far a subscript drops, relative to the size of the text.
 pub const SUBSCRIPT_DROP: f64 = 0.17;
-/// How far a superscript rises, over the size of the text beside it.
+/// How far a superscript rises, relative to the size of the text.
 pub const SUPERSCRIPT_RISE: f64 = 0.36;
-/// Height of figures and capitals over the type size, for centring on ticks.
+/// Height of digits and capitals relative to the type size, for centring on ticks.
 pub const CAP_HEIGHT: f64 = 0.66;
 
 /// Width of frames and ticks.
@@ -43,7 +43,7 @@ pub const ZERO_LINE: f64 = 0.3;
 pub const EXACT_LINE: f64 = 0.6;
 /// Width of a contour line.
 pub const CONTOUR_LINE: f64 = 0.45;
-/// Width of the line along the valley of a map.
+/// Width of the line along the ridge of a map.
 pub const RIDGE_LINE: f64 = 1.3;
 /// Width of a case's curve.
 pub const CASE_LINE: f64 = 0.9;
@@ -60,7 +60,7 @@ pub const DOT: f64 = 1.5;
 pub const SMALL_DOT: f64 = 0.6;
 /// Width of a dot's outline, where dots are few.
 pub const DOT_LINE: f64 = 0.25;
-/// The place of a dot without a value on the scale of colours: dark.
+/// The fraction of the scale of colours for a dot without a value: dark.
 pub const DOT_SHADE: f64 = 0.2;
 
 /// Length of the head of an arrow.
@@ -69,21 +69,21 @@ pub const ARROW: f64 = 5.0;
 pub const MAJOR_TICK: f64 = 4.5;
 /// Length of a tick without one.
 pub const MINOR_TICK: f64 = 2.5;
-/// Room between frame and numbers.
+/// Distance of the numbers from the frame.
 pub const LABEL_GAP: f64 = 4.0;
-/// Room between numbers and axis title.
+/// Distance of the axis title from the numbers.
 pub const TITLE_GAP: f64 = 5.0;
-/// White edge round the sheet.
+/// Margin of the sheet.
 pub const EDGE: f64 = 5.0;
 
 /// Length of the piece of line in a legend.
 pub const SAMPLE: f64 = 29.0;
-/// Room between that piece and its words.
+/// Distance of the label from that piece.
 pub const SAMPLE_GAP: f64 = 5.0;
-/// Distance of a legend's lines.
+/// Distance between the lines of a legend.
 pub const LEADING: f64 = 12.0;
 
-/// How a line is broken.
+/// The dash pattern of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stroke {
     /// Unbroken.
@@ -98,7 +98,7 @@ pub enum Stroke {
     DashDotDot,
     /// Long dashes.
     LongDash,
-    /// Unbroken, in a colour of maps: the place on their scale in parts of 255.
+    /// Unbroken, in a colour of maps: its fraction of the scale in parts of 255.
     Graded(u8),
 }
 
@@ -115,8 +115,8 @@ impl Stroke {
         }
     }
 
-    /// The stroke of curve `i` of `count` in the order of a number, dark to light: their lightness tells them apart. The
-    /// lightest colours are left out, which white paper hides.
+    /// The stroke of curve `i` of `count` in the order of a number, from dark to light. The
+    /// lightest colours are not used, because they do not show on white.
     pub fn graded(i: usize, count: usize) -> Stroke {
         let place = 0.85 * i as f64 / (count - 1).max(1) as f64;
         Stroke::Graded((255.0 * place).round() as u8)
@@ -126,11 +126,16 @@ impl Stroke {
     pub fn colour(self) -> [u8; 3] {
         match self {
             Stroke::Graded(place) => colour(f64::from(place) / 255.0),
-            _ => [0, 0, 0],
+            Stroke::Solid
+            | Stroke::Dashed
+            | Stroke::DashDot
+            | Stroke::Dotted
+            | Stroke::DashDotDot
+            | Stroke::LongDash => [0, 0, 0],
         }
     }
 
-    /// Red, green and blue of the band of a curve that is too dense to draw: light, and of another grey for each pattern.
+    /// Red, green and blue of the band of a curve that is too dense to draw: light, a different grey for each pattern.
     pub fn fill(self) -> [u8; 3] {
         let grey = match self {
             Stroke::Solid => 240,
@@ -157,8 +162,8 @@ impl Stroke {
     }
 }
 
-/// More curves than strokes and markers can tell apart are not drawn.
-pub const MOST_LOOKS: usize = 30;
+/// Most curves: as many as strokes and markers can distinguish.
+pub const MOST_STYLES: usize = 30;
 
 /// An open marker, filled white so that the line does not run through it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -182,10 +187,10 @@ pub enum Marker {
 }
 
 impl Marker {
-    /// Number of markers that curves take in turn.
+    /// Number of different markers of curves.
     pub const KINDS: usize = 6;
 
-    /// The marker of the `i`-th curve of a panel; with the strokes, thirty curves are told apart.
+    /// The marker of the `i`-th curve of a panel; strokes and markers distinguish thirty curves.
     pub fn of_case(i: usize) -> Marker {
         const TURN: [Marker; Marker::KINDS] = [
             Marker::Circle,
@@ -198,7 +203,7 @@ impl Marker {
         TURN[i % TURN.len()]
     }
 
-    /// The place of a bar on the scale of colours, told apart in grey.
+    /// The fraction of the scale of colours for a bar; different in grey.
     pub fn shade(self) -> f64 {
         if self == Marker::Dark { 0.25 } else { 0.85 }
     }
@@ -229,7 +234,7 @@ impl Marker {
 }
 
 /// Colours of a map at equal distances, dark (small) to light (large): matplotlib's viridis (CC0), whose lightness
-/// rises evenly, so that it reads the same in grey.
+/// rises evenly, so that it is readable in grey.
 const VIRIDIS: [[u8; 3]; 11] = [
     [68, 1, 84],
     [72, 36, 117],
@@ -244,13 +249,13 @@ const VIRIDIS: [[u8; 3]; 11] = [
     [253, 231, 37],
 ];
 
-/// Where on the scale of colours band `k` of `count` has its colour: from the third on, so that black lines and numbers
+/// The fraction of the scale of colours for band `k` of `count`: above 0.3, so that black lines and numbers
 /// show on all of them.
 pub fn band(k: usize, count: usize) -> f64 {
     0.3 + 0.7 * (k as f64 + 0.5) / count as f64
 }
 
-/// The colour at `fraction` of a map's range; ends beyond 0 and 1 take the end colours.
+/// The colour at `fraction` of a map's range; values outside of 0..1 have the end colours.
 pub fn colour(fraction: f64) -> [u8; 3] {
     let last = VIRIDIS.len() - 1;
     let at = fraction.clamp(0.0, 1.0) * last as f64;

@@ -30,7 +30,7 @@ use crate::system::Mode;
 /// use slipgap::system::Mode;
 ///
 /// let start = ModeStart {
-///     mode: [Mode { omega2: 4.0, phi2: 1.0 }],
+///     mode: [Mode::new(4.0, 1.0)],
 ///     displacement: Lane([1.0]),
 ///     velocity: Lane([0.0]),
 /// };
@@ -86,11 +86,18 @@ pub struct ModeStart<const L: usize> {
 pub trait Modes<const L: usize>: AsRef<[ModeState<L>]> + AsMut<[ModeState<L>]> + Clone {
     /// Stores the modes, at least one.
     fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self>;
+
+    /// Moves the modes out, without a copy of a list.
+    fn take(&mut self) -> Self;
 }
 
 impl<const L: usize> Modes<L> for Vec<ModeState<L>> {
     fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
         Some(Iterator::collect(modes))
+    }
+
+    fn take(&mut self) -> Self {
+        std::mem::take(self)
     }
 }
 
@@ -98,6 +105,11 @@ impl<const L: usize> Modes<L> for [ModeState<L>; 1] {
     #[inline(always)]
     fn collect(mut modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
         modes.next().map(|mode| [mode])
+    }
+
+    #[inline(always)]
+    fn take(&mut self) -> Self {
+        *self
     }
 }
 
@@ -175,6 +187,20 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
             increment,
             modes,
         })
+    }
+
+    /// Moves the state out. A loop over steps works on a local state: the compiler keeps it in registers, since what the loop
+    /// writes elsewhere cannot change it.
+    #[inline(always)]
+    pub fn take(&mut self) -> Self {
+        AverageAcceleration {
+            modes: self.modes.take(),
+            rate: self.rate,
+            compliance: self.compliance,
+            predictor: self.predictor,
+            contact: self.contact,
+            increment: self.increment,
+        }
     }
 
     /// The contact after the last step.
@@ -261,7 +287,7 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
 mod tests {
     use super::*;
     use crate::system::Modal;
-    use nalgebra::{DVector, dmatrix, dvector};
+    use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
     /// A prescribed force.
     #[derive(Clone, Copy)]
@@ -279,10 +305,7 @@ mod tests {
         for w in [1e-3, 0.1, 1.0, 2.0, 20.0] {
             let omega = 3.0;
             let start = ModeStart {
-                mode: [Mode {
-                    omega2: omega * omega,
-                    phi2: 0.7,
-                }],
+                mode: [Mode::new(omega * omega, 0.7)],
                 displacement: Lane([1.0]),
                 velocity: Lane([0.4 * omega]),
             };
@@ -324,19 +347,18 @@ mod tests {
         let b = dvector![-1.0, 0.0, 1.0];
         let (gap, force) = (0.25, 0.6);
         let (mut u, mut v) = (dvector![0.7, -1.3, 2.1], dvector![1.0, 0.0, -0.5]);
-        let modal = Modal::new(&m, &k, &b).unwrap();
+        let modal = Modal::new(&m, &k, &DMatrix::from_column_slice(3, 1, b.as_slice())).unwrap();
+        let modes = modal.modes(0);
         for dt in [0.01, 0.3, 2.0] {
-            let (x, xdot) = (&modal.to_modes * &u, &modal.to_modes * &v);
-            let start =
-                modal
-                    .modes
-                    .iter()
-                    .zip(x.iter().zip(xdot.iter()))
-                    .map(|(&mode, (&x, &v))| ModeStart {
-                        mode: [mode],
-                        displacement: Lane([x]),
-                        velocity: Lane([v]),
-                    });
+            let (x, xdot) = (modal.shares(0, &u), modal.shares(0, &v));
+            let start = modes
+                .iter()
+                .zip(x.iter().zip(xdot.iter()))
+                .map(|(&mode, (&x, &v))| ModeStart {
+                    mode: [mode],
+                    displacement: Lane([x]),
+                    velocity: Lane([v]),
+                });
             let mut stepper =
                 AverageAcceleration::<1>::new(Lane([dt]), start, Lane([gap]), Lane([force]))
                     .unwrap();
@@ -364,7 +386,7 @@ mod tests {
                 );
                 assert_eq!(contact.force.0[0], s);
                 let energy = 0.5 * (v.dot(&(&m * &v)) + u.dot(&(&k * &u)));
-                let modes = modal.modes.iter().zip(stepper.modes());
+                let modes = modes.iter().zip(stepper.modes());
                 let sum: f64 = modes
                     .map(|(mode, (x, v))| mode.energy(x.0[0], v.0[0]))
                     .sum();

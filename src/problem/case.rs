@@ -2,7 +2,8 @@
 
 use super::Problem;
 use super::parameter::{self, Value};
-use super::schema::{Schema, Text};
+use super::schema::Schema;
+use super::text::Text;
 use std::sync::Arc;
 
 /// The values of one case, in the order of the problem's table; `None` for a parameter that does not apply.
@@ -104,5 +105,20 @@ impl Violation {
         let one = |violation: &Violation| format!("{}: {}", violation.parameter, violation.message);
         let all: Vec<String> = violations.iter().map(one).collect();
         (!all.is_empty()).then(|| all.join("; "))
+    }
+}
+
+impl Schema {
+    /// A case from parameters by name, the others at their defaults; values that follow from others are not filled in.
+    pub fn case(self: &Arc<Schema>, given: &[(&str, Value)]) -> Case {
+        let mut case = Case::new(self);
+        for (row, parameter) in self.parameters.iter().enumerate() {
+            let own = given.iter().find(|(name, _)| *name == parameter.name);
+            // A name that a default depends on precedes it in the table.
+            case.values[row] = own
+                .map(|(_, value)| *value)
+                .or_else(|| case.default_at(row));
+        }
+        case
     }
 }

@@ -8,6 +8,7 @@ pub mod impact;
 pub mod parameter;
 pub mod schema;
 mod solution;
+mod text;
 pub mod unit;
 
 pub use case::{Case, Violation};
@@ -18,6 +19,7 @@ use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable};
+use crate::system::System;
 use cases::Cases;
 use parameter::Parameter;
 use std::sync::{Arc, LazyLock};
@@ -51,6 +53,8 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn schema(&self) -> &Arc<Schema>;
     /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
+    /// The system of a completed case, ready to be solved.
+    fn system(&self, case: &Case) -> Result<System, Unsolvable>;
     /// Cost of a completed case: steps times modes.
     fn work(&self, case: &Case) -> u64 {
         self.steps(case)
@@ -138,7 +142,7 @@ fn sweep_cases<const L: usize, C: LaneCase<L>>(
     for (place, row) in rows.iter().enumerate() {
         let case = shown.at(*row as usize);
         match lane_case(case) {
-            Ok(own) if problem.steps(case) <= LONGEST => together.push((place, own)),
+            Ok(own) if own.system().last <= LONGEST => together.push((place, own)),
             Ok(_) => {
                 let solution = problem.solve(case, &[]);
                 table.put(place, solution.map(|solution| solution.metrics));

@@ -1,6 +1,6 @@
 //! The table of parameters, with one row for each, for decoding, schema, columns, `explain` and the documentation.
 
-use super::schema::{Text, text};
+use super::text::{Text, text};
 use std::fmt;
 
 /// One parameter of a problem.

@@ -1,25 +1,11 @@
 //! The schema of a problem: the tables for decoding, columns, figures, messages and documentation. It is data of the problem, so
 //! that a problem may build it from a study.
 
-use super::Case;
-use super::parameter::{self, Parameter, Value};
+use super::parameter::{self, Parameter};
+use super::text::text;
+pub use super::text::{Table, Text};
 use super::unit::{Dimension, Unit};
 use std::borrow::Cow;
-use std::sync::Arc;
-
-/// A text that is either in the program or built while it runs.
-pub type Text = Cow<'static, str>;
-
-/// A table that is either in the program or built while it runs.
-pub type Table<T> = Cow<'static, [T]>;
-
-/// The text itself, for constants, which can have only texts of the program.
-pub(super) const fn text(text: &Text) -> &str {
-    match text {
-        Cow::Borrowed(text) => text,
-        Cow::Owned(_) => "",
-    }
-}
 
 /// The tables of a problem.
 ///
@@ -76,19 +62,6 @@ pub struct Schema {
 }
 
 impl Schema {
-    /// A case from parameters by name, the others with their defaults; values that follow from others are not filled in.
-    pub fn case(self: &Arc<Schema>, given: &[(&str, Value)]) -> Case {
-        let mut case = Case::new(self);
-        for (row, parameter) in self.parameters.iter().enumerate() {
-            let value = given.iter().find(|(name, _)| *name == parameter.name);
-            // A name that a default depends on precedes it in the table.
-            case.values[row] = value
-                .map(|(_, value)| *value)
-                .or_else(|| case.default_at(row));
-        }
-        case
-    }
-
     /// Name of the parameter that is the time step.
     pub fn step_name(&self) -> &str {
         &self.parameters[self.step].name

@@ -1,6 +1,6 @@
 //! The units of scaled results, and their dimensions.
 
-use super::schema::Text;
+use super::text::Text;
 
 /// The dimension of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::figures::base64;
 use crate::figures::sheet::Sheet;
 use crate::figures::style;
-use crate::figures::{self, Shown};
+use crate::figures::{self, DrawnCase};
 use crate::study::{Figure, Study};
 use std::io::{self, Write};
 
@@ -37,7 +37,7 @@ impl Drawing {
     pub fn new(
         study: &Study,
         figure: &Figure,
-        cases: &[Shown],
+        cases: &[DrawnCase],
         prefix: &str,
     ) -> Result<Drawing, Error> {
         let sheet = figures::sheet(study, figure, cases);

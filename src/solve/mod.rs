@@ -13,7 +13,7 @@ pub use unsolvable::Unsolvable;
 use crate::contact::{AnyStep, ContactLaw, StepLaw, Visitor};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::{AverageAcceleration, ModeStart, Modes};
-use crate::system::{ModeAtStart, System};
+use crate::system::System;
 use multiversion::multiversion;
 
 /// The motion of L cases.
@@ -37,71 +37,75 @@ impl<const L: usize, T: Default> Default for Motion<L, T> {
     }
 }
 
+/// A description of a system.
+pub trait ToSystem: Copy {
+    /// The system.
+    fn system(&self) -> System;
+}
+
+impl ToSystem for System {
+    fn system(&self) -> System {
+        *self
+    }
+}
+
 /// L systems at t = 0 with equal numbers of modes, and their laws over a step; `None` without a mode. All laws have the kind of
 /// the first one.
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
-pub fn start<const L: usize, M: Modes<L>>(
-    systems: &[System; L],
+pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
+    cases: &[S; L],
 ) -> Option<(AverageAcceleration<L, M>, AnyStep<L>)> {
     let of = |number: fn(&System) -> f64| {
         let mut lane = Lane::splat(0.0);
-        for (x, system) in lane.0.iter_mut().zip(systems) {
-            *x = number(system);
+        for (x, case) in lane.0.iter_mut().zip(cases) {
+            *x = number(&case.system());
         }
         lane
     };
-    let first = &systems[0];
+    let first = cases[0].system();
     let mut same = [true; L];
-    for (same, system) in same.iter_mut().zip(systems) {
-        *same = system.linear == first.linear;
+    for (same, case) in same.iter_mut().zip(cases) {
+        *same = case.system().linear == first.linear;
     }
     // A mode of a bar needs sines, as much time as some steps. Most cases of a sweep have the same modes.
     let modes = (0..first.linear.len()).map(|j| {
         let shared = first.linear.mode(j);
-        let mut own = [shared; L];
-        for ((own, same), system) in own.iter_mut().zip(same).zip(systems) {
-            if !same {
-                *own = system.linear.mode(j);
+        let mut start = ModeStart {
+            mode: [shared.mode; L],
+            displacement: Lane::splat(shared.displacement),
+            velocity: Lane::splat(shared.velocity),
+        };
+        for l in 0..L {
+            if !same[l] {
+                let own = cases[l].system().linear.mode(j);
+                start.mode[l] = own.mode;
+                start.displacement.0[l] = own.displacement;
+                start.velocity.0[l] = own.velocity;
             }
         }
-        at_start(&own)
+        start
     });
     let stepper = AverageAcceleration::new(of(|s| s.step), modes, of(|s| s.gap), of(|s| s.force))?;
     let mut laws = [first.law; L];
-    for (law, system) in laws.iter_mut().zip(systems) {
-        *law = system.law;
+    for (law, case) in laws.iter_mut().zip(cases) {
+        *law = case.system().law;
     }
     let law = ContactLaw::step(&laws, &stepper.flexibility());
     Some((stepper, law))
 }
 
-#[inline(always)]
-fn at_start<const L: usize>(own: &[ModeAtStart; L]) -> ModeStart<L> {
-    let mut start = ModeStart {
-        mode: [own[0].mode; L],
-        displacement: Lane::splat(0.0),
-        velocity: Lane::splat(0.0),
-    };
-    for (l, own) in own.iter().enumerate() {
-        start.mode[l] = own.mode;
-        start.displacement.0[l] = own.displacement;
-        start.velocity.0[l] = own.velocity;
-    }
-    start
-}
-
 /// Integrates L systems with equal numbers of modes and laws of one kind to their last steps. Returns for each whether its motion
 /// is finite.
-pub fn advance<const L: usize, M: Modes<L>, T: Track<L>>(
-    systems: &[System; L],
+pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
+    cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
-    let Some((mut stepper, law)) = start::<L, M>(systems) else {
+    let Some((mut stepper, law)) = start::<L, M, S>(cases) else {
         return [false; L];
     };
     let mut last = [0; L];
-    for (last, system) in last.iter_mut().zip(systems) {
-        *last = system.last;
+    for (last, case) in last.iter_mut().zip(cases) {
+        *last = case.system().last;
     }
     let longest = last.iter().copied().max().unwrap_or(0) as usize;
     let track = &mut motion.track;
@@ -134,7 +138,7 @@ pub fn advance<const L: usize, M: Modes<L>, T: Track<L>>(
 /// [`Unsolvable::OutOfRange`] if the motion does not remain finite.
 pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
     let mut motion = Motion::default();
-    match advance::<1, Vec<_>, T>(&[*system], &mut motion) {
+    match advance::<1, Vec<_>, T, _>(&[*system], &mut motion) {
         [true] => Ok(motion),
         [false] => Err(Unsolvable::OutOfRange),
     }
@@ -145,7 +149,7 @@ pub type Stepper = AverageAcceleration<1>;
 
 /// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
 pub fn visit(system: &System, mut visit: impl FnMut(u64, &Stepper)) {
-    let Some((mut stepper, law)) = start::<1, Vec<_>>(&[*system]) else {
+    let Some((mut stepper, law)) = start::<1, Vec<_>, _>(&[*system]) else {
         return;
     };
     visit(0, &stepper);
@@ -178,7 +182,9 @@ fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
     from: usize,
     steps: usize,
 ) {
+    let mut own = stepper.take();
     for row in track.rows(from, steps) {
-        T::write(row, &stepper.step(&law));
+        T::write(row, &own.step(&law));
     }
+    *stepper = own;
 }

@@ -1,14 +1,13 @@
 //! Many cases in lanes: their order, and which of them have the same reference.
 
 use super::table::MetricTable;
-use super::{Motion, Track, Unsolvable, advance};
+use super::{Motion, ToSystem, Track, Unsolvable, advance};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::Modes;
-use crate::system::System;
 use std::ops::Range;
 
 /// A case in the form for lanes: L of them are solved together.
-pub trait LaneCase<const L: usize>: Copy {
+pub trait LaneCase<const L: usize>: ToSystem {
     /// The exact solution at the steps of a case.
     type Reference;
     /// Storage of the modes.
@@ -20,8 +19,6 @@ pub trait LaneCase<const L: usize>: Copy {
     /// Those of one lane.
     type OneMetrics: AsRef<[Lane<1>]>;
 
-    /// The system to be solved.
-    fn system(&self) -> System;
     /// The numbers that the exact solution at the case's steps depends on.
     fn reference_key(&self) -> ReferenceKey;
     /// The exact solution at the case's steps.
@@ -114,11 +111,11 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
             return;
         };
         // The last group of a kind fills its lanes with its last case.
-        let (mut rows, mut lanes, mut systems) = ([row; L], [last; L], [last.system(); L]);
+        let (mut rows, mut lanes) = ([row; L], [last; L]);
         for (l, (row, case)) in members.enumerate() {
-            (rows[l], lanes[l], systems[l]) = (row, case, case.system());
+            (rows[l], lanes[l]) = (row, case);
         }
-        let finite = advance::<L, C::Modes, T>(&systems, &mut self.motion);
+        let finite = advance::<L, C::Modes, T, C>(&lanes, &mut self.motion);
         for range in runs(&lanes[..count]) {
             let first = &lanes[range.start];
             let reference = match &mut self.reference {

@@ -15,9 +15,9 @@ use super::scope::Scope;
 use super::tree::{Node, Tree};
 use super::units::Units;
 use super::value::{self, name};
-use super::{Check, Column, Figure, FigureKind, Study};
+use super::{Check, Figure, Study};
 use crate::error::Error;
-use crate::problem::{self, Budget, PROBLEMS, Problem};
+use crate::problem::{self, PROBLEMS, Problem};
 use std::sync::Arc;
 
 /// The keys of a study, each with what it holds.
@@ -138,29 +138,8 @@ fn columns(
     figures: &[Figure],
     checks: &[Check],
 ) -> Vec<usize> {
-    let drawn = figures.iter().flat_map(|figure| match &figure.kind {
-        FigureKind::Metric { y, .. }
-        | FigureKind::Convergence { y, .. }
-        | FigureKind::Sobol { y } => y.clone(),
-        FigureKind::Map { z, .. } => vec![*z],
-        FigureKind::Scatter { x, y, colour, .. } => {
-            let columns = [Some(x), Some(y), colour.as_ref()];
-            let metric = |column: &Column| match column {
-                Column::Metric(row) => Some(*row),
-                Column::Parameter(_) => None,
-            };
-            columns.into_iter().flatten().filter_map(metric).collect()
-        }
-        FigureKind::Samples { y, .. } => vec![*y],
-        FigureKind::Budget { y, .. } => {
-            let budgets = y.iter().map(|row| &problem.schema().budgets[*row]);
-            budgets.flat_map(Budget::metrics).collect()
-        }
-        FigureKind::History { .. }
-        | FigureKind::Profile { .. }
-        | FigureKind::Wave { .. }
-        | FigureKind::Law => Vec::new(),
-    });
+    let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
+    let drawn = figures.iter().flat_map(shown);
     let checked = checks.iter().map(|check| check.metric);
     let listed = asked.iter().copied().chain(checked);
     let needed = listed.chain(drawn).map(|row| measures[row].metric);

@@ -41,6 +41,7 @@ pub use block::{Axis, Block, Group};
 pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
 pub use design::{Design, Sampling};
+pub use figure::kinds::{self, FigureKind};
 pub use input::{Input, STDIN};
 pub use measure::Measure;
 #[cfg(test)]
@@ -117,131 +118,6 @@ pub struct Figure {
     pub filter: Filter,
     /// What is drawn.
     pub kind: FigureKind,
-}
-
-/// Most times that a wave is drawn at: about two pixels each.
-const MOST_ROWS: u64 = 300;
-
-/// The kinds of figure and what each needs to know.
-#[derive(Debug)]
-pub enum FigureKind {
-    /// Curves over time, one panel for each quantity, the exact solution thin.
-    History {
-        /// Rows of `problem.schema().quantities`, one panel each.
-        y: Vec<usize>,
-        /// Parameter whose values are told apart by line style; `None`: all that vary.
-        by: Option<usize>,
-        /// Parameter whose values get panels of their own.
-        panels: Option<usize>,
-        /// Whether the axes are in the units of the study.
-        in_units: bool,
-    },
-    /// Velocity and stress along the structure at given times.
-    Profile {
-        /// Which of the problem's profile quantities, one panel column each.
-        y: Vec<usize>,
-        /// Times, in the problem's unit.
-        times: Vec<f64>,
-    },
-    /// One case over place and time, computed and exact, as shades with a colour bar.
-    Wave {
-        /// Row of `problem.schema().profiles`.
-        y: usize,
-    },
-    /// Metrics against a parameter.
-    Metric {
-        /// Parameter along the horizontal axis.
-        x: usize,
-        /// Rows of the study's measures, one panel each.
-        y: Vec<usize>,
-        /// Parameter whose values are told apart by line style; `None`: all others that vary.
-        by: Option<usize>,
-        /// Scale of the horizontal axis.
-        x_scale: Scale,
-        /// Scale of the vertical axes.
-        y_scale: Scale,
-    },
-    /// Metrics against the step, with the observed order.
-    Convergence {
-        /// The step, along the horizontal axis.
-        x: usize,
-        /// Rows of the study's measures, one panel each.
-        y: Vec<usize>,
-        /// Parameter whose values are told apart by line style; `None`: all others that vary.
-        by: Option<usize>,
-    },
-    /// The parts of the error against a parameter, the total beside.
-    Budget {
-        /// Parameter along the horizontal axis.
-        x: usize,
-        /// Rows of `problem.schema().budgets`, one row of panels each.
-        y: Vec<usize>,
-        /// Parameter whose values get panels of their own.
-        panels: Option<usize>,
-    },
-    /// One metric over two parameters, as filled contours with a colour bar.
-    Map {
-        /// Parameter along the horizontal axis.
-        x: usize,
-        /// Parameter up the vertical axis.
-        y: usize,
-        /// Row of the study's measures.
-        z: usize,
-        /// Scales of the two axes and of the colours.
-        scales: [Scale; 3],
-        /// Places to mark, if any.
-        marks: Option<Marks>,
-        /// What the line along it follows, if there is one.
-        ridge: Option<Ridge>,
-    },
-    /// One column of the results against another, a dot a case.
-    Scatter {
-        /// Along the horizontal axis.
-        x: Column,
-        /// Up the vertical axis.
-        y: Column,
-        /// Shown by the colour of the dots, if by any.
-        colour: Option<Column>,
-        /// Scales of the two axes and of the colours.
-        scales: [Scale; 3],
-    },
-    /// The parameters that a design samples against one another and one metric, a dot a case.
-    Samples {
-        /// The parameters, with the scale on which each is sampled evenly.
-        parameters: Vec<(usize, Scale)>,
-        /// Row of the study's measures.
-        y: usize,
-        /// Scale of the metric.
-        y_scale: Scale,
-    },
-    /// Sobol' indices of metrics, from a saltelli design.
-    Sobol {
-        /// Rows of the study's measures, one panel each.
-        y: Vec<usize>,
-    },
-    /// The laws of the problem's cases: force over displacement or velocity.
-    Law,
-}
-
-impl FigureKind {
-    /// Whether the figure draws what cases do over time.
-    pub fn draws_histories(&self) -> bool {
-        matches!(self, FigureKind::History { .. })
-    }
-
-    /// The times at which it draws what stands along the structure, for a case of this duration and number of steps;
-    /// none for kinds that do not.
-    pub fn snapshot_times(&self, duration: f64, steps: u64) -> Vec<f64> {
-        match self {
-            FigureKind::Profile { times, .. } => times.clone(),
-            FigureKind::Wave { .. } => {
-                let rows = steps.clamp(1, MOST_ROWS);
-                let time = |row| duration * row as f64 / rows as f64;
-                (0..=rows).map(time).collect()
-            }
-            _ => Vec::new(),
-        }
-    }
 }
 
 /// A column of numbers in the results.

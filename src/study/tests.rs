@@ -10,6 +10,7 @@ use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::{Case, Problem, Schema, Solution, Violation};
 use crate::solve::{MetricTable, Unsolvable};
+use crate::system::System;
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::{Arc, LazyLock};
 
@@ -83,6 +84,9 @@ static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
 impl Problem for Bars {
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
+    }
+    fn system(&self, _: &Case) -> Result<System, Unsolvable> {
+        Err(Unsolvable::ParameterMissing)
     }
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         self.solve(case, wanted)

@@ -44,10 +44,7 @@ impl Bar {
     /// Mode `j`, scaled by its displacement at the contact end.
     pub fn mode(&self, j: u32) -> Mode {
         let (omega2, mass) = self.modal(j);
-        Mode {
-            omega2,
-            phi2: 1.0 / mass,
-        }
+        Mode::new(omega2, 1.0 / mass)
     }
 
     /// omega^2 and modal mass of mode `j`, its shape being 1 at the contact end.
@@ -82,7 +79,7 @@ impl Bar {
 mod tests {
     use super::*;
     use crate::system::Modal;
-    use nalgebra::{DMatrix, DVector};
+    use nalgebra::DMatrix;
 
     /// M and K of a bar element by element, the contact at node 0.
     fn assembled(bar: &Bar) -> (DMatrix<f64>, DMatrix<f64>) {
@@ -131,12 +128,12 @@ mod tests {
     fn modes_are_those_of_the_assembled_bar() {
         each(|bar, m, k| {
             let size = m.nrows();
-            let mut contact = DVector::zeros(size);
-            contact[0] = 1.0;
+            let mut contact = DMatrix::zeros(size, 1);
+            contact[(0, 0)] = 1.0;
             let modal = Modal::new(&m, &k, &contact).unwrap();
-            let highest = modal.modes[size - 1].omega2;
+            let highest = modal.omega2[size - 1];
             assert_eq!(bar.modes().count(), size);
-            for (ours, theirs) in bar.modes().zip(&modal.modes) {
+            for (ours, theirs) in bar.modes().zip(&modal.modes(0)) {
                 assert!(
                     (ours.omega2 - theirs.omega2).abs() < ROUND_OFF * highest,
                     "{bar:?}"

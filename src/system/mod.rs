@@ -22,7 +22,7 @@ use crate::contact::ContactLaw;
 /// use std::f64::consts::PI;
 ///
 /// let system = System {
-///     linear: Linear::Oscillator { mode: Mode { omega2: 1.0, phi2: 1.0 }, displacement: 12.0 },
+///     linear: Linear::Oscillator { mode: Mode::new(1.0, 1.0), displacement: 12.0 },
 ///     law: ContactLaw::DisplacementControl(DisplacementControl { compliance: 1e-6, limit: 1.0 }),
 ///     gap: 0.0,
 ///     force: 0.0,

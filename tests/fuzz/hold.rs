@@ -6,7 +6,7 @@ use crate::xml;
 use indicatif::ProgressBar;
 use slipgap::batch::{self, Outcome, Wishes};
 use slipgap::error::{Error, Fault};
-use slipgap::figures::{self, Shown};
+use slipgap::figures::{self, DrawnCase};
 use slipgap::problem::cases::Cases;
 use slipgap::problem::{Case, Violation};
 use slipgap::study::{Figure, Study, parse};
@@ -164,8 +164,7 @@ fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
     let chosen: Vec<&Outcome> = chosen.collect();
     let snapshots = |outcome: &&Outcome| {
         let (problem, case) = (&study.problem, &outcome.case);
-        let duration = case.number("duration").unwrap_or(0.0);
-        let times = figure.kind.snapshot_times(duration, problem.steps(case));
+        let times = figure.kind.snapshot_times(&**problem, case);
         match outcome.failure {
             None if !times.is_empty() => problem.snapshots(case, &times),
             _ => Vec::new(),
@@ -175,13 +174,13 @@ fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
     let shown = chosen
         .iter()
         .zip(&snapshots)
-        .map(|(outcome, snapshots)| Shown {
+        .map(|(outcome, snapshots)| DrawnCase {
             case: &outcome.case,
             metrics: &outcome.metrics,
             solution: outcome.solution.as_deref(),
             snapshots,
         });
-    let shown: Vec<Shown> = shown.collect();
+    let shown: Vec<DrawnCase> = shown.collect();
     let sheet = figures::sheet(study, figure, &shown);
     figures::svg(&sheet, figures::style::DPI).expect("a picture")
 }

@@ -2,6 +2,7 @@
 
 use super::Track;
 use crate::lane::Lane;
+use crate::system::System;
 
 /// Energy with the spring, in the frame of the common mass centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +36,14 @@ impl<const L: usize> Energy<L> {
 }
 
 impl Energy<1> {
+    /// From the work of the contact of a case, see [`energy_of_books`].
+    pub fn of_case(track: &Track<1>, system: &System, count: usize) -> Energy<1> {
+        let start = Lane([system.linear.energy()]);
+        let stored =
+            |Lane([r]): Lane<1>, Lane([s]): Lane<1>| Lane([system.law.stored_energy(r, s)]);
+        energy_of_books(track, start, stored, count)
+    }
+
     /// From the energies at the steps; there must be at least one.
     pub fn of(steps: &[f64]) -> Energy<1> {
         let mut energy = Energy::new(Lane([steps.first().copied().unwrap_or(f64::NAN)]));
@@ -49,11 +58,13 @@ impl Energy<1> {
 /// the bars at t = 0.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// section 5), and the spring stores S r/2; S = -F. The sum changes only in steps in which the contact opens or closes.
+/// section 5). `stored` is the energy that the contacts store at r under S; S = -F. The sum changes only in steps in which the
+/// contact opens or closes, and in a damped contact.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
     start: Lane<L>,
+    stored: impl Fn(Lane<L>, Lane<L>) -> Lane<L>,
     count: usize,
 ) -> Energy<L> {
     let (r, force) = (&track.displacement[..count], &track.force[..count]);
@@ -62,10 +73,10 @@ pub fn energy_of_books<const L: usize>(
     };
     let (mut r_before, mut f_before) = (*r0, *f0);
     let mut bars = start;
-    let mut energy = Energy::new(start - f_before * r_before * 0.5);
+    let mut energy = Energy::new(start + stored(r_before, -f_before));
     for (r, f) in r.iter().zip(force).skip(1) {
         bars = bars + (f_before + *f) * (*r - r_before) * 0.5;
-        energy.update(bars - *f * *r * 0.5);
+        energy.update(bars + stored(*r, -*f));
         (r_before, f_before) = (*r, *f);
     }
     energy

@@ -5,17 +5,15 @@ use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeState;
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
+use crate::metrics::steps;
 use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
-use crate::solve::{Displacements, Motion};
+use crate::solve::{Displacements, Motion, ToSystem};
 use crate::system::{Linear, Mode, System};
 use multiversion::multiversion;
 
 /// The oscillator: X'' + X + S = 0.
-const UNIT: Mode = Mode {
-    omega2: 1.0,
-    phi2: 1.0,
-};
+const UNIT: Mode = Mode::new(1.0, 1.0);
 
 /// Cases in lanes: enough to fill the pipelines of the processor, because each step of a case waits for the one before it.
 pub const LANES: usize = 32;
@@ -43,7 +41,7 @@ pub struct OscillatorCase {
 
 impl OscillatorCase {
     /// The parameters; `None` if one is not given.
-    pub fn new(case: &Case, last: u64) -> Option<OscillatorCase> {
+    pub fn new(case: &Case) -> Option<OscillatorCase> {
         let x0 = case.at(rows::X0)?;
         let limit = 1.0;
         let (law, force) = match LawName::parse(case.name_at(rows::LAW))? {
@@ -59,13 +57,14 @@ impl OscillatorCase {
                 (FrictionLaw::Velocity(law), 0.0)
             }
         };
+        let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(OscillatorCase {
             law,
             force,
             x0,
-            step: case.at(rows::DT)?,
-            duration: case.at(rows::DURATION)?,
-            last,
+            step,
+            duration,
+            last: steps(duration, step),
         })
     }
 
@@ -84,13 +83,7 @@ fn release_force(initial_slip: InitialSlip, x0: f64) -> f64 {
     }
 }
 
-impl LaneCase<LANES> for OscillatorCase {
-    type Reference = Sampled;
-    type Modes = [ModeState<LANES>; 1];
-    type Track = Displacements<LANES>;
-    type Metrics = [Lane<LANES>; COUNT];
-    type OneMetrics = [Lane<1>; COUNT];
-
+impl ToSystem for OscillatorCase {
     #[inline(always)]
     fn system(&self) -> System {
         System {
@@ -108,6 +101,14 @@ impl LaneCase<LANES> for OscillatorCase {
             last: self.last,
         }
     }
+}
+
+impl LaneCase<LANES> for OscillatorCase {
+    type Reference = Sampled;
+    type Modes = [ModeState<LANES>; 1];
+    type Track = Displacements<LANES>;
+    type Metrics = [Lane<LANES>; COUNT];
+    type OneMetrics = [Lane<1>; COUNT];
 
     fn reference_key(&self) -> ReferenceKey {
         [self.x0, self.step, self.duration, 0.0, 0.0]

@@ -11,8 +11,8 @@ use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::friction::{work_by_energy, work_by_trapezoids};
 use crate::metrics::{self, cells};
-use crate::solve::sweep::LaneCase;
-use crate::solve::{self, ContactTrack, MetricTable, Unsolvable};
+use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
+use crate::system::System;
 use case::{FrictionLaw, LANES, OscillatorCase};
 use std::sync::Arc;
 use tables::{METRICS, SCHEMA, rows};
@@ -31,6 +31,10 @@ impl Problem for FrictionOscillator {
             return Vec::new();
         };
         time_rules("dT", step, duration)
+    }
+
+    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        Ok(self.lane_case(case)?.system())
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -61,7 +65,7 @@ impl Problem for FrictionOscillator {
 
 impl FrictionOscillator {
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
-        OscillatorCase::new(case, self.steps(case)).ok_or(Unsolvable::ParameterMissing)
+        OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }
 
     /// The computed and the exact history, with the metrics; `work` over |x0|.

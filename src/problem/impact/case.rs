@@ -2,14 +2,15 @@
 
 use super::scaled::Scaled;
 use super::tables::rows;
-use crate::contact::{ContactLaw, ImpactSpring};
+use crate::contact::{ContactLaw, Law, LawsVisitor, stored_energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeState;
 use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate};
-use crate::problem::{Case, Problem};
-use crate::solve::Motion;
+use crate::metrics::steps;
+use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
+use crate::solve::{Motion, ToSystem};
 use crate::system::{Linear, System};
 use multiversion::multiversion;
 
@@ -32,11 +33,12 @@ pub struct ImpactCase {
 impl ImpactCase {
     /// The parameters; `None` if one is not given.
     pub fn new(case: &Case) -> Option<ImpactCase> {
+        let (dt, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(ImpactCase {
             scaled: Scaled::new(case)?,
-            dt: case.at(rows::DT)?,
-            duration: case.at(rows::DURATION)?,
-            last: super::BarImpact.steps(case),
+            dt,
+            duration,
+            last: steps(duration, dt),
         })
     }
 
@@ -50,14 +52,20 @@ impl ImpactCase {
 
 /// The system of a case. At t = 0 the contact force is zero, also for ends that touch.
 pub fn system(scaled: &Scaled, step: f64, last: u64) -> System {
-    let stiffness = scaled.spring;
     System {
         linear: Linear::Bars(scaled.pair),
-        law: ContactLaw::ImpactSpring(ImpactSpring { stiffness }),
+        law: scaled.law,
         gap: scaled.bars.gap,
         force: 0.0,
         step,
         last,
+    }
+}
+
+impl ToSystem for ImpactCase {
+    #[inline(always)]
+    fn system(&self) -> System {
+        system(&self.scaled, self.dt, self.last)
     }
 }
 
@@ -67,10 +75,6 @@ impl LaneCase<LANES> for ImpactCase {
     type Track = Track<LANES>;
     type Metrics = [Lane<LANES>; COUNT];
     type OneMetrics = [Lane<1>; COUNT];
-
-    fn system(&self) -> System {
-        system(&self.scaled, self.dt, self.last)
-    }
 
     fn reference_key(&self) -> ReferenceKey {
         let bars = self.scaled.bars;
@@ -88,10 +92,19 @@ impl LaneCase<LANES> for ImpactCase {
         exact: &Sampled,
     ) -> Self::Metrics {
         let mut start = Lane::splat(0.0);
-        for (start, case) in start.0.iter_mut().zip(cases) {
-            *start = case.system().linear.energy();
+        let mut laws = [cases[0].system().law; LANES];
+        for (l, case) in cases.iter().enumerate() {
+            start.0[l] = case.system().linear.energy();
+            laws[l] = case.system().law;
         }
-        evaluate_all(&motion.track, start, motion.first_mode * 0.5, exact)
+        let restitution = motion.first_mode * 0.5;
+        let evaluate = Evaluate {
+            track: &motion.track,
+            start,
+            restitution,
+            exact,
+        };
+        ContactLaw::accept(&laws, evaluate)
     }
 
     fn metrics_of_one(
@@ -101,22 +114,40 @@ impl LaneCase<LANES> for ImpactCase {
         exact: &Sampled,
     ) -> Self::OneMetrics {
         let track = motion.track.lane(lane, exact.count());
-        let start = Lane([self.system().linear.energy()]);
         let restitution = Lane([motion.first_mode.0[lane] * 0.5]);
-        let energy = energy_of_books(&track, start, exact.count());
+        let energy = Energy::of_case(&track, &self.system(), exact.count());
         evaluate(&track, &energy, restitution, exact)
+    }
+}
+
+/// What the metrics of a group are computed from.
+#[derive(Clone, Copy)]
+struct Evaluate<'a> {
+    track: &'a Track<LANES>,
+    start: Lane<LANES>,
+    restitution: Lane<LANES>,
+    exact: &'a Sampled,
+}
+
+impl LawsVisitor<LANES> for Evaluate<'_> {
+    type Output = [Lane<LANES>; COUNT];
+
+    fn visit<W: Law>(self, laws: &[W; LANES]) -> Self::Output {
+        evaluate_all(self, laws)
     }
 }
 
 /// All metrics of a group.
 #[allow(unused_braces, reason = "the macro puts them")]
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn evaluate_all(
-    track: &Track<LANES>,
-    start: Lane<LANES>,
-    restitution: Lane<LANES>,
-    exact: &Sampled,
-) -> [Lane<LANES>; COUNT] {
-    let energy: Energy<LANES> = energy_of_books(track, start, exact.count());
+fn evaluate_all<W: Law>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
+    let Evaluate {
+        track,
+        start,
+        restitution,
+        exact,
+    } = of;
+    let stored = |r, s| stored_energies(laws, r, s);
+    let energy: Energy<LANES> = energy_of_books(track, start, stored, exact.count());
     evaluate(track, &energy, restitution, exact)
 }

@@ -2,6 +2,7 @@
 
 mod budget;
 pub mod case;
+mod law;
 mod once;
 mod rules;
 pub mod scaled;
@@ -15,10 +16,10 @@ use super::unit::Dimension;
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, sweep_cases};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::metrics::impact::{Energy, Track, energy_of_books};
+use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
-use crate::solve::sweep::LaneCase;
-use crate::solve::{self, MetricTable, Unsolvable};
+use crate::solve::{self, MetricTable, ToSystem, Unsolvable};
+use crate::system::System;
 use case::{ImpactCase, LANES};
 use scaled::Scaled;
 use scales::Scales;
@@ -43,6 +44,11 @@ impl Problem for BarImpact {
         rules::complete(case)
     }
 
+    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        Ok(own.system())
+    }
+
     fn work(&self, case: &Case) -> u64 {
         let modes = |row| case.at(row).map_or(0, |n| n as u64 + 1);
         let all = modes(rows::N) + modes(rows::RIGHT_N);
@@ -61,8 +67,8 @@ impl Problem for BarImpact {
         let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
         let system = own.system();
         let motion = solve::run::<Track<1>>(&system)?;
-        let (track, start) = (motion.track, Lane([system.linear.energy()]));
-        let energy = energy_of_books(&track, start, track.displacement.len());
+        let track = motion.track;
+        let energy = Energy::of_case(&track, &system, track.displacement.len());
         let Lane([first_mode]) = motion.first_mode;
         judge(&own, &track, &energy, 0.5 * first_mode, wanted)
     }

@@ -71,6 +71,7 @@ fn record(system: &System, scaled: &Scaled) -> Result<(Track<1>, Vec<f64>, f64),
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
     use crate::problem::impact::case::system;
     use crate::problem::impact::scaled::CLOSING;
@@ -98,6 +99,9 @@ mod tests {
                 gap,
             },
             spring: 4.0 * (1.0 + z),
+            law: ContactLaw::ImpactSpring(ImpactSpring {
+                stiffness: 4.0 * (1.0 + z),
+            }),
             length_ratio: theta,
         }
     }

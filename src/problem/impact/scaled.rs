@@ -5,7 +5,9 @@
 //! stiffness of the spring is gamma n (1 + z). For equal bars z = theta = 1 exactly, so that density and speed have no effect on
 //! scaled results.
 
+use super::law::law;
 use super::tables::{MassMatrix, Opposite, rows};
+use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
 use crate::problem::Case;
 use crate::system::BarPair;
@@ -23,6 +25,8 @@ pub struct Scaled {
     pub bars: Bars,
     /// Stiffness of the impact spring.
     pub spring: f64,
+    /// The contact law.
+    pub law: ContactLaw,
     /// L_R/L, for drawings; zero for a wall.
     pub length_ratio: f64,
 }
@@ -64,6 +68,7 @@ impl Scaled {
         } else {
             None
         };
+        let spring = case.at(rows::GAMMA)? * n * (1.0 + z);
         Some(Scaled {
             pair: BarPair {
                 left,
@@ -75,7 +80,8 @@ impl Scaled {
                 time_ratio: theta,
                 gap: case.at(rows::GAP)?,
             },
-            spring: case.at(rows::GAMMA)? * n * (1.0 + z),
+            spring,
+            law: law(case, spring)?,
             length_ratio: length,
         })
     }

@@ -9,12 +9,7 @@ use super::case::system;
 use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeStart;
-use crate::problem::schema::Text;
 use crate::solve::{self, Stepper};
-use std::borrow::Cow::Borrowed;
-
-/// The numbers of [`second`], in its order; each is 1 in the exact solution.
-pub static QUANTITIES: [Text; 2] = [Borrowed("closing_speed"), Borrowed("rebound_speed")];
 
 /// T_I, the exact contact's duration in both impacts.
 const CONTACT: f64 = 1.0;
@@ -30,7 +25,7 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if scaled.pair.right.is_some() && !scaled.pair.equal() {
         return [None; 2];
     }
-    let Some((mut stepper, law)) = solve::start::<1, Vec<_>>(&[system(scaled, dt, 0)]) else {
+    let Some((mut stepper, law)) = solve::start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]) else {
         return [None; 2];
     };
     let separation = 0.5 * scaled.bars.gap + CONTACT;
@@ -99,6 +94,7 @@ fn first_gap(stepper: &Stepper) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
@@ -125,6 +121,9 @@ mod tests {
                 gap,
             },
             spring: gamma * f64::from(n) * 4.0 * mass,
+            law: ContactLaw::ImpactSpring(ImpactSpring {
+                stiffness: gamma * f64::from(n) * 4.0 * mass,
+            }),
             length_ratio: 1.0,
         }
     }

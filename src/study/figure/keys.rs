@@ -1,4 +1,4 @@
-//! What stands under the keys of figures.
+//! The keys of figures, and the types of their values.
 
 /// One key of a figure.
 pub(in crate::study) struct Key {
@@ -8,7 +8,7 @@ pub(in crate::study) struct Key {
     pub meaning: &'static str,
 }
 
-/// What stands under a key.
+/// The type of the value of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::study) enum Takes {
     /// A name that becomes a file name.
@@ -103,7 +103,7 @@ pub(in crate::study) static COMMON: [Key; 6] = [
     ),
 ];
 
-/// Keys that several kinds take.
+/// Keys of several kinds.
 pub(super) const X: Key = key(
     "x",
     Takes::NumericParameter,

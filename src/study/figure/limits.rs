@@ -1,11 +1,11 @@
 //! The width of a figure and the limits of its axes: how they are written, and whether the figure can have them.
 
-use super::taken::Values;
+use super::checker::Checker;
 use crate::problem::parameter::{Range, shortest};
-use crate::study::report::{Faults, join};
+use crate::study::Scale;
+use crate::study::report::Faults;
 use crate::study::tree::{Node, Tree};
 use crate::study::value::number;
-use crate::study::{Figure, FigureKind, Scale};
 
 /// Widths of a figure in mm, from less than a narrow column to more than a page across.
 pub(in crate::study) const WIDTHS: [f64; 2] = [70.0, 400.0];
@@ -57,58 +57,35 @@ pub(super) fn range(node: &Node, path: &str, faults: &mut Faults) -> Option<[f64
     None
 }
 
-/// Reports limits and widths that the kind of figure cannot have.
-pub(super) fn check(figure: &Figure, values: &Values, faults: &mut Faults) {
-    let (scales, quantities) = match &figure.kind {
-        FigureKind::Metric {
-            x_scale,
-            y_scale,
-            y,
-            ..
-        } => ([*x_scale, *y_scale], y.len()),
-        FigureKind::Convergence { y, .. } | FigureKind::Budget { y, .. } => {
-            ([Scale::Log; 2], y.len())
-        }
-        FigureKind::Scatter { scales, .. } => ([scales[0], scales[1]], 1),
-        FigureKind::History { y, .. } | FigureKind::Profile { y, .. } => {
-            ([Scale::Linear; 2], y.len())
-        }
-        FigureKind::Samples { parameters, .. } => {
-            matrix(parameters.len(), figure, values, faults);
-            return;
-        }
-        FigureKind::Map { .. }
-        | FigureKind::Wave { .. }
-        | FigureKind::Sobol { .. }
-        | FigureKind::Law => return,
+/// Reports limits of axes that the kind of figure cannot have.
+pub(super) fn check(checker: &mut Checker) {
+    let figure = checker.figure;
+    let Some((scales, quantities)) = figure.kind.decoded().limited_axes() else {
+        return;
     };
     for ((key, range), scale) in RANGES.into_iter().zip(figure.ranges).zip(scales) {
         let Some([first, _]) = range else { continue };
         if scale == Scale::Log && first <= 0.0 {
-            let (at, path) = values.item(key, 0);
             let first = shortest(first);
-            faults.add(
-                at,
-                &path,
-                format!("must be > 0 on a log scale, got {first}"),
-            );
+            let message = format!("must be > 0 on a log scale, got {first}");
+            checker.fault_of_item(key, 0, message);
         }
     }
     if figure.ranges[1].is_some() && quantities > 1 {
         let message = format!("takes one quantity in \"y\", and the figure has {quantities}");
-        faults.add(values.at(RANGES[1]), &join(values.path, RANGES[1]), message);
+        checker.fault(RANGES[1], message);
     }
 }
 
 /// Reports a width that is too small for the columns of a matrix of samples.
-fn matrix(columns: usize, figure: &Figure, values: &Values, faults: &mut Faults) {
+pub(super) fn check_matrix(columns: usize, checker: &mut Checker) {
     let least = MATRIX[0] + MATRIX[1] * columns as f64;
-    if let Some(width) = figure.width.map(|points| points / POINTS)
+    if let Some(width) = checker.figure.width.map(|points| points / POINTS)
         && width < least
     {
         let width = shortest((1e9 * width).round() / 1e9);
         let message =
             format!("must be at least {least} for {columns} sampled parameters, got {width}");
-        faults.add(values.at("width"), &join(values.path, "width"), message);
+        checker.fault("width", message);
     }
 }

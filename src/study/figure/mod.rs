@@ -1,9 +1,8 @@
 //! The `figures` of a study.
 
-mod axis;
-mod fitness;
+mod checker;
 pub(super) mod keys;
-pub(super) mod kinds;
+pub mod kinds;
 pub(super) mod limits;
 mod sampled;
 pub(super) mod taken;
@@ -11,12 +10,13 @@ mod vary;
 
 use std::collections::HashSet;
 
+use crate::study::Figure;
 use crate::study::object::Object;
 use crate::study::report::{Faults, join, quoted};
 use crate::study::scope::Scope;
 use crate::study::tree::Node;
 use crate::study::value::name;
-use crate::study::{Figure, FigureKind};
+use checker::Checker;
 use keys::{COMMON, Key, Takes};
 use kinds::{KINDS, Kind};
 use taken::{Taken, Values, take};
@@ -54,7 +54,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         .and_then(|node| name(node, &object.path("kind"), "kind", &all, faults))
         .map(|row| &KINDS[row]);
     if let Some(kind) = kind {
-        unfitting(&object, kind, scope, faults);
+        unsuitable(&object, kind, scope, faults);
     }
     let keys = COMMON.iter().chain(kind.map_or(&[][..], |kind| kind.keys));
     let mut taken = Vec::new();
@@ -82,18 +82,26 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         width: values.width("width"),
         ranges: ["x_range", "y_range"].map(|key| values.range(key)),
         filter: values.filter(),
-        kind: assembled(kind?.name, &values, scope)?,
+        kind: (kind?.decode)(&values, scope)?,
     };
-    limits::check(&figure, &values, faults);
+    let kind = figure.kind.decoded();
+    let mut checker = Checker {
+        figure: &figure,
+        values: &values,
+        scope,
+        faults,
+    };
+    limits::check(&mut checker);
+    kind.check_keys(&mut checker);
     let at = values.at("where");
-    if !scope.blocks.is_empty() && scope.countable(&figure.filter, at, path, faults) {
-        fitness::check(&figure, &values, scope, faults);
+    if !scope.blocks.is_empty() && scope.countable(&figure.filter, at, path, checker.faults) {
+        kind.check_cases(&mut checker);
     }
     (faults.count() == before).then(|| (figure, values.at("name")))
 }
 
-/// Reports keys that other kinds take, but not this one, and kinds that the problem does not have.
-fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
+/// Reports keys of other kinds, and kinds that the problem does not have.
+fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
     for member in &object.members {
         let takes = |keys: &[Key]| keys.iter().any(|key| key.name == member.key);
         if !takes(&COMMON) && !takes(kind.keys) {
@@ -122,88 +130,4 @@ fn unfitting(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
             faults.add(member.node.at, &object.path("kind"), message);
         }
     }
-}
-
-/// The kind with what it needs, defaults filled in.
-fn assembled(kind: &str, values: &Values, scope: &Scope) -> Option<FigureKind> {
-    Some(match kind {
-        "history" => FigureKind::History {
-            y: values
-                .rows("y")
-                .unwrap_or_else(|| response_and_error(scope)),
-            by: values.row("by"),
-            panels: values.row("panels"),
-            in_units: values.switch("in_units"),
-        },
-        "profile" => FigureKind::Profile {
-            y: values
-                .rows("y")
-                .unwrap_or_else(|| (0..scope.problem.schema().profiles.len()).collect()),
-            times: values.times("times"),
-        },
-        "wave" => FigureKind::Wave {
-            y: match values.row("y") {
-                Some(row) => row,
-                None => scope.problem.schema().profiles.len().checked_sub(1)?,
-            },
-        },
-        "metric" => FigureKind::Metric {
-            x: values.row("x")?,
-            y: values.rows("y")?,
-            by: values.row("by"),
-            x_scale: values.scale("x_scale"),
-            y_scale: values.scale("y_scale"),
-        },
-        "convergence" => FigureKind::Convergence {
-            x: match values.row("x") {
-                Some(row) => row,
-                None => {
-                    let table = scope.problem.parameters();
-                    table
-                        .iter()
-                        .position(|p| p.name == scope.problem.schema().step_name())?
-                }
-            },
-            y: values.rows("y")?,
-            by: values.row("by"),
-        },
-        "budget" => FigureKind::Budget {
-            x: values.row("x")?,
-            y: values
-                .rows("y")
-                .unwrap_or_else(|| (0..scope.problem.schema().budgets.len()).collect()),
-            panels: values.row("panels"),
-        },
-        "map" => FigureKind::Map {
-            x: values.row("x")?,
-            y: values.row("y")?,
-            z: values.row("z")?,
-            scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
-            marks: values.marks("marks"),
-            ridge: values.ridge("ridge"),
-        },
-        "scatter" => FigureKind::Scatter {
-            x: values.column("x")?,
-            y: values.column("y")?,
-            colour: values.column("colour"),
-            scales: ["x_scale", "y_scale", "colour_scale"].map(|key| values.scale(key)),
-        },
-        "samples" => FigureKind::Samples {
-            parameters: sampled::parameters(scope, &values.filter()),
-            y: values.row("y")?,
-            y_scale: values.scale("y_scale"),
-        },
-        "sobol" => FigureKind::Sobol {
-            y: values.rows("y")?,
-        },
-        _ => FigureKind::Law,
-    })
-}
-
-/// The first quantity, and the first that is an error.
-fn response_and_error(scope: &Scope) -> Vec<usize> {
-    let quantities = &scope.problem.schema().quantities;
-    let error = quantities.iter().position(|quantity| quantity.error);
-    let response = (!quantities.is_empty()).then_some(0);
-    response.into_iter().chain(error).collect()
 }

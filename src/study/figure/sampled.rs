@@ -1,9 +1,8 @@
 //! Parameters that a design samples, and figures that cannot show them.
 
-use super::taken::Values;
-use crate::study::report::{Faults, join};
+use super::checker::Checker;
 use crate::study::scope::Scope;
-use crate::study::{Figure, Filter, Scale};
+use crate::study::{Filter, Scale};
 
 /// Most sampled parameters of a matrix: more leave its panels too small.
 const MOST_SAMPLED: usize = 8;
@@ -32,11 +31,10 @@ pub(super) fn parameters(scope: &Scope, filter: &Filter) -> Vec<(usize, Scale)> 
 
 /// Reports sampled parameters in a figure of curves or of a grid: no two of their points share a value. Whether there
 /// are any.
-pub(super) fn refuse(figure: &Figure, values: &Values, scope: &Scope, faults: &mut Faults) -> bool {
-    let table = scope.problem.parameters();
-    let sampled = parameters(scope, &figure.filter);
+pub(super) fn refused(checker: &mut Checker, kind: &str) -> bool {
+    let table = checker.scope.problem.parameters();
+    let sampled = parameters(checker.scope, &checker.figure.filter);
     let names: Vec<&str> = sampled.iter().map(|(row, _)| &*table[*row].name).collect();
-    let kind = values.text("kind").unwrap_or_default();
     let are = match names.as_slice() {
         [] => return false,
         [one] => format!("{one} is"),
@@ -45,25 +43,23 @@ pub(super) fn refuse(figure: &Figure, values: &Values, scope: &Scope, faults: &m
     let message = format!(
         "{are} sampled by a design, but a {kind} figure needs lists of values; kinds for samples: scatter, samples"
     );
-    faults.add(values.at("kind"), &join(values.path, "kind"), message);
+    checker.fault("kind", message);
     true
 }
 
-/// Reports cases without sampled parameters, or with more than fit a page.
-pub(super) fn check(count: usize, values: &Values, faults: &mut Faults) {
+/// Reports cases without sampled parameters, or with more than fit on a page.
+pub(super) fn check(count: usize, checker: &mut Checker) {
     let message = match count {
         0 => {
             "a samples figure shows parameters that a design samples, but the cases shown have none"
                 .into()
         }
-        _ if count > MOST_SAMPLED => {
-            format!(
-                "{count} sampled parameters; allowed: at most {MOST_SAMPLED}; scatter shows two of them"
-            )
-        }
-        _ => return,
+        1..=MOST_SAMPLED => return,
+        _ => format!(
+            "{count} sampled parameters; allowed: at most {MOST_SAMPLED}; scatter shows two of them"
+        ),
     };
-    faults.add(values.at("kind"), &join(values.path, "kind"), message);
+    checker.fault("kind", message);
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The values under the keys of a figure, decoded by what the table of `kinds` says each key takes.
+//! The values under the keys of a figure, decoded by the types in the table of `kinds`.
 
 use super::keys::{Key, RIDGES, SCALES, Takes};
 use super::limits;
@@ -11,10 +11,10 @@ use crate::study::units::NEEDS_UNITS;
 use crate::study::value::{name, number, text};
 use crate::study::{Column, Filter, Marks, Ridge, Scale};
 
-/// Longest file name of a figure, well within what file systems take with an ending.
+/// Longest file name of a figure, well within the limits of file systems with an extension.
 const LONGEST_NAME: usize = 100;
 
-/// What was found under one key.
+/// The decoded value of one key.
 pub(in crate::study) enum Taken {
     Text(String),
     Filter(Filter),
@@ -131,7 +131,7 @@ impl Values<'_> {
         found.map_or(self.node.at, |taken| taken.1.at)
     }
 
-    /// The offset and path of item `i` of the value of `key`, which may stand there without a list.
+    /// The offset and path of item `i` of the value of `key`, which may be given without a list.
     pub fn item(&self, key: &str, i: usize) -> (usize, String) {
         let path = join(self.path, key);
         let found = self.taken.iter().find(|taken| taken.0 == key);
@@ -142,7 +142,7 @@ impl Values<'_> {
     }
 }
 
-/// Decodes the value of one key by what the table says it takes.
+/// Decodes the value of one key.
 pub(in crate::study) fn take(
     key: &Key,
     node: &Node,
@@ -170,10 +170,8 @@ pub(in crate::study) fn take(
         Takes::Width => return limits::width(node, path, faults).map(Taken::Width),
         Takes::Range => return limits::range(node, path, faults).map(Taken::Range),
         Takes::Scale => {
-            return name(node, path, "scale", &SCALES, faults).map(|row| match row {
-                0 => Taken::Scale(Scale::Linear),
-                _ => Taken::Scale(Scale::Log),
-            });
+            let all = [Scale::Linear, Scale::Log];
+            return name(node, path, "scale", &SCALES, faults).map(|row| Taken::Scale(all[row]));
         }
         Takes::Ridge => {
             let all = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];
@@ -255,7 +253,7 @@ fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
         let path = format!("{path}[{i}]");
         number(item, &path, Range::NotNegative, faults)
     });
-    // Collected first, so that every faulty time is told.
+    // Collected first, so that every faulty time is reported.
     let numbers: Vec<Option<f64>> = numbers.collect();
     numbers.into_iter().collect()
 }

@@ -2,24 +2,21 @@
 
 use std::collections::HashSet;
 
-use super::taken::Values;
+use super::checker::Checker;
 use crate::problem::parameter::{Default, Value};
-use crate::study::report::{Faults, join};
-use crate::study::scope::Scope;
-use crate::study::{Figure, FigureKind};
 
-/// Reports parameters that vary, although they neither are among those `told` apart nor follow from them.
-pub(super) fn check(
-    figure: &Figure,
-    told: &[usize],
-    values: &Values,
-    scope: &Scope,
-    faults: &mut Faults,
-) {
+/// What a user can do besides narrowing the cases, for kinds with the key `by`.
+pub(super) const OR_WITHOUT_BY: &str = " or leave out \"by\"";
+
+/// Reports parameters that vary, although they neither are among those that the figure distinguishes nor follow from them.
+/// `what` says how many cases the figure shows, `or` what else a user can do.
+pub(super) fn check(checker: &mut Checker, distinguished: &[usize], what: &str, or: &str) {
+    let (figure, scope) = (checker.figure, checker.scope);
     let table = scope.problem.parameters();
-    let varies = |row: &usize| scope.levels(&figure.filter, *row).len() > 1;
     let free = |row: &usize| {
-        !told.contains(row) && varies(row) && !scope.follows(&figure.filter, *row, told)
+        !distinguished.contains(row)
+            && checker.levels(*row).len() > 1
+            && !scope.follows(&figure.filter, *row, distinguished)
     };
     let names: Vec<&str> = (0..table.len())
         .filter(free)
@@ -28,16 +25,16 @@ pub(super) fn check(
     if names.is_empty() {
         return;
     }
-    // What the problem works out has no values of its own: it takes the place of one that it follows from, where each
+    // What the problem computes has no given values: it replaces one parameter that it follows from, if each
     // of its values belongs to one case.
-    let empty = |row: &&usize| scope.levels(&figure.filter, **row).is_empty();
-    let (worked_out, lacking): (Vec<usize>, Vec<usize>) = told
+    let empty = |row: &&usize| checker.levels(**row).is_empty();
+    let (worked_out, lacking): (Vec<usize>, Vec<usize>) = distinguished
         .iter()
         .filter(empty)
         .partition(|row| matches!(table[**row].default, Default::Follows(_)));
     // A parameter that no case has was reported as such.
     if !lacking.is_empty()
-        || names.len() <= worked_out.len() && one_case_a_place(figure, told, scope)
+        || names.len() <= worked_out.len() && one_case_a_place(checker, distinguished)
     {
         return;
     }
@@ -45,36 +42,15 @@ pub(super) fn check(
         [one] => format!("{one} varies"),
         several => format!("{} vary", several.join(", ")),
     };
-    let by = |kind: &str| {
-        format!(
-            "a {kind} figure with \"by\" shows one case at each point of a curve, but {vary}; choose one value in \"where\" or leave out \"by\""
-        )
-    };
-    let message = match figure.kind {
-        FigureKind::Map { .. } => {
-            format!("a map shows one case at each point, but {vary}; choose one value in \"where\"")
-        }
-        FigureKind::Metric { .. } => by("metric"),
-        FigureKind::Convergence { .. } => by("convergence"),
-        FigureKind::History { .. } => {
-            format!(
-                "a history figure with \"by\" shows one case for each curve, but {vary}; choose one value in \"where\" or leave out \"by\""
-            )
-        }
-        _ => format!(
-            "a budget shows one case at each point, but {vary}; choose one value in \"where\""
-        ),
-    };
-    faults.add(values.at("where"), &join(values.path, "where"), message);
+    let message = format!("{what}, but {vary}; choose one value in \"where\"{or}");
+    checker.fault("where", message);
 }
 
-/// Whether no two cases have the same values of the parameters told apart.
-fn one_case_a_place(figure: &Figure, told: &[usize], scope: &Scope) -> bool {
+/// Whether no two cases have the same values of the distinguished parameters.
+fn one_case_a_place(checker: &Checker, distinguished: &[usize]) -> bool {
     let mut places = HashSet::new();
-    let case = |index| crate::study::cases::case(&*scope.problem, &scope.blocks, index);
-    let mut cases = scope.select(&figure.filter).filter_map(case);
-    cases.all(|case| {
-        let its = told
+    checker.cases().all(|case| {
+        let its = distinguished
             .iter()
             .map(|row| case.values[*row].map(Value::identity));
         places.insert(its.collect::<Vec<_>>())

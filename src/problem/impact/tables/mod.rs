@@ -6,13 +6,13 @@ mod parameters;
 pub(super) use metrics::{BUDGET, REFERENCE};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
-use super::second;
+use super::law;
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::{Dimension, Unit};
 use crate::problem::{Channel, Profile, Quantity, Schema};
 use metrics::{BUDGETS, MAX_OVERLAP, METRICS};
 use parameters::PARAMETERS;
-use std::borrow::Cow::Borrowed;
+use std::borrow::Cow::{Borrowed, Owned};
 use std::sync::{Arc, LazyLock};
 
 /// The scales of an impact.
@@ -54,6 +54,9 @@ static UNITS: [Unit; 4] = [
     unit(Dimension::Force, "F0", "/*F*_0_"),
 ];
 
+/// What `Problem::after` gives, in its order; each is 1 in the exact solution.
+static LATER: [Text; 2] = [Borrowed("closing_speed"), Borrowed("rebound_speed")];
+
 static CHANNELS: [Channel; 3] = [
     Channel::with_exact("r", Dimension::Length),
     Channel::with_exact("rdot", Dimension::Velocity),
@@ -85,7 +88,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
         ),
-        parameters: Borrowed(&PARAMETERS),
+        parameters: Owned(PARAMETERS.iter().chain(&law::PARAMETERS).cloned().collect()),
         metrics: Borrowed(&METRICS),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),
@@ -100,7 +103,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
             in_pi: false,
         },
         place_title: Borrowed("*x*/*L*"),
-        later: Borrowed(&second::QUANTITIES),
+        later: Borrowed(&LATER),
         scales: Borrowed(&SCALES),
         units: Borrowed(&UNITS),
         alternatives: Borrowed(&[[Borrowed("gamma"), Borrowed("k_I")]]),

@@ -1,0 +1,37 @@
+//! The colour bar of a map.
+
+use crate::figures::layout::axis::Axis;
+use crate::figures::layout::limits;
+use crate::figures::layout::sheet::Rect;
+use crate::figures::style;
+use crate::figures::text;
+use crate::study::Scale;
+
+const BAR_GAP: f64 = 12.0;
+const BAR_WIDTH: f64 = 11.0;
+
+/// Width of a colour bar and its numbers right of a frame.
+pub fn room(colours: &Axis) -> f64 {
+    let labels = colours.ticks.iter().map(|t| &t.label);
+    let numbers = labels.map(|label| text::width(label, style::LABEL));
+    BAR_GAP + BAR_WIDTH + style::LABEL_GAP + numbers.fold(0.0, f64::max)
+}
+
+/// The colour bar right of a frame.
+pub fn frame(frame: &Rect) -> Rect {
+    Rect {
+        left: frame.right() + BAR_GAP,
+        width: BAR_WIDTH,
+        ..*frame
+    }
+}
+
+/// The axis of the colours: from the smallest to the largest value with a place on the scale.
+pub fn axis(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Scale) -> Axis {
+    let most = 7.0;
+    let usable = values.filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0));
+    let low = usable.clone().fold(f64::INFINITY, f64::min);
+    let high = usable.fold(f64::NEG_INFINITY, f64::max);
+    let range = (low < high).then_some([low, high]);
+    limits::axis(title, [low].into_iter(), scale, range, most)
+}

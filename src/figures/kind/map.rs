@@ -1,0 +1,202 @@
+//! A metric over two parameters with a colour bar: filled contours, or cells if there are too few places for contours.
+
+use super::Draw;
+use crate::figures::DrawnCase;
+use crate::figures::colour_map::bands;
+use crate::figures::colour_map::bar;
+use crate::figures::colour_map::ridge;
+use crate::figures::layout;
+use crate::figures::layout::legend::Key;
+use crate::figures::layout::points::Point;
+use crate::figures::layout::sheet::{Cell, FilledMap, Panel, Sheet};
+use crate::figures::layout::ticks;
+use crate::figures::style;
+use crate::figures::text::markup::plain;
+use crate::figures::text::number;
+use crate::study::kinds::Map;
+use crate::study::{Figure, Scale, Study};
+
+/// Fewest places along each axis that make a contour.
+const FEWEST: usize = 3;
+
+impl Draw for Map {
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+        let Map {
+            x,
+            y,
+            z,
+            scales,
+            marks,
+            ridge,
+        } = self;
+        let (parameters, metric) = (study.problem.parameters(), &study.measures[*z]);
+        let number =
+            |shown: &DrawnCase, row: usize| shown.case.values[row].and_then(|v| v.as_f64());
+        let (xs, ys) = (
+            places(cases, scales[0], |c| number(c, *x)),
+            places(cases, scales[1], |c| number(c, *y)),
+        );
+        let contoured = xs.len().min(ys.len()) >= FEWEST;
+        let (x_edges, y_edges) = (edges(&xs, scales[0]), edges(&ys, scales[1]));
+        let mut values = vec![f64::NAN; xs.len() * ys.len()];
+        let mut cells: Vec<Cell> = Vec::new();
+        for shown in cases {
+            let found = |places: &[f64], row| {
+                let value = number(shown, row)?;
+                let i = places.partition_point(|p| *p < value && !same(*p, value));
+                places.get(i).is_some_and(|p| same(*p, value)).then_some(i)
+            };
+            let value = shown.metrics.get(*z).copied().flatten();
+            if let (Some(column), Some(row), Some(value)) = (found(&xs, *x), found(&ys, *y), value)
+            {
+                values[column * ys.len() + row] = value;
+                cells.push(Cell {
+                    x: [x_edges[column], x_edges[column + 1]],
+                    y: [y_edges[row], y_edges[row + 1]],
+                    value,
+                });
+            }
+        }
+        let height = 190.0;
+        let along = |row: usize, places: &[f64], edges: &[f64], scale, most| {
+            // Contours reach from the first place to the last, cells half-way beyond them.
+            let ends = if contoured { places } else { edges };
+            let range = [ends[0], ends[ends.len() - 1]];
+            let title = parameters[row].symbol.to_string();
+            match scale {
+                Scale::Linear => ticks::linear(&title, range, most),
+                Scale::Log => ticks::log_range(&title, range, most),
+            }
+        };
+        let colours = bar::axis(&metric.symbol, cells.iter().map(|c| c.value), scales[2]);
+        let colours = match contoured {
+            true => bands::limited(colours, height),
+            false => colours,
+        };
+        let y_axis = along(*y, &ys, &y_edges, scales[1], height / 28.0);
+        let width = figure.width.unwrap_or(1.3 * style::SINGLE);
+        let grid = layout::grid(
+            width,
+            1,
+            &[height],
+            std::slice::from_ref(&y_axis),
+            bar::room(&colours),
+        );
+        let x_axis = along(*x, &xs, &x_edges, scales[0], grid.width / 40.0);
+
+        let frame = grid.frames[0][0];
+        let mut panel = Panel::new(frame, grid.margin, x_axis, y_axis);
+        let bar_frame = Some(bar::frame(&frame));
+        let mut keys = Vec::new();
+        if contoured {
+            let values = bands::Values {
+                places: [xs, ys],
+                z: values,
+            };
+            let along = ridge.map(|which| {
+                let [xs, ys] = values.places.each_ref().map(Vec::as_slice);
+                let label = ridge::label(which, &parameters[*x].symbol);
+                ridge::line(&panel, [xs, ys], &ridge::rows(&values, which), label)
+            });
+            let along = along.filter(|line| !line.points.is_empty());
+            let marked = marks.iter().flat_map(|m| &m.at);
+            let occupied: Vec<[f64; 2]> = marked
+                .chain(along.iter().flat_map(|line| &line.points))
+                .copied()
+                .collect();
+            values.fill(
+                &mut panel,
+                FilledMap::of_cells(Vec::new(), colours, bar_frame),
+                &occupied,
+            );
+            keys.extend(along.iter().map(Key::of));
+            panel.series.extend(along);
+        } else {
+            panel.map = Some(FilledMap::of_cells(cells, colours, bar_frame));
+        }
+        if let Some(marks) = marks {
+            panel.series.push(bands::marks(marks));
+            keys.extend(panel.series.last().map(Key::of));
+        }
+        let mut sheet = Sheet {
+            width,
+            panels: vec![panel],
+            ..Sheet::default()
+        };
+        // A map without either has no legend and no space for one.
+        let keys = if keys.is_empty() {
+            Vec::new()
+        } else {
+            vec![keys]
+        };
+        layout::finish(&mut sheet, keys, figure.title.as_deref());
+        sheet
+    }
+
+    /// The cases at their places.
+    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+        let Some(panel) = sheet.panels.first() else {
+            return Vec::new();
+        };
+        let parameters = study.problem.parameters();
+        let symbol = plain(&study.measures[self.z].symbol);
+        let point = |shown: &DrawnCase| {
+            let [x, y] =
+                [self.x, self.y].map(|row| shown.case.values[row].and_then(|v| v.as_f64()));
+            let at = panel.place([x?, y?]);
+            let value = shown.metrics.get(self.z).copied().flatten();
+            let value = value.map_or("undefined".into(), number::plain_text);
+            let [across, up] = [self.x, self.y].map(|row| plain(&parameters[row].symbol));
+            let (x, y) = (number::plain_text(x?), number::plain_text(y?));
+            let text = format!("{across} = {x}, {up} = {y}: {symbol} = {value}");
+            panel.frame.contains(at).then_some(Point { at, text })
+        };
+        cases.iter().filter_map(point).collect()
+    }
+}
+
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
+}
+
+/// The different values of a parameter that have a place on the scale, rising.
+fn places(
+    cases: &[DrawnCase],
+    scale: Scale,
+    value: impl Fn(&DrawnCase) -> Option<f64>,
+) -> Vec<f64> {
+    let has_place = |x: &f64| scale == Scale::Linear || *x > 0.0;
+    let mut places: Vec<f64> = cases.iter().filter_map(value).filter(has_place).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|a, b| same(*a, *b));
+    places
+}
+
+/// Edges of the cells round rising places: half-way between neighbours on the scale, and the same distance outside of the ends.
+fn edges(places: &[f64], scale: Scale) -> Vec<f64> {
+    let to = |x: f64| match scale {
+        Scale::Linear => x,
+        Scale::Log => libm::log(x),
+    };
+    let back = |x: f64| match scale {
+        Scale::Linear => x,
+        Scale::Log => libm::exp(x),
+    };
+    let at: Vec<f64> = places.iter().map(|x| to(*x)).collect();
+    match at.as_slice() {
+        [] => vec![back(0.0), back(1.0)],
+        [one] => vec![back(one - 0.5), back(one + 0.5)],
+        _ => {
+            let n = at.len();
+            let mut edges = vec![back(1.5 * at[0] - 0.5 * at[1])];
+            edges.extend(
+                at.windows(2)
+                    .map(|pair| back(pair[0] / 2.0 + pair[1] / 2.0)),
+            );
+            edges.push(back(1.5 * at[n - 1] - 0.5 * at[n - 2]));
+            // The axis ends at the range of double precision.
+            let finite = |x: f64| x.clamp(-f64::MAX, f64::MAX);
+            edges.into_iter().map(finite).collect()
+        }
+    }
+}

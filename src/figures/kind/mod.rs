@@ -1,0 +1,53 @@
+//! The kinds of figure, one file each: its sheet. Its keys and checks are in `study/figure/kinds`, where studies are read.
+
+mod budget;
+mod convergence;
+mod history;
+mod law;
+mod map;
+mod metric;
+mod over_parameter;
+mod profile;
+mod samples;
+mod scatter;
+mod sobol;
+mod wave;
+
+use crate::figures::DrawnCase;
+use crate::figures::layout::points::{self, Point};
+use crate::figures::layout::sheet::Sheet;
+use crate::study::kinds::FigureKind;
+use crate::study::{Figure, Study};
+
+/// A kind of figure that can be drawn.
+pub trait Draw {
+    /// The panels over the cases, with their legend.
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet;
+
+    /// Whether its curves can be too dense to draw. Curves over a parameter are not: they have a marker at every point.
+    fn has_dense_curves(&self) -> bool {
+        false
+    }
+
+    /// The points of its sheet that show their values in a report.
+    fn points(&self, _: &Study, _: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+        points::of_panels(sheet)
+    }
+}
+
+/// How a figure is drawn.
+pub fn of(kind: &FigureKind) -> &dyn Draw {
+    match kind {
+        FigureKind::History(kind) => kind,
+        FigureKind::Profile(kind) => kind,
+        FigureKind::Wave(kind) => kind,
+        FigureKind::Metric(kind) => kind,
+        FigureKind::Convergence(kind) => kind,
+        FigureKind::Budget(kind) => kind,
+        FigureKind::Map(kind) => kind,
+        FigureKind::Scatter(kind) => kind,
+        FigureKind::Samples(kind) => kind,
+        FigureKind::Sobol(kind) => kind,
+        FigureKind::Law(kind) => kind,
+    }
+}

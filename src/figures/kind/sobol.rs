@@ -1,0 +1,152 @@
+//! Sobol' indices as bars with their intervals: a panel for each metric, a pair of bars for each parameter.
+
+use super::Draw;
+use crate::figures::DrawnCase;
+use crate::figures::layout;
+use crate::figures::layout::axis::{Axis, Tick};
+use crate::figures::layout::guides;
+use crate::figures::layout::legend::Key;
+use crate::figures::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
+use crate::figures::layout::ticks;
+use crate::figures::style::{self, Marker, Stroke};
+use crate::indices::{Index, indices};
+use crate::study::kinds::Sobol;
+use crate::study::{Figure, Scale, Study};
+
+/// Half the width of a bar, and of the cap of its interval, where parameters are 1 apart.
+const HALF: f64 = 0.17;
+const CAP: f64 = 0.06;
+
+/// What the intervals are.
+const WHISKERS: &str = "Intervals: middle 95 % of bootstrap samples. They assume random points; \
+                        a Sobol\u{2019} sequence has smaller errors.";
+
+impl Draw for Sobol {
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+        let Sobol { y } = self;
+        let designs = study
+            .blocks
+            .iter()
+            .filter_map(|block| block.design.as_ref());
+        let Some(design) = designs
+            .into_iter()
+            .find(|d| d.points() == cases.len() as u64)
+        else {
+            return Sheet::default();
+        };
+        let height = if y.len() == 1 { 190.0 } else { 130.0 };
+        let found: Vec<_> = y
+            .iter()
+            .map(|&metric| {
+                let values = cases
+                    .iter()
+                    .map(|c| c.metrics.get(metric).copied().flatten());
+                let values: Vec<Option<f64>> = values.collect();
+                indices(&values, design.parameters.len(), design.seed)
+            })
+            .collect();
+        let axes: Vec<Axis> = y
+            .iter()
+            .zip(&found)
+            .map(|(&metric, found)| {
+                let both = found.iter().flatten().flat_map(|i| [i.first, i.total]);
+                let ends = both.flat_map(|i| [i.interval[0], i.interval[1], i.value]);
+                let title = format!("indices of {}", study.measures[metric].symbol);
+                ticks::around(&title, ends.chain([0.0, 1.0]), height / 24.0)
+            })
+            .collect();
+        let width = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let grid = layout::grid(width, 1, &vec![height; y.len()], &axes, 4.0);
+        let tick = |(i, row): (usize, &usize)| Tick {
+            at: i as f64,
+            label: study.problem.parameters()[*row].symbol.to_string(),
+        };
+        let across = Axis {
+            title: String::new(),
+            range: [-0.5, design.parameters.len() as f64 - 0.5],
+            scale: Scale::Linear,
+            ticks: design.parameters.iter().enumerate().map(tick).collect(),
+            numbered: true,
+        };
+        let mut sheet = Sheet {
+            width,
+            ..Sheet::default()
+        };
+        for (i, (found, y)) in found.iter().zip(axes).enumerate() {
+            let mut x = across.clone();
+            x.numbered = i + 1 == grid.frames.len();
+            let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
+            panel.zero = true;
+            // Only for the legend: the bars are drawn separately.
+            panel.series = vec![
+                named("first order", Marker::Dark),
+                named("total", Marker::Light),
+            ];
+            if let Err(lack) = found {
+                panel.notes.push(PlacedText {
+                    at: middle(&panel.frame),
+                    anchor: Anchor::Middle,
+                    text: format!("no indices: {lack}"),
+                    size: style::LABEL,
+                });
+            }
+            for (k, of) in found.iter().flatten().enumerate() {
+                for (index, at, marker) in [
+                    (of.first, k as f64 - 1.1 * HALF, Marker::Dark),
+                    (of.total, k as f64 + 1.1 * HALF, Marker::Light),
+                ] {
+                    bar(&mut panel, index, at, marker);
+                }
+            }
+            sheet.panels.push(panel);
+        }
+        layout::letter_panels(&mut sheet.panels);
+        let mut keys: Vec<Key> = Vec::new();
+        if let Some(panel) = sheet.panels.first() {
+            let named = panel
+                .series
+                .iter()
+                .filter(|series| !series.label.is_empty());
+            keys.extend(named.map(Key::of));
+        }
+        keys.extend(guides::key(&sheet.panels, None));
+        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        layout::small_print(&mut sheet, WHISKERS);
+        sheet
+    }
+}
+
+fn middle(frame: &Rect) -> [f64; 2] {
+    [
+        frame.left + frame.width / 2.0,
+        frame.top + frame.height / 2.0,
+    ]
+}
+
+fn named(label: &str, marker: Marker) -> Series {
+    Series {
+        label: label.into(),
+        points: Vec::new(),
+        stroke: Stroke::Solid,
+        width: 0.0,
+        marker: Some(marker),
+        marked: Vec::new(),
+    }
+}
+
+/// A bar from zero with its interval.
+fn bar(panel: &mut Panel, index: Index, at: f64, marker: Marker) {
+    panel.bars.push(Bar {
+        x: [at - HALF, at + HALF],
+        y: [0.0_f64.min(index.value), index.value.max(0.0)],
+        shade: marker.shade(),
+    });
+    let [low, high] = index.interval;
+    let across = |y: f64| [[at - CAP, y], [at + CAP, y]];
+    for points in [[[at, low], [at, high]], across(low), across(high)] {
+        panel.series.push(Series {
+            width: style::EXACT_LINE,
+            ..Series::rule(points)
+        });
+    }
+}

@@ -1,0 +1,175 @@
+//! Widths and limits that a study gives: what the sheets have, and that nothing leaves its place.
+
+use super::{decode, fig5, run};
+use crate::error::Error;
+use crate::figures::layout::below;
+use crate::figures::layout::sheet::{Rect, Sheet};
+use crate::figures::layout::slope;
+use crate::figures::{png, style, text};
+use crate::problem::parameter::Value;
+use crate::study::kinds::{History, Law, Map, Metric};
+use crate::study::{FigureKind, Scale};
+use std::f64::consts::PI;
+
+fn history(y: Vec<usize>, panels: Option<usize>) -> FigureKind {
+    FigureKind::History(History {
+        y,
+        by: None,
+        panels,
+        in_units: false,
+    })
+}
+
+#[test]
+fn curves_end_at_the_limits_given() {
+    let (x, y) = ([2.0 * PI, 5.0 * PI], [-3.0, 5.0]);
+    let mut sheet = fig5().limited(history(vec![0], None), None, [Some(x), Some(y)]);
+    sheet.legend.clear();
+    let panel = &mut sheet.panels[0];
+    assert_eq!([panel.x.range, panel.y.range], [x, y]);
+    for (axis, [low, high]) in [(&panel.x, x), (&panel.y, y)] {
+        let inside = |at: f64| at >= low - 1e-12 && at <= high + 1e-12;
+        assert!(axis.ticks.iter().all(|tick| inside(tick.at)), "{axis:?}");
+    }
+    // Every curve has markers where it is shown.
+    for series in &panel.series[1..] {
+        let shown = |i: &&usize| (x[0]..=x[1]).contains(&series.points[**i][0]);
+        assert!(series.marked.iter().filter(shown).count() >= 5);
+    }
+    panel.series.truncate(1);
+    let panel = &sheet.panels[0];
+    let (width, _, pixels, _) = decode(&png(&sheet, style::DPI).unwrap());
+    let dots = style::pixels(style::DPI);
+    let darkest = |[x, y]: [f64; 2]| {
+        let (x, y) = ((x * dots) as usize, (y * dots) as usize);
+        let near = (y - 1..=y + 1).flat_map(|y| (x - 1..=x + 1).map(move |x| (x, y)));
+        near.map(|(x, y)| pixels[y * width + x]).min().unwrap()
+    };
+    // Free motion from 12 loses 2 each half cycle: 8 at 2 pi, -6 at 3 pi, 4 at 4 pi. The first two are outside.
+    assert!(darkest(panel.place([4.0 * PI, 4.0])) < 100);
+    let frame = panel.frame;
+    let (left, right) = (frame.left as usize + 1, frame.right() as usize);
+    for x in left..right {
+        for y in [frame.top - 3.0, frame.bottom() + 2.0] {
+            assert_eq!(darkest([x as f64, y]), 255, "{x} {y}");
+        }
+    }
+    for y in frame.top as usize + 1..frame.bottom() as usize {
+        assert_eq!(darkest([frame.right() + 2.0, y as f64]), 255, "{y}");
+    }
+}
+
+#[test]
+fn the_other_axis_goes_round_what_is_left() {
+    let sheet = fig5().limited(
+        history(vec![0], None),
+        None,
+        [Some([6.0 * PI, 8.0 * PI]), None],
+    );
+    // alpha = 5 still swings between -6.2 and 6.6 then, and all of it began at 12.
+    let [low, high] = sheet.panels[0].y.range;
+    assert!(
+        low < -5.0 && low > -9.0 && high > 5.0 && high < 9.0,
+        "{low} {high}"
+    );
+}
+
+/// Frames lie apart, with what is written under each, and all of them and their words on the sheet.
+#[track_caller]
+fn fits(sheet: &Sheet, width: f64) {
+    assert_eq!(sheet.width, width);
+    let with_axis = |k: usize| {
+        let panel = &sheet.panels[k];
+        Rect {
+            height: panel.frame.height + below(&panel.x),
+            ..panel.frame
+        }
+    };
+    for k in 0..sheet.panels.len() {
+        let frame = sheet.panels[k].frame;
+        assert!(frame.width >= 60.0, "{frame:?}");
+        assert!(frame.left >= 0.0 && frame.right() <= width && frame.bottom() <= sheet.height);
+        for other in 0..k {
+            assert!(
+                !slope::overlap(&with_axis(k), &with_axis(other)),
+                "{k} {other}"
+            );
+        }
+    }
+    for words in &sheet.heading {
+        assert!(text::width(&words.text, words.size) <= width);
+    }
+    assert!(sheet.heading.len() > 1 || width > 300.0);
+    for entry in &sheet.legend {
+        let start = entry.at[0] + style::SAMPLE + style::SAMPLE_GAP;
+        assert!(
+            start + text::width(&entry.label, style::LABEL) <= width,
+            "{entry:?}"
+        );
+    }
+}
+
+#[test]
+fn panels_keep_their_places_at_every_width() {
+    let run = run(&[0.1, 1.0, 5.0].map(|alpha| (alpha, PI / 10.0, 12.0)));
+    let kinds = || {
+        [
+            history(vec![0, 3], None),
+            history(vec![0, 3], Some(1)),
+            FigureKind::Metric(Metric {
+                x: 1,
+                y: vec![0, 1],
+                by: None,
+                x_scale: Scale::Log,
+                y_scale: Scale::Linear,
+            }),
+            FigureKind::Map(Map {
+                x: 1,
+                y: 3,
+                z: 0,
+                scales: [Scale::Linear; 3],
+                marks: None,
+                ridge: None,
+            }),
+        ]
+    };
+    // One case of the other model: alpha does not apply, beta does.
+    let mut laws = fig5();
+    laws.cases[2].values[1] = None;
+    laws.cases[2].values[2] = Some(Value::Number(1.0));
+    for mm in [70.0, 90.0, 140.0, 190.0, 400.0] {
+        let width = mm * 72.0 / 25.4;
+        for kind in kinds() {
+            fits(&run.limited(kind, Some(width), [None; 2]), width);
+        }
+        let sheet = laws.limited(FigureKind::Law(Law), Some(width), [None; 2]);
+        assert_eq!(sheet.panels.len(), 2);
+        fits(&sheet, width);
+    }
+}
+
+#[test]
+fn a_long_label_takes_several_lines() {
+    let words = "*α* = 0.1, *x*_0_ = 12 and a word in *two italic words* at the end";
+    let lines = text::wrap(words, style::LABEL, 100.0);
+    assert!(lines.len() > 1, "{lines:?}");
+    assert_eq!(lines.join(" "), words);
+    assert!(lines.iter().any(|line| line.contains("*two italic words*")));
+}
+
+#[test]
+fn a_picture_too_large_for_memory_is_refused() {
+    // 400 mm by 2 m, at 1200 pixels an inch 1.8 gigapixels.
+    let sheet = Sheet {
+        width: 1134.0,
+        height: 5670.0,
+        ..Sheet::default()
+    };
+    let Err(Error::Usage(message)) = png(&sheet, 1200) else {
+        panic!("a picture of 1.8 gigapixels");
+    };
+    assert!(
+        message.starts_with("a figure of 18900 x 94500 pixels;"),
+        "{message}"
+    );
+}

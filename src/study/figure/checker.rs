@@ -1,0 +1,105 @@
+//! The checks of a figure that several kinds need.
+
+use super::taken::Values;
+use crate::problem::Case;
+use crate::problem::parameter::{Default, Value, shortest};
+use crate::study::report::{Faults, join};
+use crate::study::scope::Scope;
+use crate::study::{Figure, Scale};
+
+/// What to do about too many cases.
+pub(super) const NARROW: &str = "narrow the cases with \"where\"";
+
+/// Most panels of a figure.
+pub(super) const MOST_PANELS: usize = 24;
+
+/// A decoded figure, and where its faults are reported.
+pub(in crate::study) struct Checker<'a> {
+    pub figure: &'a Figure,
+    pub values: &'a Values<'a>,
+    pub scope: &'a Scope,
+    pub faults: &'a mut Faults,
+}
+
+impl<'a> Checker<'a> {
+    /// Reports a fault of a key.
+    pub fn fault(&mut self, key: &str, message: impl Into<String>) {
+        let path = join(self.values.path, key);
+        self.faults.add(self.values.at(key), &path, message);
+    }
+
+    /// Reports a fault of item `i` of the value of a key.
+    pub fn fault_of_item(&mut self, key: &str, i: usize, message: impl Into<String>) {
+        let (at, path) = self.values.item(key, i);
+        self.faults.add(at, &path, message);
+    }
+
+    /// The different values of a parameter in the cases of the figure.
+    pub fn levels(&self, row: usize) -> Vec<Value> {
+        self.scope.levels(&self.figure.filter, row)
+    }
+
+    /// The cases of the figure.
+    pub fn cases(&self) -> impl Iterator<Item = Case> + use<'a> {
+        let (scope, filter) = (self.scope, &self.figure.filter);
+        let case = |index| crate::study::cases::case(&*scope.problem, &scope.blocks, index);
+        scope.select(filter).filter_map(case)
+    }
+
+    /// Whether the figure has more than `most` cases.
+    pub fn has_more_cases_than(&self, most: usize) -> bool {
+        self.scope.select(&self.figure.filter).nth(most).is_some()
+    }
+
+    /// Reports a parameter that none of the cases has.
+    pub fn has_values(&mut self, key: &str, row: usize) {
+        let parameter = &self.scope.problem.parameters()[row];
+        let known = !matches!(parameter.default, Default::Follows(_));
+        if known && self.levels(row).is_empty() {
+            let message = format!("{} applies to none of the cases shown", parameter.name);
+            self.fault(key, message);
+        }
+    }
+
+    /// Reports a logarithmic scale for a parameter with values that have no logarithm.
+    pub fn suits_scale(&mut self, key: &str, row: usize, scale: Scale) {
+        let levels = self.levels(row);
+        let mut numbers = levels.iter().filter_map(|level| level.as_f64());
+        if scale == Scale::Log
+            && let Some(bad) = numbers.find(|x| *x <= 0.0)
+        {
+            let name = &self.scope.problem.parameters()[row].name;
+            let bad = Value::Number(bad);
+            let message =
+                format!("a log scale needs numbers > 0, but {name} is {bad} in a case shown");
+            self.fault(&format!("{key}_scale"), message);
+        }
+    }
+
+    /// Reports a mark outside of the values of a parameter.
+    pub fn reaches(&mut self, row: usize, place: f64, mark: usize) {
+        let levels = self.levels(row);
+        let numbers = levels.iter().filter_map(|level| level.as_f64());
+        let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (a.min(x), b.max(x))
+        });
+        let slack = 1e-12 * place.abs();
+        if low <= high && !(place >= low - slack && place <= high + slack) {
+            let name = &self.scope.problem.parameters()[row].name;
+            let (low, high, place) = (shortest(low), shortest(high), shortest(place));
+            let message =
+                format!("{name} of mark {mark} must lie within {low}..{high}, got {place}");
+            self.fault("marks", message);
+        }
+    }
+
+    /// Reports more panels than fit on a page: `rows` for each value of the parameter of `panels`. Whether they fit.
+    pub fn panels_fit(&mut self, row: usize, rows: usize) -> bool {
+        let count = rows * self.levels(row).len();
+        if count > MOST_PANELS {
+            let message = format!("{count} panels; allowed: at most {MOST_PANELS}; {NARROW}");
+            self.fault("panels", message);
+        }
+        count <= MOST_PANELS
+    }
+}

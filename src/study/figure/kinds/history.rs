@@ -1,0 +1,124 @@
+//! Curves over time.
+
+use super::{Decoded, FigureKind, Kind};
+use crate::problem::parameter::Value;
+use crate::study::Scale;
+use crate::study::figure::checker::{Checker, NARROW};
+use crate::study::figure::keys::{PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::study::figure::vary;
+use crate::study::scope::Scope;
+use std::collections::HashMap;
+
+/// Most curves that line styles can distinguish in one panel.
+const MOST_CURVES: usize = 8;
+
+/// Most steps of all histories in one figure: the histories of all its cases are held at once.
+const MOST_DRAWN: u64 = 10_000_000;
+
+pub(super) const KIND: Kind = Kind {
+    name: "history",
+    meaning: "curves over time, with the exact solution as a thin line; at most 8 cases in a panel",
+    keys: &[
+        key(
+            "y",
+            Takes::Quantities,
+            false,
+            "quantities, one panel each; if left out, the response and its error",
+        ),
+        key(
+            "by",
+            Takes::Parameter,
+            false,
+            "parameter with one line style for each value; if left out, all parameters that vary",
+        ),
+        PANELS,
+        key(
+            "in_units",
+            Takes::InUnits,
+            false,
+            "true: axes in the units of the study, which it must give; scaled if left out",
+        ),
+        X_RANGE,
+        Y_RANGE,
+    ],
+    decode: |values, scope| {
+        Some(FigureKind::History(History {
+            y: values
+                .rows("y")
+                .unwrap_or_else(|| response_and_error(scope)),
+            by: values.row("by"),
+            panels: values.row("panels"),
+            in_units: values.switch("in_units"),
+        }))
+    },
+};
+
+/// Curves over time, one panel for each quantity, the exact solution thin.
+#[derive(Debug)]
+pub struct History {
+    /// Rows of `problem.schema().quantities`, one panel each.
+    pub y: Vec<usize>,
+    /// Parameter with one line style for each value; `None`: all that vary.
+    pub by: Option<usize>,
+    /// Parameter with one panel for each value.
+    pub panels: Option<usize>,
+    /// Whether the axes are in the units of the study.
+    pub in_units: bool,
+}
+
+/// The first quantity, and the first that is an error.
+fn response_and_error(scope: &Scope) -> Vec<usize> {
+    let quantities = &scope.problem.schema().quantities;
+    let error = quantities.iter().position(|quantity| quantity.error);
+    let response = (!quantities.is_empty()).then_some(0);
+    response.into_iter().chain(error).collect()
+}
+
+impl Decoded for History {
+    fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
+        Some(([Scale::Linear; 2], self.y.len()))
+    }
+
+    fn check_cases(&self, checker: &mut Checker) {
+        let by = self.by.map(|row| ("by", row));
+        let panels = self.panels.map(|row| ("panels", row));
+        for (key, row) in by.into_iter().chain(panels) {
+            checker.has_values(key, row);
+        }
+        if let Some(by) = self.by {
+            let distinguished: Vec<usize> = self.panels.into_iter().chain([by]).collect();
+            let what = "a history figure with \"by\" shows one case for each curve";
+            vary::check(checker, &distinguished, what, vary::OR_WITHOUT_BY);
+        }
+        if self.panels.is_none_or(|row| checker.panels_fit(row, 1)) {
+            self.check_curves(checker);
+        }
+    }
+
+    fn draws_histories(&self) -> bool {
+        true
+    }
+}
+
+impl History {
+    /// Reports more curves in a panel than can be distinguished, or more steps than fit in memory.
+    fn check_curves(&self, checker: &mut Checker) {
+        let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
+        let mut steps = 0u64;
+        for case in checker.cases() {
+            let panel = self.panels.and_then(|row| case.values[row]);
+            let count = counts.entry(panel.map(Value::identity)).or_default();
+            *count += 1;
+            steps = steps.saturating_add(checker.scope.problem.steps(&case));
+            let most = if *count > MOST_CURVES {
+                format!("{MOST_CURVES} cases in one panel")
+            } else if steps > MOST_DRAWN {
+                format!("{MOST_DRAWN} steps to draw")
+            } else {
+                continue;
+            };
+            checker.fault("where", format!("more than {most}; {NARROW}"));
+            return;
+        }
+    }
+}

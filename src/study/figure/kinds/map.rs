@@ -1,0 +1,105 @@
+//! One metric over two parameters.
+
+use super::{Decoded, FigureKind, Kind};
+use crate::problem::Problem;
+use crate::study::figure::checker::Checker;
+use crate::study::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
+use crate::study::figure::{sampled, vary};
+use crate::study::{Marks, Ridge, Scale};
+
+pub(super) const KIND: Kind = Kind {
+    name: "map",
+    meaning: "one metric over two parameters, as filled contours with a colour bar",
+    keys: &[
+        X,
+        key(
+            "y",
+            Takes::NumericParameter,
+            true,
+            "parameter along the vertical axis",
+        ),
+        key("z", Takes::Metric, true, "metric shown as shades"),
+        X_SCALE,
+        Y_SCALE,
+        key(
+            "z_scale",
+            Takes::Scale,
+            false,
+            "scale of the shades; if left out, linear",
+        ),
+        key(
+            "marks",
+            Takes::Marks,
+            false,
+            "points to mark: { \"label\": text, \"at\": [[x, y], ...] }",
+        ),
+        key(
+            "ridge",
+            Takes::Ridge,
+            false,
+            "a line through the y with the least or greatest metric, or with the metric nearest to 1, at each x; not drawn at the edge of the map; if left out, no line",
+        ),
+    ],
+    decode: |values, _| {
+        Some(FigureKind::Map(Map {
+            x: values.row("x")?,
+            y: values.row("y")?,
+            z: values.row("z")?,
+            scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
+            marks: values.marks("marks"),
+            ridge: values.ridge("ridge"),
+        }))
+    },
+};
+
+/// One metric over two parameters, as filled contours with a colour bar.
+#[derive(Debug)]
+pub struct Map {
+    /// Parameter along the horizontal axis.
+    pub x: usize,
+    /// Parameter along the vertical axis.
+    pub y: usize,
+    /// Row of the study's measures.
+    pub z: usize,
+    /// Scales of the two axes and of the colours.
+    pub scales: [Scale; 3],
+    /// Places to mark, if any.
+    pub marks: Option<Marks>,
+    /// What the line along it follows, if there is one.
+    pub ridge: Option<Ridge>,
+}
+
+impl Decoded for Map {
+    fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
+        None
+    }
+
+    fn check_cases(&self, checker: &mut Checker) {
+        if sampled::refused(checker, KIND.name) {
+            return;
+        }
+        let axes = [("x", self.x), ("y", self.y)];
+        for ((key, row), scale) in axes.into_iter().zip(self.scales) {
+            checker.has_values(key, row);
+            checker.suits_scale(key, row, scale);
+        }
+        if self.x == self.y {
+            checker.fault("y", "must be a parameter other than x");
+        }
+        vary::check(
+            checker,
+            &[self.x, self.y],
+            "a map shows one case at each point",
+            "",
+        );
+        for (i, at) in self.marks.iter().flat_map(|marks| &marks.at).enumerate() {
+            for ((_, row), place) in axes.into_iter().zip(at) {
+                checker.reaches(row, *place, i);
+            }
+        }
+    }
+
+    fn measures(&self, _: &dyn Problem) -> Vec<usize> {
+        vec![self.z]
+    }
+}
