@@ -57,11 +57,7 @@ pub fn evaluate<const L: usize>(
     let oscillation = or_undefined(oscillation(rdot, exact));
     let impulse = impulse(force, exact.step);
     let impulse = exact.impulse.map(|e| impulse.map(|i| i / e - 1.0));
-    let norm = |component, c: &[Lane<L>]| {
-        let error = |i: usize, e| c[i] - Lane::splat(e);
-        exact.rms(component, error)
-    };
-    let norms = [norm(0, r), norm(1, rdot)];
+    let norms = [rms(0, r, exact), rms(1, rdot, exact)];
     let of_start = |energy: Lane<L>| energy.zip(start, |energy, start| energy / start);
     [
         in_contact(duration),
@@ -77,6 +73,16 @@ pub fn evaluate<const L: usize>(
         norms[0],
         norms[1],
     ]
+}
+
+/// Norm of c - e, see [`Sampled::rms`].
+#[inline(always)]
+fn rms<const L: usize>(component: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
+    exact.rms(
+        component,
+        #[inline(always)]
+        |i, e| c[i] - Lane::splat(e),
+    )
 }
 
 #[cfg(test)]

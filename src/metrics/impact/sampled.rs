@@ -109,10 +109,14 @@ impl Sampled {
         component: usize,
         error: impl Fn(usize, f64) -> Lane<L>,
     ) -> Lane<L> {
-        let square = |i, e| {
-            let error = error(i, e);
-            error * error
-        };
-        self.mean(component, square).map(f64::sqrt)
+        let mean = self.mean(
+            component,
+            #[inline(always)]
+            |i, e| {
+                let error = error(i, e);
+                error * error
+            },
+        );
+        mean.map(f64::sqrt)
     }
 }
