@@ -61,8 +61,8 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 # What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
 PART = numbers batch study figures claims recommend
 ONLY = .
-changed_numbers = -f src/law.rs -f src/stepper.rs -f 'src/exact/**' -f 'src/metrics/**'
-noticed_numbers = --test budget --test budget_impact --test chain --test friction --test friction_work --test impact \
+changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -f 'src/metrics/**'
+noticed_numbers = --test budget --test budget_impact --test mesh --test friction --test friction_work --test impact \
   --test impact_contact --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
   --test sweep --test two_forms --test two_forms_impact
 changed_batch = -f 'src/batch/**' -f src/indices.rs -f src/compare.rs

@@ -3,32 +3,37 @@
 /// The channels of a motion at the steps 0..=N, in the problem's scales.
 ///
 /// An exact solution is a history too (sampled at the same times), so that metrics and overlays need no special case.
+///
+/// The oscillator of [F] slides in half a period from 12 Δ to -10 Δ:
+///
+/// ```
+/// use slipgap::exact::coulomb::Coulomb;
+/// use slipgap::history::History;
+/// use std::f64::consts::PI;
+///
+/// let exact = Coulomb::new(12.0);
+/// let history = History::sample(&[0.0, PI, 2.0 * PI], |time| exact.at(time).values());
+/// assert_eq!(history.displacement(), [12.0, -10.0, 8.0]);
+/// assert_eq!(history.velocity(), [0.0; 3]);
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct History {
     /// Time: T for the oscillator, t/T_I for bars.
     pub time: Vec<f64>,
-    /// The values of each channel, one a time. The first three of a contact are r, rdot and its force.
+    /// The values of each channel, one for each time. The first three of a contact are r, rdot and its force.
     pub channels: Vec<Vec<f64>>,
 }
 
 impl History {
-    /// An empty history of a contact with room for `len` rows.
-    pub fn of_contact(len: usize) -> History {
-        History {
-            time: Vec::with_capacity(len),
-            channels: (0..3).map(|_| Vec::with_capacity(len)).collect(),
-        }
+    /// A motion at these times; `values` returns the value of each channel at a time.
+    pub fn sample<const N: usize>(
+        times: &[f64],
+        mut values: impl FnMut(f64) -> [f64; N],
+    ) -> History {
+        times.iter().map(|&time| (time, values(time))).collect()
     }
 
-    /// Adds one row: the time and the value of each channel.
-    pub fn push<const N: usize>(&mut self, time: f64, values: [f64; N]) {
-        self.time.push(time);
-        for (channel, value) in self.channels.iter_mut().zip(values) {
-            channel.push(value);
-        }
-    }
-
-    /// The values of a channel; none where there is no such channel.
+    /// The values of a channel; none if there is no such channel.
     pub fn channel(&self, channel: usize) -> &[f64] {
         self.channels.get(channel).map_or(&[], Vec::as_slice)
     }
@@ -63,5 +68,24 @@ impl History {
         self.channels
             .iter()
             .all(|channel| channel.iter().all(|x| x.is_finite()))
+    }
+}
+
+/// Rows of a time and the value of each channel.
+impl<const N: usize> FromIterator<(f64, [f64; N])> for History {
+    fn from_iter<I: IntoIterator<Item = (f64, [f64; N])>>(rows: I) -> History {
+        let rows = rows.into_iter();
+        let len = rows.size_hint().0;
+        let mut history = History {
+            time: Vec::with_capacity(len),
+            channels: (0..N).map(|_| Vec::with_capacity(len)).collect(),
+        };
+        for (time, values) in rows {
+            history.time.push(time);
+            for (channel, value) in history.channels.iter_mut().zip(values) {
+                channel.push(value);
+            }
+        }
+        history
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! First order after Saltelli et al. (2010), V_i = mean(f_B (f_ABi - f_A)), total after Jansen (1999),
 //! V_Ti = mean((f_A - f_ABi)^2)/2, each over the variance of f_A and f_B together, from which the mean is taken first.
-//! Intervals are the middle 95 % of bootstrap samples over the base points, taken for random ones.
+//! Intervals are the middle 95 % of bootstrap samples over the base points, which are treated as random points.
 
 use std::fmt;
 
@@ -20,17 +20,17 @@ const TAIL: f64 = 0.025;
 pub struct Index {
     /// The estimate.
     pub value: f64,
-    /// Ends of its bootstrap interval. Of random points it would hold the true index 95 times in 100; the points of a
-    /// Sobol' sequence err less, so that it holds it more often.
+    /// Ends of its bootstrap interval. For random points it contains the true index 95 times in 100; the points of a Sobol'
+    /// sequence have smaller errors, so that it contains the index more often.
     pub interval: [f64; 2],
 }
 
 /// The indices of one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Indices {
-    /// What the parameter explains by itself.
+    /// The share of the parameter alone.
     pub first: Index,
-    /// What it explains by itself and with others.
+    /// The share of the parameter alone and together with others.
     pub total: Index,
 }
 
@@ -69,7 +69,7 @@ impl fmt::Display for Lack {
 /// each base point.
 ///
 /// # Errors
-/// What keeps the metric from having any.
+/// Why the metric has no indices.
 pub fn indices(values: &[Option<f64>], count: usize, seed: u64) -> Result<Vec<Indices>, Lack> {
     let empty = values.iter().filter(|value| value.is_none()).count();
     if empty > 0 {
@@ -83,8 +83,8 @@ pub fn indices(values: &[Option<f64>], count: usize, seed: u64) -> Result<Vec<In
     values.iter_mut().for_each(|x| *x -= mean);
     let rows: Vec<&[f64]> = values.chunks_exact(count + 2).collect();
     let all: Vec<usize> = (0..rows.len()).collect();
-    let whole = estimate(&rows, &all, count);
-    if !whole.iter().flatten().all(|x| x.is_finite()) {
+    let estimates = estimate(&rows, &all, count);
+    if !estimates.iter().flatten().all(|x| x.is_finite()) {
         return Err(Lack::Unbounded);
     }
     let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -99,7 +99,7 @@ pub fn indices(values: &[Option<f64>], count: usize, seed: u64) -> Result<Vec<In
         sampled.sort_by(f64::total_cmp);
         let end = |part: f64| sampled[(part * (SAMPLES - 1) as f64).round() as usize];
         Index {
-            value: whole[parameter][which],
+            value: estimates[parameter][which],
             interval: [end(TAIL), end(1.0 - TAIL)],
         }
     };
@@ -186,13 +186,13 @@ mod tests {
     }
 
     #[test]
-    fn intervals_hold_the_value_and_narrow_with_the_root_of_n() {
+    fn intervals_contain_the_index_and_narrow_with_the_root_of_n() {
         let widths = [256, 4096].map(|n| {
             let found = ishigami(1, n);
             for (index, exact) in found.iter().zip(exact()) {
                 for (index, exact) in [(index.first, exact[0]), (index.total, exact[1])] {
                     let [low, high] = index.interval;
-                    // Bootstrap takes the points for random ones, which scatter more.
+                    // Bootstrap treats the points as random ones, which scatter more.
                     assert!(low <= exact && exact <= high, "{index:?} {exact}");
                 }
             }
@@ -203,9 +203,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_or_constant_has_no_indices() {
+    fn missing_or_constant_metrics_have_no_indices() {
         assert_eq!(indices(&[Some(1.0); 12], 2, 0), Err(Lack::Constant));
-        // A mean that is not the value itself by round-off, and the variance of that.
+        // The mean differs from the value by round-off, which has a variance.
         assert_eq!(indices(&[Some(0.1); 12], 2, 0), Err(Lack::Constant));
         let gap = [Some(1.0), None, Some(2.0), None, Some(2.0), Some(3.0)];
         let lack = indices(&gap, 1, 0).unwrap_err();
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn intervals_have_the_width_that_influences_give() {
+    fn intervals_have_the_width_of_the_influence_functions() {
         // S = P/(Q - M^2) of means over the rows: each row's influence on S, their scatter over the root of n as the
         // standard error, and 1.96 of these to either side for 95 %.
         let (n, k) = (1024, 3);
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn intervals_hold_the_index_of_random_points_as_they_say_and_of_sobol_points_more_often() {
+    fn intervals_contain_the_index_for_95_of_100_random_designs_and_more_sobol_designs() {
         let held = |points: &dyn Fn(u64) -> Vec<Indices>| {
             let mut held = [0; 6];
             for seed in 0..100 {
@@ -280,8 +280,8 @@ mod tests {
         // Of 100 studies 95 are expected; 4 standard deviations of the binomial distribution are 8.7.
         let random = held(&|seed| by_chance(seed, 128));
         assert!(random.iter().all(|held| *held >= 86), "{random:?}");
-        // Points that err half as much hold it beyond 3.9 standard errors: 1 of 10^4 is missed, where 3 were found at 64
-        // points of 1200.
+        // With half of the error, intervals contain the index up to 3.9 standard errors: 1 of 10^4 is missed. At 64 points 3 of
+        // 1200 were missed.
         let sobol = held(&|seed| ishigami(seed, 128));
         assert!(sobol.iter().all(|held| *held >= 98), "{sobol:?}");
         assert!(random.iter().sum::<u32>() < 590, "{random:?}");

@@ -1,8 +1,18 @@
-//! Several cases side by side: L numbers that go through the same operations, with the same bits for every L.
+//! Numbers of several cases that pass through the same operations, with the same bits for every number L of cases.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// One number for each of L cases.
+///
+/// ```
+/// use slipgap::lane::{Lane, largest};
+///
+/// let x = Lane([3.0, -4.0]);
+/// assert_eq!(x * x + Lane::splat(1.0), Lane([10.0, 17.0]));
+/// // A law cuts a force to its limit.
+/// assert_eq!(x.cut(Lane([5.0, 1.0])), Lane([3.0, -1.0]));
+/// assert_eq!(largest(&[x, -x]), Lane([3.0, 4.0]));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lane<const L: usize>(pub [f64; L]);
 
@@ -20,7 +30,7 @@ impl<const L: usize> Lane<L> {
     }
 
     /// `f` of every lane.
-    // Loops, not array::from_fn: past 16 lanes that stays a call for each lane.
+    // Loops, not array::from_fn: with more than 16 lanes that is not inlined.
     #[inline(always)]
     pub fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
         for x in &mut self.0 {
@@ -57,7 +67,7 @@ impl<const L: usize> Lane<L> {
     }
 }
 
-/// The largest of some, lane by lane; zero of none.
+/// The largest number of each lane; zero if `of` is empty.
 #[inline(always)]
 pub fn largest<const L: usize>(of: &[Lane<L>]) -> Lane<L> {
     let mut largest = of.first().copied().unwrap_or(Lane::splat(0.0));
@@ -67,7 +77,7 @@ pub fn largest<const L: usize>(of: &[Lane<L>]) -> Lane<L> {
     largest
 }
 
-/// The smallest of some, lane by lane; zero of none.
+/// The smallest number of each lane; zero if `of` is empty.
 #[inline(always)]
 pub fn smallest<const L: usize>(of: &[Lane<L>]) -> Lane<L> {
     let mut smallest = of.first().copied().unwrap_or(Lane::splat(0.0));

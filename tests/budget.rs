@@ -1,4 +1,4 @@
-//! The friction oscillator's error in parts: that they make the whole, how they oppose each other, and the order of the step's.
+//! The parts of the error of the friction oscillator: their sum, their signs, and the order of the step error.
 
 use slipgap::exact::regularised::Regularised;
 use slipgap::metrics::friction::budget;
@@ -57,7 +57,7 @@ fn the_rows_are_the_budget() {
             .iter()
             .all(Option::is_some)
     );
-    // A run without any error has norms of zero and no shares.
+    // A run without error has norms of zero, and its shares are undefined.
     let exact = problem.exact(&case, &[0.0, 1.0, 2.0]).unwrap();
     assert_eq!(
         budget(12.0, &exact, &exact, &exact),
@@ -66,7 +66,7 @@ fn the_rows_are_the_budget() {
 }
 
 #[test]
-fn parts_make_the_whole() {
+fn parts_add_up_to_the_error() {
     for law in ["displacement-control", "velocity-control"] {
         for (width, x0, step) in [
             (0.1, 12.0, PI / 10.0),
@@ -87,7 +87,7 @@ fn parts_make_the_whole() {
                 (m[11] + m[12] - 1.0).abs() < tiny,
                 "{law} {width} {x0}: {m:?}"
             );
-            // Shares are projections of the parts on the whole: with their norms they give the angle between them.
+            // Shares are projections of the parts on the error: with the norms they give the angle between the parts.
             let both = (rms * rms - model * model - step_part * step_part) / 2.0;
             let from_share = m[11] * rms * rms - model * model;
             assert!(
@@ -100,7 +100,7 @@ fn parts_make_the_whole() {
 
 #[test]
 fn model_and_step_cancel_at_the_papers_step() {
-    // alpha = 0.1, x0 = 12: the total is least near pi/10, below what the model alone has.
+    // alpha = 0.1, x0 = 12: the error is smallest near pi/10, and smaller than the error of the law alone.
     let row = |n: f64| {
         let m = solve("displacement-control", 0.1, 12.0, PI / n, 8.0 * PI).metrics;
         [0, 9, 10, 11, 12].map(|i| m[i].unwrap())
@@ -122,7 +122,7 @@ fn model_and_step_cancel_at_the_papers_step() {
     assert!(cosine < -0.6, "{cosine}");
 }
 
-/// The largest difference to the motion in continuous time up to `duration` as the step is halved.
+/// The largest difference from the motion in continuous time up to `duration`, for steps that are halved.
 fn halvings(law: &'static str, width: f64, x0: f64, duration: f64) -> Vec<f64> {
     (6..15)
         .map(|k| {
@@ -142,7 +142,7 @@ fn halvings(law: &'static str, width: f64, x0: f64, duration: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Their ratios.
+/// The ratios of neighbours.
 fn ratios(errors: &[f64]) -> Vec<f64> {
     errors.windows(2).map(|pair| pair[0] / pair[1]).collect()
 }
@@ -157,8 +157,8 @@ fn step_error_is_of_second_order_and_kinks_make_it_uneven() {
             };
             let first = motion.next_event();
             assert!(motion.at(0.9 * first).force.abs() < 1.0);
-            // Up to the first kink each halving takes a quarter, until round-off shows: an eps of x0 = 12 is less than a
-            // ten-thousandth of the error, and the steps are not yet so many that theirs add up.
+            // Before the first kink each halving divides the error by 4, as long as round-off is small: eps times x0 = 12 is less
+            // than 1e-4 of the error, and there are few steps.
             let errors = halvings(law, width, 12.0, 0.999 * first);
             let clear = errors
                 .iter()
@@ -168,10 +168,10 @@ fn step_error_is_of_second_order_and_kinks_make_it_uneven() {
             for ratio in ratios(&errors[..clear.min(5)]) {
                 assert!((ratio - 4.0).abs() < 0.002, "{law} {width}: {ratio}");
             }
-            // Past kinks it depends on where in its step each falls: uneven from halving to halving, 4 on the whole.
+            // After kinks the ratio depends on their positions within steps; its mean is 4.
             let ratios = ratios(&halvings(law, width, 12.0, 8.0 * PI));
-            let whole = mean(&ratios);
-            assert!((3.2..4.4).contains(&whole), "{law} {width}: {whole}");
+            let average = mean(&ratios);
+            assert!((3.2..4.4).contains(&average), "{law} {width}: {average}");
             let furthest = |far: f64, ratio: &f64| far.max((ratio - 4.0).abs());
             let uneven = ratios.iter().fold(0.0, furthest);
             assert!(uneven > 0.02, "{law} {width}: {ratios:?}");
@@ -189,7 +189,7 @@ fn mean(ratios: &[f64]) -> f64 {
 
 #[test]
 fn a_kink_sharper_than_the_step_is_of_first_order() {
-    // A width far below what one step passes is a jump of the force to the method: halvings take half.
+    // For the method a width much smaller than the motion in a step is a jump of the force: each halving divides the error by 2.
     for (law, width) in [("displacement-control", 1e-9), ("velocity-control", 1e-6)] {
         let ratios = ratios(&halvings(law, width, 12.0, 8.0 * PI));
         assert!((1.7..2.5).contains(&mean(&ratios)), "{law}: {ratios:?}");
@@ -205,11 +205,11 @@ fn beyond_the_range_of_the_continuous_motion_parts_are_empty() {
         assert!(defined == 0 || defined == 4, "{metrics:?}");
         (defined == 4).then(|| metrics[9].unwrap())
     };
-    // Runs of up to 1e7, however few their steps.
+    // Runs of up to 1e7, for any number of steps.
     assert!(parts("velocity-control", 0.1, 12.0, 1e5, 1e7).is_some());
     assert_eq!(parts("velocity-control", 0.1, 12.0, 1e5, 1.1e7), None);
     assert_eq!(parts("displacement-control", 0.1, 12.0, 1e5, 1.1e7), None);
-    // At beta = 1e-200 it was 1.06 where it is 0.
+    // An earlier version had 1.06 instead of 0 at beta = 1e-200.
     for law in ["velocity-control", "displacement-control"] {
         assert_eq!(parts(law, 1e-200, 12.0, 0.1, 25.0), None);
         assert_eq!(parts(law, 1e200, 12.0, 0.1, 25.0), None);

@@ -1,4 +1,4 @@
-//! The impact's error in parts: that they make the whole, where they are undefined, and the order of the step's.
+//! The parts of the error of the impact: their sum, where they are undefined, and the order of the step error.
 
 mod common;
 
@@ -24,7 +24,7 @@ const NAMES: [&str; 12] = [
 /// Row of the first of them.
 const FIRST: usize = 12;
 
-/// Every metric of a case, the budget included.
+/// Every metric of a case, including the budget.
 fn metrics(given: Json) -> Vec<Option<f64>> {
     let problem = find("bar-impact").unwrap();
     problem
@@ -34,7 +34,7 @@ fn metrics(given: Json) -> Vec<Option<f64>> {
 }
 
 #[test]
-fn the_rows_are_the_budget_and_come_when_asked_for() {
+fn the_rows_are_the_budget_and_are_computed_if_selected() {
     let problem = find("bar-impact").unwrap();
     for (row, name) in NAMES.into_iter().enumerate() {
         let metric = &problem.metrics()[FIRST + row];
@@ -44,7 +44,7 @@ fn the_rows_are_the_budget_and_come_when_asked_for() {
         &*problem,
         &json!({"gamma": 1.0, "n": 10, "dt": 0.01, "duration": 1.5}),
     );
-    // The exact columns below them do not ask for them, nor they for those.
+    // The exact columns after them do not need them, and they do not need the exact columns.
     let unasked = problem.solve(&case, &[0, FIRST - 1, 24]).unwrap().metrics;
     assert_eq!(unasked[FIRST..24], [None; 12]);
     let asked = problem.solve(&case, &[20]).unwrap().metrics;
@@ -53,7 +53,7 @@ fn the_rows_are_the_budget_and_come_when_asked_for() {
 }
 
 #[test]
-fn parts_make_the_whole() {
+fn parts_add_up_to_the_error() {
     for given in [
         json!({"gamma": 1.0, "n": 10, "dt": 0.01, "duration": 1.5}),
         json!({"gamma": 0.25, "n": 40, "dt": 0.003, "duration": 2.7, "gap": 0.31}),
@@ -68,10 +68,10 @@ fn parts_make_the_whole() {
         for (of, total) in [(0, m[FIRST - 2]), (1, m[FIRST - 1])] {
             let part = |i: usize| [m[FIRST + of + 2 * i], m[FIRST + 6 + of + 2 * i]];
             let [[a, sa], [b, sb], [c, sc]] = [0, 1, 2].map(part);
-            // Round-off of parts that may be larger than the whole.
+            // Round-off of parts that may be larger than the error.
             let tiny = 1e-13 * (1.0 + (a + b + c) / total);
             assert!((sa + sb + sc - 1.0).abs() < tiny, "{given}: {m:?}");
-            // A share of a part is at most its norm over the whole's, and the parts span the whole.
+            // The share of a part is at most its norm over that of the error (Cauchy-Schwarz).
             for [norm, share] in [[a, sa], [b, sb], [c, sc]] {
                 assert!(share.abs() <= norm / total + tiny, "{given}: {m:?}");
             }
@@ -103,7 +103,7 @@ fn parts_without_a_reference_are_empty() {
     ] {
         assert_eq!(base(without.clone()), [None; 12], "{without}");
     }
-    // Only what enters the scaled equations has to be alike.
+    // Only the numbers in the scaled equations have to be equal.
     let twins = json!({"right": {"V0": -0.3, "L": 10.0}});
     assert!(base(twins).iter().all(Option::is_some));
     assert!(base(json!({"gamma": 0.1011})).iter().all(Option::is_some));
@@ -111,8 +111,8 @@ fn parts_without_a_reference_are_empty() {
 }
 
 #[test]
-fn step_error_is_of_second_order_until_the_ends_part() {
-    // gamma = 1: nothing happens between the first touch, which falls on a step, and 1.057 T_I.
+fn step_error_is_of_second_order_until_separation() {
+    // gamma = 1: there is no event between the first touch, which is at a step, and 1.057 T_I.
     let errors = |dt: f64, duration: f64| {
         let m = metrics(json!({"gamma": 1.0, "n": 10, "dt": dt, "duration": duration}));
         [m[FIRST + 4].unwrap(), m[FIRST + 5].unwrap()]
@@ -122,11 +122,11 @@ fn step_error_is_of_second_order_until_the_ends_part() {
     for pair in ladder.windows(2) {
         for i in [0, 1] {
             let ratio = pair[0][i] / pair[1][i];
-            // Omega dt = 0.1 at the first of these steps: the next order is some thousandths.
+            // Omega dt = 0.1 at the first of these steps: the next order is a few thousandths.
             assert!((ratio - 4.0).abs() < 0.02, "{i}: {ratio}");
         }
     }
-    // Past the parting r keeps the order in the mean, since the force is continuous: eight halvings' worth by 8.
+    // After separation r has the same order in the mean, because the force is continuous.
     let [coarse, fine] = [0.004, 0.0005].map(|dt| errors(dt, 1.5)[0]);
     assert!(
         (20.0..200.0).contains(&(coarse / fine)),

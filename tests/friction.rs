@@ -1,4 +1,4 @@
-//! The friction oscillator: order of convergence, what holds in every step whatever the parameters.
+//! The friction oscillator: order of convergence, and identities of every step for any parameters.
 
 mod common;
 
@@ -43,7 +43,7 @@ fn fine(given: &Json) -> Vec<f64> {
         x += h / 6.0 * (x1 + 2.0 * x2 + 2.0 * x3 + x4);
         v += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
         if let Some(alpha) = alpha {
-            // While it slides the slip stays alpha behind.
+            // In sliding the slip follows at the distance alpha.
             slip = x - alpha * elastic(x, slip, alpha);
         }
         if step % 2000 == 0 {
@@ -87,7 +87,7 @@ fn converges_with_second_order() {
         }
         let slope = slope(&points);
         assert!((slope - 2.0).abs() < 0.08, "{given}: order {slope}");
-        // Were the limit another one, the ladder would level off at the difference; it ends at 4e-6 to 2.3e-5.
+        // With another limit the errors would converge to the difference; the last ones are 4e-6 to 2.3e-5.
         assert!(errors[6] < 5e-5, "{given}: {errors:?}");
     }
 }
@@ -100,7 +100,7 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     mean(&|p| (p.0 - x) * (p.1 - y)) / mean(&|p| (p.0 - x) * (p.0 - x))
 }
 
-/// Any case of either law: width and x0 over decades, steps from fine to a third of a period, every release.
+/// Any case of both laws: width and x0 over decades, steps up to a third of a period, every release.
 fn any_case() -> impl Strategy<Value = Json> {
     let release = prop::sample::select(vec!["unloaded", "pulled", "sliding"]);
     let parts = (
@@ -136,7 +136,7 @@ proptest! {
         let mut mirrored = given.clone();
         mirrored["x0"] = json!(-given["x0"].as_f64().unwrap());
         let (a, b) = (computed(&given), computed(&mirrored));
-        // Exactly: every operation rounds alike on both sides of zero. 0 and -0 are the same number.
+        // Exactly, because rounding is symmetric about zero. 0 and -0 are the same number.
         for (x, y) in [
             (a.displacement(), b.displacement()),
             (a.velocity(), b.velocity()),
@@ -169,7 +169,7 @@ proptest! {
             prop_assert!(dissipated >= -length(i + 1), "step {}: {:e}", i + 1, dissipated);
             let energy = |i: usize| 0.5 * (x[i] * x[i] + v[i] * v[i]);
             let balance = energy(i + 1) - energy(i) + work;
-            // Each of X and V is off by a few eps x0 of its own, and is multiplied by itself.
+            // X and V have errors of a few eps x0, and are squared.
             let tolerance = length(i + 1) * (x0 + 1.0);
             prop_assert!(balance.abs() <= tolerance, "step {}: {:e} of {:e}", i + 1, balance, tolerance);
         }
@@ -177,7 +177,7 @@ proptest! {
 }
 
 #[test]
-fn steps_solved_once_start_from_the_slip_that_was_asked_for() {
+fn steps_solved_once_start_from_the_given_slip() {
     // The first step by hand: at rest, A0 = -X0 - S0, and within the zone S1 = S0 + u/alpha, u = X1 - X0 = dT^2/4 (A0 + A1),
     // A1 = -X1 - S1. So u (1 + dT^2/4 (1 + 1/alpha)) = dT^2/2 A0. It sticks: |u| < alpha.
     let problem = find("friction-oscillator").unwrap();
@@ -189,7 +189,7 @@ fn steps_solved_once_start_from_the_slip_that_was_asked_for() {
         let quarter = 0.25 * step * step;
         let u = 2.0 * quarter * (-x0 - s0) / (1.0 + quarter * (1.0 + 1.0 / alpha));
         let c = &solution.computed;
-        // Forward of rest the force is at its limit if it started there.
+        // In the direction of motion the force remains at its limit if it started there.
         let s1 = f64::clamp(s0 + u / alpha, -1.0, 1.0);
         assert_eq!((c.displacement()[0], c.force()[0]), (x0, s0), "{slip}");
         assert!(

@@ -1,4 +1,5 @@
-//! The work of friction: 72 nu N Delta for the paper's release, by Coulomb's law and by what tends to it [F section 4].
+//! The work of friction: 72 nu N Delta for the paper's release, with Coulomb's law and with the models that converge to it
+//! [F section 4].
 
 use slipgap::exact::coulomb::Coulomb;
 use slipgap::exact::regularised::Regularised;
@@ -10,13 +11,13 @@ use std::f64::consts::PI;
 const X0: f64 = 12.0;
 const END: f64 = 8.0 * PI;
 
-/// What the motion has lost by `time`, by the balance of energy: (x0^2 - X^2 - V^2)/2, from release at rest.
+/// The loss of energy from release at rest until `time`: (x0^2 - X^2 - V^2)/2.
 fn lost(mut motion: Regularised, time: f64) -> f64 {
     let state = motion.at(time);
     0.5 * (X0 * X0 - state.displacement.powi(2) - state.velocity.powi(2))
 }
 
-/// The work of the computed motion by trapezoids, which is what the method itself takes from the energy.
+/// The work of the computed motion by trapezoids, which is the loss of energy in the method.
 fn worked(law: &'static str, width: f64, step: f64) -> f64 {
     let width_name = match law {
         "displacement-control" => "alpha",
@@ -43,19 +44,19 @@ fn worked(law: &'static str, width: f64, step: f64) -> f64 {
 
 #[test]
 fn coulombs_path_is_72_long() {
-    // 12, 10, ... 2, 0 either side: 22 + 18 + 14 + 10 + 6 + 2.
+    // Peaks 12, -10, 8, ... 0: 22 + 18 + 14 + 10 + 6 + 2.
     assert_eq!(Coulomb::new(X0).work(), 72.0);
 }
 
 #[test]
-fn the_models_tend_to_it_as_they_narrow() {
-    // Velocity-control loses by 8 pi what Coulomb does but for a term of the order beta: a turn costs O(beta^2), the
-    // last creep home from X of order beta O(beta^2) more.
+fn narrow_models_converge_to_it() {
+    // Velocity-control loses the same work until 8 pi within O(beta): a turn changes it by O(beta^2), the final creep from X of
+    // order beta by O(beta^2) too.
     for beta in [1e-2, 1e-3, 1e-4] {
         let short = 72.0 - lost(Regularised::velocity(X0, beta), END);
         assert!(short.abs() < beta, "beta = {beta}: {short}");
     }
-    // Displacement-control comes to rest on its spring, which holds back up to alpha/2.
+    // Displacement-control comes to rest on its spring, which stores up to alpha/2.
     for alpha in [1e-2, 1e-3, 1e-4] {
         let short = 72.0 - lost(Regularised::displacement(X0, alpha, 0.0), END);
         assert!(short.abs() < alpha, "alpha = {alpha}: {short}");
@@ -64,8 +65,7 @@ fn the_models_tend_to_it_as_they_narrow() {
 
 #[test]
 fn wide_models_lose_less() {
-    // At the paper's step, as tests/reference has it with 50 digits; in continuous time it is
-    // 71.98, 71.39 and 52.96.
+    // At the paper's step, computed in tests/reference with 50 digits; in continuous time the values are 71.98, 71.39 and 52.96.
     for (alpha, work) in [(0.1, 71.94), (1.0, 71.49), (5.0, 52.45)] {
         let found = worked("displacement-control", alpha, PI / 10.0);
         assert!((found - work).abs() < 0.005, "alpha = {alpha}: {found}");
@@ -73,8 +73,8 @@ fn wide_models_lose_less() {
 }
 
 #[test]
-fn the_computed_work_tends_to_the_models() {
-    // The second order of the method, with room for kinks: 72 (pi dT^2/12) at most.
+fn the_computed_work_converges_to_that_of_the_models() {
+    // The method is of second order; with kinks the difference is at most 72 (pi dT^2/12).
     let step = PI / 320.0;
     for (law, width, model) in [
         (

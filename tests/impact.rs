@@ -1,4 +1,4 @@
-//! The impact of two bars: printed numbers, and what the exact solutions say.
+//! The impact of two bars: printed numbers, and comparisons with exact solutions.
 
 mod common;
 
@@ -27,7 +27,7 @@ fn metric(solution: &Solution, name: &str) -> f64 {
 
 #[test]
 fn third_figure_has_its_numbers() {
-    // The numbers that the project was given for [I] Fig. 3; half a unit of the last digit.
+    // Numbers of [I] Fig. 3, to half a unit of the last digit.
     for (k_i, contact, overlap, peak, digit) in [
         (10.0, 1.421, 0.4862, 0.972, 0.001),
         (100.0, 1.057, 0.0723, 1.445, 0.001),
@@ -50,9 +50,9 @@ fn third_figure_has_its_numbers() {
 }
 
 #[test]
-fn contact_on_a_continuum_lasts_longer_by_the_springs_time_constant() {
-    // At fixed k_I, n -> infinity: contact T_I + 1.67835 tau, tau = T_I/(4 gamma n) (reference, section 5). A chain
-    // disperses the returning front, so the ends part later, from n = 160 on at times a little earlier, in its ripple.
+fn contact_of_continuous_bars_lasts_longer_by_the_time_constant_of_the_spring() {
+    // At fixed k_I, n -> infinity: contact T_I + 1.67835 tau, tau = T_I/(4 gamma n) (reference, section 5). A mesh
+    // disperses the returning front, so the ends separate later; from n = 160 on sometimes a little earlier, in its ripple.
     let dt = 0.0001;
     let excess = |n: u32| {
         let solution = solve(&json!({"k_I": 100.0, "n": n, "dt": dt, "duration": 1.2}));
@@ -67,8 +67,8 @@ fn contact_on_a_continuum_lasts_longer_by_the_springs_time_constant() {
 }
 
 #[test]
-fn force_on_a_continuum_follows_its_closed_form() {
-    // The two lines of the reference page, section 5, with gamma n = 10. Chains approach them.
+fn force_of_fine_meshes_converges_to_the_closed_form() {
+    // The two lines of the reference, section 5, with gamma n = 10. Meshes converge to them.
     let tau: f64 = 1.0 / 40.0;
     let exact = |t: f64| {
         let s = (t - 1.0) / tau;
@@ -89,7 +89,7 @@ fn force_on_a_continuum_follows_its_closed_form() {
         (squares.sum::<f64>() / c.len() as f64).sqrt()
     };
     let distances = [10, 40, 160, 640].map(distance);
-    // Ringing fades and fronts sharpen; the last distance, measured 0.0013, is what a front of finite width leaves.
+    // The last difference, measured 0.0013, is due to the finite width of a front.
     assert!(
         distances.windows(2).all(|pair| pair[1] < pair[0] / 4.0),
         "{distances:?}"
@@ -102,7 +102,7 @@ fn centres(given: &Json) -> [f64; 2] {
     let case = bars(given);
     let end = case.number("duration").unwrap();
     let snapshot = problem().snapshots(&case, &[end]).remove(0);
-    // Nodes at the ends carry half of an element's mass; velocities are drawn in c/2.
+    // Nodes at the ends have half of the mass of an element; velocities are in c/2.
     let centre = |line: &Vec<[f64; 2]>| {
         let [first, inner @ .., last] = &line[..] else {
             panic!("no bar");
@@ -114,8 +114,8 @@ fn centres(given: &Json) -> [f64; 2] {
 }
 
 #[test]
-fn impedances_two_to_one_hand_over_a_third_and_four_thirds() {
-    // Exactly: F0 = 2/3 of Z1 V0 acts for T_I, which takes 2/3 of V0 from the left bar and gives 4/3 to the right.
+fn impedances_two_to_one_exchange_two_thirds_and_four_thirds() {
+    // Exactly: F0 = 2/3 of Z1 V0 acts for T_I, which reduces the velocity of the left bar by 2/3 V0 and adds 4/3 V0 to the right one.
     let exact = Bars {
         impedance_ratio: 2.0,
         time_ratio: 1.0,
@@ -131,7 +131,7 @@ fn impedances_two_to_one_hand_over_a_third_and_four_thirds() {
         let [left, right] = centres(&given).map(|v| v + 0.5);
         (left - 1.0 / 3.0).abs().max((right - 4.0 / 3.0).abs())
     };
-    // What is missing is what stays behind as vibration of the meshes; it halves with four times the elements.
+    // The difference is vibration of the meshes; with four times the elements it is half as large.
     let off = [10, 40, 160].map(off);
     assert!(
         off[0] < 0.03 && off[1] < off[0] / 1.7 && off[2] < off[1] / 1.7,
@@ -166,7 +166,7 @@ fn unequal_lengths_end_force_and_touch_at_different_times() {
     // front has reached, turns to +c/2: rdot = c. Means over windows of 100 to 800 steps, what is left is ringing.
     assert!((force - 1.0).abs() < 0.001, "{force}");
     assert!(still.abs() < 0.001, "{still}");
-    // The spring pushes the ends apart by a small part of its overlap F0/k_I, 1/(2 gamma n) = 0.02.
+    // The spring adds a small part of its overlap F0/k_I, 1/(2 gamma n) = 0.02.
     assert!(furthest < 0.005, "{furthest}");
     assert!((apart - 1.0).abs() < 0.003, "{apart}");
 }
@@ -176,7 +176,7 @@ fn finer_meshes_approach_dalembert_away_from_fronts() {
     // gamma = 1 and dt/h fixed, so the spring stiffens with the mesh. r lags by the spring's overlap 1/(2 gamma n) and by
     // the spread of the returning front, n^(-2/3). Velocity and stress behind a front ring like the integral of an Airy
     // function, the tail of which falls as (distance/(h (L/h)^(1/3)))^(-3/4): as n^(-1/2) at a fixed place. So four times
-    // the elements take a factor of at least 2.5 off r and about 2 off the profiles.
+    // the elements reduce the error of r by a factor of at least 2.5 and those of the profiles by about 2.
     let compare = |n: u32| {
         let given = json!({"gamma": 1.0, "n": n, "dt": 0.05 / f64::from(n), "duration": 1.5});
         let case = bars(&given);
@@ -186,7 +186,7 @@ fn finer_meshes_approach_dalembert_away_from_fronts() {
             .filter(|&i| (c.time[i] - 1.0).abs() > 0.2)
             .map(|i| (c.displacement()[i] - e.displacement()[i]).abs())
             .fold(0.0, f64::max);
-        // At 0.375 T_I the front has gone three quarters of each bar's length.
+        // At 0.375 T_I the front is at three quarters of the length of each bar.
         let wave = Bars {
             impedance_ratio: 1.0,
             time_ratio: 1.0,

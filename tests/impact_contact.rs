@@ -1,4 +1,4 @@
-//! Metrics of contact: its duration, its own exact values, and bars that never touch.
+//! Metrics of contact: its duration, the exact values, and bars that never touch.
 
 mod common;
 
@@ -13,7 +13,7 @@ fn problem() -> Arc<dyn Problem> {
     find("bar-impact").unwrap()
 }
 
-/// Metrics by name, the optional exact ones among them.
+/// Metrics by name, including the optional exact ones.
 fn metrics(given: &Json) -> impl Fn(&str) -> Option<f64> + use<> {
     let row = |name: &str| {
         let row = problem().metrics().iter().position(|m| m.name == name);
@@ -26,8 +26,8 @@ fn metrics(given: &Json) -> impl Fn(&str) -> Option<f64> + use<> {
 
 #[test]
 fn contact_lasts_for_less_than_its_whole_steps() {
-    // Steps of T_I/2 count an exact contact of 1 T_I as 1.5 of them or 1; r between steps says 0.92, 0.78, 0.74.
-    // Printed with two digits, computed by tests/reference.
+    // With steps of T_I/2 an exact contact of 1 T_I has 1.5 or 1 T_I in whole steps; r linear between steps gives 0.92, 0.78, 0.74.
+    // Two digits, computed in tests/reference.
     for (gap, lasts, steps) in [
         (0.1, 1.22, 2.0),
         (0.15, 1.17, 2.0),
@@ -98,7 +98,7 @@ fn mirrored_bars_have_one_contact() {
 }
 
 #[test]
-fn exact_columns_are_as_waves_by_hand_have_them() {
+fn exact_columns_agree_with_waves_by_hand() {
     let exact = |given: Json| {
         let mut given = given;
         let fields = given.as_object_mut().unwrap();
@@ -122,7 +122,7 @@ fn exact_columns_are_as_waves_by_hand_have_them() {
             );
         }
     };
-    // Like bars, whatever the gap, exchange their velocities in T_I; so does a bar on a wall turn its own.
+    // Equal bars with any gap exchange their velocities in T_I; a bar at a wall reverses its velocity.
     for gap in [0.0, 0.37] {
         near(
             exact(json!({"duration": 1.5, "gap": gap})),
@@ -171,28 +171,28 @@ fn exact_columns_are_as_waves_by_hand_have_them() {
             "a heavy bar on a long light one",
         );
     }
-    // Z2 = 3 Z1: after one round trip the left bar would pull, so it parts at T_I with J = 1.
+    // Z2 = 3 Z1: after one round trip the left bar would pull, so it separates at T_I with J = 1.
     let given = json!({"duration": 6.0, "A": 1.0, "right": {"A": 3.0, "L": 40.0}});
     near(
         exact(given),
         [1.0, 1.0, 2.0 * (0.75 + 0.25 / 4.0) - 1.0],
         "a light bar on a heavy one",
     );
-    // Within contact J is the time since the touch; how long it lasts is not known by then.
+    // In contact J is the time since the touch; the duration is not yet known.
     let [lasts, peak, restitution] = exact(json!({"duration": 0.75, "gap": 0.5}));
     assert_eq!((lasts, peak), (None, Some(1.0)));
     assert!(
         (restitution.unwrap() - 0.0).abs() < 1e-14,
         "{restitution:?}"
     );
-    // Before and at the touch there is none of them.
+    // Before and at the touch none of them is defined.
     for duration in [0.2, 0.25] {
         assert_eq!(exact(json!({"duration": duration, "gap": 0.5})), [None; 3]);
     }
 }
 
 #[test]
-fn cases_without_contact_are_counted_in_any_company() {
+fn cases_without_contact_are_counted_in_any_sweep() {
     // gap/2 < duration touches: 0.5 does at 0.25, 1 exactly at the end, 3 never.
     let study = |gaps: &str| {
         let text = format!(
@@ -216,7 +216,7 @@ fn cases_without_contact_are_counted_in_any_company() {
             "{gaps}"
         );
     }
-    // A case without a solution is not one without contact, and friction has no contact to miss.
+    // A case without a solution does not count as one without contact, and friction has no such cases.
     let mut failed = MetricTable::new(2, 12);
     failed.fail(1, Unsolvable::OutOfRange);
     assert_eq!(cases_without_contact(&*problem(), &failed), 1);
@@ -227,8 +227,8 @@ fn cases_without_contact_are_counted_in_any_company() {
 }
 
 #[test]
-fn profiles_of_unequal_lengths_stand_where_the_bars_do() {
-    // Lengths of the left bar: it ends at -1, the right one at L_R/L; fronts have gone 2 t C0_i/C0 by t in T_I.
+fn profiles_of_unequal_lengths_are_at_the_bars() {
+    // In lengths of the left bar: it ends at -1, the right one at L_R/L; at t in T_I fronts are at 2 t C0_i/C0.
     for (right, length, speed) in [
         (json!({"L": 20.0, "n": 5}), 2.0, 1.0),
         (json!({"L": 5.0, "n": 5}), 0.5, 1.0),
@@ -260,7 +260,7 @@ fn profiles_of_unequal_lengths_stand_where_the_bars_do() {
             places(&stress.computed[1]),
             even(4, 0.1 * length, 0.9 * length),
         );
-        // The exact lines end where the bars do, and jump at the front alone.
+        // The exact lines end at the ends of the bars and jump only at the front.
         let jumps = |line: &[[f64; 2]]| -> Vec<f64> {
             let ends = [line[0][0], line[line.len() - 1][0]];
             let jumps = line

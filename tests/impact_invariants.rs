@@ -1,4 +1,4 @@
-//! The impact of two bars: what holds in every step, and what does not change the results.
+//! The impact of two bars: identities of every step, and parameters without effect on results.
 
 mod common;
 
@@ -26,7 +26,7 @@ fn solve(given: &Json) -> Solution {
     problem().solve(&bars(given), &[]).unwrap()
 }
 
-/// Lumped and consistent, like and unlike bars, a wall, gaps that close within a step.
+/// Both mass matrices, equal and different bars, a wall, gaps that close within a step.
 fn mixed() -> [Json; 5] {
     [
         json!({"k_I": 1000.0, "n": 10, "dt": 0.001, "duration": 1.5}),
@@ -115,8 +115,8 @@ fn momentum_of_two_bars_is_conserved() {
 }
 
 #[test]
-fn density_and_common_velocity_do_not_reach_the_solver() {
-    // [I] prints rho = 0.1 where its T_I needs 0.01. Scaled results are the same, bit for bit.
+fn density_and_common_velocity_have_no_effect() {
+    // [I] prints rho = 0.1, but its T_I needs 0.01. Scaled results are the same, bit for bit.
     for given in mixed() {
         let mut heavy = given.clone();
         heavy["rho"] = json!(0.1);
@@ -154,12 +154,12 @@ fn difference(a: &History, b: &History, from: usize, length: f64) -> f64 {
     largest
 }
 
-/// Round-off: sums over up to 29 modes over up to 300 steps, in runs that make little more of it (measured: 1e-14).
+/// Round-off: sums over up to 29 modes over up to 300 steps, in runs with little amplification (measured: 1e-14).
 const ROUND_OFF: f64 = 5e-14;
 
 #[test]
 fn left_and_right_can_change_places() {
-    // gamma, times and lengths are the left bar's: seen from the other side the same k_I and step are other numbers.
+    // gamma, times and lengths refer to the left bar: after the exchange the same k_I and step have other scaled numbers.
     let short = json!({"k_I": 100.0, "n": 10, "dt": 0.01, "duration": 2.5, "A": 2.0, "gap": 0.1003,
                        "V0": 0.07, "right": {"L": 20.0, "A": 1.0, "n": 17, "V0": -0.05}});
     let long = json!({"k_I": 100.0, "n": 17, "dt": 0.005, "duration": 1.25, "L": 20.0, "gap": 0.05015,
@@ -188,7 +188,7 @@ fn a_gap_that_closes_at_a_step_shifts_the_history() {
 
 #[test]
 fn a_wall_is_a_mirror() {
-    // By symmetry the middle of two like bars stands still: a wall, with half the spring on either side.
+    // By symmetry the middle of two equal bars is at rest like a wall, with half of the spring on each side.
     for mass in ["lumped", "consistent"] {
         let wall = json!({"k_I": 200.0, "n": 10, "dt": 0.005, "duration": 1.5, "gap": 0.0511, "mass": mass, "right": "wall"});
         let pair = json!({"k_I": 100.0, "n": 10, "dt": 0.005, "duration": 1.5, "gap": 0.0511, "mass": mass});
@@ -200,7 +200,7 @@ fn a_wall_is_a_mirror() {
 }
 
 #[test]
-fn only_stiff_springs_make_a_disturbance_visible() {
+fn only_stiff_springs_amplify_a_disturbance() {
     // r(0) moved by 1 to 8 times 1e-13: at k_I = 1e5 (gamma = 1000) and dt = 0.001 T_I the restitution, one curve of
     // many, moves in its second digit; up to 1e3 it moves no more than r(0) did, give or take the round-off of 1500 steps.
     let spread = |k_i: f64| {

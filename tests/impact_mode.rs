@@ -1,7 +1,7 @@
-//! The contact mode: a mode that contact switches on and that is trapped at the contact nodes of lumped bars.
+//! The contact mode: a mode of closed contact that is localised at the contact nodes of lumped bars.
 //!
-//! Two like half-infinite chains have it at the shape (-x)^j, x = sqrt(1 + 4 gamma^2) - 2 gamma, and the frequency
-//! Omega C0/h, Omega^2 = 2 + 2 sqrt(1 + 4 gamma^2), above the chain's cut-off 2 C0/h (derived in tests/reference).
+//! Two equal half-infinite meshes have it with the shape (-x)^j, x = sqrt(1 + 4 gamma^2) - 2 gamma, and the frequency
+//! Omega C0/h, Omega^2 = 2 + 2 sqrt(1 + 4 gamma^2), above the cut-off 2 C0/h of the mesh (derived in tests/reference).
 
 mod common;
 
@@ -52,7 +52,7 @@ fn projection_has_the_modes_amplitude_and_frequency() {
                         / norm
                 })
                 .collect();
-            // The shape does not quite vanish at the free end; and round-off of sums over n modes and the steps.
+            // The shape is not quite zero at the free end; also round-off of sums over n modes and the steps.
             let tolerance = libm::pow(x, f64::from(n)) + 1e-11;
             let (mut stepper, law) = start::<1, Vec<_>, _>(&[system(&scaled, dt, 0)]).unwrap();
             let mut worst: f64 = 0.0;
@@ -63,9 +63,9 @@ fn projection_has_the_modes_amplitude_and_frequency() {
                     .zip(&shares)
                     .map(|((_, Lane([v])), s)| s * v)
                     .sum();
-                // The method turns a mode by 2 atan(omega dt/2) a step; C0/h is 2 n over T_I.
+                // The phase of a mode in a step of the method is 2 atan(omega dt/2); C0/h is 2 n over T_I.
                 let turn = 2.0 * libm::atan(omega * f64::from(n) * dt);
-                // Like bars move as one mode each; rdot starts at -2.
+                // Equal bars share their modes; rdot starts at -2.
                 let exact = -2.0 * amplitude * libm::cos(f64::from(step) * turn);
                 worst = worst.max((rate - exact).abs());
             }
@@ -131,7 +131,7 @@ fn separations_begin_at_gamma_2_035() {
     for n in [20, 40] {
         assert_eq!(separations(2.0340, n, 0.0001), 0.0, "n = {n}");
         assert!(separations(2.0355, n, 0.0001) >= 1.0, "n = {n}");
-        // The mode alone would open the contact from 2.1246 on, and then again and again.
+        // The mode alone would open the contact from 2.1246 on, in every period.
         assert!(separations(2.2, n, 0.0001) > 1.0, "n = {n}");
     }
     assert_eq!(separations(2.036, 20, 0.001), 0.0);

@@ -1,4 +1,4 @@
-//! Histories and metrics against independent programs (tests/reference), which worked with 50 digits.
+//! Histories and metrics compared with independent programs (tests/reference), which use 50 digits.
 
 mod common;
 
@@ -75,7 +75,7 @@ fn compare(file: &str, tolerance: impl Fn(&Json) -> f64) {
         }
         for (metric, ours) in problem.metrics().iter().zip(&solution.metrics) {
             let theirs = record["metrics"][&*metric.name].as_f64();
-            // An arc cosine near 1 turns an error of 1e-16 into one of 1e-8.
+            // An arc cosine near 1 amplifies an error of 1e-16 to 1e-8.
             let tolerance = match &*metric.name {
                 "sprague_geers_phase" | "sprague_geers_combined" => 2e-8,
                 _ => tolerance,
@@ -110,7 +110,7 @@ fn friction() {
 
 #[test]
 fn impact() {
-    // The data say how far each case's history moves for a unit of r(0): its own measure of round-off.
+    // The data contain the sensitivity of each history to r(0), which amplifies round-off.
     compare("impact.json", |record| {
         (1e-14 * record["sensitivity"].as_f64().unwrap()).max(1e-12)
     });
@@ -128,7 +128,7 @@ fn profiles() {
         let snapshots = problem.snapshots(&case, &[case.number("duration").unwrap()]);
         for (name, lines) in ["velocity", "stress"].iter().zip(&snapshots[0].profiles) {
             let computed = in_order(&lines.computed);
-            // In the data the exact profile stands at the centres of the elements.
+            // In the data the exact profile is at the centres of the elements.
             let centres = in_order(&snapshots[0].profiles[1].computed);
             let exact: Vec<f64> = centres
                 .iter()

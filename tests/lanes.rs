@@ -1,4 +1,4 @@
-//! Cases side by side: the same bits as each case alone, whatever the number of lanes.
+//! Cases in lanes have the same bits as single cases, for every number of lanes.
 
 use slipgap::contact::{DisplacementControl, ImpactSpring, Law, StepLaw, VelocityControl};
 use slipgap::lane::Lane;
@@ -8,7 +8,7 @@ use slipgap::system::Mode;
 use slipgap::system::bar::{Bar, Mass};
 use std::array;
 
-/// dt, compliance of the law, x0: eight cases that have nothing in common.
+/// dt, compliance of the law, x0 of eight different cases.
 const CASES: [[f64; 3]; 8] = [
     [0.1, 1.0, 12.0],
     [0.31, 0.1, -12.5],
@@ -87,7 +87,7 @@ fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
     let bars: [Bar; L] = array::from_fn(|l| Bar {
         elements: 6,
         mass: 0.3 + CASES[(first + l) % 8][1],
-        trip: 1.0 + CASES[(first + l) % 8][0],
+        travel_time: 1.0 + CASES[(first + l) % 8][0],
         kind: Mass::Lumped,
     });
     let modes: [Vec<Mode>; L] = array::from_fn(|l| bars[l].modes().collect());
@@ -106,7 +106,7 @@ fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
 }
 
 #[test]
-fn lanes_do_not_touch_each_other() {
+fn lanes_are_independent() {
     for (one, four, many) in [
         (
             displacement::<1> as fn(usize) -> [Vec<[u64; 3]>; 1],
@@ -122,7 +122,7 @@ fn lanes_do_not_touch_each_other() {
             for all in many.iter().skip(i).step_by(8) {
                 assert!(alone == *all, "case {i} of many");
             }
-            // Motion there must be, or equal bits say nothing.
+            // Without motion equal bits would prove nothing.
             assert!(
                 alone.iter().any(|row| row[2] << 1 != 0),
                 "case {i}: no force"

@@ -1,11 +1,12 @@
-//! The regularised motions in continuous time against an adaptive integration, their energy, their limits and the steps.
+//! The motions with softened laws in continuous time, compared with an adaptive integration, the balance of energy and limits.
 
 use proptest::prelude::*;
-use slipgap::exact::coulomb::{Coulomb, State};
+use slipgap::exact::State;
+use slipgap::exact::coulomb::Coulomb;
 use slipgap::exact::regularised::Regularised;
 use std::f64::consts::PI;
 
-/// Law, width, x0, S(0): what the papers ask for and what lies at the edges.
+/// Law, width, x0, S(0): the cases of the papers and extreme ones.
 #[derive(Debug, Clone, Copy)]
 enum Release {
     Displacement { alpha: f64, x0: f64, force: f64 },
@@ -58,7 +59,7 @@ fn releases() -> Vec<Release> {
     all
 }
 
-/// Samples without those at which an event lies within `margin`.
+/// Samples without those with an event within `margin`.
 fn away_from_events(release: Release, margin: f64) -> Vec<f64> {
     let mut motion = release.motion();
     let samples = (1..900).map(|i| f64::from(i) * 0.0331);
@@ -73,7 +74,7 @@ fn away_from_events(release: Release, margin: f64) -> Vec<f64> {
 #[test]
 fn satisfies_its_equation_between_events() {
     for release in releases() {
-        // The difference of V spans a piece of curvature up to omega^2: take a step far below its period.
+        // The difference of V has an error of omega^2: the step is much smaller than the period.
         let fastest = match release {
             Displacement { alpha, .. } => (1.0 + 1.0 / alpha).sqrt(),
             Velocity { beta, .. } => 1.0 / beta,
@@ -110,7 +111,7 @@ fn satisfies_its_equation_between_events() {
 }
 
 #[test]
-fn nothing_jumps_at_an_event() {
+fn the_state_is_continuous_at_events() {
     for release in releases() {
         let (mut motion, mut count) = (release.motion(), 0);
         let scale = release.x0().abs().max(1.0);
@@ -138,8 +139,8 @@ fn nothing_jumps_at_an_event() {
             );
             count += 1;
         }
-        // Two events a half-cycle and one at the start at most: none crowd. With alpha > 1 it slides a little at every
-        // turn for ever, at the frequency of sticking.
+        // At most two events in a half-cycle and one at the start. With alpha > 1 there is a little sliding at every turn, at the
+        // frequency of sticking.
         let fastest = match release {
             Displacement { alpha, .. } => (1.0 + 1.0 / alpha.max(1.0)).sqrt(),
             Velocity { .. } => 1.0,
@@ -189,7 +190,7 @@ fn energy_is_lost_to_friction() {
         let end = 40.0;
         let last = loop {
             let to = motion.next_event().min(end);
-            // While displacement-control sticks its force is elastic and loses nothing.
+            // In sticking the force of displacement-control is elastic and dissipates nothing.
             let middle = motion.at(0.5 * (from + to)).force.abs();
             let elastic = matches!(release, Displacement { .. }) && middle < 1.0;
             let panels = 4000;
@@ -218,10 +219,10 @@ fn energy_is_lost_to_friction() {
     }
 }
 
-/// The model as a right-hand side for X, V, S, without a word on events.
+/// The model as a right-hand side for X, V, S, without events.
 fn rate(release: Release, [x, v, s]: [f64; 3]) -> [f64; 3] {
     match release {
-        // The force stands still where it is at its limit and the motion would raise it further.
+        // The force is constant if it is at its limit and the motion would increase it.
         Displacement { .. } if s.abs() >= 1.0 && s * v > 0.0 => [v, -x - s, 0.0],
         Displacement { alpha, .. } => [v, -x - s, v / alpha],
         Velocity { beta, .. } => [v, -x - (v / beta).clamp(-1.0, 1.0), 0.0],
@@ -312,7 +313,7 @@ fn peaks_follow_from_energy() {
             let mut motion = Regularised::displacement(x0, alpha, 1.0);
             let (mut peak, mut side, mut peaks) = (x0, 1.0, 0);
             while peak > alpha * (1.0 + 1e-9) && peaks < 1500 {
-                // Stick, slide, and the peak is where the slide ends.
+                // Sticking, then sliding, which ends at the peak.
                 motion.at(motion.next_event() * (1.0 + 4.0 * f64::EPSILON));
                 let state = motion.at(motion.next_event());
                 peak = ((peak - 1.0) * (peak - 1.0) + 4.0 * alpha).sqrt() - 1.0;
@@ -331,8 +332,8 @@ fn peaks_follow_from_energy() {
 }
 
 #[test]
-fn tends_to_coulomb() {
-    // Displacement-control as the root of its width: a turn takes a time of that order. Velocity-control as the width.
+fn converges_to_coulomb() {
+    // Displacement-control with the root of its width, which is the order of the time of a turn; velocity-control with its width.
     for x0 in [12.0, 12.5, -31.7] {
         let error = |mut motion: Regularised| {
             let exact = Coulomb::new(x0);
@@ -377,7 +378,7 @@ fn velocity_control_hardly_moves_a_turn() {
     motion.at(motion.next_event() * (1.0 + 4.0 * f64::EPSILON));
     let (mut before, mut after) = (motion.next_event(), motion.next_event() + beta);
     motion.at(before * (1.0 + 4.0 * f64::EPSILON));
-    // Within one piece any order of times is as good as another.
+    // Within one piece times may be in any order.
     after = after.min(motion.next_event());
     for _ in 0..60 {
         let middle = 0.5 * (before + after);
@@ -408,7 +409,7 @@ fn release_at_the_limit_stays_or_goes_once() {
             assert!(motion.at(1000.0).displacement.abs() <= x0.abs() * (1.0 + 1e-12));
         }
     }
-    // At rest where spring and friction balance, for ever.
+    // In equilibrium of spring and friction it stays at rest.
     let mut rest = Regularised::displacement(0.7, 0.1, -0.7);
     assert_eq!(rest.at(50.0).displacement, 0.7);
     let mut edge = Regularised::displacement(1.0, 0.1, -1.0);
@@ -419,7 +420,7 @@ fn release_at_the_limit_stays_or_goes_once() {
 }
 
 #[test]
-fn narrow_laws_are_coulombs_and_wide_ones_none_in_all_of_their_range() {
+fn narrow_laws_are_coulomb_friction_and_wide_ones_no_friction() {
     // x0 = 12.5 rests at 0.5. The force of a narrow law turns within sqrt(alpha) or beta, which moves X by about as much;
     // a wide one is too weak for any. Round-off of X over 8 periods.
     for k in [2, 8, 30, 60, 100] {
@@ -428,7 +429,7 @@ fn narrow_laws_are_coulombs_and_wide_ones_none_in_all_of_their_range() {
             let times = (0..=400).map(|i| f64::from(i) * 0.0628);
             times.fold(0.0, |worst: f64, t| {
                 let off = (motion.at(t).displacement - other(t)).abs();
-                // Not a number would pass as no error.
+                // NaN would pass as no error.
                 assert!(off.is_finite(), "{k} {t}");
                 worst.max(off)
             })
@@ -461,7 +462,7 @@ fn narrow_laws_are_coulombs_and_wide_ones_none_in_all_of_their_range() {
 }
 
 #[test]
-fn the_range_is_where_it_says() {
+fn the_range_is_as_documented() {
     use slipgap::exact::regularised::holds;
     for (x0, width, force, end, wanted) in [
         (12.0, 1e-100, 0.0, 1e7, true),

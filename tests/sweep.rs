@@ -1,11 +1,11 @@
-//! Cases side by side, with the widest instructions there are: to the bit what each alone has, in any order and company.
+//! Cases in lanes with the widest instructions have the same bits as single cases, in any order and group.
 
 use indicatif::ProgressBar;
 use slipgap::batch::{self, RunOptions};
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
 
-/// Both laws, steps and amplitudes that have nothing in common, runs that end before rest, and a motion without bounds.
+/// Both laws, different steps and amplitudes, runs that end before rest, and a motion that leaves the range of double precision.
 const FRICTION: &str = r#"{"problem": "friction-oscillator", "blocks": [
   {"parameters": {"law": "displacement-control", "x0": 12, "dT": ["pi/10", "pi/3", 0.3], "duration": "8*pi",
                   "initial_slip": ["unloaded", "pulled", "sliding"], "alpha": {"geomspace": [0.01, 10, 40]}}},
@@ -15,7 +15,7 @@ const FRICTION: &str = r#"{"problem": "friction-oscillator", "blocks": [
   {"parameters": {"law": "velocity-control", "x0": [0.4, 12, -1e6], "dT": 0.1, "duration": [3, 40, 60],
                   "beta": {"geomspace": [0.001, 10, 30]}}}]}"#;
 
-/// Like and unlike bars, walls, both mass matrices, gaps, steps and durations of every kind.
+/// Equal and different bars, walls, both mass matrices, various gaps, steps and durations.
 const IMPACT: &str = r#"{"problem": "bar-impact", "blocks": [
   {"parameters": {"gamma": {"geomspace": [0.1, 10, 20]}, "n": [1, 10], "dt": 0.01, "duration": 1.5, "gap": [0, 0.25],
                   "mass": ["lumped", "consistent"]}},
@@ -28,7 +28,7 @@ fn study(text: &str) -> Study {
     parse("sweep.json", text).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The bits of a row of metrics, those that every study has.
+/// The bits of the default metrics of a row.
 fn bits(study: &Study, row: &[Option<f64>]) -> Vec<Option<u64>> {
     let table = study.problem.metrics();
     let default = row.iter().zip(table).filter(|(_, metric)| metric.default);
@@ -36,7 +36,7 @@ fn bits(study: &Study, row: &[Option<f64>]) -> Vec<Option<u64>> {
 }
 
 #[test]
-fn cases_side_by_side_are_cases_alone() {
+fn cases_in_lanes_have_the_bits_of_single_cases() {
     for text in [FRICTION, IMPACT] {
         let study = study(text);
         let alone: Vec<_> = study
@@ -46,7 +46,7 @@ fn cases_side_by_side_are_cases_alone() {
         let (_, cases) = study.columns(0, study.raw_len());
         assert_eq!(cases.len(), alone.len());
         let mut order: Vec<u32> = (0..cases.len() as u32).collect();
-        // As they come, mirrored, every third alone with its like, and in slices of sizes that fill no lanes.
+        // In order, reversed, every third case, and in slices that do not fill the lanes.
         for (turn, size) in [(0, cases.len()), (1, cases.len()), (2, 3), (3, 37)] {
             match turn {
                 1 => order.reverse(),
@@ -66,7 +66,7 @@ fn cases_side_by_side_are_cases_alone() {
 }
 
 #[test]
-fn a_motion_without_bounds_is_told_beside_others() {
+fn a_motion_out_of_range_is_reported_among_others() {
     let study = study(
         r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": [12, 1e308, 3], "dT": 3,
             "duration": 3e3, "beta": 1}}"#,
@@ -93,7 +93,7 @@ fn a_motion_without_bounds_is_told_beside_others() {
 }
 
 #[test]
-fn a_case_that_is_shown_by_itself_leaves_the_others_as_they_are() {
+fn a_single_solution_of_a_case_does_not_change_the_sweep() {
     let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": [12, 1e308, 3],
         "dT": 3, "duration": 3e3, "beta": [0.5, 1, 2]}}"#;
     let study = study(text);

@@ -1,4 +1,4 @@
-//! The modal form with its closed-form root against the textbook form with the papers' matrices and iteration.
+//! The modal form with its closed-form root, compared with the textbook form with the papers' matrices and iteration.
 
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 use slipgap::contact::element::{DisplacementFriction, Element, VelocityFriction};
@@ -10,7 +10,7 @@ use slipgap::system::Modal;
 use slipgap::textbook::{Assembly, Cycle, Iteration, Newmark};
 use std::f64::consts::PI;
 
-/// A structure, where its contact sits, how it starts, and its steps.
+/// A structure, the position of its contact, its state at t = 0, and its steps.
 struct Set {
     assembly: Assembly,
     u: DVector<f64>,
@@ -20,7 +20,7 @@ struct Set {
 }
 
 impl Set {
-    /// The papers' oscillator: the surface is held, the mass moves [F] Fig. 4.
+    /// The papers' oscillator: the surface is fixed, the mass moves [F] Fig. 4.
     fn oscillator(x0: f64, dt: f64, steps: usize) -> Set {
         Set {
             assembly: Assembly {
@@ -36,7 +36,7 @@ impl Set {
         }
     }
 
-    /// Three masses in a row on springs; the first and the last rub against each other.
+    /// Three masses in a row on springs, with friction between the first and the last one.
     fn frame(dt: f64, steps: usize) -> Set {
         Set {
             assembly: Assembly {
@@ -158,7 +158,7 @@ fn both_forms_agree_on_the_papers_oscillator() {
 }
 
 #[test]
-fn both_forms_agree_where_both_ends_move() {
+fn both_forms_agree_for_a_contact_of_two_masses() {
     let set = Set::frame(0.1, 400);
     let (law, element) = displacement(&set, 0.3, -6.0);
     let difference = set.difference(law, element, |_, _, _| ()).unwrap();
@@ -180,13 +180,13 @@ fn the_papers_iteration_cycles_where_the_root_exists() {
     assert!(difference < ROUND_OFF, "{difference:e}");
 }
 
-/// N over the steps: pressed, lighter, lifted off, pressed again.
+/// N over the steps: closed, with less force, open, closed again.
 fn normal_force(step: usize) -> f64 {
     -1.0 - 2.0 * libm::sin(step as f64 * 0.05)
 }
 
 #[test]
-fn friction_vanishes_and_slip_follows_while_the_contact_is_lifted() {
+fn friction_vanishes_and_slip_follows_in_an_open_contact() {
     let set = Set::frame(0.1, 400);
     let (mut law, element) = displacement(&set, 0.3, -6.0);
     let difference = set.difference(law, element, |step, law, element| {
@@ -229,7 +229,7 @@ fn the_papers_dimensional_data_are_gravitational_units() {
     // As printed, 71.4 N/cm = 7140 kg/s^2: 69.9 Hz, ten times the paper's own frequency.
     assert!((f64::sqrt(7140.0 / m) / (2.0 * PI) - 69.9).abs() < 0.05);
 
-    // The same motion in cm and s as in T and X.
+    // The motion in cm and s is the same as in T and X.
     let alpha = 1.0;
     let scaled = Set::oscillator(12.0, PI / 10.0, 80);
     let mut dimensional = Set::oscillator(12.0 * delta, PI / 10.0 / omega, 80);

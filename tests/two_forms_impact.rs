@@ -1,4 +1,4 @@
-//! Bars: the modal form against the textbook form, up to where the problem itself lets round-off grow.
+//! Bars: the modal form compared with the textbook form, up to the time from which the problem amplifies round-off too much.
 
 use nalgebra::DVector;
 use slipgap::contact::element::ImpactElement;
@@ -17,7 +17,7 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
     let bar = Bar {
         elements: n,
         mass: 0.5,
-        trip: 1.0,
+        travel_time: 1.0,
         kind,
     };
     Scaled {
@@ -52,11 +52,11 @@ fn textbook(scaled: &Scaled, dt: f64) -> Newmark<ImpactElement> {
     Newmark::new(assembly, element, dt, DVector::zeros(size), v).unwrap()
 }
 
-/// How far both forms were compared, in T_I, and the largest difference over what round-off may be by then.
+/// The last time of the comparison in T_I, and the largest difference over the round-off allowed at that time.
 fn compare(scaled: &Scaled, dt: f64, duration: f64) -> (f64, f64) {
     let steps = (duration / dt).round() as usize;
     let (mut modal, law) = start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]).unwrap();
-    // The same with a gap of 1e-13 more: how much the problem itself makes of a disturbance.
+    // The same with a gap that is 1e-13 larger: the amplification of a disturbance by the problem.
     let mut moved = *scaled;
     moved.bars.gap += 1e-13;
     let (mut disturbed, other_law) = start::<1, Vec<_>, _>(&[system(&moved, dt, 0)]).unwrap();
@@ -70,7 +70,7 @@ fn compare(scaled: &Scaled, dt: f64, duration: f64) -> (f64, f64) {
             growth = growth.max((x - y).abs() / 1e-13);
             largest = largest.max((x - z).abs() / growth);
         }
-        // From here on a disturbance in the 13th digit shows in the 4th.
+        // From here on a disturbance in the 13th digit is in the 4th.
         if growth > 1e9 {
             return (step as f64 * dt, largest);
         }
@@ -96,7 +96,7 @@ fn both_forms_agree_as_far_as_the_problem_allows() {
             assert_eq!(until, 1.5, "gamma = {gamma}");
         }
         if gamma == 1000.0 {
-            // 0.374 T_I when measured; where exactly is for round-off to say.
+            // Measured: 0.374 T_I; the exact time depends on round-off.
             assert!((0.2..0.6).contains(&until), "the limit lies at {until}");
         }
     }
@@ -120,7 +120,7 @@ fn both_forms_agree_for_other_meshes_steps_and_bars() {
     unlike.pair.right = Some(Bar {
         elements: 7,
         mass: 0.9,
-        trip: 1.7,
+        travel_time: 1.7,
         kind: Mass::Lumped,
     });
     assert!(compare(&unlike, 0.01, 3.0).1 < round_off(0.01));
@@ -129,8 +129,8 @@ fn both_forms_agree_for_other_meshes_steps_and_bars() {
 }
 
 #[test]
-fn without_iteration_contact_lasts_far_too_long_at_a_coarse_step() {
-    // reference: at dt = 0.5 T_I and gap 0 contact lasts 0.72 T_I converged, 3.6 to 3.9 T_I un-iterated.
+fn without_iteration_contact_is_much_too_long_at_a_coarse_step() {
+    // reference: at dt = 0.5 T_I and gap 0 contact lasts 0.72 T_I converged, 3.6 to 3.9 T_I without iteration.
     let scaled = equal(1.0, 10, Mass::Lumped);
     let last_contact = |iteration| {
         let mut book = textbook(&scaled, 0.5);
@@ -140,7 +140,7 @@ fn without_iteration_contact_lasts_far_too_long_at_a_coarse_step() {
             book.step(iteration).unwrap();
             let r = book.contact()[0];
             if before < 0.0 && r >= 0.0 {
-                // Where the straight line between two steps crosses zero.
+                // The zero of r, linear between two steps.
                 last = 0.5 * (f64::from(step) - r / (r - before));
             }
             before = r;

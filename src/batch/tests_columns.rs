@@ -84,7 +84,9 @@ fn tables(study: &Study) -> [String; 2] {
     let mut table = ResultTable::new(study, Vec::new()).unwrap();
     let mut failures = FailureTable::new(study, Vec::new()).unwrap();
     for (number, case) in (0..).zip(study.cases()) {
-        failures.row(number, &case, "a reason").unwrap();
+        failures
+            .row(number, &case, &crate::solve::Unsolvable::OutOfRange)
+            .unwrap();
         let solved = solution(study, &case).unwrap();
         let metrics = study.measures.iter().map(|m| solved.metrics[m.metric]);
         let outcome = Outcome {

@@ -18,7 +18,7 @@ pub struct DisplacementControl {
 pub struct Step<const L: usize> {
     /// `nu |N| <N>`, >= 0; may change from step to step.
     pub limit: Lane<L>,
-    /// S(i+1) of the elastic element for a unit of change, and for a unit of S(i).
+    /// S(i+1) of the elastic element for a unit of change and for a unit of S(i).
     by_change: Lane<L>,
     by_force: Lane<L>,
 }
@@ -41,14 +41,14 @@ impl Law for DisplacementControl {
         0.5 * self.compliance * s * s
     }
 
-    /// The papers' normal force is negative where the contact is pressed.
+    /// In the papers the normal force of a closed contact is negative.
     fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
         let slip = r - s * self.compliance;
         let element = DisplacementFriction::new(1.0 / self.compliance, self.limit, -1.0, slip, s);
         Some(Box::new(element))
     }
 
-    /// From rest to `reach`, back, and again [F Fig. 3]; a compliance of zero is the rigid law.
+    /// From rest to `reach`, to -`reach` and back [F Fig. 3]; a compliance of zero is the rigid law.
     fn cycle(&self, reach: f64) -> Cycle {
         let width = self.compliance * self.limit;
         let limit = self.limit;
@@ -75,8 +75,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     #[inline(always)]
     fn force(&self, trial: &Trial<L>) -> Lane<L> {
         // Stick: S = k^C (r - r^S) [F (9)] at both ends of the step, so S(i+1) = S(i) + k^C (r(i+1) - r(i)). The limit is the
-        // return mapping that [F] does not print: beyond it the slip r^S = r - S/k^C follows the contact. At N >= 0 the limit
-        // is zero: a contact that opens forgets where it slid.
+        // return mapping that [F] does not print: beyond it the slip r^S = r - S/k^C follows the contact. For N >= 0 the limit
+        // is zero, so that an open contact has no slip.
         (trial.change * self.by_change + trial.force * self.by_force).cut(self.limit)
     }
 }

@@ -1,6 +1,6 @@
-//! The papers' elements as they stand in print: a force and its tangent, with the errata decided.
+//! The elements as the papers print them: a force and its tangent, with the errata corrected (docs/errata.md).
 
-/// What an element shows of itself for a relative displacement and velocity.
+/// Force and tangent of an element for a relative displacement and velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElementState {
     /// S.
@@ -9,15 +9,15 @@ pub struct ElementState {
     pub stiffness: f64,
     /// c~ = dS/drdot [F (18)].
     pub damping: f64,
-    /// Which piece of the law: -1 below, 0 within, 1 above.
+    /// Branch of the law: -1 below the linear range, 0 in it, 1 above it.
     pub branch: i8,
 }
 
-/// A two-node element with a law that is linear in pieces.
+/// A two-node element with a piecewise linear law.
 pub trait Element: std::fmt::Debug {
-    /// The state at the last step's end.
+    /// The state at the end of the last step.
     fn state(&self) -> ElementState;
-    /// The state at `r`, `rdot`, tried from the last step's end.
+    /// The state at `r`, `rdot` for a step from the end of the last one.
     fn trial(&self, r: f64, rdot: f64) -> ElementState;
     /// Makes `r`, `rdot` the end of the step.
     fn commit(&mut self, r: f64, rdot: f64);
@@ -83,7 +83,7 @@ impl Element for DisplacementFriction {
         } else if r <= self.slip - elastic {
             (-strength, 0.0, -1)
         } else {
-            // (11) prints -k^C <N>; the increment (10) has it positive.
+            // (11) prints -k^C <N>; the sign in the increment (10) is positive.
             let k = self.stiffness * open;
             (k * (r - self.slip), k, 0)
         };
@@ -98,7 +98,7 @@ impl Element for DisplacementFriction {
     fn commit(&mut self, r: f64, rdot: f64) {
         self.state = self.trial(r, rdot);
         let (_, strength) = contact(self.normal_force, self.nu);
-        // The rule that (9) and (10) leave out: while it slides, the slip stays r^E behind.
+        // (9) and (10) do not print this rule: in sliding, the slip follows r at the distance r^E.
         self.slip = match self.state.branch {
             0 => self.slip,
             branch => r - f64::from(branch) * strength / self.stiffness,
@@ -180,7 +180,7 @@ pub struct ImpactElement {
 }
 
 impl ImpactElement {
-    /// A spring that nothing presses yet, touching if `r` = 0.
+    /// A spring without force.
     pub fn new(stiffness: f64) -> Self {
         let state = ElementState {
             force: 0.0,

@@ -4,7 +4,7 @@ use super::element::{Element, ImpactElement};
 use super::{Cycle, Law, StepFlexibility, StepLaw, Trial, lanes};
 use crate::lane::Lane;
 
-/// Impact spring `[I (7), (8)]`, `S = k_I <r> r`: it pushes while r < 0 and never pulls (the print lacks the last r).
+/// Impact spring `[I (7), (8)]`, `S = k_I <r> r`: it pushes while r < 0 and never pulls (the paper does not print the last r).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImpactSpring {
     /// k_I.
@@ -50,7 +50,7 @@ impl Law for ImpactSpring {
 impl<const L: usize> StepLaw<L> for Step<L> {
     #[inline(always)]
     fn force(&self, trial: &Trial<L>) -> Lane<L> {
-        // r has the sign that it has without S(i+1), since h > 0.
+        // h > 0, so r has the same sign with and without S(i+1).
         let predictor = trial.displacement + (trial.change - trial.force * self.h);
         (predictor * self.stiffness).smaller(Lane::splat(0.0))
     }

@@ -9,9 +9,9 @@
 //! rdot(i+1) =          rate - start.h_rate S(i) - end.h_rate S(i+1)
 //! ```
 //!
-//! The method of integration says how much of S(i) is still to be applied: all of it in the constant average acceleration
+//! The method of integration decides how much of S(i) is still to be applied: all of it in the constant average acceleration
 //! method (`start` = `end`), nothing in a method whose prediction contains it (`start` = 0). Each law gives the one root of
-//! both equations in closed form. Newton's iteration of the papers converges to it where it converges; on clipped laws it can
+//! both equations in closed form. Newton's iteration of the papers has the same root if it converges; on clipped laws it can
 //! cycle.
 
 mod displacement_control;
@@ -39,7 +39,7 @@ pub struct Trial<const L: usize> {
     pub rate: Lane<L>,
 }
 
-/// What a unit of contact force takes from the contact's motion over a step.
+/// Reduction of the motion of the contact over a step by a unit of contact force.
 #[derive(Debug, Clone, Copy)]
 pub struct Flexibility<const L: usize> {
     /// From r(i+1): h = b^T Khat^-1 b for the constant average acceleration method.
@@ -51,13 +51,30 @@ pub struct Flexibility<const L: usize> {
 /// Flexibility of a structure for the forces at both ends of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct StepFlexibility<const L: usize> {
-    /// For S(i), as far as the trial does not contain it.
+    /// For the part of S(i) that the trial does not contain.
     pub start: Flexibility<L>,
     /// For S(i+1); `h` > 0.
     pub end: Flexibility<L>,
 }
 
-/// A contact law with the numbers of one case. Its memory is in S: a slip is r - S/k^C.
+/// A contact law with the numbers of one case. S is its only state variable: a slip is r - S/k^C.
+///
+/// A step of an elastic contact satisfies r' = r* - h S', S' = k_I r' for r' < 0 [I (7)], so that S' = r*/(1/k_I + h):
+///
+/// ```
+/// use slipgap::contact::{Flexibility, ImpactSpring, Law, StepFlexibility, StepLaw, Trial};
+/// use slipgap::lane::Lane;
+///
+/// let end = Flexibility { h: Lane([0.5]), h_rate: Lane([10.0]) };
+/// let law = ImpactSpring::step(&[ImpactSpring { stiffness: 2.0 }], &StepFlexibility { start: end, end });
+/// // r* = 0.25 - 0.75 without the force of this step.
+/// let [zero, r] = [Lane([0.0]), Lane([0.25])];
+/// let trial = Trial { displacement: r, force: zero, change: Lane([-0.75]), rate: zero };
+/// let Lane([force]) = law.force(&trial);
+/// assert_eq!(force, -0.5 / (1.0 / 2.0 + 0.5));
+/// // The root: r' = r* - h S' and S' = k_I r'.
+/// assert_eq!(force, 2.0 * (-0.5 - 0.5 * force));
+/// ```
 pub trait Law: Copy {
     /// The law over a step, for L cases.
     type Step<const L: usize>: StepLaw<L>;
@@ -75,7 +92,7 @@ pub trait Law: Copy {
         work - (self.stored_energy(r_end, s_end) - self.stored_energy(r, s))
     }
 
-    /// The law as the papers print it, at r under S; `None` where they do not.
+    /// The law as the papers print it, at r under S; `None` if they do not.
     fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
         None
     }
@@ -94,15 +111,15 @@ pub trait StepLaw<const L: usize>: Copy {
     fn force(&self, trial: &Trial<L>) -> Lane<L>;
 }
 
-/// Code that is compiled for each law by itself.
+/// Code that is compiled for each law separately.
 pub trait Visitor<const L: usize> {
     /// Runs with the law.
     fn visit(self, law: &impl StepLaw<L>);
 }
 
-/// Code that is compiled for each law by itself, with the laws of L cases.
+/// Code that is compiled for each law separately, with the laws of L cases.
 pub trait LawsVisitor<const L: usize> {
-    /// What it gives.
+    /// The result.
     type Output;
     /// Runs with the laws.
     fn visit<W: Law>(self, laws: &[W; L]) -> Self::Output;
@@ -118,7 +135,7 @@ pub fn stored_energies<W: Law, const L: usize>(laws: &[W; L], r: Lane<L>, s: Lan
     energies
 }
 
-/// Friction limit `nu |N| <N>`: zero where the contact is open, N >= 0 [F (1), (3)].
+/// Friction limit `nu |N| <N>`: zero for an open contact, N >= 0 [F (1), (3)].
 pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
     if normal_force < 0.0 {
         nu * normal_force.abs()
@@ -130,12 +147,23 @@ pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
 macro_rules! laws {
     ($($law:ident),+ $(,)?) => {
         /// The law of a contact.
+        ///
+        /// A sliding contact dissipates S times the distance, and its elastic part stores S^2/(2 k^C):
+        ///
+        /// ```
+        /// use slipgap::contact::{ContactLaw, DisplacementControl, LawKind};
+        ///
+        /// let friction = DisplacementControl { compliance: 0.1, limit: 1.0 };
+        /// let law = ContactLaw::DisplacementControl(friction);
+        /// assert_eq!(law.kind(), LawKind::DisplacementControl);
+        /// assert_eq!(law.stored_energy(3.0, 1.0), 0.05);
+        /// ```
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum ContactLaw {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law)),+
         }
 
-        /// The laws there are.
+        /// The laws.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
         pub enum LawKind {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
@@ -171,7 +199,7 @@ macro_rules! laws {
             }
 
             /// The law over a step; all cases have a law of the first one's kind.
-            // Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+            // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
             pub fn step<const L: usize>(laws: &[ContactLaw; L], on: &StepFlexibility<L>) -> AnyStep<L> {
                 match laws[0] {
                     $(ContactLaw::$law(first) => {
@@ -193,7 +221,7 @@ macro_rules! laws {
                 }
             }
 
-            /// The law as the papers print it, at r under S; `None` where they do not.
+            /// The law as the papers print it, at r under S; `None` if they do not.
             pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
                 match self {
                     $(ContactLaw::$law(law) => law.element(r, s)),+
@@ -202,7 +230,7 @@ macro_rules! laws {
         }
 
         impl<const L: usize> AnyStep<L> {
-            /// Runs the visitor with the law itself, so that loops over steps do not ask which law it is.
+            /// Runs the visitor with the law itself, so that loops over steps contain no match on the law.
             pub fn accept(&self, visitor: impl Visitor<L>) {
                 match self {
                     $(AnyStep::$law(law) => visitor.visit(law)),+
@@ -238,12 +266,12 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// The root of S = law(r* - h S): `rest` = S - law(r* - h S) rises with S, so halving finds it.
-    fn bisection(rest: impl Fn(f64) -> f64, reach: f64) -> f64 {
+    /// The root of S = law(r* - h S) by bisection: `residual` = S - law(r* - h S) rises with S.
+    fn bisection(residual: impl Fn(f64) -> f64, reach: f64) -> f64 {
         let (mut low, mut high) = (-reach, reach);
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
-            if rest(middle) > 0.0 {
+            if residual(middle) > 0.0 {
                 high = middle
             } else {
                 low = middle
@@ -309,7 +337,7 @@ mod tests {
             let on = on(h, dt);
             // The inputs are rounded to eps of some 8, which the steepest law, 1/(compliance + h), turns into this much.
             let near = |a: f64, b: f64| (a - b).abs() < 64.0 * f64::EPSILON * (1.0 + 1.0 / (compliance + h));
-            // What this step's force leaves of the motion.
+            // The motion with the force of this step.
             let displacement = |s: f64| r + change - h * (before + s);
             let velocity = |s: f64| rate - 2.0 * h / dt * (before + s);
 
@@ -329,14 +357,14 @@ mod tests {
             let law = ImpactSpring::step(&[ImpactSpring { stiffness: 1.0 / compliance }], &on);
             let force = answer(law, &now);
             let root = bisection(|s| s - displacement(s).min(0.0) / compliance, 20.0 / compliance);
-            // Here the bisection itself starts from up to 20000.
+            // Here the bisection starts from up to 20000.
             prop_assert!((force - root).abs() < 1e-11, "impact spring {force} {root}");
             prop_assert!(answer(law, &further) >= force);
         }
     }
 
     #[test]
-    fn an_open_contact_has_no_friction_and_forgets_where_it_slid() {
+    fn an_open_contact_has_no_friction_and_no_slip() {
         for (nu, normal, limit) in [
             (0.5, -2.0, 1.0),
             (0.3, -10.0, 3.0),
@@ -347,7 +375,7 @@ mod tests {
         }
         let mut law = displacement_control(0.1, 0.0, &on(0.3, 0.1));
         assert_eq!(answer(law, &trial(2.0, 0.7, 0.5, 0.0)), 0.0);
-        // Pressed again, with S = 0 at its start: the slip is where the contact is then.
+        // The contact closes again with S = 0: the slip starts at the present displacement.
         law.limit = Lane([1.0]);
         let force = answer(law, &trial(2.0, 0.0, 0.2, 0.0));
         assert!((force - 0.2 / (0.1 + 0.3)).abs() < 1e-15);

@@ -40,7 +40,7 @@ impl Law for VelocityControl {
         0.0
     }
 
-    /// The papers' normal force is negative where the contact is pressed.
+    /// In the papers the normal force of a closed contact is negative.
     fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
         let element = VelocityFriction::new(1.0 / self.compliance, self.limit, -1.0);
         Some(Box::new(element))

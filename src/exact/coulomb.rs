@@ -1,30 +1,34 @@
 //! Free vibration with Coulomb friction, exactly [F (19), (20)].
 //!
 //! With a0 = |x0|, half-cycle k runs over k pi <= T <= (k + 1) pi about the shifted centre s_k,
-//! `X = s_k (1 + (a_k - 1) cos(T - k pi))`, a_k = a0 - 2 k, s_k = sign(x0) (-1)^k: undamped frequency, four Delta
-//! less a cycle. The motion stops at the first peak with |a_k| <= 1, after m half-cycles, at X = s_m a_m.
+//! `X = s_k (1 + (a_k - 1) cos(T - k pi))`, a_k = a0 - 2 k, s_k = sign(x0) (-1)^k. The frequency is the undamped one, and the
+//! amplitude falls by 4 Delta in a cycle. The motion stops at the first peak with |a_k| <= 1, after m half-cycles, at
+//! X = s_m a_m.
 
-use super::first_step;
+use super::{State, first_step};
 use libm::{ceil, cos, floor, sin};
 use std::f64::consts::PI;
 
 /// The motion after release at rest from x0, in T = omega_n t and X = x/Delta.
+///
+/// The case of [F], x0 = 12 Delta, rests at 0 from T = 6 pi on, and friction does the work 72 nu N Delta:
+///
+/// ```
+/// use slipgap::exact::coulomb::Coulomb;
+/// use std::f64::consts::PI;
+///
+/// let exact = Coulomb::new(12.0);
+/// assert_eq!(exact.rest_time(), 6.0 * PI);
+/// assert_eq!(exact.at(7.0 * PI).displacement, 0.0);
+/// assert_eq!(exact.work(), 72.0);
+/// // The amplitude falls by 4 in a cycle.
+/// assert_eq!(exact.at(2.0 * PI).displacement, 8.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coulomb {
     sign: f64,
     a0: f64,
     m: f64,
-}
-
-/// Displacement, velocity and friction force at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// X
-    pub displacement: f64,
-    /// X'
-    pub velocity: f64,
-    /// S in units of nu N: the sign of X' while sliding, -X at rest.
-    pub force: f64,
 }
 
 impl Coulomb {
@@ -90,10 +94,10 @@ impl Coulomb {
 
     /// Displacements at T = 0, `step`, 2 `step`, .. of `count` steps: those of [`Coulomb::at`] to round-off.
     ///
-    /// All half-cycles are parts of one cosine, `X = s_k + s_0 (a_k - 1) cos T`; it is turned from step to step, eight
-    /// strands side by side, and taken anew every so often.
+    /// All half-cycles are parts of one cosine, `X = s_k + s_0 (a_k - 1) cos T`. An angle-addition recurrence gives it for eight
+    /// steps at a time.
     pub fn displacements(&self, step: f64, count: usize) -> Vec<f64> {
-        // Beyond the time that counts in half-cycles the motion rests.
+        // From half-cycle m on the motion rests.
         let half_cycle = |i: usize| floor(i as f64 * step / PI);
         let begins = |k: f64| first_step(count, k * PI / step, |i| half_cycle(i) >= k);
         let rest = begins(self.m);
@@ -112,30 +116,29 @@ impl Coulomb {
     }
 }
 
-/// Steps that are turned side by side.
-const STRANDS: usize = 8;
+/// Steps of one recurrence.
+const LANES: usize = 8;
 
-/// Steps after which the cosine is taken anew: round-off of the turning stays below that many eps times an angle.
-const ANEW: usize = 16 * STRANDS;
+/// Steps after which the recurrence restarts, so that its round-off is less than that many eps times an angle.
+const RESTART: usize = 16 * LANES;
 
-/// cos(i step), i = 0..count, from their neighbours: c' = c - (a c + b s), s' = s - (a s - b c), a = 2 sin^2(d/2),
-/// b = sin d for a turn by d, exact to the round-off of the turn itself.
+/// cos(i step), i = 0..count, by the angle-addition recurrence c' = c - (a c + b s), s' = s - (a s - b c) with
+/// a = 2 sin^2(d/2), b = sin d for an increment d.
 fn cosines(step: f64, count: usize) -> Vec<f64> {
-    let by = |angle: f64| (2.0 * sin(0.5 * angle) * sin(0.5 * angle), sin(angle));
-    let turned =
-        |(c, s): (f64, f64), (a, b): (f64, f64)| (c - (a * c + b * s), s - (a * s - b * c));
-    let (one, all) = (by(step), by(STRANDS as f64 * step));
-    let mut cosines = Vec::with_capacity(count + STRANDS);
+    let increment = |angle: f64| (2.0 * sin(0.5 * angle) * sin(0.5 * angle), sin(angle));
+    let add = |(c, s): (f64, f64), (a, b): (f64, f64)| (c - (a * c + b * s), s - (a * s - b * c));
+    let (one, all) = (increment(step), increment(LANES as f64 * step));
+    let mut cosines = Vec::with_capacity(count + LANES);
     while cosines.len() < count {
-        let (mut strands, angle) = ([(1.0, 0.0); STRANDS], cosines.len() as f64 * step);
-        strands[0] = (cos(angle), sin(angle));
-        for i in 1..STRANDS {
-            strands[i] = turned(strands[i - 1], one);
+        let (mut lanes, angle) = ([(1.0, 0.0); LANES], cosines.len() as f64 * step);
+        lanes[0] = (cos(angle), sin(angle));
+        for i in 1..LANES {
+            lanes[i] = add(lanes[i - 1], one);
         }
-        let until = (cosines.len() + ANEW).min(count);
+        let until = (cosines.len() + RESTART).min(count);
         while cosines.len() < until {
-            cosines.extend(strands.map(|(c, _)| c));
-            strands = strands.map(|strand| turned(strand, all));
+            cosines.extend(lanes.map(|(c, _)| c));
+            lanes = lanes.map(|lane| add(lane, all));
         }
     }
     cosines.truncate(count);
@@ -149,9 +152,9 @@ mod tests {
     const STARTS: [f64; 9] = [11.2, 11.5, 12.0, 12.5, -12.5, 3.0, 1.0, 0.4, 100.7];
 
     #[test]
-    fn rests_where_the_papers_rule_says() {
+    fn rests_at_the_first_peak_below_delta() {
         let rest = |x0: f64| Coulomb::new(x0).at(1e3).displacement;
-        // The first peak below Delta, counted by hand from a_k = a0 - 2 k.
+        // From a_k = a0 - 2 k, by hand.
         for (x0, x) in [(11.2, -0.8), (11.5, -0.5), (12.0, 0.0), (12.5, 0.5)] {
             assert!((rest(x0) - x).abs() < 4e-15 * x0, "{x0}: {}", rest(x0));
             assert!((rest(-x0) + x).abs() < 4e-15 * x0);
@@ -163,18 +166,18 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_the_motion_at_their_times() {
+    fn displacements_at_steps_are_those_of_the_motion() {
         for x0 in STARTS {
             let exact = Coulomb::new(x0);
             for step in [PI / 10.0, 0.01, 1.0, 2.0 * PI, 7.3] {
                 for (i, x) in exact.displacements(step, 1003).into_iter().enumerate() {
-                    let wanted = exact.at(i as f64 * step).displacement;
-                    // Round-off of T itself, and of the turning.
+                    let expected = exact.at(i as f64 * step).displacement;
+                    // Round-off of T itself, and of the recurrence.
                     let tolerance =
                         (4.0 + i as f64 * step) * 2.0 * f64::EPSILON * x0.abs().max(1.0);
                     assert!(
-                        (x - wanted).abs() < tolerance,
-                        "{x0} {step} {i}: {x} {wanted}"
+                        (x - expected).abs() < tolerance,
+                        "{x0} {step} {i}: {x} {expected}"
                     );
                 }
             }

@@ -1,41 +1,51 @@
-//! Two equal bars on the impact spring as continua: what is left of the chain when n grows at fixed k_I.
+//! Two equal continuous bars with the impact spring between them: the limit of the mesh for n to infinity at fixed k_I.
 //!
-//! Time t is in T_I from the first touch, r in c T_I/2, rdot in c, F in F0. A bar's end feels the force and what comes
-//! back from the free end after each trip, so
+//! Time t is in T_I from the first touch, r in c T_I/2, rdot in c, F in F0. The force and the waves that return from the free end
+//! after each T_I move the end of a bar, so
 //!
 //! ```text
-//! rdot = -1 + F(t) + 2 F(t - 1) + 2 F(t - 2) + ...,   r' = 2 rdot,   F = -2 gamma n r where r < 0
+//! rdot = -1 + F(t) + 2 F(t - 1) + 2 F(t - 2) + ...,   r' = 2 rdot,   F = -2 gamma n r for r < 0
 //! ```
 //!
-//! With tau = 1/(4 gamma n), s = (t - 1)/tau and C = 2 - exp(-1/tau) the force is, as long as contact lasts,
+//! With tau = 1/(4 gamma n), s = (t - 1)/tau and C = 2 - exp(-1/tau) the force in contact is
 //!
 //! ```text
 //! t <= 1    F = 1 - exp(-t/tau)
 //! t >= 1    F = -1 + (2 s + C) exp(-s)
 //! ```
 //!
-//! which holds to t = 2, where F(t - 2) sets in. After that rdot has the period 1 and stays above 0.4: the bars meet
-//! only once.
+//! up to t = 2, where F(t - 2) begins. After contact rdot has the period 1 and is above 0.4, so the bars meet only once.
 
-use super::wave::State;
+use super::{State, bisect};
 use libm::{exp, expm1};
 
 /// The contact of two equal bars on the spring, at any time.
+///
+/// For tau much smaller than T_I contact lasts T_I + 1.678 tau, tau = T_I/(4 gamma n):
+///
+/// ```
+/// use slipgap::exact::spring::Spring;
+///
+/// let gamma_n = 1000.0;
+/// let spring = Spring::new(gamma_n, 0.0).expect("gamma n is above 0.404");
+/// assert!((spring.contact_duration() - (1.0 + 1.678 / (4.0 * gamma_n))).abs() < 1e-6);
+/// // F = F0 (1 - exp(-t/tau)) while the first wave travels.
+/// assert!((spring.at(2.5e-4).force - (1.0 - (-1.0_f64).exp())).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// Time constant of a bar's end on the spring.
+    /// Time constant of the end of a bar on the spring, in T_I.
     tau: f64,
-    /// When the bars first touch.
+    /// Time of the first touch.
     touch: f64,
-    /// How long they do, in T_I: between 1 and 2.
+    /// Duration of contact in T_I, between 1 and 2.
     contact: f64,
 }
 
 impl Spring {
     /// For `gamma_n` = gamma n = k_I L/(E A) and a gap at t = 0 over c T_I/2.
     ///
-    /// `None` where contact outlasts 2 T_I, for gamma n < 0.404: a softer spring still pushes when the third front
-    /// comes in.
+    /// `None` for gamma n < 0.404, where contact is longer than 2 T_I: the spring still pushes when the third front arrives.
     pub fn new(gamma_n: f64, gap: f64) -> Option<Spring> {
         let mut spring = Spring {
             tau: 0.25 / gamma_n,
@@ -45,23 +55,11 @@ impl Spring {
         if spring.force(2.0) > 0.0 {
             return None;
         }
-        let (mut pushes, mut parted) = (1.0, 2.0);
-        loop {
-            let middle = 0.5 * (pushes + parted);
-            if !(pushes < middle && middle < parted) {
-                break;
-            }
-            if spring.force(middle) > 0.0 {
-                pushes = middle;
-            } else {
-                parted = middle;
-            }
-        }
-        spring.contact = parted;
+        [_, spring.contact] = bisect([1.0, 2.0], |t| spring.force(t) <= 0.0);
         Some(spring)
     }
 
-    /// How long the ends press on each other, in T_I.
+    /// Duration of contact, in T_I.
     pub fn contact_duration(&self) -> f64 {
         self.contact
     }
@@ -70,14 +68,10 @@ impl Spring {
     pub fn at(&self, time: f64) -> State {
         let t = time - self.touch;
         if t < 0.0 {
-            return State {
-                displacement: -2.0 * t,
-                velocity: -1.0,
-                force: 0.0,
-            };
+            return State::flight(-2.0 * t);
         }
         let force = self.force(t);
-        // Of fronts that came back long ago the whole impulse, and no force any more.
+        // Fronts that returned before the last contact duration have their whole impulse, and no force.
         let long = (t - 2.0 - self.contact).max(0.0).floor();
         let (mut returned, mut impulse) = (0.0, long * self.impulse(self.contact));
         let mut since = t - 1.0 - long;

@@ -18,7 +18,31 @@ use crate::contact::{Flexibility, StepFlexibility, StepLaw, Trial};
 use crate::lane::Lane;
 use crate::system::Mode;
 
-/// Modes of L structures with one contact each; `M` holds the modes, in an array where their number is known.
+/// Modes of L structures with one contact each; `M` stores the modes, in an array if their number is known.
+///
+/// Without force a mode vibrates with the exact amplitude and the period 2 pi/omega (W/2)/atan(W/2), W = omega dt. At W = 2 the
+/// phase of a step is 2 atan(1) = pi/2, so the mode is at -1 after two steps:
+///
+/// ```
+/// use slipgap::contact::{ImpactSpring, Law};
+/// use slipgap::lane::Lane;
+/// use slipgap::methods::average_acceleration::{AverageAcceleration, ModeStart};
+/// use slipgap::system::Mode;
+///
+/// let start = ModeStart {
+///     mode: [Mode::new(4.0, 1.0)],
+///     displacement: Lane([1.0]),
+///     velocity: Lane([0.0]),
+/// };
+/// let (dt, gap, force) = (Lane([1.0]), Lane([10.0]), Lane([0.0]));
+/// let mut method = AverageAcceleration::<1>::new(dt, [start].into_iter(), gap, force).expect("one mode");
+/// // The gap keeps the contact open.
+/// let law = ImpactSpring::step(&[ImpactSpring { stiffness: 1.0 }], &method.flexibility());
+/// let r: Vec<f64> = (0..4).map(|_| method.step(&law).displacement.0[0] - 10.0).collect();
+/// for (r, expected) in r.iter().zip([0.0, -1.0, 0.0, 1.0]) {
+///     assert!((r - expected).abs() < 1e-14);
+/// }
+/// ```
 #[derive(Debug, Clone)]
 pub struct AverageAcceleration<const L: usize, M = Vec<ModeState<L>>> {
     modes: M,
@@ -107,7 +131,7 @@ impl<const L: usize> ModeState<L> {
         }
     }
 
-    /// One step under S(i) + S(i+1); gives the predictor.
+    /// One step under S(i) + S(i+1); returns the predictor.
     #[inline(always)]
     fn step(&mut self, force_sum: Lane<L>) -> Lane<L> {
         let w = self.predictor - self.compliance * force_sum;
@@ -185,7 +209,7 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
         self.contact
     }
 
-    /// What a unit of contact force takes from the contact's motion over a step.
+    /// Reduction of the motion of the contact over a step by a unit of contact force.
     #[inline(always)]
     pub fn flexibility(&self) -> StepFlexibility<L> {
         let end = Flexibility {
@@ -207,7 +231,7 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
         });
         let force_sum = before.force + force;
         let increment = self.predictor - self.compliance * force_sum;
-        // From the first mode on, not from zero: a structure of one mode has no sums then.
+        // From the first mode on, not from zero, so that a structure of one mode needs no sum.
         let mut predictor = Lane::splat(0.0);
         if let [first, others @ ..] = self.modes.as_mut() {
             predictor = first.step(force_sum);
@@ -298,7 +322,7 @@ mod tests {
                 let contact = stepper.step(&Prescribed(0.0));
                 let (sin, cos) = libm::sincos(f64::from(step) * 2.0 * libm::atan(0.5 * w));
                 let (x, v) = (cos + 0.4 * sin, omega * (0.4 * cos - sin));
-                // Each step rounds p and w once; where W is large, v is a small difference turned by W/2.
+                // Each step rounds p and w once; for large W, v is a small difference times W/2.
                 let tolerance = 4.0 * f64::EPSILON * f64::from(step) * (1.0 + w);
                 assert!(
                     (contact.displacement.0[0] - x).abs() < tolerance,
@@ -369,13 +393,16 @@ mod tests {
                 assert!((sum / energy - 1.0).abs() < 10.0 * tolerance);
             }
             let h = b.dot(&effective.solve(&b).unwrap());
-            let Flexibility { h: own, h_rate } = stepper.flexibility().end;
-            assert!((own.0[0] / h - 1.0).abs() < 1e-13, "dt = {dt}");
+            let Flexibility {
+                h: h_method,
+                h_rate,
+            } = stepper.flexibility().end;
+            assert!((h_method.0[0] / h - 1.0).abs() < 1e-13, "dt = {dt}");
             assert!(
                 (h_rate.0[0] / (2.0 * h / dt) - 1.0).abs() < 1e-13,
                 "dt = {dt}"
             );
-            // Modes give their part of r back.
+            // The coordinates of the modes add up to r.
             let sum: f64 = stepper.modes().map(|(x, _)| x.0[0]).sum();
             assert!((sum - b.dot(&u)).abs() < 1e-11);
         }

@@ -1,7 +1,8 @@
-//! Metrics: one history against another.
+//! Metrics: a computed motion compared with the exact one.
 
 pub mod friction;
 pub mod impact;
+pub mod norm;
 
 use crate::lane::Lane;
 
@@ -10,7 +11,7 @@ pub const SLACK: f64 = 1e-12;
 
 /// The number of steps N that fit in `duration`; 1.2/0.4 is 3.
 pub fn steps(duration: f64, step: f64) -> u64 {
-    // A quotient past u64 saturates, and is refused for its memory.
+    // A quotient above the range of u64 saturates. The rules of time refuse it.
     (duration / step * (1.0 + SLACK)) as u64
 }
 
@@ -19,13 +20,13 @@ pub fn reached(t: f64, mark: f64) -> bool {
     t * (1.0 + SLACK) >= mark
 }
 
-/// A metric of lanes in which it is undefined: not a number.
+/// A metric of all lanes; NaN if it is undefined.
 #[inline(always)]
 fn or_undefined<const L: usize>(metric: Option<Lane<L>>) -> Lane<L> {
     metric.unwrap_or(Lane::splat(f64::NAN))
 }
 
-/// The metrics of one case; `None` where one is undefined, or beyond all numbers.
+/// The metrics of one case; `None` if one is undefined or not finite.
 pub fn cells<const N: usize>(metrics: [Lane<1>; N]) -> [Option<f64>; N] {
     metrics.map(|Lane([x])| Some(x).filter(|x| x.is_finite()))
 }
@@ -35,19 +36,19 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// Asserts each metric: the same cells empty, the others within round-off of a short sum.
-    pub(super) fn assert_metrics(found: &[Option<f64>], wanted: &[Option<f64>]) {
-        assert_eq!(found.len(), wanted.len());
-        for (i, (found, wanted)) in found.iter().zip(wanted).enumerate() {
-            match (found, wanted) {
+    /// Asserts that the same cells are empty and that the others agree within round-off of a short sum.
+    pub(super) fn assert_metrics(metrics: &[Option<f64>], expected: &[Option<f64>]) {
+        assert_eq!(metrics.len(), expected.len());
+        for (i, (metric, expected)) in metrics.iter().zip(expected).enumerate() {
+            match (metric, expected) {
                 (Some(a), Some(b)) => assert!((a - b).abs() < 1e-14, "metric {i}: {a}, not {b}"),
-                _ => assert_eq!(found, wanted, "metric {i}"),
+                (None, _) | (_, None) => assert_eq!(metric, expected, "metric {i}"),
             }
         }
     }
 
     #[test]
-    fn whole_quotients_lose_no_step() {
+    fn integer_quotients_lose_no_step() {
         for (duration, step, count) in [
             (1.2, 0.4, 3),
             (8.0 * PI, PI / 10.0, 80),
@@ -58,7 +59,7 @@ mod tests {
         ] {
             assert_eq!(steps(duration, step), count, "{duration}/{step}");
         }
-        // Where it is larger than a number of steps can be, it saturates.
+        // Above the range of u64 it saturates.
         assert_eq!(steps(1e300, 1e-300), u64::MAX);
     }
 

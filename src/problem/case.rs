@@ -6,7 +6,25 @@ use super::schema::Schema;
 use super::text::Text;
 use std::sync::Arc;
 
-/// The values of one case, in the order of the problem's table; `None` where a parameter does not apply.
+/// The values of one case, in the order of the problem's table; `None` for a parameter that does not apply.
+///
+/// In the bars of [I] the spring k_I = 10 has gamma = k_I L/(n E A) = 0.1 with 10 elements:
+///
+/// ```
+/// use slipgap::problem::{self, Case, parameter::Value};
+///
+/// let problem = problem::find("bar-impact").expect("a problem");
+/// let given = [
+///     ("k_I", Value::Number(10.0)),
+///     ("n", Value::Whole(10)),
+///     ("dt", Value::Number(0.05)),
+///     ("duration", Value::Number(1.5)),
+/// ];
+/// let (case, violations) = Case::given(&*problem, &given);
+/// assert_eq!(violations, []);
+/// assert_eq!(case.number("gamma"), Some(0.1));
+/// assert_eq!(problem.steps(&case), 30);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Case {
     /// The problem's schema.
@@ -16,7 +34,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// A case in which nothing is said yet.
+    /// A case without values.
     pub fn new(schema: &Arc<Schema>) -> Case {
         let values = vec![None; schema.parameters.len()];
         Case {
@@ -25,14 +43,14 @@ impl Case {
         }
     }
 
-    /// A completed case from parameters by name, the others at their defaults, and the rules that it breaks.
+    /// A completed case from parameters by name, the others with their defaults, and the rules that it breaks.
     pub fn given(problem: &dyn Problem, given: &[(&str, Value)]) -> (Case, Vec<Violation>) {
         let mut case = problem.schema().case(given);
         let broken = problem.complete(&mut case);
         (case, broken)
     }
 
-    /// The default of a row of the table, where it has one and applies.
+    /// The default of a row of the table; `None` if it has none or does not apply.
     pub fn default_at(&self, row: usize) -> Option<Value> {
         let parameter = &self.schema.parameters[row];
         let applies = parameter
@@ -40,8 +58,8 @@ impl Case {
             .as_ref()
             .is_none_or(|(governor, name)| self.choice(governor) == name);
         match parameter.default {
-            parameter::Default::Is(value) if applies => Some(value),
-            _ => None,
+            parameter::Default::Is(value) => Some(value).filter(|_| applies),
+            parameter::Default::Required | parameter::Default::Follows(_) => None,
         }
     }
 
@@ -51,44 +69,38 @@ impl Case {
         self.values[row]
     }
 
-    /// The number called `name`; `None` where it does not apply.
+    /// The number `name`; `None` if it does not apply.
     pub fn number(&self, name: &str) -> Option<f64> {
         self.get(name)?.as_f64()
     }
 
-    /// The number in a row of the table; `None` where it does not apply.
+    /// The number in a row of the table; `None` if it does not apply.
     pub fn at(&self, row: usize) -> Option<f64> {
         self.values[row]?.as_f64()
     }
 
-    /// The name in a row of the table; empty where it does not apply.
+    /// The name in a row of the table; empty if it does not apply.
     pub fn name_at(&self, row: usize) -> &'static str {
-        match self.values[row] {
-            Some(Value::Name(chosen)) => chosen,
-            _ => "",
-        }
+        self.values[row].map_or("", Value::name)
     }
 
-    /// The name chosen for `name`; empty where it does not apply.
+    /// The name chosen for `name`; empty if it does not apply.
     pub fn choice(&self, name: &str) -> &'static str {
-        match self.get(name) {
-            Some(Value::Name(chosen)) => chosen,
-            _ => "",
-        }
+        self.get(name).map_or("", Value::name)
     }
 }
 
 /// A rule across parameters that a case breaks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Violation {
-    /// The parameter to point at: at its value where it is given, else at the block's opening brace.
+    /// The parameter that messages refer to: at its value if it is given, else at the opening brace of the block.
     pub parameter: Text,
     /// What is wrong and what is allowed.
     pub message: String,
 }
 
 impl Violation {
-    /// All rules that a case breaks, in one line; `None` where it breaks none.
+    /// All rules that a case breaks, in one line; `None` if it breaks none.
     pub fn all(violations: &[Violation]) -> Option<String> {
         let one = |violation: &Violation| format!("{}: {}", violation.parameter, violation.message);
         let all: Vec<String> = violations.iter().map(one).collect();

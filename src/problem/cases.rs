@@ -1,4 +1,4 @@
-//! Many cases, parameter by parameter: what all of them share stands once.
+//! Many cases in columns, one for each parameter; a value that all cases have is stored once.
 
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ pub struct Cases {
     refused: BTreeMap<usize, String>,
 }
 
-/// The values of one parameter over many cases; `None` where it does not apply.
+/// The values of one parameter over many cases; `None` if it does not apply.
 #[derive(Debug, Clone)]
 pub enum Column {
     /// One for all cases.
@@ -26,7 +26,7 @@ pub enum Column {
 }
 
 impl Cases {
-    /// No case yet.
+    /// No cases.
     pub fn new(schema: &Arc<Schema>) -> Cases {
         Cases {
             schema: schema.clone(),
@@ -36,13 +36,13 @@ impl Cases {
         }
     }
 
-    /// Adds a case that is not to be solved, and why.
+    /// Adds a case that cannot be solved, and why.
     pub fn push_refused(&mut self, case: &Case, why: String) {
         self.refused.insert(self.len, why);
         self.push(case);
     }
 
-    /// The cases that are not to be solved, rising, and why.
+    /// The cases that cannot be solved, in increasing order, and why.
     pub fn refused(&self) -> impl Iterator<Item = (usize, &str)> {
         self.refused.iter().map(|(case, why)| (*case, why.as_str()))
     }
@@ -69,7 +69,7 @@ impl Cases {
         self.len += 1;
     }
 
-    /// Some of the cases by themselves.
+    /// Some of the cases.
     pub fn only(&self, rows: Range<usize>) -> Cases {
         let (mut some, mut shown) = (Cases::new(&self.schema), self.shown());
         for row in rows {
@@ -96,7 +96,7 @@ impl Cases {
         &self.columns
     }
 
-    /// The cases, to be looked at one after the other.
+    /// Access to the cases, one after the other.
     pub fn shown(&self) -> Shown<'_> {
         let mut case = Case::new(&self.schema);
         let mut varying = Vec::new();
@@ -110,7 +110,7 @@ impl Cases {
     }
 }
 
-/// Shows one case after the other in the same place.
+/// One case after the other in the same memory.
 #[derive(Debug)]
 pub struct Shown<'a> {
     case: Case,
@@ -121,7 +121,7 @@ impl Shown<'_> {
     /// Case `index`, from 0.
     ///
     /// # Panics
-    /// Where there is none.
+    /// If there is no such case.
     pub fn at(&mut self, index: usize) -> &Case {
         for (row, values) in &self.varying {
             self.case.values[*row] = values[index];
@@ -136,10 +136,10 @@ mod tests {
     use crate::problem::PROBLEMS;
 
     #[test]
-    fn what_is_shown_is_what_was_put_in() {
+    fn cases_are_read_as_they_were_added() {
         let schema = PROBLEMS[0].schema();
         let number = |x: f64| Some(Value::Number(x));
-        // One value all along, one that changes late, by the sign of zero alone, and one that comes and goes.
+        // A constant value, one that changes late and only in the sign of zero, and one that is missing in some cases.
         let values = |i: usize| {
             [
                 number(0.1),
@@ -160,10 +160,10 @@ mod tests {
         let mut shown = cases.shown();
         for i in [5, 0, 3, 1, 4, 2] {
             let case = shown.at(i);
-            for (found, wanted) in case.values.iter().zip(values(i)) {
+            for (value, expected) in case.values.iter().zip(values(i)) {
                 assert!(
-                    Value::identical(*found, wanted),
-                    "case {i}: {found:?}, not {wanted:?}"
+                    Value::identical(*value, expected),
+                    "case {i}: {value:?}, not {expected:?}"
                 );
             }
             assert!(case.values[4..].iter().all(Option::is_none));

@@ -1,4 +1,4 @@
-//! The table that decoding, schema, columns, `explain` and the documentation read: one row a parameter.
+//! The table of parameters, with one row for each, for decoding, schema, columns, `explain` and the documentation.
 
 use super::text::{Text, text};
 use std::fmt;
@@ -6,15 +6,15 @@ use std::fmt;
 /// One parameter of a problem.
 #[derive(Debug, Clone)]
 pub struct Parameter {
-    /// Key in a study file and column of results.csv; `right.L` stands for key `L` of object `right`.
+    /// Key in a study file and column of results.csv; `right.L` is key `L` of object `right`.
     pub name: Text,
     /// How figures write it, with its scale, in the markup of `figures::markup`.
     pub symbol: Text,
     /// Unit, or `1` for a dimensionless number.
     pub unit: Text,
-    /// What values it takes.
+    /// The values allowed.
     pub kind: Kind,
-    /// What it is where the study does not say.
+    /// Its value if the study does not give it.
     pub default: Default,
     /// The parameter and name that must be chosen for this one to apply, as `("law", "velocity-control")`.
     pub applies: Option<(Text, Text)>,
@@ -44,7 +44,7 @@ impl Parameter {
         }
     }
 
-    /// The same where another parameter has this name chosen.
+    /// A parameter that applies only if another parameter has this name.
     pub const fn only_for(
         name: [&'static str; 3],
         kind: Kind,
@@ -82,7 +82,7 @@ pub enum ColumnRule {
     IfGiven,
 }
 
-/// The row of a table that has this name, for constants: a name that is not there does not compile.
+/// The row of a table with this name, for constants: a name that is not in the table does not compile.
 pub const fn row_of(table: &[Parameter], name: &str) -> usize {
     let mut row = 0;
     while row < table.len() {
@@ -104,12 +104,12 @@ pub(super) const fn same(a: &str, b: &str) -> bool {
     same == a.len() && same == b.len()
 }
 
-/// The declared type of a parameter: decoding goes by this and by nothing else.
+/// The declared type of a parameter; decoding depends on nothing else.
 #[derive(Debug, Clone, Copy)]
 pub enum Kind {
     /// A real number in a range; a string is an expression.
     Number(Range),
-    /// A whole number from `min` to `max`.
+    /// An integer from `min` to `max`.
     Whole {
         /// Smallest value allowed.
         min: u64,
@@ -134,7 +134,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Whether a finite number lies in the range.
+    /// Whether a finite number is in the range.
     pub fn contains(self, x: f64) -> bool {
         match self {
             Range::Positive => x > 0.0,
@@ -156,14 +156,14 @@ impl fmt::Display for Range {
     }
 }
 
-/// What a parameter is where the study does not give it.
+/// The value of a parameter that the study does not give.
 #[derive(Debug, Clone)]
 pub enum Default {
-    /// It must be given (where it applies).
+    /// It must be given, if it applies.
     Required,
-    /// A value of its own.
+    /// This value.
     Is(Value),
-    /// It follows from others, in these words; `Problem::complete` fills it in.
+    /// It follows from others, as this text describes; `Problem::complete` fills it in.
     Follows(Text),
 }
 
@@ -174,11 +174,19 @@ pub enum Value {
     Number(f64),
     /// Of a `Kind::Whole`.
     Whole(u64),
-    /// Of a `Kind::Choice`: the table's own name.
+    /// Of a `Kind::Choice`: the name in the table.
     Name(&'static str),
 }
 
 impl Value {
+    /// The name; empty for a number.
+    pub fn name(self) -> &'static str {
+        match self {
+            Value::Name(name) => name,
+            Value::Number(_) | Value::Whole(_) => "",
+        }
+    }
+
     /// The value as a number, for axes and sums; `None` for a name.
     pub fn as_f64(self) -> Option<f64> {
         match self {
@@ -188,7 +196,7 @@ impl Value {
         }
     }
 
-    /// What tells a value from others of its parameter: all bits of a number, or a name.
+    /// A key that is different for different values of a parameter: all bits of a number, or a name.
     pub fn identity(self) -> (u64, &'static str) {
         match self {
             Value::Number(x) => (x.to_bits(), ""),
@@ -197,25 +205,25 @@ impl Value {
         }
     }
 
-    /// Whether two values, or their lack, are the same in all bits.
+    /// Whether two values are the same in all bits, or both missing.
     pub fn identical(a: Option<Value>, b: Option<Value>) -> bool {
         match (a, b) {
             (Some(Value::Number(a)), Some(Value::Number(b))) => a.to_bits() == b.to_bits(),
-            // The table's own names: mostly the same piece of memory.
+            // Names in the table: mostly the same memory.
             (Some(Value::Name(a)), Some(Value::Name(b))) => std::ptr::eq(a, b) || a == b,
             (a, b) => a == b,
         }
     }
 
-    /// Whether two values are the same: numbers within 1e-12 relative, names to the letter.
+    /// Whether two values are the same: numbers within 1e-12 relative, names exactly.
     pub fn matches(self, other: Value) -> bool {
         match (self.as_f64(), other.as_f64()) {
             (Some(a), Some(b)) => (a - b).abs() <= 1e-12 * a.abs().max(b.abs()),
-            _ => self == other,
+            (None, _) | (_, None) => self == other,
         }
     }
 
-    /// Whether it matches at least one of `others`.
+    /// Whether it matches one of `others`.
     pub fn is_one_of(self, others: &[Value]) -> bool {
         others.iter().any(|other| self.matches(*other))
     }
@@ -231,7 +239,7 @@ impl fmt::Display for Value {
     }
 }
 
-/// The shortest decimal form that reads back the same double, plain or with an exponent.
+/// The shortest decimal form that reads back as the same double, plain or with an exponent.
 pub fn shortest(x: f64) -> String {
     let (plain, scientific) = (format!("{x}"), format!("{x:e}"));
     if scientific.len() < plain.len() {

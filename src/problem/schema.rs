@@ -1,5 +1,5 @@
-//! The schema of a problem: the tables that decoding, columns, figures, messages and documentation read. It is data of the
-//! problem, so that a problem may build it from a study.
+//! The schema of a problem: the tables for decoding, columns, figures, messages and documentation. It is data of the problem, so
+//! that a problem may build it from a study.
 
 use super::parameter::{self, Parameter};
 use super::text::text;
@@ -8,6 +8,21 @@ use super::unit::{Dimension, Unit};
 use std::borrow::Cow;
 
 /// The tables of a problem.
+///
+/// The parameters that are not given have their defaults; [F] releases the mass at 12 Delta:
+///
+/// ```
+/// use slipgap::problem::{self, parameter::Value};
+///
+/// let problem = problem::find("friction-oscillator").expect("a problem");
+/// let schema = problem.schema();
+/// let case = schema.case(&[("law", Value::Name("displacement-control")), ("alpha", Value::Number(0.1))]);
+/// assert_eq!(case.number("x0"), Some(12.0));
+/// assert_eq!(case.choice("initial_slip"), "unloaded");
+/// // beta applies to the velocity-control model only.
+/// assert_eq!(case.number("beta"), None);
+/// assert_eq!(schema.step_name(), "dT");
+/// ```
 #[derive(Debug, Clone)]
 pub struct Schema {
     /// Its name in a study's `problem`.
@@ -16,17 +31,17 @@ pub struct Schema {
     pub meaning: Text,
     /// The parameters of a case.
     pub parameters: Table<Parameter>,
-    /// The metrics; those of every study first.
+    /// The metrics; the default ones first.
     pub metrics: Table<Metric>,
-    /// Row of a default metric that is empty exactly where no contact happens; `None` for a problem without impacts.
+    /// Row of a default metric that is empty if and only if there is no contact; `None` for a problem without impacts.
     pub contact_metric: Option<usize>,
     /// The channels of a history.
     pub channels: Table<Channel>,
-    /// What history figures can draw; the first is the response itself.
+    /// The quantities of history figures; the first one is the response.
     pub quantities: Table<Quantity>,
-    /// What profile figures can draw; none for a problem without extent.
+    /// The quantities of profile figures; none for a problem without extent.
     pub profiles: Table<Profile>,
-    /// The errors that budget figures can divide into parts.
+    /// The errors of budget figures.
     pub budgets: Table<Budget>,
     /// Rows of the parameters that are the time step and the duration.
     pub step: usize,
@@ -42,7 +57,7 @@ pub struct Schema {
     pub scales: Table<[Text; 2]>,
     /// The units of scaled results; none for a problem whose parameters have no units.
     pub units: Table<Unit>,
-    /// Pairs of parameters of which one is given and the other follows.
+    /// Pairs of parameters; one is given and the other follows from it.
     pub alternatives: Table<[Text; 2]>,
 }
 
@@ -52,7 +67,7 @@ impl Schema {
         &self.parameters[self.step].name
     }
 
-    /// How many metrics every study has: the first of the table.
+    /// Number of default metrics, which are the first ones of the table.
     pub fn default_metrics(&self) -> usize {
         self.metrics.iter().take_while(|m| m.default).count()
     }
@@ -69,7 +84,7 @@ pub struct TimeAxis {
     pub in_pi: bool,
 }
 
-/// A quantity over time, computed and exact: one column of a history, and one with `_exact` behind its name where `exact` is
+/// A quantity over time, computed and exact: one column of a history, and one with `_exact` after its name if `exact` is
 /// set.
 #[derive(Debug, Clone)]
 pub struct Channel {
@@ -106,17 +121,17 @@ impl Channel {
 pub struct Metric {
     /// Column name.
     pub name: Text,
-    /// How figures write it, with its scale.
+    /// Its text in figures, with its scale.
     pub symbol: Text,
     /// Name of one of the schema's units, or `1`.
     pub unit: Text,
     /// Formula in words, for schema and documentation.
     pub meaning: Text,
-    /// Whether every study has the column, or only those that ask for it.
+    /// Whether all studies have the column; if not, a study selects it.
     pub default: bool,
 }
 
-/// The row of a table of metrics that has this name, for constants: a name that is not there does not compile.
+/// The row of a table of metrics with this name, for constants: a name that is not in the table does not compile.
 pub const fn metric_of(table: &[Metric], name: &str) -> usize {
     let mut row = 0;
     while row < table.len() {

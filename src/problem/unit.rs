@@ -1,8 +1,8 @@
-//! The units of scaled results, and what they measure.
+//! The units of scaled results, and their dimensions.
 
 use super::text::Text;
 
-/// What a number measures.
+/// The dimension of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
     /// A time.
@@ -18,7 +18,7 @@ pub enum Dimension {
 /// A unit of scaled results. Its size differs from case to case: [`super::Problem::size`].
 #[derive(Debug, Clone)]
 pub struct Unit {
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// Its name in the tables of metrics, as in `F0`.
     pub name: Text,

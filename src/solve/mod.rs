@@ -1,4 +1,4 @@
-//! Solving: systems moved through time, one at a time or many side by side. Written once for all problems.
+//! Solving: integration of systems in time, one at a time or several together. Written once for all problems.
 
 pub mod once;
 pub mod sweep;
@@ -37,7 +37,7 @@ impl<const L: usize, T: Default> Default for Motion<L, T> {
     }
 }
 
-/// What a system can be made of.
+/// A description of a system.
 pub trait ToSystem: Copy {
     /// The system.
     fn system(&self) -> System;
@@ -49,8 +49,9 @@ impl ToSystem for System {
     }
 }
 
-/// L systems at t = 0 with as many modes each, and the law of the first one's kind over a step; `None` without a mode.
-// Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+/// L systems at t = 0 with equal numbers of modes, and their laws over a step; `None` without a mode. All laws have the kind of
+/// the first one.
+// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
     cases: &[S; L],
 ) -> Option<(AverageAcceleration<L, M>, AnyStep<L>)> {
@@ -66,7 +67,7 @@ pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
     for (same, case) in same.iter_mut().zip(cases) {
         *same = case.system().linear == first.linear;
     }
-    // A mode of a bar costs sines, as much as some steps. Most cases of a sweep have the same modes.
+    // A mode of a bar needs sines, as much time as some steps. Most cases of a sweep have the same modes.
     let modes = (0..first.linear.len()).map(|j| {
         let shared = first.linear.mode(j);
         let mut start = ModeStart {
@@ -93,8 +94,8 @@ pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
     Some((stepper, law))
 }
 
-/// Moves L systems with as many modes each and laws of one kind to their last steps; for each whether its motion stays
-/// finite.
+/// Integrates L systems with equal numbers of modes and laws of one kind to their last steps. Returns for each whether its motion
+/// is finite.
 pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
@@ -131,7 +132,10 @@ pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
     end.finite()
 }
 
-/// One system moved to its last step; an error where the motion does not stay finite.
+/// Integrates one system to its last step.
+///
+/// # Errors
+/// [`Unsolvable::OutOfRange`] if the motion does not remain finite.
 pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
     let mut motion = Motion::default();
     match advance::<1, Vec<_>, T, _>(&[*system], &mut motion) {
@@ -143,7 +147,7 @@ pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
 /// The constant average acceleration method for one system.
 pub type Stepper = AverageAcceleration<1>;
 
-/// One system moved to its last step; `visit` gets the number of each step, from 0 on, and the structure then.
+/// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
 pub fn visit(system: &System, mut visit: impl FnMut(u64, &Stepper)) {
     let Some((mut stepper, law)) = start::<1, Vec<_>, _>(&[*system]) else {
         return;
@@ -169,7 +173,7 @@ impl<const L: usize, M: Modes<L>, T: Track<L>> Visitor<L> for Steps<'_, L, M, T>
     }
 }
 
-// A small function of its own: together with other code its loop would be compiled less well.
+// A separate small function: with other code around it, its loop compiles to slower instructions.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
 fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
     stepper: &mut AverageAcceleration<L, M>,

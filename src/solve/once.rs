@@ -1,12 +1,11 @@
-//! Systems by the papers' element matrices, each step solved once: the other reading of the papers, "iteration as needed"
-//! taken as none.
+//! Integration by the papers' element matrices with each step solved once: one reading of "iteration as needed" is no iteration.
 
 use super::Unsolvable;
 use crate::contact::element::Element;
 use crate::system::System;
 use crate::textbook::{Iteration, Newmark, assemble};
 
-/// Most elements of a structure, whose matrices are full here.
+/// Most elements of a structure; its matrices are full here.
 const MOST_ELEMENTS: u32 = 400;
 
 /// The assembled structure with its element.

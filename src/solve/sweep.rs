@@ -1,4 +1,4 @@
-//! Many cases side by side: in which order they fill the lanes, and which share their reference.
+//! Many cases in lanes: their order, and which of them have the same reference.
 
 use super::table::MetricTable;
 use super::{Motion, ToSystem, Track, Unsolvable, advance};
@@ -6,7 +6,7 @@ use crate::lane::Lane;
 use crate::methods::average_acceleration::Modes;
 use std::ops::Range;
 
-/// A case in the form in which L of them are solved side by side.
+/// A case in the form for lanes: L of them are solved together.
 pub trait LaneCase<const L: usize>: ToSystem {
     /// The exact solution at the steps of a case.
     type Reference;
@@ -41,14 +41,14 @@ pub trait LaneCase<const L: usize>: ToSystem {
 /// The numbers that an exact solution at the steps of a run depends on.
 pub type ReferenceKey = [f64; 5];
 
-/// Least number of cases with one exact solution for which the metrics of all lanes are computed at once; those of fewer are
-/// computed one by one.
+/// Smallest number of cases with one exact solution for which the metrics of all lanes are computed together; those of fewer cases
+/// are computed one by one.
 const SHARED: usize = 4;
 
-/// Most steps of a case that is solved with others: longer runs would leave the processor's caches.
+/// Most steps of a case that is solved together with others: longer runs would not fit in the caches of the processor.
 pub const LONGEST: u64 = 1 << 15;
 
-/// Puts in the table the default metrics of cases, each with its row there: to the bit what each has by itself.
+/// Puts the default metrics of cases in the table, each in its row. They have the same bits as those of a single case.
 pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut MetricTable) {
     let mut order: Vec<u128> = (0..)
         .zip(cases)
@@ -67,8 +67,8 @@ pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut M
 /// Bits of a rank below those of a case's kind.
 const KIND: u32 = 80;
 
-/// The order of cases: those of one law and number of modes together; among them those of similar numbers of steps, so that a
-/// lane waits little for the others; then those with one exact solution, by a checksum that seldom lets others between them.
+/// The order of cases: first by law and number of modes; then by number of steps, so that lanes end at similar times; then by a
+/// checksum of the exact solution, so that cases with one exact solution are together.
 fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     let mixed = |sum: u64, x: f64| {
         let sum = (sum ^ x.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -80,7 +80,7 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
 }
 
-/// Memory that groups use one after the other.
+/// Memory that all groups use.
 struct Scratch<const L: usize, E, T> {
     motion: Motion<L, T>,
     /// The last exact solution, with its key.
@@ -98,7 +98,7 @@ impl<const L: usize, E, T: Default> Default for Scratch<L, E, T> {
 
 impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
     /// Puts in the table the metrics of a group, at most L cases with their rows.
-    // Arrays are filled by loops: past 16 lanes, maps of arrays stay a call for each lane.
+    // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
     fn group<C>(
         &mut self,
         members: impl ExactSizeIterator<Item = (usize, C)> + Clone,

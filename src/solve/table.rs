@@ -4,17 +4,30 @@ use super::Unsolvable;
 use std::collections::BTreeMap;
 
 /// The metrics of many cases, row by row, and why some have none.
+///
+/// ```
+/// use slipgap::solve::{MetricTable, Unsolvable};
+///
+/// let mut table = MetricTable::new(3, 2);
+/// table.set(0, [0.5, f64::NAN].into_iter());
+/// table.fail(2, Unsolvable::OutOfRange);
+/// assert_eq!(table.row(0).collect::<Vec<_>>(), [Some(0.5), None]);
+/// assert_eq!(table.column(0).collect::<Vec<_>>(), [Some(0.5), None, None]);
+/// // Cases 0 and 1 have no second metric; case 2 was not solved.
+/// assert_eq!(table.solved_without(1), 2);
+/// assert_eq!(table.failure(2), Some(&Unsolvable::OutOfRange));
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct MetricTable {
     len: usize,
     width: usize,
-    /// Not a number where one is undefined: half the memory of an option.
+    /// NaN for an undefined metric: half of the memory of an option.
     metrics: Vec<f64>,
     failures: BTreeMap<usize, Unsolvable>,
 }
 
 impl MetricTable {
-    /// `len` cases without metrics yet, of which there will be the first `width` of the problem's table.
+    /// `len` cases without metrics, with room for the first `width` metrics of the problem's table.
     pub fn new(len: usize, width: usize) -> MetricTable {
         MetricTable {
             len,
@@ -34,13 +47,13 @@ impl MetricTable {
         self.len == 0
     }
 
-    /// The metrics of a case, the first of the problem's table; those beyond were not asked for.
+    /// The metrics of a case, the first ones of the problem's table.
     pub fn row(&self, case: usize) -> impl Iterator<Item = Option<f64>> + '_ {
         let row = &self.metrics[case * self.width..(case + 1) * self.width];
         row.iter().map(|x| defined(*x))
     }
 
-    /// A metric of every case; `None` where one is undefined.
+    /// A metric of every case; `None` if one is undefined.
     pub fn column(&self, metric: usize) -> impl Iterator<Item = Option<f64>> + '_ {
         let (inside, width) = (metric < self.width, self.width);
         let cell = move |case: usize| match inside {
@@ -55,7 +68,7 @@ impl MetricTable {
         self.failures.get(&case)
     }
 
-    /// The cases that could not be solved, rising, and why.
+    /// The cases that could not be solved, in increasing order, and why.
     pub fn failures(&self) -> impl Iterator<Item = (usize, &Unsolvable)> {
         self.failures.iter().map(|(case, why)| (*case, why))
     }
@@ -68,7 +81,7 @@ impl MetricTable {
         self.column(metric).enumerate().filter(without).count() as u64
     }
 
-    /// Puts in the metrics of a case: as many as there are in a row, or fewer; those that are not finite are undefined.
+    /// Sets the metrics of a case, at most as many as there are in a row; those that are not finite are undefined.
     #[inline]
     pub fn set(&mut self, case: usize, metrics: impl Iterator<Item = f64>) {
         let row = &mut self.metrics[case * self.width..(case + 1) * self.width];
@@ -77,12 +90,12 @@ impl MetricTable {
         }
     }
 
-    /// Says why a case could not be solved.
+    /// Records why a case could not be solved.
     pub fn fail(&mut self, case: usize, why: Unsolvable) {
         self.failures.insert(case, why);
     }
 
-    /// Puts in what a case by itself came to, or says why it came to nothing.
+    /// Sets the result of a case: its metrics, or why it could not be solved.
     pub fn put(&mut self, case: usize, metrics: Result<Vec<Option<f64>>, Unsolvable>) {
         match metrics {
             Ok(row) => self.set(case, row.iter().map(|x| x.unwrap_or(f64::NAN))),
@@ -90,7 +103,7 @@ impl MetricTable {
         }
     }
 
-    /// Puts in a case of another table, at most as wide.
+    /// Copies a case of another table, which has at most as many columns.
     pub fn copy(&mut self, case: usize, other: &MetricTable, from: usize) {
         let (to, row) = (
             case * self.width,

@@ -1,11 +1,11 @@
-//! What is recorded of the steps.
+//! Records of the steps.
 
 use crate::lane::Lane;
 use crate::methods::ContactState;
 
-/// What is recorded of the steps of L cases.
+/// A record of the steps of L cases.
 pub trait Track<const L: usize>: Default {
-    /// The place of one step.
+    /// The values of one step.
     type Row<'a>
     where
         Self: 'a;
@@ -13,7 +13,7 @@ pub trait Track<const L: usize>: Default {
     /// Makes room for `len` steps.
     fn resize(&mut self, len: usize);
 
-    /// The places of `count` steps from `first` on.
+    /// The values of `count` steps from `first` on.
     fn rows(&mut self, first: usize, count: usize) -> impl Iterator<Item = Self::Row<'_>>;
 
     /// Records a step.

@@ -1,24 +1,24 @@
-//! A uniform free bar of n two-node elements, seen from one end: its modes are cosines, in closed form.
+//! A uniform free bar of n two-node elements with its contact at one end: its modes are cosines, in closed form.
 //!
-//! With theta = j pi/n, mode j of the chain has the shape cos(theta i) at node i, and with s = sin(theta/2)
+//! With theta = j pi/n, mode j has the shape cos(theta i) at node i, and with s = sin(theta/2)
 //!
 //! ```text
 //! lumped      omega^2 = 4 s^2 (C0/h)^2                 modal mass  m  (j = 0, n),  m/2  (else)
 //! consistent  omega^2 = 12 s^2/(3 - 2 s^2) (C0/h)^2    the same times (3 - 2 s^2)/3
 //! ```
 //!
-//! because M and K of either kind turn a cosine into a multiple of (m_i cos(theta i)), m_i the lumped masses.
+//! because M and K of both kinds map a cosine to a multiple of (m_i cos(theta i)), where m_i are the lumped masses.
 
 use super::Mode;
 use libm::{cos, sin};
 use std::f64::consts::PI;
 
-/// How a bar's mass is laid on its nodes.
+/// The mass matrix of a bar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mass {
-    /// Half of an element's mass on each of its nodes, so half a node's mass at the ends [I section 3].
+    /// Half of the mass of an element at each of its nodes, so that the ends have half of the mass of a node [I section 3].
     Lumped,
-    /// By the displacement's own shape functions.
+    /// From the shape functions of the displacement.
     Consistent,
 }
 
@@ -27,21 +27,21 @@ pub enum Mass {
 pub struct Bar {
     /// Number of elements.
     pub elements: u32,
-    /// Mass of the whole bar.
+    /// Mass of the bar.
     pub mass: f64,
     /// Travel time there and back, 2 L/C0.
-    pub trip: f64,
-    /// How the mass is laid.
+    pub travel_time: f64,
+    /// Mass matrix.
     pub kind: Mass,
 }
 
 impl Bar {
-    /// Modes 0..=n as the contact end feels them; mode 0 is the rigid-body mode.
+    /// Modes 0..=n, scaled by their displacement at the contact end; mode 0 is the rigid-body mode.
     pub fn modes(&self) -> impl Iterator<Item = Mode> + '_ {
         (0..=self.elements).map(|j| self.mode(j))
     }
 
-    /// Mode `j` as the contact end feels it.
+    /// Mode `j`, scaled by its displacement at the contact end.
     pub fn mode(&self, j: u32) -> Mode {
         let (omega2, mass) = self.modal(j);
         Mode::new(omega2, 1.0 / mass)
@@ -51,7 +51,7 @@ impl Bar {
     fn modal(&self, j: u32) -> (f64, f64) {
         let n = f64::from(self.elements);
         let s = sin(f64::from(j) * PI / (2.0 * n));
-        let rate = 2.0 * n / self.trip; // C0/h
+        let rate = 2.0 * n / self.travel_time; // C0/h
         let ends = if j == 0 || j == self.elements {
             1.0
         } else {
@@ -69,7 +69,7 @@ impl Bar {
 
     /// Shape of mode `j` at node `i`, counted from the contact.
     pub fn shape(&self, j: u32, i: u32) -> f64 {
-        // The angle in whole periods first: j i may be large.
+        // The remainder of whole periods: j i may be large.
         let turn = (u64::from(j) * u64::from(i)) % (2 * u64::from(self.elements));
         cos(turn as f64 * PI / f64::from(self.elements))
     }
@@ -86,8 +86,8 @@ mod tests {
         let n = bar.elements as usize;
         let (mut m, mut k) = (DMatrix::zeros(n + 1, n + 1), DMatrix::zeros(n + 1, n + 1));
         let element = bar.mass / n as f64;
-        // EA/h = (EA/C0) (C0/h) with EA/C0 = mass C0/L = 2 mass/trip.
-        let stiffness = 2.0 * bar.mass / bar.trip * (2.0 * n as f64 / bar.trip);
+        // EA/h = (EA/C0) (C0/h) with EA/C0 = mass C0/L = 2 mass/travel_time.
+        let stiffness = 2.0 * bar.mass / bar.travel_time * (2.0 * n as f64 / bar.travel_time);
         let (own, other) = match bar.kind {
             Mass::Lumped => (element / 2.0, 0.0),
             Mass::Consistent => (element / 3.0, element / 6.0),
@@ -112,7 +112,7 @@ mod tests {
                 let bar = Bar {
                     elements,
                     mass: 3.0,
-                    trip: 0.7,
+                    travel_time: 0.7,
                     kind,
                 };
                 let (m, k) = assembled(&bar);

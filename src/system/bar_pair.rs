@@ -10,7 +10,7 @@ pub struct BarPair {
     pub left: Bar,
     /// The right bar; `None` for a wall.
     pub right: Option<Bar>,
-    /// rdot(0) of the rigid-body motion; negative where the gap closes.
+    /// rdot(0) of the rigid-body motion; negative if the gap closes.
     pub velocity: f64,
 }
 
@@ -30,17 +30,17 @@ impl BarPair {
         let own = self.left.elements as usize + 1;
         match self.right {
             Some(right) if right != self.left => own + right.elements as usize,
-            _ => own,
+            Some(_) | None => own,
         }
     }
 
-    /// Whether there is no mode, which is never so.
+    /// Whether there is no mode; always false.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Mode `j` as the contact feels it, the rigid-body mode first. Modes of one frequency move as one, whose share of r is
-    /// the sum of theirs: the rigid-body modes of both bars, and all pairs of modes of equal bars.
+    /// Mode `j`, scaled by its share of r, the rigid-body mode first. Modes of one frequency are one mode, and its share of r is
+    /// the sum of their shares: the rigid-body modes of both bars, and all pairs of modes of equal bars.
     #[inline(always)]
     pub fn mode(&self, j: usize) -> Mode {
         let first = self.left.elements as usize + 1;
@@ -56,7 +56,7 @@ impl BarPair {
                 rigid.phi2 += right.mode(0).phi2;
                 rigid
             }
-            _ => self.left.mode(j as u32),
+            Some(_) | None => self.left.mode(j as u32),
         }
     }
 

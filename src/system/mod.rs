@@ -1,5 +1,5 @@
-//! Systems: what a problem makes of a case, and what the solver moves. A linear structure, a contact on it, the start, the
-//! step.
+//! Systems: a linear structure, a contact, the state at t = 0 and the time step. A problem makes one from a case, and the solver
+//! integrates it.
 
 pub mod bar;
 mod bar_pair;
@@ -11,6 +11,29 @@ pub use modes::{Modal, Mode};
 use crate::contact::ContactLaw;
 
 /// A structure with a contact, from t = 0 on.
+///
+/// The oscillator of [F] with Coulomb friction of the displacement-control model, over half a period from X = 12. It loses 2 Delta
+/// of its amplitude and arrives at -10:
+///
+/// ```
+/// use slipgap::contact::{ContactLaw, DisplacementControl};
+/// use slipgap::solve::{self, ContactTrack};
+/// use slipgap::system::{Linear, Mode, System};
+/// use std::f64::consts::PI;
+///
+/// let system = System {
+///     linear: Linear::Oscillator { mode: Mode::new(1.0, 1.0), displacement: 12.0 },
+///     law: ContactLaw::DisplacementControl(DisplacementControl { compliance: 1e-6, limit: 1.0 }),
+///     gap: 0.0,
+///     force: 0.0,
+///     step: PI / 1000.0,
+///     last: 1000,
+/// };
+/// let motion = solve::run::<ContactTrack>(&system)?;
+/// let [x, v, _] = motion.track.0[1000];
+/// assert!((x + 10.0).abs() < 1e-4 && v.abs() < 0.02);
+/// # Ok::<(), slipgap::solve::Unsolvable>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct System {
     /// The structure without the contact.
@@ -74,7 +97,7 @@ impl Linear {
         self.len() == 0
     }
 
-    /// Mode `j`, from 0; those beyond the last are not moved by anything.
+    /// Mode `j`, from 0; modes after the last one have no meaning.
     #[inline(always)]
     pub fn mode(&self, j: usize) -> ModeAtStart {
         match self {

@@ -49,7 +49,7 @@ pub fn assemble_bars(left: Bar, right: Option<Bar>, gap: f64) -> Assembly {
         let Some(bar) = bar else { continue };
         let n = f64::from(bar.elements);
         let m = bar.mass / n;
-        let rate = 2.0 * n / bar.trip; // C0/h
+        let rate = 2.0 * n / bar.travel_time; // C0/h
         let k = m * rate * rate; // EA/h
         let (own, other) = match bar.kind {
             Mass::Lumped => (m / 2.0, 0.0),

@@ -1,7 +1,7 @@
 //! The textbook form of the same method: assembled M and K, the papers' 2x2 element matrices, their iteration.
 //!
-//! This is what a reader of the papers looks for, and what the modal form is tested against. It decides no result:
-//! its iteration can cycle, and then it says so.
+//! A reader of the papers expects this form, and the modal form is tested with it. No converged result depends on it, because its
+//! iteration can cycle; [`Cycle`] reports that.
 
 mod bars;
 mod solve;
@@ -19,7 +19,7 @@ pub struct Assembly {
     pub mass: DMatrix<f64>,
     /// Stiffness matrix K, without the element.
     pub stiffness: DMatrix<f64>,
-    /// Degrees of freedom of I and J; `None` for a node held fast. r = u_J - u_I [F (2), I (3)].
+    /// Degrees of freedom of I and J; `None` for a fixed node. r = u_J - u_I [F (2), I (3)].
     pub nodes: [Option<usize>; 2],
     /// Gap at rest, added to r.
     pub gap: f64,
@@ -28,24 +28,24 @@ pub struct Assembly {
 /// How a step's equation is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Iteration {
-    /// Until the element's branch stands still and the residual is within 1/1000 of the largest force.
+    /// Until the branch of the element does not change and the residual is within 1/1000 of the largest force.
     Converged,
-    /// Not at all: the tangent of the step's start, the acceleration carried on by the method.
+    /// No iteration: the tangent at the start of the step; the method gives the acceleration.
     Once,
 }
 
-/// The iteration went round without end in this step.
+/// The iteration did not converge in this step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cycle {
     /// The step, from 1.
     pub step: usize,
 }
 
-/// The assembled structure on its way through time.
+/// The assembled structure, integrated in time.
 #[derive(Debug, Clone)]
 pub struct Newmark<E> {
     assembly: Assembly,
-    /// The element with its state at the last step's end.
+    /// The element with its state at the end of the last step.
     pub element: E,
     dt: f64,
     step: usize,
@@ -55,7 +55,7 @@ pub struct Newmark<E> {
 }
 
 impl<E: Element> Newmark<E> {
-    /// From `u`, `v` at T = 0, with a(0) from equilibrium; `None` where M has no inverse.
+    /// From `u`, `v` at T = 0, with a(0) from equilibrium; `None` if M has no inverse.
     pub fn new(
         assembly: Assembly,
         element: E,
@@ -90,12 +90,12 @@ impl<E: Element> Newmark<E> {
     /// One step of the constant average acceleration method.
     ///
     /// # Errors
-    /// [`Cycle`] where the iteration does not settle; the state is then that of the step before.
+    /// [`Cycle`] if the iteration does not converge; the state is then that of the step before.
     pub fn step(&mut self, iteration: Iteration) -> Result<(), Cycle> {
         self.step += 1;
         let dt = self.dt;
         let (_, rdot0) = self.relative(&self.u, &self.v);
-        // Linearised about the step's start: u stays, so v turns to -v and a to -4 v/dt - a.
+        // Linearised about the start of the step: with the same u, v becomes -v and a becomes -4 v/dt - a.
         let mut state = self.element.state();
         let mut u = self.u.clone();
         let mut a = &self.v * (-4.0 / dt) - &self.a;
@@ -120,14 +120,14 @@ impl<E: Element> Newmark<E> {
             let trial = self.element.trial(r, rdot);
             let inertia = &self.assembly.mass * &a;
             let internal = &self.assembly.stiffness * &u + self.assembly.spread(trial.force);
-            // In free flight both forces are round-off of what the increments are made of.
+            // In free flight both forces are round-off of the terms of the increments.
             let increments = (&self.assembly.mass * (&u + &self.u)).norm() * 4.0 / (dt * dt);
             let largest = inertia.norm().max(internal.norm());
             let within = (&inertia + &internal).norm() <= (1e-3 * largest).max(1e-13 * increments);
-            // Compared within the step alone: N, and with it the start's force, may have changed since.
-            let still = branch == Some(trial.branch) && within;
+            // Branches are compared within the step only: N, and so the force at the start, may have changed.
+            let converged = branch == Some(trial.branch) && within;
             (state, force, branch) = (trial, trial.force, Some(trial.branch));
-            if still || iteration == Iteration::Once {
+            if converged || iteration == Iteration::Once {
                 (self.u, self.v, self.a) = (u, v, a);
                 self.element.commit(r, rdot);
                 return Ok(());

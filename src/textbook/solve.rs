@@ -1,8 +1,8 @@
-//! One linear system: elimination along the diagonal where the matrix is tridiagonal, a general solver elsewhere.
+//! One linear system: elimination along the diagonal if the matrix is tridiagonal, else a general solver.
 
 use nalgebra::{DMatrix, DVector};
 
-/// x of A x = b; `None` where A has no inverse.
+/// x of A x = b; `None` if A has no inverse.
 pub(super) fn solve(a: DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
     if tridiagonal(&a) {
         Some(eliminate(&a, b))
@@ -16,7 +16,7 @@ fn tridiagonal(a: &DMatrix<f64>) -> bool {
     (0..n).all(|i| (0..n).all(|j| i.abs_diff(j) <= 1 || a[(i, j)] == 0.0))
 }
 
-/// Without pivots: M and K of bars with a spring are symmetric positive definite.
+/// Without pivoting, because M and K of bars with a spring are symmetric positive definite.
 fn eliminate(a: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
     let n = b.len();
     let (mut pivot, mut x) = (vec![0.0; n], b.clone());

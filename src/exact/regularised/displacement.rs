@@ -1,15 +1,15 @@
-//! Displacement-control: sticking, the friction spring adds 1/alpha to the stiffness; sliding, the force stands still.
+//! Displacement-control: in sticking, the friction spring adds 1/alpha to the stiffness; in sliding, the force is constant.
 
-use crate::exact::coulomb::State;
+use crate::exact::State;
 use libm::{atan, atan2, copysign, cos, hypot, sin, sqrt};
 
-/// Sticks from rest, or slides.
+/// Sticking or sliding between two events.
 #[derive(Debug, Clone)]
 pub(super) enum Piece {
-    /// From rest at `x` with the force `s`. With q = x + s the unbalanced force and omega^2 = 1 + 1/alpha,
+    /// Sticking from rest at `x` with the force `s`. With the unbalanced force q = x + s and omega^2 = 1 + 1/alpha,
     /// X = x - alpha q/(1 + alpha) (1 - cos(omega t)), S = s - q/(1 + alpha) (1 - cos(omega t)).
     Stick { alpha: f64, x: f64, s: f64 },
-    /// In the direction `d` = +-1, with d X = -1 - p cos t + v sin t.
+    /// Sliding in the direction `d` = +-1, with d X = -1 - p cos t + v sin t.
     Slip { alpha: f64, d: f64, p: f64, v: f64 },
 }
 
@@ -23,19 +23,20 @@ impl Piece {
     }
 }
 
-/// Roots apart, so that neither the least nor the largest alpha leaves the range.
+/// Two roots, so that neither the smallest nor the largest alpha leaves the range of double precision.
 fn omega(alpha: f64) -> f64 {
     sqrt(1.0 + alpha) / sqrt(alpha)
 }
 
-/// How far the force from rest would pass the limit on its way in the direction `d`, and how far it has to go there.
+/// The direction d of the force after rest at `x` under `s`, its distance from the limit in this direction, and the excess over
+/// the limit without sliding.
 ///
-/// It turns half a period later, at s - 2 q/(1 + alpha): just reaching the limit it does not slide.
+/// The force turns half a period later, at s - 2 q/(1 + alpha). If it only reaches the limit, there is no sliding.
 fn excess(alpha: f64, x: f64, s: f64) -> (f64, f64, f64) {
     let q = x + s;
     let d = copysign(1.0, -q);
-    let way = 1.0 - d * s;
-    (d, way, 2.0 * (q.abs() / (1.0 + alpha)) - way)
+    let distance = 1.0 - d * s;
+    (d, distance, 2.0 * (q.abs() / (1.0 + alpha)) - distance)
 }
 
 impl super::Piece for Piece {
@@ -63,14 +64,16 @@ impl super::Piece for Piece {
 
     fn length(&self) -> f64 {
         match *self {
-            // tan^2 of half the phase at S = d: (1 - cos)/(1 + cos) without a difference near a graze.
-            Piece::Stick { alpha, x, s } => match excess(alpha, x, s) {
-                (_, way, excess) if excess > 0.0 => {
-                    2.0 * atan(sqrt(way) / sqrt(excess)) / omega(alpha)
+            Piece::Stick { alpha, x, s } => {
+                let (_, distance, excess) = excess(alpha, x, s);
+                if excess > 0.0 {
+                    // tan^2 of half the phase at S = d is (1 - cos)/(1 + cos), here without a difference for a small excess.
+                    2.0 * atan(sqrt(distance) / sqrt(excess)) / omega(alpha)
+                } else {
+                    f64::INFINITY
                 }
-                _ => f64::INFINITY,
-            },
-            // The velocity ends at zero, after less than half a period or just that.
+            }
+            // The velocity becomes zero after at most half a period.
             Piece::Slip { p, v, .. } => atan2(v, -p),
         }
     }
@@ -78,13 +81,13 @@ impl super::Piece for Piece {
     fn next(&self, _length: f64) -> Piece {
         match *self {
             Piece::Stick { alpha, x, s } => {
-                let (d, way, excess) = excess(alpha, x, s);
+                let (d, distance, excess) = excess(alpha, x, s);
                 let x = x + alpha * (d - s);
                 Piece::Slip {
                     alpha,
                     d,
                     p: -(1.0 + d * x),
-                    v: sqrt(alpha) * sqrt(1.0 + alpha) * sqrt(way) * sqrt(excess),
+                    v: sqrt(alpha) * sqrt(1.0 + alpha) * sqrt(distance) * sqrt(excess),
                 }
             }
             Piece::Slip { alpha, d, p, v } => Piece::Stick {

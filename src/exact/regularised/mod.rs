@@ -1,36 +1,51 @@
-//! Free vibration with the regularised friction models in continuous time, exactly: X'' + X + S = 0, where S follows
-//! X within alpha of the slip (displacement-control [F (9)]) or V up to beta (velocity-control [F (16)]).
+//! Exact free vibration with the softened friction laws in continuous time: X'' + X + S = 0. S is linear in X within alpha of the
+//! slip (displacement-control [F (9)]), or linear in V up to beta (velocity-control [F (16)]).
 //!
-//! Between events the motion is linear and stands in closed form. A piece starts with the state in which the one
-//! before it ended, so an error in the time of an event moves the motion by the force that it misjudges, not by more.
+//! Between events the motion is linear and has a closed form. A piece starts with the final state of the piece before it, so an
+//! error in the time of an event changes the motion only by the error of the force during this time.
 
 mod displacement;
 mod velocity;
 
-use super::coulomb::State;
+use super::State;
 use std::ops::RangeInclusive;
 
-/// Latest time for which it is worth asking: a run has up to four events a period, and by then round-off of the time
-/// itself is 1e-9.
+/// Latest time with a useful accuracy: there are up to four events in a period, and here the round-off of the time itself is
+/// 1e-9.
 pub const LATEST: f64 = 1e7;
 
-/// Widths alpha and beta, and largest |X|, for which no product of a piece leaves the range of numbers. From 1e-32 and
-/// 1e-16 on the motions are Coulomb's within round-off, as far as it goes.
+/// Widths alpha and beta, and largest |X|, for which no product of a piece leaves the range of double precision. Below alpha =
+/// 1e-32 and beta = 1e-16 the motions are those of Coulomb friction within round-off.
 const WIDTHS: RangeInclusive<f64> = 1e-100..=1e100;
 
-/// Least |x0| of a release with a force: from there on the motion is round-off of that, which is 1 or less.
-const LEAST: f64 = 1e-6;
+/// Smallest |x0| of a release with a force: below it the motion has the round-off of the force, which is at most 1.
+const SMALLEST: f64 = 1e-6;
 
-/// Whether the motions here are right to 10 digits, released at `x0` with the force `force`, up to the time `end`.
+/// Whether the motion after release at `x0` with the force `force` has 10 correct digits up to the time `end`.
 pub fn holds(x0: f64, width: f64, force: f64, end: f64) -> bool {
     let far = x0.abs() <= *WIDTHS.end();
-    let near = force == 0.0 || x0.abs() >= LEAST;
+    let near = force == 0.0 || x0.abs() >= SMALLEST;
     far && near && WIDTHS.contains(&width) && end <= LATEST
 }
 
 /// A motion after release at rest, from piece to piece; in T = omega_n t, X = x/Delta, S in units of nu N.
 ///
-/// Within round-off of the motion's largest X, times the number of pieces passed.
+/// Its error is round-off of the largest |X| times the number of pieces passed.
+///
+/// The energy gives the peaks: with S at its limit, the peak P is followed by sqrt((P - 1)^2 + 4 alpha) - 1 on the other side.
+/// For P = 12 and alpha = 5.75 this is sqrt(144) - 1 = 11:
+///
+/// ```
+/// use slipgap::exact::regularised::Regularised;
+///
+/// let mut motion = Regularised::displacement(12.0, 5.75, 1.0);
+/// let sliding = motion.next_event();
+/// assert!((motion.at(sliding).force + 1.0).abs() < 1e-14);
+/// // The next event is the end of sliding, at the peak.
+/// motion.at(sliding + 1e-6);
+/// let peak = motion.at(motion.next_event());
+/// assert!((peak.displacement + 11.0).abs() < 1e-13 && peak.velocity.abs() < 1e-13);
+/// ```
 #[derive(Debug, Clone)]
 pub struct Regularised(Model);
 
@@ -53,7 +68,7 @@ impl Regularised {
         Regularised(Model::Velocity(Motion::new(first)))
     }
 
-    /// The state at `time` >= 0, no less than any asked for before.
+    /// The state at `time` >= 0; times must not decrease from call to call.
     pub fn at(&mut self, time: f64) -> State {
         match &mut self.0 {
             Model::Displacement(motion) => motion.at(time),
@@ -61,7 +76,7 @@ impl Regularised {
         }
     }
 
-    /// The time of the next event after those passed so far; infinite when there is none.
+    /// The time of the next event; infinite if there is none.
     pub fn next_event(&self) -> f64 {
         match &self.0 {
             Model::Displacement(motion) => motion.start + motion.length,
@@ -70,12 +85,12 @@ impl Regularised {
     }
 }
 
-/// A stretch of the motion between two events; times count from its start.
+/// The motion between two events; times count from its start.
 trait Piece: Sized {
     fn at(&self, time: f64) -> State;
     /// Time of the event that ends it; infinite if none does.
     fn length(&self) -> f64;
-    /// What follows that event.
+    /// The piece after that event.
     fn next(&self, length: f64) -> Self;
 }
 

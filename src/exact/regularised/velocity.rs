@@ -1,12 +1,12 @@
-//! Velocity-control: a damper of ratio zeta = 1/(2 beta) below the velocity beta, a force that stands still above it.
+//! Velocity-control: a damper of ratio zeta = 1/(2 beta) below the velocity beta, a constant force above it.
 
-use crate::exact::coulomb::State;
+use crate::exact::{State, bisect};
 use libm::{atan2, copysign, cos, exp, expm1, log1p, sin, sqrt};
 
-/// Within the zone of the damper, or outside it; lengths and velocities count positive in the direction `d` = +-1.
+/// The motion in the zone of the damper, or outside it; displacements and velocities are positive in the direction `d` = +-1.
 #[derive(Debug, Clone)]
 pub(super) enum Piece {
-    /// From `x` with the velocity `v` and the acceleration `a` >= 0: from rest, or in through -beta.
+    /// From `x` with the velocity `v` and the acceleration `a` >= 0: from rest, or from the edge of the zone at -beta.
     Inside {
         zone: Zone,
         d: f64,
@@ -37,7 +37,7 @@ pub(super) struct Zone {
     zeta: f64,
     /// sqrt(abs(1 - zeta^2)).
     root: f64,
-    rings: bool,
+    underdamped: bool,
 }
 
 impl Zone {
@@ -45,49 +45,50 @@ impl Zone {
         Zone {
             beta,
             zeta: 0.5 / beta,
-            // 1 - zeta^2 in factors, of which 2 beta - 1 has no round-off near critical damping.
+            // 1 - zeta^2 in factors; 2 beta - 1 has no round-off near critical damping.
             root: sqrt((2.0 * beta - 1.0).abs()) * sqrt(2.0 * beta + 1.0) / (2.0 * beta),
-            rings: 2.0 * beta > 1.0,
+            underdamped: 2.0 * beta > 1.0,
         }
     }
 
-    /// The lesser of the two rates of decay where it does not ring; the other is its inverse.
+    /// The smaller of the two rates of decay of an overdamped zone; the other one is its inverse.
     fn slow(&self) -> f64 {
         1.0 / (self.zeta + self.root)
     }
 
-    /// (f, g, -f'): the motions from X = 1, V = 0 and from X = 0, V = 1, then g' = f - 2 zeta g.
+    /// (f, g, g'), with the motions f from X = 1, V = 0 and g from X = 0, V = 1.
     ///
-    /// Where it does not ring they are sums of positive terms: at critical damping as for the least beta.
+    /// For overdamped zones f and g are sums of positive terms, from critical damping to the smallest beta.
     fn motions(&self, t: f64) -> (f64, f64, f64) {
-        if self.rings {
+        if self.underdamped {
             let fade = exp(-self.zeta * t);
             let (c, s) = (cos(self.root * t), sin(self.root * t) / self.root);
             let (f, rate) = (c + self.zeta * s, c - self.zeta * s);
             (fade * f, fade * s, fade * rate)
         } else {
-            let (slow, gap) = (self.slow(), 2.0 * self.root);
+            let (slow, difference) = (self.slow(), 2.0 * self.root);
             let late = exp(-slow * t);
-            let g = match gap {
-                0.0 => t * late,
-                _ => late * (-expm1(-gap * t) / gap),
+            let g = if difference == 0.0 {
+                t * late
+            } else {
+                late * (-expm1(-difference * t) / difference)
             };
-            (late + slow * g, g, exp(-(slow + gap) * t) - slow * g)
+            (late + slow * g, g, exp(-(slow + difference) * t) - slow * g)
         }
     }
 
-    /// When the velocity is largest, from velocity `v` <= 0 and acceleration `a` >= 0; infinite if it only decays.
-    fn crest(&self, v: f64, a: f64) -> f64 {
-        if self.rings {
+    /// Time of the largest velocity, from velocity `v` <= 0 and acceleration `a` >= 0; infinite if the velocity has no maximum.
+    fn velocity_peak(&self, v: f64, a: f64) -> f64 {
+        if self.underdamped {
             return atan2(self.root * a, v + self.zeta * a) / self.root;
         }
-        let (left, gap) = (v + self.slow() * a, 2.0 * self.root);
-        if left <= 0.0 {
+        let (slow_part, difference) = (v + self.slow() * a, 2.0 * self.root);
+        if slow_part <= 0.0 {
             f64::INFINITY
-        } else if gap == 0.0 {
-            a / left
+        } else if difference == 0.0 {
+            a / slow_part
         } else {
-            log1p(gap * a / left) / gap
+            log1p(difference * a / slow_part) / difference
         }
     }
 }
@@ -101,7 +102,7 @@ impl super::Piece for Piece {
                 State {
                     displacement: d * (x * f + v * g),
                     velocity: d * velocity,
-                    // Round-off at the zone's edge must not show as a force beyond the limit.
+                    // Without the clamp, round-off at the edge of the zone would give a force beyond the limit.
                     force: d * (velocity / zone.beta).clamp(-1.0, 1.0),
                 }
             }
@@ -118,26 +119,15 @@ impl super::Piece for Piece {
 
     fn length(&self) -> f64 {
         match *self {
-            // No event is missed: the velocity rises to one crest, and if that stays within the zone so do all after
-            // it, each less than the one before.
+            // No event is missed: the first maximum of the velocity is the largest.
             Piece::Inside { zone, d, v, a, .. } => {
                 let velocity = |t: f64| d * self.at(t).velocity;
-                let crest = zone.crest(v, a);
-                if crest.is_infinite() || velocity(crest) <= zone.beta {
+                let peak = zone.velocity_peak(v, a);
+                if peak.is_infinite() || velocity(peak) <= zone.beta {
                     return f64::INFINITY;
                 }
-                let (mut before, mut after) = (0.0, crest);
-                loop {
-                    let middle = before + 0.5 * (after - before);
-                    if !(before < middle && middle < after) {
-                        return after;
-                    }
-                    if velocity(middle) > zone.beta {
-                        after = middle;
-                    } else {
-                        before = middle;
-                    }
-                }
+                let [_, end] = bisect([0.0, peak], |t| velocity(t) > zone.beta);
+                end
             }
             // p sin t + beta cos t = beta.
             Piece::Outside { zone, p, .. } => 2.0 * atan2(p, zone.beta),
@@ -149,10 +139,10 @@ impl super::Piece for Piece {
             Piece::Inside { zone, d, .. } => Piece::Outside {
                 zone,
                 d,
-                // From the displacement, which must not jump; at a graze round-off could make it negative.
+                // From the displacement, which must not jump; round-off could make it negative.
                 p: (-(1.0 + d * self.at(length).displacement)).max(0.0),
             },
-            // The sliding motion is symmetric in time: out at d X = p - 1. Inside it is seen from the other side.
+            // The sliding motion is symmetric in time and ends at d X = p - 1. The direction of the next piece is the opposite one.
             Piece::Outside { zone, d, p } => Piece::Inside {
                 zone,
                 d: -d,

@@ -1,21 +1,22 @@
-//! What a contact is like: how long it lasts, how often it opens, how it swings, what it hands over.
+//! Metrics of the contact: duration, separations, oscillation of rdot, impulse.
 
 use super::Sampled;
 use crate::lane::Lane;
+use crate::metrics::norm::rms_over_samples;
 
-/// How long the contact lasts, twice: from the first zero of r on its way down to the last on its way up, r straight
-/// between steps; and from the last step before the first overlap to the first step after the last one.
+/// Two durations of the contact: from the first zero of r (falling) to the last zero of r (rising), with r linear between steps;
+/// and in whole steps, from the last step before the first overlap to the first step after the last one.
 ///
-/// Not a number where r is never negative, or still is at the last step.
+/// NaN if r is never negative, or is negative at the last step.
 #[inline(always)]
 pub fn durations<const L: usize>(r: &[Lane<L>], step: f64) -> [Lane<L>; 2] {
-    // Step numbers as numbers: a lane is one comparison a step.
+    // Step numbers as floating-point numbers: a lane needs one comparison in a step.
     let mut last = Lane::splat(0.0);
     for (i, r) in r.iter().enumerate() {
         let i = i as f64;
         last = last.zip(*r, |last, r| if r < 0.0 { i } else { last });
     }
-    let mut found = [Lane::splat(f64::NAN); 2];
+    let mut durations = [Lane::splat(f64::NAN); 2];
     for l in 0..L {
         let first = r.iter().position(|r| r.0[l] < 0.0);
         let after = last.0[l] as usize + 1;
@@ -23,14 +24,14 @@ pub fn durations<const L: usize>(r: &[Lane<L>], step: f64) -> [Lane<L>; 2] {
             && after < r.len()
         {
             let zero = |i: usize| i as f64 + share(r[i].0[l], r[i + 1].0[l]);
-            found[0].0[l] = (zero(after - 1) - zero(before)) * step;
-            found[1].0[l] = after as f64 * step - before as f64 * step;
+            durations[0].0[l] = (zero(after - 1) - zero(before)) * step;
+            durations[1].0[l] = after as f64 * step - before as f64 * step;
         }
     }
-    found
+    durations
 }
 
-/// The share of a step after which r, straight from `before` to `after`, is zero.
+/// The share of a step after which r, linear from `before` to `after`, is zero.
 fn share(before: f64, after: f64) -> f64 {
     // Halves, so that the difference of two finite numbers is finite.
     let (before, after) = (0.5 * before, 0.5 * after);
@@ -54,14 +55,14 @@ pub fn separations<const L: usize>(r: &[Lane<L>]) -> Lane<L> {
         closings = closings + now.zip(before, |now, before| now * (1.0 - before));
         before = now;
     }
-    // From open at the start the first closing is the first touch.
+    // If the contact is open at the start, the first closing is the first touch.
     closings.zip(
         first,
         |n, first| if n > 0.0 { n - (1.0 - first) } else { n },
     )
 }
 
-/// RMS of rdot minus the exact one over the watched steps, if there are any.
+/// RMS of rdot minus the exact rdot over the steps `exact.watched`; `None` if there are none.
 #[inline(always)]
 pub fn oscillation<const L: usize>(rdot: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let watched = rdot.get(exact.watched.clone())?;
@@ -70,8 +71,8 @@ pub fn oscillation<const L: usize>(rdot: &[Lane<L>], exact: &Sampled) -> Option<
         let d = *c - Lane::splat(*e);
         sum = sum + d * d;
     }
-    let count = watched.len() as f64;
-    (count > 0.0).then(|| sum.map(|sum| (sum / count).sqrt()))
+    let count = watched.len();
+    (count > 0).then(|| rms_over_samples(sum, count))
 }
 
 /// Integral of the force over the steps, by trapezoids.
@@ -85,6 +86,6 @@ pub fn impulse<const L: usize>(force: &[Lane<L>], step: f64) -> Lane<L> {
             }
             sum * step
         }
-        _ => Lane::splat(0.0),
+        [] | [_] => Lane::splat(0.0),
     }
 }

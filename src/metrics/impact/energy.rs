@@ -10,9 +10,9 @@ pub struct Energy<const L: usize> {
     /// At t = 0.
     pub start: Lane<L>,
     /// Smallest at a step.
-    pub least: Lane<L>,
+    pub smallest: Lane<L>,
     /// Largest at a step.
-    pub greatest: Lane<L>,
+    pub largest: Lane<L>,
     /// At the last step.
     pub last: Lane<L>,
 }
@@ -21,22 +21,22 @@ impl<const L: usize> Energy<L> {
     fn new(start: Lane<L>) -> Self {
         Energy {
             start,
-            least: start,
-            greatest: start,
+            smallest: start,
+            largest: start,
             last: start,
         }
     }
 
     #[inline(always)]
-    fn note(&mut self, energy: Lane<L>) {
-        self.least = self.least.smaller(energy);
-        self.greatest = self.greatest.larger(energy);
+    fn update(&mut self, energy: Lane<L>) {
+        self.smallest = self.smallest.smaller(energy);
+        self.largest = self.largest.larger(energy);
         self.last = energy;
     }
 }
 
 impl Energy<1> {
-    /// Of a case with this law by the work of its contact, see [`energy_of_books`].
+    /// From the work of the contact of a case, see [`energy_of_books`].
     pub fn of_case(track: &Track<1>, system: &System, count: usize) -> Energy<1> {
         let start = Lane([system.linear.energy()]);
         let stored =
@@ -44,22 +44,22 @@ impl Energy<1> {
         energy_of_books(track, start, stored, count)
     }
 
-    /// Of the energies at the steps, at least one.
+    /// From the energies at the steps; there must be at least one.
     pub fn of(steps: &[f64]) -> Energy<1> {
         let mut energy = Energy::new(Lane([steps.first().copied().unwrap_or(f64::NAN)]));
         for step in steps {
-            energy.note(Lane([*step]));
+            energy.update(Lane([*step]));
         }
         energy
     }
 }
 
-/// The energy over the first `count` steps from the force and the displacement of the contact alone; `start` is that of the
-/// bars at t = 0.
+/// The energy over the first `count` steps from the force and the displacement of the contact alone; `start` is the energy of
+/// the bars at t = 0.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// books of a step). `stored` gives the energy that the contacts store at r under S; S = -F. Only a step in which the state of
-/// the contact changes, and a damped contact, change the sum.
+/// section 5). `stored` is the energy that the contacts store at r under S; S = -F. The sum changes only in steps in which the
+/// contact opens or closes, and in a damped contact.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
@@ -76,7 +76,7 @@ pub fn energy_of_books<const L: usize>(
     let mut energy = Energy::new(start + stored(r_before, -f_before));
     for (r, f) in r.iter().zip(force).skip(1) {
         bars = bars + (f_before + *f) * (*r - r_before) * 0.5;
-        energy.note(bars + stored(*r, -*f));
+        energy.update(bars + stored(*r, -*f));
         (r_before, f_before) = (*r, *f);
     }
     energy

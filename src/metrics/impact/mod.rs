@@ -1,4 +1,4 @@
-//! Metrics of the bar impact, of cases side by side that share their exact solution and their steps.
+//! Metrics of the bar impact, for several cases with the same exact solution and steps.
 
 mod budget;
 mod contact;
@@ -20,7 +20,7 @@ use contact::{durations, impulse, oscillation, separations};
 /// Number of the metrics here.
 pub const COUNT: usize = 12;
 
-/// The metrics in the order of the problem's table, for each lane; not a finite number where one is undefined.
+/// The metrics in the order of the problem's table, for each lane; not a finite number if undefined.
 ///
 /// `restitution` is the relative velocity of the mass centres at the end over c.
 #[inline(always)]
@@ -30,19 +30,19 @@ pub fn evaluate<const L: usize>(
     restitution: Lane<L>,
     exact: &Sampled,
 ) -> [Lane<L>; COUNT] {
-    // Beside longer runs a lane has steps that are not its own.
+    // Next to longer runs a lane has more steps than the case.
     let own = ..exact.count();
     let (r, rdot) = (&c.displacement[own], &c.velocity[own]);
     let force = &c.force[own];
     let start = energy.start;
-    let (lost, gained) = (energy.least - start, energy.greatest - start);
+    let (lost, gained) = (energy.smallest - start, energy.largest - start);
     let drift = lost.zip(
         gained,
         |lost, gained| if -lost > gained { lost } else { gained },
     );
     let end = energy.last - start;
     let deepest = smallest(r);
-    // Metrics of contact have no meaning without one. A touch at the last step would be one by round-off alone.
+    // Without contact its metrics are undefined. A touch at the last step would be a contact by round-off only.
     let in_contact = |metric: Lane<L>| {
         deepest.zip(metric, |r, metric| {
             if r < 0.0 && exact.touches {
@@ -75,18 +75,14 @@ pub fn evaluate<const L: usize>(
     ]
 }
 
-/// Root of the mean square of c - e over the duration, `of` as in [`Sampled::mean`].
+/// Norm of c - e, see [`Sampled::rms`].
 #[inline(always)]
-fn rms<const L: usize>(of: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
-    let mean = exact.mean(
-        of,
+fn rms<const L: usize>(component: usize, c: &[Lane<L>], exact: &Sampled) -> Lane<L> {
+    exact.rms(
+        component,
         #[inline(always)]
-        |i, e| {
-            let d = c[i] - Lane::splat(e);
-            d * d
-        },
-    );
-    mean.map(f64::sqrt)
+        |i, e| c[i] - Lane::splat(e),
+    )
 }
 
 #[cfg(test)]
@@ -145,7 +141,7 @@ mod tests {
         // (0.64, 0), (0, 0).
         let r: f64 = 0.25 * (0.1425 - 0.02) / 1.5;
         let rdot: f64 = 0.25 * 0.5 * 1.45 / 1.5;
-        let wanted = [
+        let expected = [
             // From r = 0 at t = 0 to a quarter of the way from r = -0.1 at t = 1 to 0.3 at 1.25.
             1.0625,
             // From the step before the first overlap to the step after the last.
@@ -163,14 +159,14 @@ mod tests {
             r.sqrt(),
             rdot.sqrt(),
         ];
-        assert_metrics(&metrics(&ROWS, 0.0, &energy, 0.8), &wanted.map(Some));
+        assert_metrics(&metrics(&ROWS, 0.0, &energy, 0.8), &expected.map(Some));
     }
 
     #[test]
     fn contact_lasts_from_zero_to_zero_of_r() {
         // Steps of 1/4, of binary fractions only: no sum rounds.
         let (zero, large) = (-0.0, 1e308);
-        for (r, straight, whole) in [
+        for (r, linear, in_steps) in [
             // Zero at both steps; zero for longer before and after; from t = 0 on.
             (&[0.5, 0.0, -0.5, 0.0, 0.5][..], 0.5, 0.5),
             (&[0.5, 0.0, 0.0, -0.5, 0.0, 0.0, 0.5], 0.5, 0.5),
@@ -180,15 +176,15 @@ mod tests {
             (&[0.5, 0.125, -0.125, 0.375], 0.1875, 0.5),
             // Touched without overlap, before and after.
             (&[0.5, 0.0, 0.25, -0.25, 0.25, 0.0, 0.5], 0.25, 0.5),
-            // Open on the way; ends at the last step.
+            // Opens in between; ends at the last step.
             (&[0.0, -0.5, 0.5, 0.5, -0.25, 0.75], 1.0625, 1.25),
-            // A difference of two numbers that is past all numbers.
+            // A difference above the range of double precision.
             (&[large, -large, large], 0.25, 0.5),
         ] {
             let lanes: Vec<_> = r.iter().map(|r| Lane([*r])).collect();
             assert_eq!(
                 durations(&lanes, 0.25),
-                [Lane([straight]), Lane([whole])],
+                [Lane([linear]), Lane([in_steps])],
                 "{r:?}"
             );
         }
@@ -199,8 +195,8 @@ mod tests {
     }
 
     #[test]
-    fn impulses_are_over_the_exact_one() {
-        // Unlike bars: their exact impulse is not 1.
+    fn impulses_are_relative_to_the_exact_one() {
+        // Bars that differ: their exact impulse is not 1.
         let wave = Bars {
             impedance_ratio: 2.0,
             time_ratio: 0.25,
@@ -220,29 +216,32 @@ mod tests {
             rest,
             &Sampled::new(&wave, 0.25, 16, 4.0),
         ));
-        let wanted = 1.2 / exact - 1.0;
-        assert!((metrics[6].unwrap() - wanted).abs() < 1e-14, "{metrics:?}");
+        let expected = 1.2 / exact - 1.0;
+        assert!(
+            (metrics[6].unwrap() - expected).abs() < 1e-14,
+            "{metrics:?}"
+        );
     }
 
     #[test]
-    fn impulses_end_with_the_last_step_where_the_bars_part_after_it() {
-        // Steps of 0.3 to 0.9, the exact parting at 1, the end of the run at 1.1: both impulses are up to 0.9.
+    fn impulses_end_with_the_last_step_before_separation() {
+        // Steps of 0.3 to 0.9, exact separation at 1, end of the run at 1.1: both impulses are up to 0.9.
         let wave = wave(0.0, 1.1);
         let mut track = Track::<1>::default();
         track.resize(4);
         track.force.fill(Lane([0.7]));
         track.displacement.fill(Lane([-0.1]));
-        let found = |duration: f64| {
+        let impulse_error = |duration: f64| {
             let exact = Sampled::new(&wave, 0.3, 3, duration);
             cells(evaluate(&track, &Energy::of(&[1.0]), Lane([0.0]), &exact))[6]
         };
         assert!(
-            (found(1.1).unwrap() + 0.3).abs() < 1e-15,
+            (impulse_error(1.1).unwrap() + 0.3).abs() < 1e-15,
             "{:?}",
-            found(1.1)
+            impulse_error(1.1)
         );
-        // Not beyond the parting, by the duration and not by the last step.
-        assert_eq!([found(1.0), found(0.95)], [None; 2]);
+        // The duration must be beyond the separation.
+        assert_eq!([impulse_error(1.0), impulse_error(0.95)], [None; 2]);
     }
 
     #[test]
@@ -253,7 +252,7 @@ mod tests {
             let r: Vec<_> = r.iter().map(|r| Lane([*r])).collect();
             separations(&r[..sampled.openings]).0[0]
         };
-        for (touch, r, wanted) in [
+        for (touch, r, expected) in [
             (0.0, &[0.0, 0.1, -0.1][..], 0.0),
             (0.0, &[-0.1, 0.1, 0.1, 0.1, -0.1], 0.0),
             (0.1, &[-0.1, 0.1, 0.1, 0.1, -0.1], 1.0),
@@ -262,12 +261,12 @@ mod tests {
             (1.0, &[-0.1, -0.1, 0.1, 0.1, -0.1, -0.1, -0.1], 1.0),
             (1.0, &[0.3, 0.2, 0.1, 0.2, 0.3], 0.0),
         ] {
-            assert_eq!(count(touch, r), wanted, "{touch} {r:?}");
+            assert_eq!(count(touch, r), expected, "{touch} {r:?}");
         }
     }
 
     #[test]
-    fn cells_without_meaning_are_empty() {
+    fn undefined_metrics_are_empty() {
         let defined = |rows: &[(f64, f64, f64)], gap: f64| {
             let metrics = metrics(rows, gap, &[1.0], 0.0);
             // contact duration twice, oscillation of rdot, impulse
@@ -291,16 +290,16 @@ mod tests {
             empty
         };
         assert!(without(&[(9.0, -1.0, 0.0), (8.5, -1.0, 0.0)], 9.0));
-        // Reached at the last step, where round-off says on which side of zero r is.
+        // A touch at the last step, where the sign of r is round-off.
         for r in [0.0, -1e-17, 1e-17] {
             assert!(without(&[(0.5, -1.0, 0.0), (r, -1.0, -1e-16)], 0.5));
         }
-        // A step later there is contact, however short.
+        // A step later there is a contact.
         let touching = [(0.25, -1.0, 0.0), (-0.1, -0.5, 1.0)];
         assert!(!without(&touching, 0.25));
-        let found = metrics(&touching, 0.25, &[2.0], 0.5);
+        let metrics = metrics(&touching, 0.25, &[2.0], 0.5);
         assert_eq!(
-            [found[2], found[3], found[5], found[7]],
+            [metrics[2], metrics[3], metrics[5], metrics[7]],
             [Some(0.0), Some(0.1), Some(1.0), Some(0.5)]
         );
     }

@@ -1,10 +1,10 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::tables::rows;
+use super::tables::{InitialSlip, LawName, rows};
 use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeState;
-use crate::metrics::friction::{COUNT, Sampled, evaluate};
+use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
 use crate::metrics::steps;
 use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
@@ -12,10 +12,10 @@ use crate::solve::{Displacements, Motion, ToSystem};
 use crate::system::{Linear, Mode, System};
 use multiversion::multiversion;
 
-/// The oscillator itself: X'' + X + S = 0.
+/// The oscillator: X'' + X + S = 0.
 const UNIT: Mode = Mode::new(1.0, 1.0);
 
-/// Cases side by side: as many as keep the adders busy while each waits for its own last result.
+/// Cases in lanes: enough to fill the pipelines of the processor, because each step of a case waits for the one before it.
 pub const LANES: usize = 32;
 
 /// The friction law of a case.
@@ -40,17 +40,18 @@ pub struct OscillatorCase {
 }
 
 impl OscillatorCase {
-    /// The parameters; `None` where one is not given.
+    /// The parameters; `None` if one is not given.
     pub fn new(case: &Case) -> Option<OscillatorCase> {
         let x0 = case.at(rows::X0)?;
         let limit = 1.0;
-        let (law, force) = match case.at(rows::ALPHA) {
-            Some(compliance) => {
-                let force = release(case.name_at(rows::INITIAL_SLIP), x0);
+        let (law, force) = match LawName::parse(case.name_at(rows::LAW))? {
+            LawName::DisplacementControl => {
+                let compliance = case.at(rows::ALPHA)?;
+                let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
                 let law = DisplacementControl { compliance, limit };
-                (FrictionLaw::Displacement(law), force)
+                (FrictionLaw::Displacement(law), release_force(slip, x0))
             }
-            None => {
+            LawName::VelocityControl => {
                 let compliance = case.at(rows::BETA)?;
                 let law = VelocityControl { compliance, limit };
                 (FrictionLaw::Velocity(law), 0.0)
@@ -71,21 +72,14 @@ impl OscillatorCase {
     pub fn exact_at_steps(&self) -> Sampled {
         Sampled::new(self.x0, self.step, self.last, self.duration)
     }
-
-    /// Work of the friction force over |x0| by the energy at the end [r, rdot, S]: what the oscillator has lost. The method
-    /// keeps the sum of both, (S_i + S_{i+1}) (X_{i+1} - X_i)/2 to (X^2 + V^2)/2, to round-off.
-    pub fn work(&self, [x, v, _]: [f64; 3]) -> f64 {
-        let scale = self.x0.abs();
-        0.5 * ((self.x0 - x) / scale * (self.x0 + x) - v / scale * v)
-    }
 }
 
-/// Force S(0) at release ([F] does not say which).
-fn release(initial_slip: &str, x0: f64) -> f64 {
+/// Force S(0) at release.
+fn release_force(initial_slip: InitialSlip, x0: f64) -> f64 {
     match initial_slip {
-        "pulled" => x0.signum(),
-        "sliding" => -x0.signum(),
-        _ => 0.0,
+        InitialSlip::Unloaded => 0.0,
+        InitialSlip::Pulled => x0.signum(),
+        InitialSlip::Sliding => -x0.signum(),
     }
 }
 
@@ -131,7 +125,8 @@ impl LaneCase<LANES> for OscillatorCase {
     ) -> Self::Metrics {
         let mut work = Lane::splat(0.0);
         for (l, case) in cases.iter().enumerate() {
-            work.0[l] = case.work(motion.end.map(|lane| lane.0[l]));
+            let [x, v, _] = motion.end.map(|lane| lane.0[l]);
+            work.0[l] = work_by_energy(case.x0, [x, v]);
         }
         evaluate_all(&motion.track.0[..exact.count()], work, exact)
     }
@@ -144,7 +139,8 @@ impl LaneCase<LANES> for OscillatorCase {
     ) -> Self::OneMetrics {
         let steps = motion.track.0[..exact.count()].iter();
         let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
-        let work = self.work(motion.end.map(|x| x.0[lane]));
+        let [x, v, _] = motion.end.map(|x| x.0[lane]);
+        let work = work_by_energy(self.x0, [x, v]);
         evaluate(&steps, Lane([work]), exact)
     }
 }

@@ -9,6 +9,7 @@ use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
+use crate::metrics::friction::{work_by_energy, work_by_trapezoids};
 use crate::metrics::{self, cells};
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
@@ -39,7 +40,8 @@ impl Problem for FrictionOscillator {
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let motion = solve::run::<ContactTrack>(&own.system())?;
-        let work = own.work(motion.end.map(|Lane([x])| x));
+        let [Lane([x]), Lane([v]), _] = motion.end;
+        let work = work_by_energy(own.x0, [x, v]);
         self.judge(&own, &motion.track, work, wanted)
     }
 
@@ -52,8 +54,7 @@ impl Problem for FrictionOscillator {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
         solve::once::run(&own.system(), |structure| track.0.push(structure.contact()))?;
-        // A step solved once is not in equilibrium at its end, so that the energy there does not give the work.
-        let work = metrics::friction::work(&track.0, own.x0.abs());
+        let work = work_by_trapezoids(&track.0, own.x0);
         self.judge(&own, &track, work, wanted)
     }
 
@@ -75,10 +76,10 @@ impl FrictionOscillator {
         work: f64,
         wanted: &[usize],
     ) -> Result<Solution, Unsolvable> {
-        let mut computed = History::of_contact(track.0.len());
-        for (i, [x, v, s]) in track.0.iter().enumerate() {
-            computed.push(i as f64 * case.step, [*x, *v, *s]);
-        }
+        let steps = track.0.iter().enumerate();
+        let computed: History = steps
+            .map(|(i, contact)| (i as f64 * case.step, *contact))
+            .collect();
         if !computed.is_finite() {
             return Err(Unsolvable::OutOfRange);
         }
@@ -106,16 +107,10 @@ impl FrictionOscillator {
 /// The exact motion at these times.
 fn coulomb(x0: f64, times: &[f64]) -> History {
     let coulomb = Coulomb::new(x0);
-    let mut exact = History::of_contact(times.len());
-    for &time in times {
-        let state = coulomb.at(time);
-        exact.push(time, [state.displacement, state.velocity, state.force]);
-    }
-    exact
+    History::sample(times, |time| coulomb.at(time).values())
 }
 
-/// The motion under the case's softened law in continuous time; `None` where that is not known, see
-/// [`regularised::holds`].
+/// The motion with the softened law of the case in continuous time; `None` outside the range of [`regularised::holds`].
 fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
     let (x0, force, end) = (case.x0, case.force, *times.last()?);
     let mut motion = match case.law {
@@ -124,10 +119,5 @@ fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
         FrictionLaw::Velocity(law) => regularised::holds(x0, law.compliance, 0.0, end)
             .then(|| Regularised::velocity(x0, law.compliance)),
     }?;
-    let mut history = History::of_contact(times.len());
-    for &time in times {
-        let state = motion.at(time);
-        history.push(time, [state.displacement, state.velocity, state.force]);
-    }
-    Some(history)
+    Some(History::sample(times, |time| motion.at(time).values()))
 }

@@ -1,5 +1,6 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
+use crate::problem::choice::choice;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::Dimension;
@@ -7,21 +8,33 @@ use crate::problem::{Budget, Channel, Metric, Quantity, Schema};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::{Arc, LazyLock};
 
+choice! {
+    /// Friction model.
+    pub(super) enum LawName {
+        DisplacementControl = "displacement-control":
+            "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
+        VelocityControl = "velocity-control":
+            "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
+    }
+}
+
+choice! {
+    /// Slip of the friction element at release ([F] does not specify it).
+    pub(super) enum InitialSlip {
+        Unloaded = "unloaded": "r^S(0) = x0, no friction force at release",
+        Pulled = "pulled":
+            "r^S(0) = x0 - sign(x0) r^E, friction as after pulling the mass to x0 by hand",
+        Sliding = "sliding":
+            "r^S(0) = x0 + sign(x0) r^E, friction as just after release in [F (19)]",
+    }
+}
+
 static PARAMETERS: [Parameter; 7] = [
     Parameter {
         name: Borrowed("law"),
         symbol: Borrowed("law"),
         unit: Borrowed("1"),
-        kind: Kind::Choice(&[
-            (
-                "displacement-control",
-                "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
-            ),
-            (
-                "velocity-control",
-                "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
-            ),
-        ]),
+        kind: LawName::KIND,
         default: Default::Required,
         applies: None,
         column: ColumnRule::Always,
@@ -83,17 +96,7 @@ static PARAMETERS: [Parameter; 7] = [
         name: Borrowed("initial_slip"),
         symbol: Borrowed("initial slip"),
         unit: Borrowed("1"),
-        kind: Kind::Choice(&[
-            ("unloaded", "r^S(0) = x0, no friction force at release"),
-            (
-                "pulled",
-                "r^S(0) = x0 - sign(x0) r^E, friction as after pulling the mass to x0 by hand",
-            ),
-            (
-                "sliding",
-                "r^S(0) = x0 + sign(x0) r^E, friction as just after release in [F (19)]",
-            ),
-        ]),
+        kind: InitialSlip::KIND,
         default: Default::Is(Value::Name("unloaded")),
         applies: Some((Borrowed("law"), Borrowed("displacement-control"))),
         column: ColumnRule::Always,
@@ -101,11 +104,12 @@ static PARAMETERS: [Parameter; 7] = [
     },
 ];
 
-/// Rows that every case is read by.
+/// Rows of the parameters.
 pub(super) mod rows {
     use super::PARAMETERS;
     use crate::problem::parameter::row_of;
 
+    pub const LAW: usize = row_of(&PARAMETERS, "law");
     pub const ALPHA: usize = row_of(&PARAMETERS, "alpha");
     pub const BETA: usize = row_of(&PARAMETERS, "beta");
     pub const DT: usize = row_of(&PARAMETERS, "dT");
@@ -114,7 +118,7 @@ pub(super) mod rows {
     pub const INITIAL_SLIP: usize = row_of(&PARAMETERS, "initial_slip");
 }
 
-/// The scales of friction: [F] divides by them.
+/// The scales of friction in [F].
 static SCALES: [[Text; 2]; 3] = [
     [
         Borrowed("νN"),

@@ -14,10 +14,10 @@ use crate::solve::{Motion, ToSystem};
 use crate::system::{Linear, System};
 use multiversion::multiversion;
 
-/// Cases side by side: more of them, with all their modes, do not stay near the processor.
+/// Cases in lanes: more of them, with all their modes, would not fit in the caches of the processor.
 pub const LANES: usize = 16;
 
-/// The parameters of a case, in its own scales.
+/// The parameters of a case, scaled.
 #[derive(Debug, Clone, Copy)]
 pub struct ImpactCase {
     /// Bars, spring and gap.
@@ -31,7 +31,7 @@ pub struct ImpactCase {
 }
 
 impl ImpactCase {
-    /// The parameters; `None` where one is not given.
+    /// The parameters; `None` if one is not given.
     pub fn new(case: &Case) -> Option<ImpactCase> {
         let (dt, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(ImpactCase {
@@ -42,7 +42,7 @@ impl ImpactCase {
         })
     }
 
-    /// The exact solution, and what it is at the case's steps.
+    /// The exact solution, and its samples at the steps of the case.
     pub fn exact_at_steps(&self) -> (Wave, Sampled) {
         let wave = self.scaled.bars.solve(self.duration);
         let sampled = Sampled::new(&wave, self.dt, self.last, self.duration);
@@ -50,7 +50,7 @@ impl ImpactCase {
     }
 }
 
-/// The system of a case: ends that touch at t = 0 do not press yet, r = 0, F = 0.
+/// The system of a case. At t = 0 the contact force is zero, also for ends that touch.
 pub fn system(scaled: &Scaled, step: f64, last: u64) -> System {
     System {
         linear: Linear::Bars(scaled.pair),

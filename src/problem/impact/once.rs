@@ -1,5 +1,5 @@
-//! The bars by the papers' element matrices, each step solved once: the other reading of [I], where the residual was
-//! held against an external force that is zero.
+//! The bars by the papers' element matrices, each step solved once. This is the second reading of [I], which compares the residual
+//! with an external force, although there is none.
 
 use super::scaled::Scaled;
 use crate::lane::Lane;
@@ -53,7 +53,7 @@ fn record(system: &System, scaled: &Scaled) -> Result<(Track<1>, Vec<f64>, f64),
         for ((centre, one), mass) in centres.iter_mut().zip(&ones).zip(masses) {
             *centre = one.dot(&momentum) / mass;
         }
-        // A wall is a body of infinite mass, and the common centre stays with it.
+        // A wall is a body of infinite mass, so the common mass centre is at rest.
         let common = match pair.right {
             Some(_) => momentum.sum() / (masses[0] + masses[1]),
             None => 0.0,
@@ -78,13 +78,13 @@ mod tests {
     use crate::system::BarPair;
     use crate::system::bar::{Bar, Mass};
 
-    /// Impedances z : 1, trips 1 : theta; a wall for z = 0.
+    /// Impedances z : 1, travel times 1 : theta; a wall for z = 0.
     fn scaled(z: f64, theta: f64, gap: f64) -> Scaled {
         let mass = 0.25 * (1.0 + z);
-        let bar = |elements, mass, trip| Bar {
+        let bar = |elements, mass, travel_time| Bar {
             elements,
             mass,
-            trip,
+            travel_time,
             kind: Mass::Lumped,
         };
         Scaled {
@@ -110,15 +110,15 @@ mod tests {
     fn energy_is_that_of_the_common_mass_centre() {
         for (z, theta) in [(1.0, 1.0), (3.0, 2.0), (0.4, 1.7), (2.0, 0.5), (0.0, 1.0)] {
             let case = scaled(z, theta, 0.31);
-            // Velocities in c/2: the bars close at 2, with their reduced mass; a wall's is infinite.
+            // Velocities in c/2: the bars close at 2, with their reduced mass; the mass of a wall is infinite.
             let left = case.pair.left.mass;
             let reduced = case
                 .pair
                 .right
                 .map_or(left, |right| left * right.mass / (left + right.mass));
             let start = 0.5 * reduced * 2.0 * 2.0;
-            // A step solved once misjudges the contact where it changes, by the less the shorter the step is.
-            let apart = |dt: f64, last: u64| {
+            // The error of a step solved once, at changes of the contact, falls with the time step.
+            let difference = |dt: f64, last: u64| {
                 let system = system(&case, dt, last);
                 let once = record(&system, &case).unwrap().1;
                 let once: Vec<f64> = once.iter().map(|e| e / start - 1.0).collect();
@@ -132,7 +132,7 @@ mod tests {
                     let spring = 0.5 * contact.displacement.0[0] * contact.force.0[0];
                     converged.push((modes.map(energy).sum::<f64>() + spring) / start - 1.0);
                 });
-                // In flight, to 0.155 T_I, nothing changes.
+                // In flight, until 0.155 T_I, the energy is constant.
                 let flight = (0.15 / dt) as usize;
                 let worst = once[..flight].iter().fold(0.0, |w: f64, e| w.max(e.abs()));
                 // Velocities are differences of displacements over dt/2.
@@ -140,7 +140,8 @@ mod tests {
                 let both = once.iter().zip(&converged).map(|(a, b)| (a - b).abs());
                 both.fold(0.0, f64::max)
             };
-            let [coarse, fine] = [(0.004, 500), (0.001, 2000)].map(|(dt, last)| apart(dt, last));
+            let [coarse, fine] =
+                [(0.004, 500), (0.001, 2000)].map(|(dt, last)| difference(dt, last));
             assert!(
                 fine < 0.004 && fine < 0.7 * coarse,
                 "{z} {theta}: {coarse} {fine}"

@@ -1,15 +1,15 @@
-//! What follows from a case's parameters, and the rules across them.
+//! Parameters that follow from others, and the rules across parameters.
 
 use super::scaled::Scaled;
-use super::tables::rows;
+use super::tables::{Opposite, rows};
 use crate::exact::wave::Bars;
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::{Case, Violation, time_rules};
 
-/// Most fronts of the exact solution that fit in memory: trips there and back within the run.
-const MOST_TRIPS: f64 = 1e5;
+/// Most fronts of the exact solution that fit in memory: travel times there and back within the run.
+const MOST_FRONTS: f64 = 1e5;
 
-/// Fills in what follows, and names every rule that the case breaks.
+/// Fills in parameters that follow from others, and reports every rule that the case breaks.
 pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     let mut violations = Vec::new();
     follow_left(case);
@@ -24,17 +24,18 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     violations
 }
 
-/// What is left out of the right bar is as in the left one; its velocity has the sign turned.
+/// Parameters of the right bar that are not given are equal to those of the left one; the velocity has the opposite sign. A wall
+/// has none of them.
 fn follow_left(case: &mut Case) {
-    let wall = case.name_at(rows::RIGHT) == "wall";
+    let opposite = Opposite::of(case);
     for [right, left] in rows::FOLLOWS {
-        case.values[right] = match (case.values[right], case.values[left]) {
-            _ if wall => None,
-            (Some(own), _) => Some(own),
-            (None, Some(Value::Number(v))) if right == rows::RIGHT_V0 => {
-                Some(Value::Number(0.0 - v))
-            }
-            (None, value) => value,
+        let default = match case.values[left] {
+            Some(Value::Number(v)) if right == rows::RIGHT_V0 => Some(Value::Number(0.0 - v)),
+            value => value,
+        };
+        case.values[right] = match opposite {
+            Some(Opposite::Wall) => None,
+            None => case.values[right].or(default),
         };
     }
 }
@@ -46,7 +47,12 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         parameter,
         message: message.into(),
     };
-    match (gamma, k_i) {
+    let element = || {
+        let (n, e) = (case.at(rows::N)?, case.at(rows::E)?);
+        let (a, l) = (case.at(rows::A)?, case.at(rows::L)?);
+        Some(n * e * a / l)
+    };
+    let (parameter, name, row, value) = match (gamma, k_i) {
         (Some(_), Some(_)) => {
             let message = "cannot be given together with gamma; give exactly one of gamma, k_I";
             return violations.push(violation("k_I".into(), message));
@@ -55,22 +61,14 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
             let message = "missing: give exactly one of gamma, k_I";
             return violations.push(violation("gamma".into(), message));
         }
-        _ => {}
-    }
-    let parts = (
-        case.at(rows::N),
-        case.at(rows::E),
-        case.at(rows::A),
-        case.at(rows::L),
-    );
-    let (Some(n), Some(e), Some(a), Some(l)) = parts else {
-        return;
-    };
-    let element = n * e * a / l;
-    let (parameter, name, row, value) = match (gamma, k_i) {
-        (Some(gamma), _) => ("gamma", "k_I", rows::K_I, gamma * element),
-        (None, Some(k_i)) => ("k_I", "gamma", rows::GAMMA, k_i / element),
-        (None, None) => return,
+        (Some(gamma), None) => {
+            let Some(element) = element() else { return };
+            ("gamma", "k_I", rows::K_I, gamma * element)
+        }
+        (None, Some(k_i)) => {
+            let Some(element) = element() else { return };
+            ("k_I", "gamma", rows::GAMMA, k_i / element)
+        }
     };
     if !(value.is_finite() && value > 0.0) {
         let message = format!("gives {name} = {value}, outside the range of double precision");
@@ -96,19 +94,20 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
             shortest(right)
         )
     };
-    // A left bar at its default is not to blame.
-    let parameter = match case.schema.parameters[rows::V0].default {
-        Default::Is(usual) if usual.matches(Value::Number(left)) => "right.V0",
-        _ => "V0",
+    // If V0 of the left bar has its default, the fault is in the right bar.
+    let at_default = match case.schema.parameters[rows::V0].default {
+        Default::Is(usual) => usual.matches(Value::Number(left)),
+        Default::Required | Default::Follows(_) => false,
     };
+    let parameter = if at_default { "right.V0" } else { "V0" };
     violations.push(Violation {
         parameter: parameter.into(),
         message,
     });
 }
 
-/// The scaled data must be doubles, and waves must not be too many for the exact solution, which follows every front:
-/// in a bar much shorter than the other, or in a very long run.
+/// The scaled data must be in the range of double precision. The exact solution follows every front, so there must not be too many:
+/// they come from a bar much shorter than the other, or from a very long run.
 fn scales(case: &Case, violations: &mut Vec<Violation>) {
     let (Some(scaled), Some(duration)) = (Scaled::new(case), case.at(rows::DURATION)) else {
         return;
@@ -119,8 +118,11 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
         ..
     } = scaled.bars;
     let mut violation = |parameter, message| violations.push(Violation { parameter, message });
-    let wall = case.name_at(rows::RIGHT) == "wall";
-    if !(time_ratio.is_normal() && (wall || impedance_ratio.is_normal())) {
+    let impedance_is_normal = match Opposite::of(case) {
+        Some(Opposite::Wall) => true,
+        None => impedance_ratio.is_normal(),
+    };
+    if !(time_ratio.is_normal() && impedance_is_normal) {
         let message = "the bars differ too much: the ratio of their impedances A sqrt(E rho) or of their travel times \
                        L sqrt(rho/E) is outside the range of double precision";
         return violation("right".into(), message.into());
@@ -130,9 +132,9 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
         return violation("gamma".into(), message.into());
     }
     let count = duration / time_ratio.min(1.0);
-    if count > MOST_TRIPS {
+    if count > MOST_FRONTS {
         let message = format!(
-            "waves would travel {count:.3e} times through the shorter bar; allowed: at most {MOST_TRIPS:e}; \
+            "waves would travel {count:.3e} times through the shorter bar; allowed: at most {MOST_FRONTS:e}; \
              give bars with more similar travel times, or a shorter duration"
         );
         violation("duration".into(), message);

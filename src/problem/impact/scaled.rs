@@ -1,11 +1,12 @@
-//! From a case's dimensional data to the numbers that decide its motion: scaled first, solved then.
+//! From the parameters of a case with their units to the scaled numbers that the motion depends on.
 //!
 //! Time in T_I, displacement in c T_I/2, force in F0 = c Z1 Z2/(Z1 + Z2), so velocity in c/2 and mass in 2 F0 T_I/c.
-//! The left bar's mass is then (1 + z)/4, z = Z1/Z2, the right bar's theta/z of it, theta = T_2/T_1, and the spring's
-//! stiffness gamma n (1 + z). For like bars z = theta = 1 exactly: density and speed never reach the solver.
+//! With z = Z1/Z2 and theta = T_2/T_1, the mass of the left bar is (1 + z)/4, the mass of the right bar is theta/z of it, and the
+//! stiffness of the spring is gamma n (1 + z). For equal bars z = theta = 1 exactly, so that density and speed have no effect on
+//! scaled results.
 
 use super::law::law;
-use super::tables::rows;
+use super::tables::{MassMatrix, Opposite, rows};
 use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
 use crate::problem::Case;
@@ -31,40 +32,37 @@ pub struct Scaled {
 }
 
 impl Scaled {
-    /// Scales a completed case; `None` where a number is not given.
+    /// Scales a completed case; `None` if a parameter is not given.
     pub fn new(case: &Case) -> Option<Scaled> {
-        let kind = match case.name_at(rows::MASS) {
-            "consistent" => Mass::Consistent,
-            _ => Mass::Lumped,
+        let kind = match MassMatrix::parse(case.name_at(rows::MASS))? {
+            MassMatrix::Lumped => Mass::Lumped,
+            MassMatrix::Consistent => Mass::Consistent,
         };
         let n = case.at(rows::N)?;
         let ratio = |left: usize, right: usize| Some(case.at(left)? / case.at(right)?);
-        let (z, theta, length) = if case.name_at(rows::RIGHT) == "wall" {
-            (0.0, 1.0, 0.0)
-        } else {
-            let (e, a) = (
-                ratio(rows::E, rows::RIGHT_E)?,
-                ratio(rows::A, rows::RIGHT_A)?,
-            );
-            let (rho, l) = (
-                ratio(rows::RHO, rows::RIGHT_RHO)?,
-                ratio(rows::L, rows::RIGHT_L)?,
-            );
-            // Z = A sqrt(E rho), T = 2 L sqrt(rho/E)
-            (a * (e * rho).sqrt(), (e / rho).sqrt() / l, 1.0 / l)
+        let (z, theta, length) = match Opposite::of(case) {
+            Some(Opposite::Wall) => (0.0, 1.0, 0.0),
+            None => {
+                let e = ratio(rows::E, rows::RIGHT_E)?;
+                let a = ratio(rows::A, rows::RIGHT_A)?;
+                let rho = ratio(rows::RHO, rows::RIGHT_RHO)?;
+                let l = ratio(rows::L, rows::RIGHT_L)?;
+                // Z = A sqrt(E rho), T = 2 L sqrt(rho/E)
+                (a * (e * rho).sqrt(), (e / rho).sqrt() / l, 1.0 / l)
+            }
         };
         let mass = (1.0 + z) / 4.0;
         let left = Bar {
             elements: n as u32,
             mass,
-            trip: 1.0,
+            travel_time: 1.0,
             kind,
         };
         let right = if z > 0.0 {
             Some(Bar {
                 elements: case.at(rows::RIGHT_N)? as u32,
                 mass: mass * theta / z,
-                trip: theta,
+                travel_time: theta,
                 kind,
             })
         } else {

@@ -1,6 +1,6 @@
 //! The scales of a case in the units of its parameters, the reverse of `scaled`.
 
-use super::tables::rows;
+use super::tables::{Opposite, rows};
 use crate::problem::Case;
 use crate::problem::unit::Dimension;
 
@@ -12,18 +12,19 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Of a completed case; `None` where a number is not given.
+    /// The scales of a completed case; `None` if a parameter is not given.
     pub fn new(case: &Case) -> Option<Scales> {
         let (e, rho) = (case.at(rows::E)?.sqrt(), case.at(rows::RHO)?.sqrt());
         let left = case.at(rows::A)? * e * rho;
-        let (speed, impedance) = if case.name_at(rows::RIGHT) == "wall" {
-            (case.at(rows::V0)?, left)
-        } else {
-            let (e, rho) = (case.at(rows::RIGHT_E)?, case.at(rows::RIGHT_RHO)?);
-            let right = case.at(rows::RIGHT_A)? * e.sqrt() * rho.sqrt();
-            let speed = case.at(rows::V0)? - case.at(rows::RIGHT_V0)?;
-            // Z1 Z2/(Z1 + Z2) without a product that could leave the range of doubles.
-            (speed, left / (1.0 + left / right))
+        let (speed, impedance) = match Opposite::of(case) {
+            Some(Opposite::Wall) => (case.at(rows::V0)?, left),
+            None => {
+                let (e, rho) = (case.at(rows::RIGHT_E)?, case.at(rows::RIGHT_RHO)?);
+                let right = case.at(rows::RIGHT_A)? * e.sqrt() * rho.sqrt();
+                let speed = case.at(rows::V0)? - case.at(rows::RIGHT_V0)?;
+                // Z1 Z2/(Z1 + Z2) without a product that could leave the range of double precision.
+                (speed, left / (1.0 + left / right))
+            }
         };
         Some(Scales {
             time: 2.0 * case.at(rows::L)? * rho / e,

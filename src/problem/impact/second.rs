@@ -1,9 +1,9 @@
-//! The impact that follows the first: bars in a row, each of which strikes its two neighbours in turn.
+//! The second impact of bars in a row: each bar meets first one neighbour, then the other.
 //!
-//! Equal bars at equal distances, every second one moving the other way, strike in pairs that are mirror images of each
-//! other; a bar at a wall moves as one of such a pair. After the first impact every bar flies to its other neighbour.
-//! The ends that meet there are the far ends of the bars: seen from them mode j has (-1)^j times its coordinate, and what
-//! opens the first contact closes the second. So the motion goes on with the same modes and the same spring.
+//! Equal bars at equal distances move alternately to the right and to the left, so they meet in pairs that are mirror images of
+//! each other. A bar at a wall moves as one of such a pair. After the first impact every bar flies to its other neighbour. Their
+//! far ends meet there. For the far end mode j has (-1)^j times its coordinate, and a displacement that opens the first contact
+//! closes the second one. So the modes and the spring are the same.
 
 use super::case::system;
 use super::scaled::Scaled;
@@ -19,8 +19,8 @@ const REST: f64 = 0.25;
 
 /// The speed over c at which the ends meet in the second impact, and the mass centres' speed over c after it.
 ///
-/// `flight` is the time in T_I between the exact contacts. Undefined for bars that are not mirror images, and where the
-/// ends meet before half of the flight, never, in both contacts at once, or still at the end.
+/// `flight` is the time in T_I between the exact contacts. Undefined for bars that are not mirror images, and if the far ends meet
+/// before half of the flight, do not meet, meet while the first contact is closed, or touch at the end.
 pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if scaled.pair.right.is_some() && !scaled.pair.equal() {
         return [None; 2];
@@ -28,28 +28,28 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     let Some((mut stepper, law)) = solve::start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]) else {
         return [None; 2];
     };
-    let parted = 0.5 * scaled.bars.gap + CONTACT;
-    let first = ((parted + 0.5 * flight) / dt).round() as u64;
+    let separation = 0.5 * scaled.bars.gap + CONTACT;
+    let first = ((separation + 0.5 * flight) / dt).round() as u64;
     for _ in 0..first {
         stepper.step(&law);
     }
     if stepper.contact().displacement.0[0] < 0.0 {
         return [None; 2];
     }
-    let Some(mut stepper) = turned(scaled, dt, flight, &stepper) else {
+    let Some(mut stepper) = far_ends(scaled, dt, flight, &stepper) else {
         return [None; 2];
     };
-    let end = parted + flight + CONTACT + REST - first as f64 * dt;
+    let end = separation + flight + CONTACT + REST - first as f64 * dt;
     let mut closing = None;
     for _ in 0..(end / dt).round() as u64 {
         let before = stepper.contact();
-        if closing.is_none() && (before.displacement.0[0] < 0.0 || behind(&stepper) < 0.0) {
+        if closing.is_none() && (before.displacement.0[0] < 0.0 || first_gap(&stepper) < 0.0) {
             return [None; 2];
         }
         let now = stepper.step(&law);
         let [r, next] = [before.displacement.0[0], now.displacement.0[0]];
         if closing.is_none() && next < 0.0 {
-            // rdot where r is 0, both straight between the steps; in c/2, and closing is negative.
+            // rdot at r = 0, both linear between the steps; in c/2, and negative in closing.
             let part = r / (r - next);
             let [v, then] = [before.velocity.0[0], now.velocity.0[0]];
             closing = Some(-0.5 * (v + part * (then - v)));
@@ -60,8 +60,8 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     [closing, rebound.filter(|_| open && closing.is_some())]
 }
 
-/// The same motion seen from the far ends, which are `2 flight` apart where the contact ends touch.
-fn turned(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<Stepper> {
+/// The same motion in coordinates of the far ends. Their distance is `2 flight` when the contact ends touch.
+fn far_ends(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<Stepper> {
     let mut sign = 1.0;
     let modes = (0..).map(|j| scaled.pair.mode(j)).zip(stepper.modes());
     let mut start: Vec<ModeStart<1>> = modes
@@ -81,8 +81,8 @@ fn turned(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<St
     Stepper::new(Lane([dt]), start.into_iter(), gap, Lane::splat(0.0))
 }
 
-/// Distance of the ends that met first, after [`turned`].
-fn behind(stepper: &Stepper) -> f64 {
+/// Distance of the ends that met first, in coordinates of the far ends.
+fn first_gap(stepper: &Stepper) -> f64 {
     let mut sign = 1.0;
     let parts = stepper.modes().map(|(x, _)| {
         sign = -sign;
@@ -100,13 +100,13 @@ mod tests {
     use crate::system::BarPair;
     use crate::system::bar::{Bar, Mass};
 
-    /// Two like bars, or a bar and a wall.
+    /// Two equal bars, or a bar and a wall.
     fn scaled(n: u32, gamma: f64, gap: f64, kind: Mass, wall: bool) -> Scaled {
         let mass = if wall { 0.25 } else { 0.5 };
         let left = Bar {
             elements: n,
             mass,
-            trip: 1.0,
+            travel_time: 1.0,
             kind,
         };
         Scaled {
@@ -129,8 +129,8 @@ mod tests {
     }
 
     #[test]
-    fn a_bar_between_two_walls_moves_so() {
-        // tests/reference/claims.py, second_impact: full matrices of one bar, both contacts there all the time. A
+    fn a_bar_between_two_walls_agrees_with_full_matrices() {
+        // tests/reference/claims.py, second_impact: full matrices of one bar with both contacts. A
         // difference of 1e-14 in r grows 2e8 times within one impact at k_I = 10^4 (tests/data/impact.json), and 1e2
         // times at the others.
         let (lumped, consistent) = (Mass::Lumped, Mass::Consistent);
@@ -168,9 +168,9 @@ mod tests {
         ] {
             // A pair on k_I is two bars on walls with 2 k_I each.
             for (wall, gamma) in [(false, gamma), (true, 2.0 * gamma)] {
-                let found = second(&scaled(n, gamma, gap, kind, wall), dt, flight);
-                for (found, expected) in found.into_iter().zip(expected) {
-                    let difference = (found.unwrap() - expected).abs();
+                let speeds = second(&scaled(n, gamma, gap, kind, wall), dt, flight);
+                for (speed, expected) in speeds.into_iter().zip(expected) {
+                    let difference = (speed.unwrap() - expected).abs();
                     assert!(
                         difference < tolerance,
                         "n {n}, gamma {gamma}, wall {wall}: {difference:e}"
@@ -181,20 +181,20 @@ mod tests {
     }
 
     #[test]
-    fn bars_that_are_no_mirror_images_or_meet_at_once_have_none() {
-        let like = scaled(10, 1.0, 0.0, Mass::Lumped, false);
-        let unlike = Scaled {
+    fn second_impact_is_undefined_without_symmetry_or_flight() {
+        let equal = scaled(10, 1.0, 0.0, Mass::Lumped, false);
+        let different = Scaled {
             pair: BarPair {
                 right: Some(Bar {
-                    trip: 1.1,
-                    ..like.pair.left
+                    travel_time: 1.1,
+                    ..equal.pair.left
                 }),
-                ..like.pair
+                ..equal.pair
             },
-            ..like
+            ..equal
         };
-        assert_eq!(second(&unlike, 0.01, 0.8), [None; 2]);
-        // k_I = 10: contact lasts 1.42 T_I, so it lasts on at half of a flight of 0.5 T_I.
+        assert_eq!(second(&different, 0.01, 0.8), [None; 2]);
+        // k_I = 10: contact lasts 1.42 T_I, longer than half of a flight of 0.5 T_I.
         assert_eq!(
             second(&scaled(10, 0.1, 0.0, Mass::Lumped, false), 0.001, 0.5),
             [None; 2]

@@ -7,13 +7,13 @@ use crate::solve;
 use crate::system::System;
 use crate::system::bar::Bar;
 
-/// Most elements of a bar that are drawn; of more, every second, third, ... is.
+/// Most elements of a bar that are drawn; of more elements, only every second, third, ... is drawn.
 const DRAWN: u32 = 1000;
 
 /// The profiles at the steps nearest to `times`, in the order of the times.
 ///
-/// Along the abscissa lengths of the left bar, the contact at 0; velocity (v - mean of the two V0)/(c/2); stress as
-/// force over F0, tension positive.
+/// The abscissa is in lengths of the left bar, with the contact at 0; velocity is (v - mean of the two V0)/(c/2); stress is force
+/// over F0, tension positive.
 pub fn snapshots(system: &System, scaled: &Scaled, times: &[f64]) -> Vec<Snapshot> {
     let steps: Vec<u64> = times
         .iter()
@@ -48,7 +48,7 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
     let mut stress = Lines::default();
     let mut fronts = Vec::new();
     let mut modes = modes;
-    // The frame of a wall is its own; the mean of the two V0 moves half as fast as the bar.
+    // The motion at a wall is in the frame of the wall; the mean of the two V0 is half of the velocity of the bar.
     let frame = if scaled.pair.right.is_some() {
         0.0
     } else {
@@ -63,7 +63,7 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
         let stride = n.div_ceil(DRAWN);
         let place = |s: f64| sign * length * s / f64::from(n);
         let nodes = (0..=n).step_by(stride as usize);
-        // Scaled coordinates count what opens the gap: the left bar's displacements with their sign turned.
+        // Scaled coordinates are positive if they open the gap, so the left bar has the opposite sign.
         velocity.computed.push(
             nodes
                 .map(|k| [place(f64::from(k)), sign * field.at(k)[1] - frame])
@@ -97,16 +97,16 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
     }
 }
 
-/// EA/h in the case's scales.
+/// EA/h, scaled.
 fn element_stiffness(bar: &Bar) -> f64 {
     let n = f64::from(bar.elements);
-    bar.mass / n * (2.0 * n / bar.trip) * (2.0 * n / bar.trip)
+    bar.mass / n * (2.0 * n / bar.travel_time) * (2.0 * n / bar.travel_time)
 }
 
 /// Displacements and velocities at the nodes from those of the modes.
 struct Field<'a> {
     modes: &'a [[f64; 2]],
-    /// cos(k pi/n), k = 0..2n: every mode's shape at every node is one of these.
+    /// cos(k pi/n), k = 0..2n, which contain the shape of every mode at every node.
     cosines: Vec<f64>,
 }
 

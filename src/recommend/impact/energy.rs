@@ -16,6 +16,6 @@ pub fn energy_gain(case: &Case, computed: &History) -> Option<f64> {
         force: lanes(computed.force()),
     };
     let energy = Energy::of_case(&track, &system, computed.len());
-    let (Lane([start]), Lane([greatest])) = (energy.start, energy.greatest);
+    let (Lane([start]), Lane([greatest])) = (energy.start, energy.largest);
     Some((greatest - start) / start)
 }

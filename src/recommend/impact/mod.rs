@@ -146,7 +146,7 @@ impl Impact {
 /// When the bars part for the first time in the exact solution; `None` if it is too late to compute.
 fn first_separation(scaled: &Scaled) -> Option<f64> {
     let shorter = match scaled.pair.right {
-        Some(right) => right.trip.min(1.0),
+        Some(right) => right.travel_time.min(1.0),
         None => 1.0,
     };
     let longer = |trips: &f64| Some(4.0 * trips).filter(|trips| *trips <= MOST_TRIPS);

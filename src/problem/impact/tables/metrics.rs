@@ -19,7 +19,7 @@ const fn metric(
     }
 }
 
-/// A column that only those studies have that ask for it.
+/// A column that studies must select.
 const fn part(
     name: &'static str,
     symbol: &'static str,
@@ -204,15 +204,15 @@ const fn metric_of(name: &str) -> usize {
     problem::metric_of(&METRICS, name)
 }
 
-/// Rows of what the errors are made of.
+/// Rows of the parts of errors.
 pub const BUDGET: Rows<usize> =
     metric_of("regularisation_error_r")..metric_of("step_share_rdot") + 1;
 
-/// Rows of what the exact motion has.
+/// Rows of the metrics of the exact motion.
 pub const REFERENCE: Rows<usize> =
     metric_of("contact_duration_exact")..metric_of("restitution_exact") + 1;
 
-/// Empty exactly where no contact happens.
+/// Empty if and only if there is no contact.
 pub const MAX_OVERLAP: usize = metric_of("max_overlap");
 
 pub(super) static BUDGETS: [Budget; 2] = [

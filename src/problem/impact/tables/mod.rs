@@ -4,7 +4,7 @@ mod metrics;
 mod parameters;
 
 pub(super) use metrics::{BUDGET, REFERENCE};
-pub(super) use parameters::rows;
+pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use super::law;
 use crate::problem::schema::{Text, TimeAxis};

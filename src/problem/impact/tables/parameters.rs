@@ -1,9 +1,11 @@
 //! The parameters of the bar impact.
 
+use crate::problem::Case;
+use crate::problem::choice::choice;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range, Value};
 use std::borrow::Cow::Borrowed;
 
-/// A row of the table of parameters that applies always.
+/// A row of the table for a parameter that always applies.
 const fn row(
     name: &'static str,
     symbol: &'static str,
@@ -21,6 +23,28 @@ const fn row(
         applies: None,
         column: ColumnRule::Always,
         meaning: Borrowed(meaning),
+    }
+}
+
+choice! {
+    /// Mass matrix of the bars.
+    pub enum MassMatrix {
+        Lumped = "lumped": "half of the mass of an element at each of its nodes",
+        Consistent = "consistent": "from the shape functions of the displacement",
+    }
+}
+
+choice! {
+    /// What the left bar meets, if not a right bar.
+    pub enum Opposite {
+        Wall = "wall": "a rigid wall instead of the right bar",
+    }
+}
+
+impl Opposite {
+    /// The choice of a case; `None` for a right bar.
+    pub fn of(case: &Case) -> Option<Opposite> {
+        Opposite::parse(case.name_at(rows::RIGHT))
     }
 }
 
@@ -88,13 +112,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         "mass",
         "mass",
         "1",
-        Kind::Choice(&[
-            (
-                "lumped",
-                "half of the mass of an element at each of its nodes",
-            ),
-            ("consistent", "from the shape functions of the displacement"),
-        ]),
+        MassMatrix::KIND,
         Default::Is(Value::Name("lumped")),
         "mass matrix of the bars",
     ),
@@ -142,7 +160,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         "right",
         "right",
         "1",
-        Kind::Choice(&[("wall", "a rigid wall instead of the right bar")]),
+        Opposite::KIND,
         Default::Follows(Borrowed("a bar")),
         "what the left bar meets: an object with the data of the right bar that differ, or \"wall\"",
     ),
@@ -196,7 +214,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
     ),
 ];
 
-/// Rows that every case is read by.
+/// Rows of the parameters.
 pub mod rows {
     use super::PARAMETERS;
     use crate::problem::parameter::row_of;
@@ -221,7 +239,7 @@ pub mod rows {
     pub const RIGHT_N: usize = row_of(&PARAMETERS, "right.n");
     pub const RIGHT_V0: usize = row_of(&PARAMETERS, "right.V0");
 
-    /// What the right bar takes from the left one where it is not given.
+    /// Parameters of the right bar that are equal to those of the left one if not given.
     pub const FOLLOWS: [[usize; 2]; 6] = [
         [RIGHT_E, E],
         [RIGHT_A, A],

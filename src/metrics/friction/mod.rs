@@ -1,75 +1,26 @@
-//! Metrics of the friction oscillator; `c` is the computed history, `e` the exact one, sums run over steps 0..=N.
+//! Metrics of the friction oscillator; `c` is the computed motion, `e` the exact one, sums are over the steps 0..=N.
 //!
-//! Displacements enter over |x0|, so that no sum of squares overflows before the displacements themselves do.
+//! Displacements are divided by |x0|, so that no sum of squares overflows before the displacements do.
 
-use super::{or_undefined, reached};
-use crate::exact::coulomb::Coulomb;
-use crate::exact::first_step;
-use crate::history::History;
+mod budget;
+mod sampled;
+mod work;
+
+pub use budget::budget;
+pub use sampled::Sampled;
+pub use work::{work_by_energy, work_by_trapezoids};
+
+use super::norm::rms_over_steps;
+use super::or_undefined;
 use crate::lane::{Lane, largest, smallest};
 use std::f64::consts::PI;
-use std::ops::Range;
 
 /// Number of the metrics here.
 pub const COUNT: usize = 9;
 
-/// The exact solution at the steps of a run, and what the metrics ask of it: the same for all cases with its x0, step
-/// and duration.
-#[derive(Debug, Clone)]
-pub struct Sampled {
-    exact: Coulomb,
-    scale: f64,
-    /// X/|x0| at steps 0..=N.
-    at: Vec<f64>,
-    /// Sum of their squares.
-    squares: f64,
-    /// The steps with (k - 1/2) pi <= T <= (k + 1/2) pi, k = 1..=m; none at all where one of them has no step, or where
-    /// the run ends before the last of them does: its extreme would not be the peak.
-    peaks: Option<Vec<Range<usize>>>,
-    /// Steps from T = (m + 1) pi on.
-    late: Range<usize>,
-    /// Whether the run reaches the time of rest.
-    rests: bool,
-}
-
-impl Sampled {
-    /// Release from `x0`; steps i `step`, i = 0..=`last`.
-    pub fn new(x0: f64, step: f64, last: u64, duration: f64) -> Sampled {
-        let exact = Coulomb::new(x0);
-        let (scale, count) = (x0.abs(), last as usize + 1);
-        let mut at = exact.displacements(step, count);
-        for x in &mut at {
-            *x /= scale;
-        }
-        let time = |i: usize| i as f64 * step;
-        let from = |mark: f64| first_step(count, mark / step, |i| reached(time(i), mark));
-        // A step on the border belongs to both windows.
-        let past = |mark: f64| first_step(count, mark / step, |i| !reached(mark, time(i)));
-        let m = exact.half_cycles();
-        let window = |k: u64| from((k as f64 - 0.5) * PI)..past((k as f64 + 0.5) * PI);
-        let held = |range: Range<usize>| (!range.is_empty()).then_some(range);
-        Sampled {
-            exact,
-            scale,
-            squares: at.iter().map(|e| e * e).sum(),
-            at,
-            peaks: reached(duration, (m + 0.5) * PI)
-                .then(|| (1..=m as u64).map(|k| held(window(k))).collect())
-                .flatten(),
-            late: from((m + 1.0) * PI)..count,
-            rests: reached(duration, exact.rest_time()),
-        }
-    }
-
-    /// Number of steps, N + 1.
-    pub fn count(&self) -> usize {
-        self.at.len()
-    }
-}
-
-/// The metrics in the order of the problem's table, for each lane; not a finite number where one is undefined.
+/// The metrics in the order of the problem's table, for each lane; not a finite number if undefined.
 ///
-/// `work` is that of the friction force over |x0|.
+/// `c` has X at the steps of the run. `work` is the work of the friction force over |x0|, see [`work_by_energy`].
 #[inline(always)]
 pub fn evaluate<const L: usize>(c: &[Lane<L>], work: Lane<L>, exact: &Sampled) -> [Lane<L>; COUNT] {
     let zero = Lane::splat(0.0);
@@ -86,7 +37,7 @@ pub fn evaluate<const L: usize>(c: &[Lane<L>], work: Lane<L>, exact: &Sampled) -
     let residual = residual_motion(c, exact).map(|motion| motion * over);
     let end = c.last().map(|c| *c * over).unwrap_or(zero);
     let rest = (end - Lane::splat(exact.at.last().copied().unwrap_or(0.0))).map(f64::abs);
-    let rms = (squares * (1.0 / c.len() as f64)).map(f64::sqrt);
+    let rms = rms_over_steps(squares, c.len());
     let (cc, ee) = (magnitudes.map(f64::sqrt), exact.squares.sqrt());
     let magnitude = cc.map(|cc| cc / ee - 1.0);
     let phase = phase(squares, magnitudes, exact.squares);
@@ -106,62 +57,30 @@ pub fn evaluate<const L: usize>(c: &[Lane<L>], work: Lane<L>, exact: &Sampled) -
     ]
 }
 
-/// acos(sum c e/sqrt(sum c^2 sum e^2))/pi from the three sums of squares of c - e, c and e: by the half angle, which
-/// keeps its digits where c and e are nearly alike.
+/// acos(sum c e/sqrt(sum c^2 sum e^2))/pi from the three sums of squares of c - e, c and e. The formula of the half angle keeps
+/// its digits for nearly equal c and e.
 #[inline(always)]
 fn phase<const L: usize>(error: Lane<L>, c: Lane<L>, e: f64) -> Lane<L> {
     let root = e.sqrt();
     let half = error.zip(c, |error, c| {
-        let (own, difference) = (c.sqrt(), c - e);
-        let apart = difference / (own + root);
-        (error - apart * apart) / (4.0 * own * root)
+        let (norm, difference) = (c.sqrt(), c - e);
+        let of_norms = difference / (norm + root);
+        (error - of_norms * of_norms) / (4.0 * norm * root)
     });
     // Round-off can take the square of a sine out of its range.
     half.map(|h| 2.0 / PI * libm::asin(if h < 0.0 { 0.0 } else { h.sqrt().min(1.0) }))
 }
 
-/// What the error is made of, for the regularised motion `g` in continuous time between the exact one and the
-/// computed: norms of g - e and c - g as `rms_error` has them, then their shares <part, c - e>/<c - e, c - e>.
-///
-/// Each share is a part's own; their sum is 1, and a share beyond 1 says that the other part takes from it.
-pub fn budget(x0: f64, c: &History, e: &History, g: &History) -> [Option<f64>; 4] {
-    let scale = x0.abs();
-    let sum = |a: &History, b: &History, of: &dyn Fn(f64, f64) -> f64| -> f64 {
-        let totals = pairs(c, e).map(|(c, e)| (c - e) / scale);
-        let parts = pairs(a, b).map(|(a, b)| (a - b) / scale);
-        parts.zip(totals).map(|(part, total)| of(part, total)).sum()
-    };
-    let rms = |a, b| (sum(a, b, &|part, _| part * part) / c.len() as f64).sqrt();
-    let whole = sum(c, e, &|total, _| total * total);
-    let share = |a, b| sum(a, b, &|part, total| part * total) / whole;
-    [rms(g, e), rms(c, g), share(g, e), share(c, g)].map(|x| Some(x).filter(|x| x.is_finite()))
-}
-
-/// Displacements of two histories, step by step.
-fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)> + 'a {
-    c.displacement()
-        .iter()
-        .copied()
-        .zip(e.displacement().iter().copied())
-}
-
-/// Work of the friction force by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2, over `scale`; rows [X, V, S].
-pub fn work(c: &[[f64; 3]], scale: f64) -> f64 {
-    c.windows(2)
-        .map(|c| (c[0][2] + c[1][2]) * ((c[1][0] - c[0][0]) / scale) * 0.5)
-        .sum()
-}
-
 /// Largest error of the peaks k = 1..=m, each the extreme of s_k c over its window.
 ///
-/// Undefined where there is no peak, where a peak's window holds no step, or where the run ends within one.
+/// Undefined if there is no peak, if the window of a peak has no step, or if the run ends in a window.
 #[inline(always)]
 fn peak_error<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let windows = exact.peaks.as_ref().filter(|peaks| !peaks.is_empty())?;
     let mut worst = Lane::splat(0.0);
     for (k, window) in windows.iter().enumerate() {
         let k = k as f64 + 1.0;
-        // One loop for both sides: of two that differ only in the comparison, compilers make a slow one.
+        // One loop for both signs: compilers make a slow one of two loops that differ only in the comparison.
         let side = exact.exact.side(k);
         let mut extreme = Lane::splat(f64::NEG_INFINITY);
         for c in &c[window.clone()] {
@@ -173,7 +92,7 @@ fn peak_error<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>>
     Some(worst)
 }
 
-/// Half the range of the motion from T = (m + 1) pi on; undefined where the run ends before.
+/// Half of the range of the motion from T = (m + 1) pi on; undefined if the run ends before.
 #[inline(always)]
 fn residual_motion<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lane<L>> {
     let late = c.get(exact.late.clone()).filter(|late| !late.is_empty())?;
@@ -183,16 +102,15 @@ fn residual_motion<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lan
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::history::History;
     use crate::metrics::cells;
     use crate::metrics::tests::assert_metrics;
 
     /// Rows at T = i pi/2 with these X and S.
     fn history(rows: &[(f64, f64)]) -> History {
-        let mut history = History::of_contact(rows.len());
-        for (i, &(x, s)) in rows.iter().enumerate() {
-            history.push(i as f64 * 0.5 * PI, [x, 0.0, s]);
-        }
-        history
+        let rows = rows.iter().enumerate();
+        rows.map(|(i, &(x, s))| (i as f64 * 0.5 * PI, [x, 0.0, s]))
+            .collect()
     }
 
     fn metrics(x0: f64, c: &History) -> [Option<f64>; COUNT] {
@@ -205,7 +123,7 @@ mod tests {
         let rows: Vec<_> = (0..c.len())
             .map(|i| [c.displacement()[i], c.velocity()[i], c.force()[i]])
             .collect();
-        cells(evaluate(&x, Lane([work(&rows, x0.abs())]), &exact))
+        cells(evaluate(&x, Lane([work_by_trapezoids(&rows, x0)]), &exact))
     }
 
     #[test]
@@ -223,7 +141,7 @@ mod tests {
         let (cc, ee, ce): (f64, f64, f64) = (14.91, 14.0, 14.3);
         let magnitude = (cc / ee).sqrt() - 1.0;
         let phase = (ce / (cc * ee).sqrt()).acos() / PI;
-        let wanted = [
+        let expected = [
             (0.31_f64 / 6.0).sqrt() / 3.0,
             0.5 / 3.0,
             // Within pi/2 <= T <= 3 pi/2 the lowest is -1.5.
@@ -236,8 +154,8 @@ mod tests {
             phase,
             magnitude.hypot(phase),
         ];
-        assert_metrics(&metrics(3.0, &c), &wanted.map(Some));
-        // Mirrored, everything stays.
+        assert_metrics(&metrics(3.0, &c), &expected.map(Some));
+        // The mirrored motion has the same metrics.
         let mirror = |h: &History| {
             let mut h = h.clone();
             for x in h.channels.iter_mut().flatten() {
@@ -245,12 +163,12 @@ mod tests {
             }
             h
         };
-        assert_metrics(&metrics(-3.0, &mirror(&c)), &wanted.map(Some));
+        assert_metrics(&metrics(-3.0, &mirror(&c)), &expected.map(Some));
     }
 
     #[test]
-    fn a_motion_in_proportion_has_no_phase_error() {
-        // Its square is round-off of either sign, of which the root is some 1e-8.
+    fn a_proportional_motion_has_no_phase_error() {
+        // The square of the phase is round-off of either sign; its root is about 1e-8.
         for i in 1..200 {
             let factor = f64::from(i) * 0.013;
             let rows: Vec<_> = [3.0, 1.0, -1.0, -1.0, -1.0]
@@ -264,8 +182,8 @@ mod tests {
     }
 
     #[test]
-    fn peaks_need_the_end_of_the_last_ones_window() {
-        // x0 = 12 has m = 6 half-cycles: the last window ends at 6.5 pi, where the run may end by the slack.
+    fn peaks_need_the_whole_last_window() {
+        // x0 = 12 has m = 6 half-cycles: the last window ends at 6.5 pi, where the run may end within the slack.
         let peak = |duration: f64| {
             let step = 0.01 * PI;
             let last = crate::metrics::steps(duration, step);
@@ -289,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn cells_without_meaning_are_empty() {
+    fn undefined_metrics_are_empty() {
         let rows = [(3.0, 0.0), (1.0, -1.0), (-1.5, -0.4), (-0.9, 1.0)];
         let defined = |x0: f64, rows: &[(f64, f64)]| {
             let metrics = metrics(x0, &history(rows));
@@ -301,7 +219,7 @@ mod tests {
         assert_eq!(defined(3.0, &rows[..3]), [false, true, false, true]);
         assert_eq!(defined(3.0, &rows[..2]), [false, false, false, false]);
         assert_eq!(defined(3.0, &rows[..1]), [false, false, false, false]);
-        // Never moves: m = 0, no peak, no work.
+        // No motion: m = 0, no peak, no work.
         assert_eq!(defined(0.5, &rows), [false, true, true, false]);
     }
 }

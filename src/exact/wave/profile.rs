@@ -1,12 +1,13 @@
-//! What stands along the bars, from what has left and what will reach the contact.
+//! Velocity and stress along the bars, from the waves that left the contact and those that will reach it.
 
 use super::{INSTANT, Wave};
 
 impl Wave {
-    /// Velocity and stress along bar `i` (0 left, 1 right) at `t`, as corners (s, v, sigma) of a line with jumps:
-    /// s from 0 at the contact to 1 at the free end, v over c in the frame of the start, sigma over F0/A.
+    /// Velocity and stress along bar `i` (0 left, 1 right) at `t`, as corners (s, v, sigma) of a line with jumps.
+    ///
+    /// s is 0 at the contact and 1 at the free end; v is over c, in the frame of the start; sigma is over F0/A.
     pub fn profile(&self, i: usize, t: f64) -> Vec<[f64; 3]> {
-        let half = 0.5 * self.bars.trip()[i];
+        let half = 0.5 * self.bars.travel_times()[i];
         let mut corners = vec![0.0, 1.0];
         for piece in &self.pieces {
             for s in [(piece.start - t) / half, (t - piece.start) / half] {
@@ -26,45 +27,45 @@ impl Wave {
         line
     }
 
-    /// Where fronts stand on bar `i` at `t`, as s from 0 at the contact to 1 at the free end, both ends included.
+    /// Positions of the fronts on bar `i` at `t`, as s from 0 at the contact to 1 at the free end, both ends included.
     ///
-    /// A front at an end has no jump inside the bar at that instant, so the lines of [`Wave::profile`] do not show it.
+    /// A front at an end has no jump inside the bar at that time, so the lines of [`Wave::profile`] do not show it.
     pub fn fronts(&self, i: usize, t: f64) -> Vec<f64> {
-        let half = 0.5 * self.bars.trip()[i];
+        let half = 0.5 * self.bars.travel_times()[i];
         let share = self.bars.share()[i];
         let sign = [-1.0, 1.0][i];
-        // What comes in and what leaves at the contact end, as in `inside`.
+        // The incoming and the outgoing wave at the contact end, as in `inside`.
         let start = 0.5 * self.bars.start()[i];
         let mut before = [start, start];
-        let mut places = Vec::new();
+        let mut positions = Vec::new();
         for piece in &self.pieces {
             let incoming = 0.5 * piece.free[i];
             let after = [incoming, incoming + sign * share * piece.force];
-            for (way, jump) in [
+            for (time, jump) in [
                 (piece.start - t, after[0] - before[0]),
                 (t - piece.start, after[1] - before[1]),
             ] {
-                let s = way / half;
+                let s = time / half;
                 if jump.abs() > INSTANT && (-INSTANT..=1.0 + INSTANT).contains(&s) {
-                    places.push(s.clamp(0.0, 1.0));
+                    positions.push(s.clamp(0.0, 1.0));
                 }
             }
             before = after;
         }
-        places
+        positions
     }
 
-    /// Velocity and stress of bar `i` at s and t, away from fronts.
+    /// Velocity and stress of bar `i` at s and t, away from fronts, in the units of [`Wave::profile`].
     pub fn inside(&self, i: usize, s: f64, t: f64) -> [f64; 2] {
-        let way = s * 0.5 * self.bars.trip()[i];
+        let travel = s * 0.5 * self.bars.travel_times()[i];
         let share = self.bars.share()[i];
         let sign = [-1.0, 1.0][i];
-        // Half of f comes in; what leaves has the force's share on it. Before t = 0 both are the start's.
-        let incoming = 0.5 * self.piece(t + way).free[i];
-        let outgoing = if t < way {
+        // Half of f comes in; the outgoing wave has the share of the force. Before t = 0 both are those of the start.
+        let incoming = 0.5 * self.piece(t + travel).free[i];
+        let outgoing = if t < travel {
             0.5 * self.bars.start()[i]
         } else {
-            let piece = self.piece(t - way);
+            let piece = self.piece(t - travel);
             0.5 * piece.free[i] + sign * share * piece.force
         };
         [incoming + outgoing, -sign * (outgoing - incoming) / share]
