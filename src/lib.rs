@@ -3,7 +3,7 @@
 //! Two short papers by K. Kawashima put friction and impact into the direct integration of structures: `[F]`, *A
 //! computational model of friction force in dynamic response analysis* (1980), and `[I]`, *An analytical model of contact
 //! and impact in dynamic response analysis* (1981). Both soften a rigid law by a small spring or dashpot; both ask how the
-//! answer depends on it and on the time step. slipgap answers with numbers: every case stands beside its exact solution.
+//! answer depends on it and on the time step. slipgap answers with numbers: every case is compared with its exact solution.
 //!
 //! # The idea
 //!

@@ -89,7 +89,7 @@ pub struct Figure {
     pub name: String,
     /// Heading, if the study gives one.
     pub title: Option<String>,
-    /// What stands small under the panels, if the study says anything.
+    /// Text in small print under the panels, if the study has one.
     pub note: Option<String>,
     /// Width in points, if the study gives one.
     pub width: Option<f64>,

@@ -1,4 +1,4 @@
-//! Figures of what stands along the structure: the data of their sheets, then pixels.
+//! Figures of quantities along the structure: the data of their sheets, then pixels.
 
 use crate::figures::layout::sheet::Sheet;
 use crate::figures::style;
@@ -147,7 +147,7 @@ fn compression_is_darker_than_none() {
         0.2126 * r + 0.7152 * g + 0.0722 * b
     };
     assert!(grey([-0.2, 0.5]) + 60.0 < grey([-0.8, 0.1]));
-    // The same on both bars, and sharp beside the front.
+    // The same on both bars, and sharp next to the front.
     assert_eq!(grey([-0.2, 0.5]), grey([0.2, 0.5]));
     assert_eq!(grey([-0.45, 0.25]), grey([-0.2, 0.5]));
     assert_eq!(grey([-0.55, 0.25]), grey([-0.8, 0.1]));
