@@ -4,7 +4,7 @@
 ///
 /// An exact solution is a history too (sampled at the same times), so that metrics and overlays need no special case.
 ///
-/// The oscillator of [F] slides in half a period from 12 Δ to -10 Δ:
+/// The oscillator of `[F]` slides in half a period from 12 Δ to -10 Δ:
 ///
 /// ```
 /// use slipgap::exact::coulomb::Coulomb;

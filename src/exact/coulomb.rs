@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 /// The motion after release at rest from x0, in T = omega_n t and X = x/Delta.
 ///
-/// The case of [F], x0 = 12 Delta, rests at 0 from T = 6 pi on, and friction does the work 72 nu N Delta:
+/// The case of `[F]`, x0 = 12 Delta, rests at 0 from T = 6 pi on, and friction does the work 72 nu N Delta:
 ///
 /// ```
 /// use slipgap::exact::coulomb::Coulomb;

@@ -2,7 +2,7 @@
 //!
 //! | Problem | Mean square of the error | Reason |
 //! | --- | --- | --- |
-//! | friction oscillator | over the samples at the steps 0..=N, all with the weight 1/(N + 1): [`rms_over_samples`], [`rms_over_steps`] | X is continuous, so that a sample has one exact value; [F] compares the responses step by step |
+//! | friction oscillator | over the samples at the steps 0..=N, all with the weight 1/(N + 1): [`rms_over_samples`], [`rms_over_steps`] | X is continuous, so that a sample has one exact value; `[F]` compares the responses step by step |
 //! | bar impact | over the duration, by trapezoids: [`mean_over_time`] | the exact rdot jumps, and a sample at a jump has two exact values, one for the step before it and one for the step after it |
 //!
 //! `rdot_oscillation` of the bar impact is a mean over samples too: it is taken between the jumps.

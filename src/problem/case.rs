@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// The values of one case, in the order of the problem's table; `None` for a parameter that does not apply.
 ///
-/// In the bars of [I] the spring k_I = 10 has gamma = k_I L/(n E A) = 0.1 with 10 elements:
+/// In the bars of `[I]` the spring k_I = 10 has gamma = k_I L/(n E A) = 0.1 with 10 elements:
 ///
 /// ```
 /// use slipgap::problem::{self, Case, parameter::Value};

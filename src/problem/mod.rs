@@ -27,7 +27,7 @@ use unit::Dimension;
 
 /// A problem: its schema, and how one of its cases is solved and judged.
 ///
-/// A case of [F] Fig. 5 with the time step pi/10; its rms error is 0.0245 |x0|:
+/// A case of `[F]` Fig. 5 with the time step pi/10; its rms error is 0.0245 |x0|:
 ///
 /// ```
 /// use slipgap::problem::{self, Case, parameter::Value};

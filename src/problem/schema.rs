@@ -9,7 +9,7 @@ use std::borrow::Cow;
 
 /// The tables of a problem.
 ///
-/// The parameters that are not given have their defaults; [F] releases the mass at 12 Delta:
+/// The parameters that are not given have their defaults; `[F]` releases the mass at 12 Delta:
 ///
 /// ```
 /// use slipgap::problem::{self, parameter::Value};

@@ -12,7 +12,7 @@ use crate::contact::ContactLaw;
 
 /// A structure with a contact, from t = 0 on.
 ///
-/// The oscillator of [F] with Coulomb friction of the displacement-control model, over half a period from X = 12. It loses 2 Delta
+/// The oscillator of `[F]` with Coulomb friction of the displacement-control model, over half a period from X = 12. It loses 2 Delta
 /// of its amplitude and arrives at -10:
 ///
 /// ```
