@@ -16,25 +16,25 @@ const SWEEPS: [(&str, &str, u64); 4] = [
         "displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "alpha": {"geomspace": [0.01, 10, 1024]}}"#,
-        1823,
+        1719,
     ),
     (
         "velocity-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        1791,
+        1637,
     ),
     (
         "bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5,
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        18919,
+        18955,
     ),
     (
         "unlike bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5, "right": {"A": 2, "n": 20},
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        36579,
+        36582,
     ),
 ];
 

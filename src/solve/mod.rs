@@ -184,7 +184,9 @@ fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
 ) {
     let mut own = stepper.take();
     for row in track.rows(from, steps) {
-        T::write(row, &own.step(&law));
+        // Not the value of `step`, which would be copied for every row.
+        own.step(&law);
+        T::write(row, &own.contact());
     }
     *stepper = own;
 }

@@ -16,7 +16,7 @@ use multiversion::multiversion;
 const UNIT: Mode = Mode::new(1.0, 1.0);
 
 /// Cases in lanes: enough to fill the pipelines of the processor, because each step of a case waits for the one before it.
-pub const LANES: usize = 32;
+pub const LANES: usize = 16;
 
 /// The friction law of a case.
 #[derive(Debug, Clone, Copy)]
