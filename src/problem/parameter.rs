@@ -27,39 +27,40 @@ pub struct Parameter {
 impl Parameter {
     /// A parameter that always applies, for tables.
     pub const fn new(
-        [name, symbol, unit]: [&'static str; 3],
+        names: [&'static str; 3],
         kind: Kind,
         default: Default,
         meaning: &'static str,
     ) -> Parameter {
-        Parameter {
-            name: Text::Borrowed(name),
-            symbol: Text::Borrowed(symbol),
-            unit: Text::Borrowed(unit),
-            kind,
-            default,
-            applies: None,
-            column: ColumnRule::Always,
-            meaning: Text::Borrowed(meaning),
-        }
+        Parameter::row(names, kind, default, None, meaning)
     }
 
     /// A parameter that applies only if another parameter has this name.
     pub const fn only_for(
-        name: [&'static str; 3],
+        names: [&'static str; 3],
         kind: Kind,
         default: Default,
         (governor, chosen): (&'static str, &'static str),
         meaning: &'static str,
     ) -> Parameter {
-        let [name, symbol, unit] = name;
+        let applies = (Text::Borrowed(governor), Text::Borrowed(chosen));
+        Parameter::row(names, kind, default, Some(applies), meaning)
+    }
+
+    const fn row(
+        [name, symbol, unit]: [&'static str; 3],
+        kind: Kind,
+        default: Default,
+        applies: Option<(Text, Text)>,
+        meaning: &'static str,
+    ) -> Parameter {
         Parameter {
             name: Text::Borrowed(name),
             symbol: Text::Borrowed(symbol),
             unit: Text::Borrowed(unit),
             kind,
             default,
-            applies: Some((Text::Borrowed(governor), Text::Borrowed(chosen))),
+            applies,
             column: ColumnRule::Always,
             meaning: Text::Borrowed(meaning),
         }

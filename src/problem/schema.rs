@@ -131,6 +131,32 @@ pub struct Metric {
     pub default: bool,
 }
 
+impl Metric {
+    /// A column of all studies, for tables.
+    pub const fn new(names: [&'static str; 3], meaning: &'static str) -> Metric {
+        Metric::row(names, meaning, true)
+    }
+
+    /// A column of the studies that select it.
+    pub const fn selected(names: [&'static str; 3], meaning: &'static str) -> Metric {
+        Metric::row(names, meaning, false)
+    }
+
+    const fn row(
+        [name, symbol, unit]: [&'static str; 3],
+        meaning: &'static str,
+        default: bool,
+    ) -> Metric {
+        Metric {
+            name: Cow::Borrowed(name),
+            symbol: Cow::Borrowed(symbol),
+            unit: Cow::Borrowed(unit),
+            meaning: Cow::Borrowed(meaning),
+            default,
+        }
+    }
+}
+
 /// The row of a table of metrics with this name, for constants: a name that is not in the table does not compile.
 pub const fn metric_of(table: &[Metric], name: &str) -> usize {
     let mut row = 0;

@@ -1,7 +1,7 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
 use crate::problem::choice::choice;
-use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range, Value};
+use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::Dimension;
 use crate::problem::{Budget, Channel, Metric, Quantity, Schema};
@@ -30,78 +30,51 @@ choice! {
 }
 
 static PARAMETERS: [Parameter; 7] = [
-    Parameter {
-        name: Borrowed("law"),
-        symbol: Borrowed("law"),
-        unit: Borrowed("1"),
-        kind: LawName::KIND,
-        default: Default::Required,
-        applies: None,
-        column: ColumnRule::Always,
-        meaning: Borrowed("friction model"),
-    },
-    Parameter {
-        name: Borrowed("alpha"),
-        symbol: Borrowed("*α*"),
-        unit: Borrowed("1"),
-        kind: Kind::Number(Range::Positive),
-        default: Default::Required,
-        applies: Some((Borrowed("law"), Borrowed("displacement-control"))),
-        column: ColumnRule::Always,
-        meaning: Borrowed("elastic displacement before sliding, alpha = r^E/Delta [F (22)]"),
-    },
-    Parameter {
-        name: Borrowed("beta"),
-        symbol: Borrowed("*β*"),
-        unit: Borrowed("1"),
-        kind: Kind::Number(Range::Positive),
-        default: Default::Required,
-        applies: Some((Borrowed("law"), Borrowed("velocity-control"))),
-        column: ColumnRule::Always,
-        meaning: Borrowed(
-            "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]",
-        ),
-    },
-    Parameter {
-        name: Borrowed("dT"),
-        symbol: Borrowed("Δ*T*"),
-        unit: Borrowed("1"),
-        kind: Kind::Number(Range::Positive),
-        default: Default::Required,
-        applies: None,
-        column: ColumnRule::Always,
-        meaning: Borrowed("time step, dT = omega_n dt; at most duration"),
-    },
-    Parameter {
-        name: Borrowed("duration"),
-        symbol: Borrowed("*T*_end_"),
-        unit: Borrowed("1"),
-        kind: Kind::Number(Range::Positive),
-        default: Default::Required,
-        applies: None,
-        column: ColumnRule::Always,
-        meaning: Borrowed("end of the motion, in T = omega_n t"),
-    },
-    Parameter {
-        name: Borrowed("x0"),
-        symbol: Borrowed("*X*_0_"),
-        unit: Borrowed("1"),
-        kind: Kind::Number(Range::NotZero),
-        default: Default::Is(Value::Number(12.0)),
-        applies: None,
-        column: ColumnRule::Always,
-        meaning: Borrowed("displacement at release, over Delta = nu N/k"),
-    },
-    Parameter {
-        name: Borrowed("initial_slip"),
-        symbol: Borrowed("initial slip"),
-        unit: Borrowed("1"),
-        kind: InitialSlip::KIND,
-        default: Default::Is(Value::Name("unloaded")),
-        applies: Some((Borrowed("law"), Borrowed("displacement-control"))),
-        column: ColumnRule::Always,
-        meaning: Borrowed("slip of the friction element at release"),
-    },
+    Parameter::new(
+        ["law", "law", "1"],
+        LawName::KIND,
+        Default::Required,
+        "friction model",
+    ),
+    Parameter::only_for(
+        ["alpha", "*α*", "1"],
+        Kind::Number(Range::Positive),
+        Default::Required,
+        ("law", "displacement-control"),
+        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]",
+    ),
+    Parameter::only_for(
+        ["beta", "*β*", "1"],
+        Kind::Number(Range::Positive),
+        Default::Required,
+        ("law", "velocity-control"),
+        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]",
+    ),
+    Parameter::new(
+        ["dT", "Δ*T*", "1"],
+        Kind::Number(Range::Positive),
+        Default::Required,
+        "time step, dT = omega_n dt; at most duration",
+    ),
+    Parameter::new(
+        ["duration", "*T*_end_", "1"],
+        Kind::Number(Range::Positive),
+        Default::Required,
+        "end of the motion, in T = omega_n t",
+    ),
+    Parameter::new(
+        ["x0", "*X*_0_", "1"],
+        Kind::Number(Range::NotZero),
+        Default::Is(Value::Number(12.0)),
+        "displacement at release, over Delta = nu N/k",
+    ),
+    Parameter::only_for(
+        ["initial_slip", "initial slip", "1"],
+        InitialSlip::KIND,
+        Default::Is(Value::Name("unloaded")),
+        ("law", "displacement-control"),
+        "slip of the friction element at release",
+    ),
 ];
 
 /// Rows of the parameters.
@@ -135,111 +108,55 @@ static SCALES: [[Text; 2]; 3] = [
 ];
 
 pub(super) static METRICS: [Metric; 13] = [
-    Metric {
-        name: Borrowed("rms_error"),
-        symbol: Borrowed("rms error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed("sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X"),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("max_error"),
-        symbol: Borrowed("max. error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed("max abs(c - e) / abs(x0)"),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("peak_error"),
-        symbol: Borrowed("peak error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
-        ),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("rest_error"),
-        symbol: Borrowed("rest error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests",
-        ),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("residual_motion"),
-        symbol: Borrowed("residual motion"),
-        unit: Borrowed("1"),
-        meaning: Borrowed("(max c - min c)/2 / abs(x0) over the steps with T >= (m + 1) pi"),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("work_error"),
-        symbol: Borrowed("work error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "work of the friction force over the exact work (a0^2 - a_m^2)/2, minus 1; needs duration >= m pi, m >= 1",
-        ),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("sprague_geers_magnitude"),
-        symbol: Borrowed("Sprague–Geers *M*"),
-        unit: Borrowed("1"),
-        meaning: Borrowed("sqrt(sum c^2 / sum e^2) - 1"),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("sprague_geers_phase"),
-        symbol: Borrowed("Sprague–Geers *P*"),
-        unit: Borrowed("1"),
-        meaning: Borrowed("acos(sum c e / sqrt(sum c^2 sum e^2)) / pi"),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("sprague_geers_combined"),
-        symbol: Borrowed("Sprague–Geers *C*"),
-        unit: Borrowed("1"),
-        meaning: Borrowed("sqrt(magnitude^2 + phase^2)"),
-        default: true,
-    },
-    Metric {
-        name: Borrowed("regularisation_error"),
-        symbol: Borrowed("regularisation error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
-        ),
-        default: false,
-    },
-    Metric {
-        name: Borrowed("step_error"),
-        symbol: Borrowed("step error"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
-        ),
-        default: false,
-    },
-    Metric {
-        name: Borrowed("regularisation_share"),
-        symbol: Borrowed("regularisation share"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "share of the softened law in the error: sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where the errors of law and step have opposite signs",
-        ),
-        default: false,
-    },
-    Metric {
-        name: Borrowed("step_share"),
-        symbol: Borrowed("step share"),
-        unit: Borrowed("1"),
-        meaning: Borrowed(
-            "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
-        ),
-        default: false,
-    },
+    Metric::new(
+        ["rms_error", "rms error", "1"],
+        "sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X",
+    ),
+    Metric::new(["max_error", "max. error", "1"], "max abs(c - e) / abs(x0)"),
+    Metric::new(
+        ["peak_error", "peak error", "1"],
+        "largest error of a peak, over abs(x0); the computed peak k is the extreme value from (k - 1/2) pi to (k + 1/2) pi, k = 1..m; needs duration >= (m + 1/2) pi, m >= 1",
+    ),
+    Metric::new(
+        ["rest_error", "rest error", "1"],
+        "abs(c - e) / abs(x0) at the last step; needs duration >= m pi, the time from which the exact solution rests",
+    ),
+    Metric::new(
+        ["residual_motion", "residual motion", "1"],
+        "(max c - min c)/2 / abs(x0) over the steps with T >= (m + 1) pi",
+    ),
+    Metric::new(
+        ["work_error", "work error", "1"],
+        "work of the friction force over the exact work (a0^2 - a_m^2)/2, minus 1; needs duration >= m pi, m >= 1",
+    ),
+    Metric::new(
+        ["sprague_geers_magnitude", "Sprague–Geers *M*", "1"],
+        "sqrt(sum c^2 / sum e^2) - 1",
+    ),
+    Metric::new(
+        ["sprague_geers_phase", "Sprague–Geers *P*", "1"],
+        "acos(sum c e / sqrt(sum c^2 sum e^2)) / pi",
+    ),
+    Metric::new(
+        ["sprague_geers_combined", "Sprague–Geers *C*", "1"],
+        "sqrt(magnitude^2 + phase^2)",
+    ),
+    Metric::selected(
+        ["regularisation_error", "regularisation error", "1"],
+        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
+    ),
+    Metric::selected(
+        ["step_error", "step error", "1"],
+        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
+    ),
+    Metric::selected(
+        ["regularisation_share", "regularisation share", "1"],
+        "share of the softened law in the error: sum (g - e) (c - e) / sum (c - e)^2; below 0 or above 1 where the errors of law and step have opposite signs",
+    ),
+    Metric::selected(
+        ["step_share", "step share", "1"],
+        "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
+    ),
 ];
 
 static CHANNELS: [Channel; 3] = [

@@ -4,198 +4,129 @@ use crate::problem::{self, Budget, Metric};
 use std::borrow::Cow::Borrowed;
 use std::ops::Range as Rows;
 
-const fn metric(
-    name: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-) -> Metric {
-    Metric {
-        name: Borrowed(name),
-        symbol: Borrowed(symbol),
-        unit: Borrowed(unit),
-        meaning: Borrowed(meaning),
-        default: true,
-    }
-}
-
-/// A column that studies must select.
-const fn part(
-    name: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-) -> Metric {
-    Metric {
-        name: Borrowed(name),
-        symbol: Borrowed(symbol),
-        unit: Borrowed(unit),
-        meaning: Borrowed(meaning),
-        default: false,
-    }
-}
-
 pub(super) static METRICS: [Metric; 27] = [
-    metric(
-        "contact_duration",
-        "contact duration/*T*_I_",
-        "T_I",
+    Metric::new(
+        ["contact_duration", "contact duration/*T*_I_", "T_I"],
         "time from the first zero of r (falling) to the last zero of r (rising), with r interpolated linearly between steps; undefined without contact, and if the bars still touch at the end",
     ),
-    metric(
-        "contact_steps",
-        "contact in whole steps/*T*_I_",
-        "T_I",
+    Metric::new(
+        ["contact_steps", "contact in whole steps/*T*_I_", "T_I"],
         "contact_duration in whole steps: first step with r >= 0 after the last step with r < 0, minus last step with r >= 0 before the first step with r < 0; undefined without contact, and if the bars still touch at the end",
     ),
-    metric(
-        "separations",
-        "separations",
-        "1",
+    Metric::new(
+        ["separations", "separations", "1"],
         "number of openings that close again, both within 0.9 exact contact durations after the exact first touch; undefined without contact",
     ),
-    metric(
-        "max_overlap",
-        "max. overlap/(*cT*_I_/2)",
-        "c T_I/2",
+    Metric::new(
+        ["max_overlap", "max. overlap/(*cT*_I_/2)", "c T_I/2"],
         "max(-r); undefined without contact",
     ),
-    metric(
-        "rdot_oscillation",
-        "rms of *ṙ*/*c* in contact",
-        "c",
+    Metric::new(
+        ["rdot_oscillation", "rms of *ṙ*/*c* in contact", "c"],
         "root mean square of rdot - exact rdot over the steps from 0.3 to 0.9 exact contact durations after the exact first touch; undefined without contact",
     ),
-    metric(
-        "peak_force",
-        "peak of *F*/*F*_0_",
-        "F0",
+    Metric::new(
+        ["peak_force", "peak of *F*/*F*_0_", "F0"],
         "max force; undefined without contact",
     ),
-    metric(
-        "impulse_error",
-        "impulse error",
-        "1",
+    Metric::new(
+        ["impulse_error", "impulse error", "1"],
         "impulse (trapezoidal rule) over the exact impulse, minus 1; needs a duration beyond the exact separation",
     ),
-    metric(
-        "restitution",
-        "restitution",
-        "1",
+    Metric::new(
+        ["restitution", "restitution", "1"],
         "relative velocity of the mass centres at the end, over c; undefined without contact",
     ),
-    metric(
-        "energy_drift_max",
-        "max. energy drift",
-        "1",
+    Metric::new(
+        ["energy_drift_max", "max. energy drift", "1"],
         "(E - E_0)/E_0 of the largest magnitude; E is the energy of bars and spring in the frame of the common mass centre",
     ),
-    metric(
-        "energy_drift_final",
-        "final energy drift",
-        "1",
+    Metric::new(
+        ["energy_drift_final", "final energy drift", "1"],
         "(E - E_0)/E_0 at the last step",
     ),
-    metric(
-        "rms_error_r",
-        "rms error of *r*/(*cT*_I_/2)",
-        "c T_I/2",
+    Metric::new(
+        ["rms_error_r", "rms error of *r*/(*cT*_I_/2)", "c T_I/2"],
         "sqrt(1/duration times the integral of (c - e)^2) of r, trapezoidal rule",
     ),
-    metric(
-        "rms_error_rdot",
-        "rms error of *ṙ*/*c*",
-        "c",
+    Metric::new(
+        ["rms_error_rdot", "rms error of *ṙ*/*c*", "c"],
         "sqrt(1/duration times the integral of (c - e)^2) of rdot, trapezoidal rule; at a jump of e, each side has its own limit",
     ),
-    part(
-        "regularisation_error_r",
-        "regularisation error of *r*/(*cT*_I_/2)",
-        "c T_I/2",
+    Metric::selected(
+        [
+            "regularisation_error_r",
+            "regularisation error of *r*/(*cT*_I_/2)",
+            "c T_I/2",
+        ],
         "error of the softened law alone: rms_error_r of continuous bars on the impact spring, compared with e; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
     ),
-    part(
-        "regularisation_error_rdot",
-        "regularisation error of *ṙ*/*c*",
-        "c",
+    Metric::selected(
+        [
+            "regularisation_error_rdot",
+            "regularisation error of *ṙ*/*c*",
+            "c",
+        ],
         "error of the softened law alone: rms_error_rdot of continuous bars on the impact spring, compared with e; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
     ),
-    part(
-        "mesh_error_r",
-        "mesh error of *r*/(*cT*_I_/2)",
-        "c T_I/2",
+    Metric::selected(
+        ["mesh_error_r", "mesh error of *r*/(*cT*_I_/2)", "c T_I/2"],
         "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars on the impact spring; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
     ),
-    part(
-        "mesh_error_rdot",
-        "mesh error of *ṙ*/*c*",
-        "c",
+    Metric::selected(
+        ["mesh_error_rdot", "mesh error of *ṙ*/*c*", "c"],
         "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars on the impact spring; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
     ),
-    part(
-        "step_error_r",
-        "step error of *r*/(*cT*_I_/2)",
-        "c T_I/2",
+    Metric::selected(
+        ["step_error_r", "step error of *r*/(*cT*_I_/2)", "c T_I/2"],
         "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
     ),
-    part(
-        "step_error_rdot",
-        "step error of *ṙ*/*c*",
-        "c",
+    Metric::selected(
+        ["step_error_rdot", "step error of *ṙ*/*c*", "c"],
         "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
     ),
-    part(
-        "regularisation_share_r",
-        "regularisation share of *r*",
-        "1",
+    Metric::selected(
+        ["regularisation_share_r", "regularisation share of *r*", "1"],
         "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
     ),
-    part(
-        "regularisation_share_rdot",
-        "regularisation share of *ṙ*",
-        "1",
+    Metric::selected(
+        [
+            "regularisation_share_rdot",
+            "regularisation share of *ṙ*",
+            "1",
+        ],
         "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
     ),
-    part(
-        "mesh_share_r",
-        "mesh share of *r*",
-        "1",
+    Metric::selected(
+        ["mesh_share_r", "mesh share of *r*", "1"],
         "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
     ),
-    part(
-        "mesh_share_rdot",
-        "mesh share of *ṙ*",
-        "1",
+    Metric::selected(
+        ["mesh_share_rdot", "mesh share of *ṙ*", "1"],
         "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
     ),
-    part(
-        "step_share_r",
-        "step share of *r*",
-        "1",
+    Metric::selected(
+        ["step_share_r", "step share of *r*", "1"],
         "share of this part in the error of r: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
     ),
-    part(
-        "step_share_rdot",
-        "step share of *ṙ*",
-        "1",
+    Metric::selected(
+        ["step_share_rdot", "step share of *ṙ*", "1"],
         "share of this part in the error of rdot: mean of (part) (c - e) over mean of (c - e)^2; the three shares add up to 1; a share outside 0..1 means that parts have opposite signs",
     ),
-    part(
-        "contact_duration_exact",
-        "exact contact duration/*T*_I_",
-        "T_I",
+    Metric::selected(
+        [
+            "contact_duration_exact",
+            "exact contact duration/*T*_I_",
+            "T_I",
+        ],
         "contact_duration of the exact motion; undefined without contact, and if the bars still touch at the end",
     ),
-    part(
-        "peak_force_exact",
-        "exact peak of *F*/*F*_0_",
-        "F0",
+    Metric::selected(
+        ["peak_force_exact", "exact peak of *F*/*F*_0_", "F0"],
         "peak_force of the exact motion; undefined without contact",
     ),
-    part(
-        "restitution_exact",
-        "exact restitution",
-        "1",
+    Metric::selected(
+        ["restitution_exact", "exact restitution", "1"],
         "restitution of the exact motion, from its impulse until the last step; undefined without contact",
     ),
 ];

@@ -2,29 +2,8 @@
 
 use crate::problem::Case;
 use crate::problem::choice::choice;
-use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range, Value};
+use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use std::borrow::Cow::Borrowed;
-
-/// A row of the table for a parameter that always applies.
-const fn row(
-    name: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    kind: Kind,
-    default: Default,
-    meaning: &'static str,
-) -> Parameter {
-    Parameter {
-        name: Borrowed(name),
-        symbol: Borrowed(symbol),
-        unit: Borrowed(unit),
-        kind,
-        default,
-        applies: None,
-        column: ColumnRule::Always,
-        meaning: Borrowed(meaning),
-    }
-}
 
 choice! {
     /// Mass matrix of the bars.
@@ -60,154 +39,116 @@ const fn is(x: f64) -> Default {
 }
 
 pub(super) static PARAMETERS: [Parameter; 19] = [
-    row(
-        "gamma",
-        "*γ*",
-        "1",
+    Parameter::new(
+        ["gamma", "*γ*", "1"],
         POSITIVE,
         Default::Follows(Borrowed("from k_I; exactly one of the two is given")),
         "stiffness of the impact spring over the stiffness of an element, gamma = k_I L/(n E A) of the left bar [I (16)]",
     ),
-    row(
-        "k_I",
-        "*k*_I_",
-        "force/length",
+    Parameter::new(
+        ["k_I", "*k*_I_", "force/length"],
         POSITIVE,
         Default::Follows(Borrowed("from gamma; exactly one of the two is given")),
         "stiffness of the impact spring [I (7)]",
     ),
-    row(
-        "n",
-        "*n*",
-        "1",
+    Parameter::new(
+        ["n", "*n*", "1"],
         ELEMENTS,
         Default::Required,
         "number of elements of a bar",
     ),
-    row(
-        "dt",
-        "Δ*t*/*T*_I_",
-        "T_I",
+    Parameter::new(
+        ["dt", "Δ*t*/*T*_I_", "T_I"],
         POSITIVE,
         Default::Required,
         "time step, over the contact duration T_I = 2 L/C0 of the left bar; at most duration",
     ),
-    row(
-        "duration",
-        "*t*_end_/*T*_I_",
-        "T_I",
+    Parameter::new(
+        ["duration", "*t*_end_/*T*_I_", "T_I"],
         POSITIVE,
         Default::Required,
         "end of the motion, over T_I",
     ),
-    row(
-        "gap",
-        "gap/(*cT*_I_/2)",
-        "c T_I/2",
+    Parameter::new(
+        ["gap", "gap/(*cT*_I_/2)", "c T_I/2"],
         Kind::Number(Range::NotNegative),
         is(0.0),
         "distance between the facing ends at t = 0, over c T_I/2; c is the closing speed; at 0 the ends touch",
     ),
-    row(
-        "mass",
-        "mass",
-        "1",
+    Parameter::new(
+        ["mass", "mass", "1"],
         MassMatrix::KIND,
         Default::Is(Value::Name("lumped")),
         "mass matrix of the bars",
     ),
-    row(
-        "E",
-        "*E*",
-        "force/length^2",
+    Parameter::new(
+        ["E", "*E*", "force/length^2"],
         POSITIVE,
         is(100.0),
         "Young's modulus of the left bar",
     ),
-    row(
-        "A",
-        "*A*",
-        "length^2",
+    Parameter::new(
+        ["A", "*A*", "length^2"],
         POSITIVE,
         is(1.0),
         "cross-section of the left bar",
     ),
-    row(
-        "rho",
-        "*ρ*",
-        "mass/length^3",
+    Parameter::new(
+        ["rho", "*ρ*", "mass/length^3"],
         POSITIVE,
         is(0.01),
         "density of the left bar ([I] prints 0.1, but its T_I = 0.2 needs 0.01); scaled results do not depend on it if right.rho is left out",
     ),
-    row(
-        "L",
-        "*L*",
-        "length",
+    Parameter::new(
+        ["L", "*L*", "length"],
         POSITIVE,
         is(10.0),
         "length of the left bar",
     ),
-    row(
-        "V0",
-        "*V*_0_",
-        "length/time",
+    Parameter::new(
+        ["V0", "*V*_0_", "length/time"],
         Kind::Number(Range::Any),
         is(0.1),
         "velocity of the left bar at t = 0, positive to the right; the bars must close",
     ),
-    row(
-        "right",
-        "right",
-        "1",
+    Parameter::new(
+        ["right", "right", "1"],
         Opposite::KIND,
         Default::Follows(Borrowed("a bar")),
         "what the left bar meets: an object with the data of the right bar that differ, or \"wall\"",
     ),
-    row(
-        "right.E",
-        "*E*_R_",
-        "force/length^2",
+    Parameter::new(
+        ["right.E", "*E*_R_", "force/length^2"],
         POSITIVE,
         AS_LEFT,
         "Young's modulus of the right bar",
     ),
-    row(
-        "right.A",
-        "*A*_R_",
-        "length^2",
+    Parameter::new(
+        ["right.A", "*A*_R_", "length^2"],
         POSITIVE,
         AS_LEFT,
         "cross-section of the right bar",
     ),
-    row(
-        "right.rho",
-        "*ρ*_R_",
-        "mass/length^3",
+    Parameter::new(
+        ["right.rho", "*ρ*_R_", "mass/length^3"],
         POSITIVE,
         AS_LEFT,
         "density of the right bar",
     ),
-    row(
-        "right.L",
-        "*L*_R_",
-        "length",
+    Parameter::new(
+        ["right.L", "*L*_R_", "length"],
         POSITIVE,
         AS_LEFT,
         "length of the right bar",
     ),
-    row(
-        "right.n",
-        "*n*_R_",
-        "1",
+    Parameter::new(
+        ["right.n", "*n*_R_", "1"],
         ELEMENTS,
         AS_LEFT,
         "number of elements of the right bar",
     ),
-    row(
-        "right.V0",
-        "*V*_0R_",
-        "length/time",
+    Parameter::new(
+        ["right.V0", "*V*_0R_", "length/time"],
         Kind::Number(Range::Any),
         Default::Follows(Borrowed("minus the V0 of the left bar")),
         "velocity of the right bar at t = 0, positive to the right",
