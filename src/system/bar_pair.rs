@@ -60,6 +60,11 @@ impl BarPair {
         }
     }
 
+    /// Kinetic energy at t = 0. Only the rigid-body mode moves then.
+    pub fn energy_at_start(&self) -> f64 {
+        self.mode(0).energy(0.0, self.velocity)
+    }
+
     /// The same with its state at t = 0.
     #[inline(always)]
     pub fn mode_at_start(&self, j: usize) -> ModeAtStart {

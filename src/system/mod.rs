@@ -112,10 +112,9 @@ impl Linear {
 
     /// Kinetic and strain energy at t = 0.
     pub fn energy(&self) -> f64 {
-        let own = |j| {
-            let start = self.mode(j);
-            start.mode.energy(start.displacement, start.velocity)
-        };
-        (0..self.len()).map(own).sum()
+        match self {
+            Linear::Oscillator { mode, displacement } => mode.energy(*displacement, 0.0),
+            Linear::Bars(bars) => bars.energy_at_start(),
+        }
     }
 }
