@@ -175,6 +175,15 @@ macro_rules! laws {
             $(#[doc = concat!("Of [`", stringify!($law), "`].")] $law(<$law as Law>::Step<L>)),+
         }
 
+        $(impl $law {
+            fn of(law: &ContactLaw) -> Option<$law> {
+                match law {
+                    ContactLaw::$law(law) => Some(*law),
+                    _ => None,
+                }
+            }
+        })+
+
         impl ContactLaw {
             /// Which law it is.
             pub fn kind(&self) -> LawKind {
@@ -187,29 +196,16 @@ macro_rules! laws {
             pub fn accept<const L: usize, V: LawsVisitor<L>>(laws: &[ContactLaw; L], visitor: V) -> V::Output {
                 match laws[0] {
                     $(ContactLaw::$law(first) => {
-                        let mut own = [first; L];
-                        for (own, law) in own.iter_mut().zip(laws) {
-                            if let ContactLaw::$law(law) = law {
-                                *own = *law;
-                            }
-                        }
-                        visitor.visit(&own)
+                        visitor.visit(&own_laws(laws, first, $law::of))
                     }),+
                 }
             }
 
             /// The law over a step; all cases have a law of the first one's kind.
-            // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
             pub fn step<const L: usize>(laws: &[ContactLaw; L], on: &StepFlexibility<L>) -> AnyStep<L> {
                 match laws[0] {
                     $(ContactLaw::$law(first) => {
-                        let mut own = [first; L];
-                        for (own, law) in own.iter_mut().zip(laws) {
-                            if let ContactLaw::$law(law) = law {
-                                *own = *law;
-                            }
-                        }
-                        AnyStep::$law($law::step(&own, on))
+                        AnyStep::$law($law::step(&own_laws(laws, first, $law::of), on))
                     }),+
                 }
             }
@@ -250,6 +246,23 @@ macro_rules! laws {
 }
 
 laws!(DisplacementControl, VelocityControl, ImpactSpring);
+
+/// The laws themselves, which all have the kind of the first.
+// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
+#[inline(always)]
+fn own_laws<W: Copy, const L: usize>(
+    laws: &[ContactLaw; L],
+    first: W,
+    own: impl Fn(&ContactLaw) -> Option<W>,
+) -> [W; L] {
+    let mut all = [first; L];
+    for (slot, law) in all.iter_mut().zip(laws) {
+        if let Some(law) = own(law) {
+            *slot = law;
+        }
+    }
+    all
+}
 
 /// One number of each law.
 #[inline(always)]

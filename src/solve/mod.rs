@@ -184,9 +184,7 @@ fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
 ) {
     let mut own = stepper.take();
     for row in track.rows(from, steps) {
-        // Not the value of `step`, which would be copied for every row.
-        own.step(&law);
-        T::write(row, &own.contact());
+        T::write(row, &own.step(&law));
     }
     *stepper = own;
 }
