@@ -118,14 +118,7 @@ fn curves(
         let lines = &shown.snapshots[row].profiles[quantity];
         let points = joined(&lines.exact);
         if !exact.iter().any(|series| alike(&series.points, &points)) {
-            exact.push(Series {
-                label: "exact".into(),
-                points,
-                stroke: Stroke::Solid,
-                width: style::EXACT_LINE,
-                marker: None,
-                marked: Vec::new(),
-            });
+            exact.push(Series::exact(points));
         }
         computed.push(Series {
             label: labels[*index].clone(),

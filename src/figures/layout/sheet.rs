@@ -143,6 +143,18 @@ pub struct Series {
 }
 
 impl Series {
+    /// The line of an exact solution.
+    pub fn exact(points: Vec<[f64; 2]>) -> Series {
+        Series {
+            label: "exact".into(),
+            points,
+            stroke: Stroke::Solid,
+            width: style::EXACT_LINE,
+            marker: None,
+            marked: Vec::new(),
+        }
+    }
+
     /// A thin line without an entry in the legend.
     pub fn rule(points: [[f64; 2]; 2]) -> Series {
         Series {

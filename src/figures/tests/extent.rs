@@ -1,9 +1,8 @@
 //! Figures of quantities along the structure: the data of their sheets, then pixels.
 
-use crate::figures::layout::sheet::Sheet;
+use super::drawn;
 use crate::figures::style;
-use crate::figures::{DrawnCase, png, sheet, svg};
-use crate::problem::Snapshot;
+use crate::figures::{png, svg};
 use crate::study::{self, Study};
 
 const FIGURES: &str = r#"[
@@ -18,28 +17,6 @@ fn bars() -> Study {
         r#"{{ "problem": "bar-impact", "parameters": {parameters}, "figures": {FIGURES} }}"#
     );
     study::parse("bars", &text).unwrap()
-}
-
-/// The sheet of one of the figures, with the snapshots of its cases.
-fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
-    let (problem, figure) = (&study.problem, &study.figures[figure]);
-    let cases: Vec<_> = study.cases().filter(|c| figure.filter.matches(c)).collect();
-    let solutions: Vec<_> = cases
-        .iter()
-        .map(|c| problem.solve(c, &[]).unwrap())
-        .collect();
-    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
-    let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
-    let shown: Vec<DrawnCase> = (0..cases.len())
-        .map(|i| DrawnCase {
-            case: &cases[i],
-            metrics: &solutions[i].metrics,
-            solution: Some(&solutions[i]),
-            snapshots: &snapshots[i],
-        })
-        .collect();
-    let sheet = sheet(study, figure, &shown);
-    (sheet, snapshots)
 }
 
 #[test]

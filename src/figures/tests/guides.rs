@@ -3,7 +3,7 @@
 use crate::figures::layout::envelope::MEANING;
 use crate::figures::layout::sheet::Sheet;
 use crate::figures::style;
-use crate::figures::{DrawnCase, png, sheet, svg, text};
+use crate::figures::{png, svg, text};
 use crate::study;
 
 /// The sheet of the figure of a study that is solved first.
@@ -12,23 +12,7 @@ fn drawn(problem: &str, parameters: &str, figure: &str) -> Sheet {
         r#"{{"problem": "{problem}", "parameters": {{{parameters}}}, "figures": [{{"name": "f", {figure}}}]}}"#
     );
     let study = study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
-    let (problem, figure) = (&study.problem, &study.figures[0]);
-    let cases: Vec<_> = study.cases().collect();
-    let solutions: Vec<_> = cases
-        .iter()
-        .map(|case| problem.solve(case, &[]).unwrap())
-        .collect();
-    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
-    let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
-    let shown: Vec<DrawnCase> = (0..cases.len())
-        .map(|i| DrawnCase {
-            case: &cases[i],
-            metrics: &solutions[i].metrics,
-            solution: Some(&solutions[i]),
-            snapshots: &snapshots[i],
-        })
-        .collect();
-    sheet(&study, figure, &shown)
+    super::drawn(&study, 0).0
 }
 
 const BARS: &str = r#""k_I": 100, "n": 10, "dt": 0.05, "duration": 1"#;

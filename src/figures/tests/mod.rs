@@ -10,8 +10,8 @@ use crate::exact::coulomb::Coulomb;
 use crate::figures::layout::sheet::Sheet;
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::{DrawnCase, png, sheet, svg};
-use crate::problem::parameter::{Default::Is, Value};
-use crate::problem::{self, Case, Solution};
+use crate::problem::parameter::Value;
+use crate::problem::{self, Case, Snapshot, Solution};
 use crate::study::kinds::{History, Law, Map, Metric, Profile};
 use crate::study::{Figure, FigureKind, Filter, Scale, Study};
 use std::f64::consts::PI;
@@ -19,6 +19,28 @@ use std::f64::consts::PI;
 const ALPHA: usize = 1;
 const DT: usize = 3;
 const X0: usize = 5;
+
+/// The sheet of a figure of a study, with the snapshots of its cases.
+fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
+    let (problem, figure) = (&study.problem, &study.figures[figure]);
+    let cases: Vec<_> = study.cases().filter(|c| figure.filter.matches(c)).collect();
+    let solutions: Vec<_> = cases
+        .iter()
+        .map(|c| problem.solve(c, &[]).unwrap())
+        .collect();
+    let times = figure.kind.snapshot_times(&**problem, &cases[0]);
+    let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
+    let shown: Vec<DrawnCase> = (0..cases.len())
+        .map(|i| DrawnCase {
+            case: &cases[i],
+            metrics: &solutions[i].metrics,
+            solution: Some(&solutions[i]),
+            snapshots: &snapshots[i],
+        })
+        .collect();
+    let sheet = sheet(study, figure, &shown);
+    (sheet, snapshots)
+}
 
 pub(super) struct Run {
     study: Study,
@@ -31,21 +53,13 @@ pub(super) struct Run {
 pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
     let problem = problem::find("friction-oscillator").unwrap();
     let case = |(alpha, step, x0): &(f64, f64, f64)| {
-        let mut case = Case::new(problem.schema());
-        for (slot, parameter) in case.values.iter_mut().zip(problem.parameters()) {
-            *slot = match &*parameter.name {
-                "law" => Some(Value::Name("displacement-control")),
-                "alpha" => Some(Value::Number(*alpha)),
-                "dT" => Some(Value::Number(*step)),
-                "duration" => Some(Value::Number(8.0 * PI)),
-                "x0" => Some(Value::Number(*x0)),
-                _ => match parameter.default {
-                    Is(value) => Some(value),
-                    _ => None,
-                },
-            };
-        }
-        case
+        problem.schema().case(&[
+            ("law", Value::Name("displacement-control")),
+            ("alpha", Value::Number(*alpha)),
+            ("dT", Value::Number(*step)),
+            ("duration", Value::Number(8.0 * PI)),
+            ("x0", Value::Number(*x0)),
+        ])
     };
     let cases: Vec<Case> = values.iter().map(case).collect();
     let solutions: Vec<_> = cases

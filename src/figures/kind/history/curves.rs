@@ -48,14 +48,7 @@ impl Curves<'_> {
             if let Some(points) = self.exact(quantity, shown)
                 && !series.iter().any(|s| s.points == points)
             {
-                series.push(Series {
-                    label: "exact".into(),
-                    points,
-                    stroke: Stroke::Solid,
-                    width: style::EXACT_LINE,
-                    marker: None,
-                    marked: Vec::new(),
-                });
+                series.push(Series::exact(points));
             }
         }
         for &i in members {
