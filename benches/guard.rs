@@ -16,25 +16,25 @@ const SWEEPS: [(&str, &str, u64); 4] = [
         "displacement-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "displacement-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "alpha": {"geomspace": [0.01, 10, 1024]}}"#,
-        1719,
+        1726,
     ),
     (
         "velocity-control",
         r#""problem": "friction-oscillator", "parameters": {"law": "velocity-control", "x0": 12, "dT": "pi/10",
             "duration": "8*pi", "beta": {"geomspace": [0.01, 10, 1024]}}"#,
-        1637,
+        1643,
     ),
     (
         "bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5,
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        18955,
+        17840,
     ),
     (
         "unlike bars",
         r#""problem": "bar-impact", "parameters": {"n": 10, "dt": 0.005, "duration": 1.5, "right": {"A": 2, "n": 20},
             "gamma": {"geomspace": [0.1, 10, 1024]}}"#,
-        36582,
+        33356,
     ),
 ];
 
