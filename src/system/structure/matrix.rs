@@ -1,0 +1,79 @@
+//! Sparse symmetric matrices.
+
+use std::collections::BTreeMap;
+
+/// A sparse symmetric matrix: the entries on and below the diagonal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Symmetric {
+    size: usize,
+    entries: BTreeMap<(usize, usize), f64>,
+}
+
+impl Symmetric {
+    /// A matrix of zeros.
+    pub fn zeros(size: usize) -> Symmetric {
+        Symmetric {
+            size,
+            entries: BTreeMap::new(),
+        }
+    }
+
+    /// Number of rows.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Adds `value` to entries (i, j) and (j, i), which may be one.
+    pub fn add(&mut self, i: usize, j: usize, value: f64) {
+        *self.entries.entry((i.max(j), i.min(j))).or_default() += value;
+    }
+
+    /// Adds a spring between two nodes; `None` is the ground.
+    pub fn add_spring(&mut self, between: [Option<usize>; 2], k: f64) {
+        for node in between.into_iter().flatten() {
+            self.add(node, node, k);
+        }
+        if let [Some(i), Some(j)] = between {
+            self.add(i, j, -k);
+        }
+    }
+
+    /// Adds another matrix times a factor.
+    pub fn add_matrix(&mut self, other: &Symmetric, factor: f64) {
+        for ((i, j), value) in other.entries() {
+            self.add(i, j, factor * value);
+        }
+    }
+
+    /// The entries (row, column) on and below the diagonal, by rows.
+    pub fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> + '_ {
+        self.entries.iter().map(|(place, value)| (*place, *value))
+    }
+
+    /// Adds the product with a vector to `to`.
+    pub fn add_product(&self, x: &[f64], to: &mut [f64]) {
+        for ((i, j), value) in self.entries() {
+            to[i] += value * x[j];
+            if i != j {
+                to[j] += value * x[i];
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn springs_in_a_row_give_the_matrix_of_a_chain() {
+        let mut k = Symmetric::zeros(3);
+        k.add_spring([None, Some(0)], 2.0);
+        k.add_spring([Some(1), Some(0)], 3.0);
+        k.add_spring([Some(1), Some(2)], 5.0);
+        let mut product = [0.0; 3];
+        k.add_product(&[1.0, 10.0, 100.0], &mut product);
+        // Rows 5 -3 0, -3 8 -5, 0 -5 5.
+        assert_eq!(product, [-25.0, -423.0, 450.0]);
+    }
+}

@@ -1,0 +1,97 @@
+//! Loads as functions of time.
+
+use libm::sin;
+
+/// A function of time.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Signal {
+    /// amplitude sin(omega t + phase).
+    Sine {
+        /// Amplitude.
+        amplitude: f64,
+        /// Circular frequency.
+        omega: f64,
+        /// Phase.
+        phase: f64,
+    },
+    /// Straight lines between points.
+    Table(Table),
+}
+
+/// Straight lines between points (t, f); constant before the first one and after the last one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    times: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Table {
+    /// A table of points, at least one; `None` unless all numbers are finite and the times rise.
+    ///
+    /// Two points may have one time: the function jumps there, and the second value holds from then on.
+    pub fn new(times: Vec<f64>, values: Vec<f64>) -> Option<Table> {
+        let rise = times.is_sorted() && times.windows(3).all(|t| t[0] < t[2]);
+        let finite = times.iter().chain(&values).all(|x| x.is_finite());
+        (rise && finite && !times.is_empty() && times.len() == values.len())
+            .then_some(Table { times, values })
+    }
+
+    /// Times of the points.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Values of the points.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The value at time t; at a jump the one from then on.
+    pub fn at(&self, t: f64) -> f64 {
+        let after = self.times.partition_point(|time| *time <= t);
+        let Some(before) = after.checked_sub(1) else {
+            return self.values[0];
+        };
+        let Some(next) = self.times.get(after) else {
+            return self.values[before];
+        };
+        let [t0, f0, f1] = [self.times[before], self.values[before], self.values[after]];
+        f0 + (f1 - f0) * ((t - t0) / (next - t0))
+    }
+}
+
+impl Signal {
+    /// The value at time t.
+    pub fn at(&self, t: f64) -> f64 {
+        match self {
+            Signal::Sine {
+                amplitude,
+                omega,
+                phase,
+            } => amplitude * sin(omega * t + phase),
+            Signal::Table(table) => table.at(t),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_straight_between_its_points_and_constant_beyond() {
+        let table = Table::new(vec![1.0, 2.0, 2.0, 4.0], vec![3.0, 5.0, -1.0, 0.0]).unwrap();
+        let at = |t| table.at(t);
+        assert_eq!([at(0.0), at(1.0), at(1.5)], [3.0, 3.0, 4.0]);
+        assert_eq!([at(2.0), at(3.0), at(4.0), at(9.0)], [-1.0, -0.5, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn times_that_do_not_rise_make_no_table() {
+        let table = |times: &[f64]| Table::new(times.to_vec(), vec![1.0; times.len()]);
+        assert!(table(&[0.0, 1.0, 1.0, 2.0]).is_some());
+        for times in [&[][..], &[1.0, 0.0], &[0.0, 1.0, 1.0, 1.0], &[f64::NAN]] {
+            assert_eq!(table(times), None);
+        }
+    }
+}
