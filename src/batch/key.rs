@@ -60,7 +60,12 @@ impl Key {
         let once = if study.once { "once" } else { "converged" };
         Key {
             solver: format!("{SOLVER_VERSION} {SOLVER_SOURCES}"),
-            columns: format!("{} {once} {}", study.problem.name(), names.join(" ")),
+            columns: format!(
+                "{}{} {once} {}",
+                study.problem.name(),
+                study.problem.identity(),
+                names.join(" ")
+            ),
             cases: format!("{:032x}", hasher.finish_128()),
         }
     }

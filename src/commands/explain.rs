@@ -50,6 +50,9 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         ]);
     }
     text += &table(&rows);
+    if let Some(description) = study.problem.description(&case) {
+        text += &format!("\n{description}");
+    }
     let broken = Violation::all(&study.violations(number));
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");

@@ -2,6 +2,7 @@
 
 pub mod friction;
 pub mod impact;
+pub mod structure;
 pub mod norm;
 
 use crate::lane::Lane;

@@ -97,6 +97,8 @@ pub struct Violation {
     pub parameter: Text,
     /// What is wrong and what is allowed.
     pub message: String,
+    /// Byte offset in the study of the value that breaks the rule, if it is not a parameter; `parameter` is then its path.
+    pub at: Option<usize>,
 }
 
 impl Violation {

@@ -8,18 +8,19 @@ pub mod impact;
 pub mod parameter;
 pub mod schema;
 mod solution;
+pub mod structure;
 mod text;
 pub mod unit;
 
 pub use case::{Case, Violation};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
-pub use solution::{Lines, Snapshot, Solution};
+pub use text::{Text, interned};
+pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
 
 use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable};
-use crate::system::System;
 use cases::Cases;
 use parameter::Parameter;
 use std::sync::{Arc, LazyLock};
@@ -53,8 +54,6 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn schema(&self) -> &Arc<Schema>;
     /// Fills in the values that follow from others, and reports every rule across parameters that the case breaks.
     fn complete(&self, case: &mut Case) -> Vec<Violation>;
-    /// The system of a completed case, ready to be solved.
-    fn system(&self, case: &Case) -> Result<System, Unsolvable>;
     /// Cost of a completed case: steps times modes.
     fn work(&self, case: &Case) -> u64 {
         self.steps(case)
@@ -76,6 +75,23 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
     /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
+    /// The columns of the history of a completed case, after the time.
+    fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
+        let channels = self.schema().channels.iter().enumerate();
+        let column = |(index, channel): (usize, &Channel)| HistoryColumn {
+            index,
+            column: channel.clone(),
+        };
+        channels.map(column).collect()
+    }
+    /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
+    fn identity(&self) -> &str {
+        ""
+    }
+    /// Lines that describe a completed case, for `explain`.
+    fn description(&self, _case: &Case) -> Option<String> {
+        None
+    }
     /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.
     fn snapshots(&self, _case: &Case, _times: &[f64]) -> Vec<Snapshot> {
         Vec::new()
@@ -115,6 +131,12 @@ pub static PROBLEMS: LazyLock<[Arc<dyn Problem>; 2]> = LazyLock::new(|| {
         Arc::new(impact::BarImpact),
     ]
 });
+
+/// The names of all problems: of those in [`PROBLEMS`], and of structures, which studies describe.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    let known = PROBLEMS.iter().map(|problem| problem.name());
+    known.chain([structure::schema::NAME])
+}
 
 /// The problem called `name`.
 pub fn find(name: &str) -> Option<Arc<dyn Problem>> {
@@ -172,5 +194,6 @@ fn time_rules(step_name: &'static str, step: f64, duration: f64) -> Vec<Violatio
     vec![Violation {
         parameter: step_name.into(),
         message,
+        at: None,
     }]
 }

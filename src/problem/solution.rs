@@ -1,6 +1,7 @@
 //! The solution of a case: histories, metrics and snapshots.
 
 use crate::history::History;
+use crate::problem::schema::Channel;
 
 /// The state along the structure at one time.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,15 @@ pub struct Lines {
     pub computed: Vec<Vec<[f64; 2]>>,
     /// Exact, with both sides of every jump.
     pub exact: Vec<Vec<[f64; 2]>>,
+}
+
+/// A column of a history.
+#[derive(Debug, Clone)]
+pub struct HistoryColumn {
+    /// The channel of the histories in a [`Solution`].
+    pub index: usize,
+    /// Its name, and whether the exact motion has the column too.
+    pub column: Channel,
 }
 
 /// The solution of a case: the computed motion, and the exact one at the same times.

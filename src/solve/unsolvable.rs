@@ -25,6 +25,10 @@ pub enum Unsolvable {
     },
     /// The papers do not print the law of the case, so that there is no un-iterated form.
     NotPrinted,
+    /// The exact motion that a metric needs cannot be computed, for this reason.
+    Reference(String),
+    /// The structure has too many nodes for its modes.
+    NoModes,
     /// The parameters break rules of the problem, in these words.
     BrokenRules(String),
     /// A reason that a store contains.
@@ -45,6 +49,10 @@ impl fmt::Display for Unsolvable {
                 "without iteration there may be at most {most} elements, got {elements}"
             ),
             Unsolvable::NotPrinted => f.write_str("the law has no un-iterated form"),
+            Unsolvable::Reference(why) => write!(f, "no exact motion: {why}"),
+            Unsolvable::NoModes => {
+                f.write_str("modal damping is allowed for at most 1000 nodes")
+            }
             Unsolvable::BrokenRules(words) | Unsolvable::Stored(words) => f.write_str(words),
         }
     }

@@ -12,6 +12,7 @@ pub mod expression;
 mod figure;
 mod measure;
 mod source;
+mod structure;
 #[cfg(test)]
 mod tests;
 pub mod units;

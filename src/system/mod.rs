@@ -4,6 +4,7 @@
 pub mod bar;
 mod bar_pair;
 mod modes;
+pub mod loads;
 pub mod structure;
 
 pub use bar_pair::BarPair;

@@ -3,7 +3,7 @@
 use crate::batch::Outcome;
 use crate::problem::parameter::shortest;
 use crate::problem::unit::Dimension;
-use crate::problem::{Case, Solution};
+use crate::problem::{Case, HistoryColumn, Solution};
 use crate::solve::Unsolvable;
 use crate::study::Study;
 use std::io::{self, Write};
@@ -98,25 +98,22 @@ pub fn write_history(
     out: impl Write,
 ) -> io::Result<()> {
     let schema = study.problem.schema();
+    let channels = study.problem.history_columns(case);
     let (computed, exact) = (&solution.computed, &solution.exact);
     let mut columns = vec![(
         schema.time.column.to_string(),
         Dimension::Time,
         &computed.time[..],
     )];
-    let channels = || schema.channels.iter().enumerate();
-    columns.extend(channels().map(|(i, channel)| {
-        let name = channel.name.to_string();
-        (name, channel.dimension, computed.channel(i))
+    columns.extend(channels.iter().map(|HistoryColumn { index, column }| {
+        let name = column.name.to_string();
+        (name, column.dimension, computed.channel(*index))
     }));
-    columns.extend(
-        channels()
-            .filter(|(_, channel)| channel.exact)
-            .map(|(i, channel)| {
-                let name = format!("{}_exact", channel.name);
-                (name, channel.dimension, exact.channel(i))
-            }),
-    );
+    let with_exact = channels.iter().filter(|channel| channel.column.exact);
+    columns.extend(with_exact.map(|HistoryColumn { index, column }| {
+        let name = format!("{}_exact", column.name);
+        (name, column.dimension, exact.channel(*index))
+    }));
     let mut writer = csv::Writer::from_writer(out);
     let units = study.units.as_ref();
     let header = columns.iter().flat_map(|(name, dimension, _)| {

@@ -33,10 +33,6 @@ impl Problem for FrictionOscillator {
         time_rules("dT", step, duration)
     }
 
-    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
-        Ok(self.lane_case(case)?.system())
-    }
-
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let motion = solve::run::<ContactTrack>(&own.system())?;
@@ -64,6 +60,11 @@ impl Problem for FrictionOscillator {
 }
 
 impl FrictionOscillator {
+    /// The system of a completed case, ready to be solved.
+    pub fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        Ok(self.lane_case(case)?.system())
+    }
+
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
         OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }

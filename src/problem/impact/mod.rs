@@ -31,6 +31,14 @@ use tables::{BUDGET, REFERENCE, SCHEMA, rows};
 #[derive(Debug)]
 pub struct BarImpact;
 
+impl BarImpact {
+    /// The system of a completed case, ready to be solved.
+    pub fn system(&self, case: &Case) -> Result<System, Unsolvable> {
+        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
+        Ok(own.system())
+    }
+}
+
 impl Problem for BarImpact {
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
@@ -42,11 +50,6 @@ impl Problem for BarImpact {
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         rules::complete(case)
-    }
-
-    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
-        let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
-        Ok(own.system())
     }
 
     fn work(&self, case: &Case) -> u64 {

@@ -46,6 +46,7 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
     let violation = |parameter, message: &str| Violation {
         parameter,
         message: message.into(),
+        at: None,
     };
     let element = || {
         let (n, e) = (case.at(rows::N)?, case.at(rows::E)?);
@@ -103,6 +104,7 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
     violations.push(Violation {
         parameter: parameter.into(),
         message,
+        at: None,
     });
 }
 
@@ -117,7 +119,7 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
         impedance_ratio,
         ..
     } = scaled.bars;
-    let mut violation = |parameter, message| violations.push(Violation { parameter, message });
+    let mut violation = |parameter, message| violations.push(Violation { parameter, message, at: None });
     let impedance_is_normal = match Opposite::of(case) {
         Some(Opposite::Wall) => true,
         None => impedance_ratio.is_normal(),

@@ -4,7 +4,7 @@ use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::impact::{Energy, Track};
 use crate::problem::impact::BarImpact;
-use crate::problem::{Case, Problem};
+use crate::problem::Case;
 
 /// max (E_i - E_0)/E_0 over all steps from t = 0. It is not negative, because step 0 is one of them.
 pub fn energy_gain(case: &Case, computed: &History) -> Option<f64> {

@@ -79,6 +79,7 @@ impl Impact {
                 message: format!(
                     "the bars do not part before a wave has passed the shorter bar {MOST_TRIPS} times"
                 ),
+                at: None,
             }]);
         };
         impact.duration = 1.5 * separation;
@@ -92,6 +93,7 @@ impl Impact {
             return Err(vec![Violation {
                 parameter: parameter.into(),
                 message: message.into(),
+                at: None,
             }]);
         }
         Ok(impact)

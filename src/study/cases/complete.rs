@@ -35,6 +35,7 @@ impl Block {
                     message: format!(
                         "gives {given}, but {follows} follows from the other parameters"
                     ),
+                    at: None,
                 });
             }
         }

@@ -44,6 +44,7 @@ impl Derived {
         Some(Violation {
             parameter: parameter.name.clone(),
             message,
+            at: None,
         })
     }
 }

@@ -10,6 +10,7 @@ pub(super) mod validate;
 use std::path::Path;
 
 use crate::error::Error;
+use crate::problem::structure::schema::NAME;
 use crate::problem::{self, PROBLEMS, Problem};
 use crate::study::cases::scope::Scope;
 use crate::study::figure::figures;
@@ -23,14 +24,14 @@ use crate::study::source::setting;
 use crate::study::source::tree::{Node, Tree};
 use crate::study::units::Units;
 use crate::study::value::{self, name};
-use crate::study::{Check, Figure, Study};
+use crate::study::{Check, Figure, Study, structure};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(in crate::study) const KEYS: [(&str, &str); 10] = [
+pub(in crate::study) const KEYS: [(&str, &str); 11] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -40,6 +41,10 @@ pub(in crate::study) const KEYS: [(&str, &str); 10] = [
     (
         "parameters",
         "parameters of the cases; a list is an axis; the cases are all combinations of the axes, and the last axis varies fastest",
+    ),
+    (
+        "structure",
+        "masses, bars, springs, contacts and loads of a study of structures; numbers may be expressions of the parameters",
     ),
     (
         "blocks",
@@ -87,7 +92,7 @@ impl Input {
         let starts: Vec<usize> = starts.collect();
         let mut faults = Faults::default();
         setting::put_all(&mut root, &self.settings, &starts, &mut faults);
-        match study(&root, limit, &mut faults) {
+        match study(&root, limit, &self.folder, &mut faults) {
             Some(study) if faults.count() == 0 => Ok(Study {
                 settings: self.settings.clone(),
                 sha256: self.sha256(),
@@ -98,8 +103,13 @@ impl Input {
     }
 }
 
-/// The study at `root`, of at most `limit` raw combinations, without its settings and hash.
-pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> Option<Study> {
+/// The study at `root`, of at most `limit` raw combinations, without its settings and hash; records are in `folder`.
+pub(in crate::study) fn study(
+    root: &Node,
+    limit: u64,
+    folder: &Path,
+    faults: &mut Faults,
+) -> Option<Study> {
     let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
     let object = Object::open(root, "", &keys, faults)?;
     let mut string = |key: &str| {
@@ -108,7 +118,7 @@ pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> O
     };
     string("$schema");
     let title = string("title").unwrap_or_default();
-    let problem = problem(&object, faults);
+    let problem = problem(&object, root, folder, faults);
     let blocks = blocks(&object, problem.as_deref(), limit, faults);
     let units = object
         .get("units")
@@ -119,6 +129,10 @@ pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> O
         .get("iteration")
         .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
         == Some(1);
+    if let (true, Some(node)) = (once && problem.name() == NAME, object.get("iteration")) {
+        let message = "a structure has no un-iterated form; allowed: converged";
+        faults.add(node.at, "iteration", message);
+    }
     let measures = measure::measures(&*problem, units.as_ref());
     let scope = Scope {
         problem,
@@ -152,10 +166,22 @@ pub(in crate::study) fn study(root: &Node, limit: u64, faults: &mut Faults) -> O
 }
 
 /// The problem by its name. A misspelt name is a fault; the nearest problem is then used to find further faults.
-fn problem(object: &Object, faults: &mut Faults) -> Option<Arc<dyn Problem>> {
-    let known: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+fn problem(
+    object: &Object,
+    root: &Node,
+    folder: &Path,
+    faults: &mut Faults,
+) -> Option<Arc<dyn Problem>> {
+    let known: Vec<&str> = problem::names().collect();
     let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
-    match (name(node, "problem", "problem", &known, faults), &node.tree) {
+    let row = name(node, "problem", "problem", &known, faults);
+    let of_structure = row.is_some_and(|row| known[row] == NAME);
+    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get("structure")) {
+        let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
+        faults.add(node.at, "structure", message);
+    }
+    match (row, &node.tree) {
+        (Some(_), _) if of_structure => structure::problem(object, root, folder, faults),
         (Some(row), _) => Some(PROBLEMS[row].clone()),
         (None, Tree::Text(misspelt)) => problem::find(nearest(misspelt, &known)?),
         (None, _) => None,

@@ -93,6 +93,9 @@ fn place(
     raw: u64,
     violation: &Violation,
 ) -> (usize, String) {
+    if let Some(at) = violation.at {
+        return (at, violation.parameter.to_string());
+    }
     let row = row_of(problem, violation);
     let Some(i) = draft
         .parameters

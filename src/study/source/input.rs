@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{Read, stdin};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
@@ -21,6 +21,8 @@ const LARGEST: u64 = 64 << 20;
 pub struct Input {
     pub(in crate::study) file: String,
     pub(in crate::study) text: String,
+    /// Where the records of the study are.
+    pub(in crate::study) folder: PathBuf,
     pub(in crate::study) settings: Vec<Setting>,
 }
 
@@ -30,6 +32,7 @@ impl Input {
         Input {
             file: file.to_owned(),
             text: text.to_owned(),
+            folder: folder_of(Path::new(file)),
             settings: Vec::new(),
         }
     }
@@ -42,6 +45,7 @@ impl Input {
         Ok(Input {
             file: file.display().to_string(),
             text: text_of(file)?,
+            folder: folder_of(file),
             settings: Vec::new(),
         })
     }
@@ -55,6 +59,7 @@ impl Input {
         Ok(Input {
             file: STDIN.to_owned(),
             text,
+            folder: PathBuf::new(),
             settings: Vec::new(),
         })
     }
@@ -83,6 +88,11 @@ impl Input {
         let bytes = digest.finalize();
         bytes.iter().map(|byte| format!("{byte:02x}")).collect()
     }
+}
+
+/// The folder of a file.
+fn folder_of(file: &Path) -> PathBuf {
+    file.parent().unwrap_or(Path::new("")).to_owned()
 }
 
 /// The text of a file of bounded size in UTF-8.

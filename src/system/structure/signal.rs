@@ -36,6 +36,12 @@ impl Table {
             .then_some(Table { times, values })
     }
 
+    /// The same times a factor; `None` if a value is not finite.
+    pub fn scaled(mut self, factor: f64) -> Option<Table> {
+        self.values.iter_mut().for_each(|f| *f *= factor);
+        Table::new(self.times, self.values)
+    }
+
     /// Times of the points.
     pub fn times(&self) -> &[f64] {
         &self.times

@@ -1,0 +1,104 @@
+//! Metrics of structures: reductions of a quantity over the steps to a number.
+
+/// Largest absolute value.
+pub fn peak(c: &[f64]) -> f64 {
+    c.iter().fold(0.0, |peak: f64, x| peak.max(x.abs()))
+}
+
+/// Step of the first largest absolute value; `None` without steps.
+pub fn step_of_peak(c: &[f64]) -> Option<usize> {
+    let peak = peak(c);
+    c.iter().position(|x| x.abs() == peak)
+}
+
+/// Smallest and largest value.
+pub fn extent(c: &[f64]) -> [f64; 2] {
+    let all = c.iter();
+    all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
+        [a.min(*x), b.max(*x)]
+    })
+}
+
+/// sqrt(mean c^2).
+pub fn rms(c: &[f64]) -> f64 {
+    // Divided by the peak, so that squares neither overflow nor vanish.
+    let peak = peak(c);
+    if peak == 0.0 || c.is_empty() {
+        return 0.0;
+    }
+    let sum: f64 = c.iter().map(|x| (x / peak) * (x / peak)).sum();
+    peak * (sum / c.len() as f64).sqrt()
+}
+
+/// sqrt(mean (c - e)^2).
+pub fn rms_error(c: &[f64], e: &[f64]) -> f64 {
+    let differences: Vec<f64> = c.iter().zip(e).map(|(c, e)| c - e).collect();
+    rms(&differences)
+}
+
+/// Number of steps at which the contact closes: S != 0 after S = 0.
+pub fn closings(force: &[f64]) -> usize {
+    let closes = |pair: &&[f64]| pair[0] == 0.0 && pair[1] != 0.0;
+    let starts_closed = force.first().is_some_and(|s| *s != 0.0);
+    force.windows(2).filter(closes).count() + usize::from(starts_closed)
+}
+
+/// Integral of abs(S) over time by trapezoids, steps of `dt` apart.
+pub fn impulse(force: &[f64], dt: f64) -> f64 {
+    let pairs = force.windows(2);
+    0.5 * dt * pairs.map(|s| s[0].abs() + s[1].abs()).sum::<f64>()
+}
+
+/// Time of the steps that end with a value that `counts`, steps of `dt` apart.
+pub fn time_where(values: &[f64], dt: f64, counts: impl Fn(f64) -> bool) -> f64 {
+    let ends = values.iter().skip(1);
+    dt * ends.filter(|x| counts(**x)).count() as f64
+}
+
+/// Integral of S dr by trapezoids.
+pub fn work(force: &[f64], displacement: &[f64]) -> f64 {
+    let steps = force.windows(2).zip(displacement.windows(2));
+    steps
+        .map(|(s, r)| 0.5 * (s[0] + s[1]) * (r[1] - r[0]))
+        .sum()
+}
+
+/// First step at which two motions differ by more than `threshold` times the peak of the first; `None` if there is none.
+pub fn divergence(c: &[f64], other: &[f64], threshold: f64) -> Option<usize> {
+    let most = threshold * peak(c);
+    let mut pairs = c.iter().zip(other);
+    pairs.position(|(c, other)| (c - other).abs() > most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn reductions_of_a_sine_and_of_its_half_waves() {
+        let n = 100_000;
+        let dt = 2.0 * PI / n as f64;
+        let sine: Vec<f64> = (0..=n).map(|i| 3.0 * (i as f64 * dt).sin()).collect();
+        // The sums are those of trapezoids, which err by dt^2/12 at most.
+        assert!((peak(&sine) - 3.0).abs() < 1e-15);
+        assert_eq!(step_of_peak(&sine), Some(n / 4));
+        assert!((rms(&sine) - (4.5 * n as f64 / (n + 1) as f64).sqrt()).abs() < 1e-12);
+        let pushes: Vec<f64> = sine.iter().map(|x| x.min(0.0)).collect();
+        assert!((impulse(&pushes, dt) - 6.0).abs() < 1e-8);
+        assert_eq!(closings(&pushes), 1);
+        assert!((time_where(&pushes, dt, |s| s != 0.0) - PI).abs() < 2.0 * dt);
+        // S = -3 sin t on r = cos t: the work over a cycle is 3 pi.
+        let r: Vec<f64> = (0..=n).map(|i| (i as f64 * dt).cos()).collect();
+        let s: Vec<f64> = sine.iter().map(|x| -x).collect();
+        assert!((work(&s, &r) - 3.0 * PI).abs() < 1e-7);
+        assert_eq!(extent(&[2.0, -1.0, 0.5]), [-1.0, 2.0]);
+    }
+
+    #[test]
+    fn divergence_is_the_first_difference_above_the_threshold() {
+        let (c, other) = ([0.0, 2.0, 1.0, 0.0], [0.0, 2.01, 1.03, 0.0]);
+        assert_eq!(divergence(&c, &other, 0.01), Some(2));
+        assert_eq!(divergence(&c, &other, 0.02), None);
+    }
+}

@@ -1,0 +1,252 @@
+//! The structure of a case: masses, bars and springs as matrices, with contacts, loads and start.
+
+use super::amount::Amount;
+use super::contacts;
+use super::node::{NodeName, NodeRef, Numbering};
+use super::template::{Moved, Scaled, SpringNumbers, Template};
+use crate::problem::{Case, Violation};
+use crate::system::structure::{Load, Node, Structure, Symmetric};
+use std::f64::consts::PI;
+
+/// Most elements of a bar, and most nodes of a structure.
+pub const MOST_NODES: u32 = 100_000;
+
+/// A structure under construction, with all rules that it breaks.
+struct Draft<'a> {
+    template: &'a Template,
+    case: &'a Case,
+    numbering: Numbering,
+    structure: Structure,
+    violations: Vec<Violation>,
+}
+
+/// The structure of a case, without modal damping, and the numbers of its nodes. Each bar has `finer` times its elements;
+/// the contacts are those of the case itself.
+///
+/// # Errors
+/// Every rule that the case breaks.
+pub fn assemble(
+    template: &Template,
+    case: &Case,
+    finer: u32,
+) -> Result<(Structure, Numbering), Vec<Violation>> {
+    let mut violations = Vec::new();
+    let mut elements = Vec::new();
+    for bar in &template.bars {
+        match bar.elements.whole(case, 1, MOST_NODES) {
+            Ok(n) => elements.push(n * finer),
+            Err(violation) => violations.push(violation),
+        }
+    }
+    let nodes = elements
+        .iter()
+        .fold(0u64, |sum, n| sum + u64::from(*n) + 1);
+    if violations.is_empty() && nodes > u64::from(MOST_NODES) * u64::from(finer) {
+        let first = template.bars.first();
+        violations.extend(first.map(|bar| {
+            bar.elements.violation(format!(
+                "gives {nodes} nodes, at most {MOST_NODES} are allowed"
+            ))
+        }));
+    }
+    if !violations.is_empty() {
+        return Err(violations);
+    }
+    let numbering = Numbering::new(template.masses.len(), elements);
+    let size = numbering.len();
+    let mut draft = Draft {
+        template,
+        case,
+        numbering,
+        structure: Structure {
+            nodes: Vec::with_capacity(size),
+            stiffness: Symmetric::zeros(size),
+            damping: Symmetric::zeros(size),
+            contacts: Vec::new(),
+            loads: Vec::new(),
+            displacement: vec![0.0; size],
+            velocity: vec![0.0; size],
+        },
+        violations,
+    };
+    draft.masses();
+    draft.bars();
+    draft.springs();
+    draft.rayleigh();
+    draft.contacts();
+    draft.loads();
+    draft.start();
+    match draft.violations.is_empty() {
+        true => Ok((draft.structure, draft.numbering)),
+        false => Err(draft.violations),
+    }
+}
+
+impl Draft<'_> {
+    /// The value, or 0 with the rule that it breaks.
+    fn value(&mut self, amount: &Amount) -> f64 {
+        let value = amount.value(self.case);
+        self.checked(value).unwrap_or_default()
+    }
+
+    fn optional(&mut self, amount: &Option<Amount>) -> f64 {
+        amount.as_ref().map_or(0.0, |amount| self.value(amount))
+    }
+
+    fn node(&mut self, name: &NodeName) -> Option<usize> {
+        let node = self.numbering.of(name);
+        self.checked(node).flatten()
+    }
+
+    fn checked<T>(&mut self, result: Result<T, Violation>) -> Option<T> {
+        result.map_err(|violation| self.violations.push(violation)).ok()
+    }
+
+    fn masses(&mut self) {
+        for mass in &self.template.masses {
+            let node = Node {
+                name: mass.name.clone(),
+                mass: self.value(&mass.mass),
+            };
+            self.structure.nodes.push(node);
+        }
+    }
+
+    /// Lumped masses m/n, half of it at the ends; stiffness n E A/L of each element.
+    fn bars(&mut self) {
+        for (b, bar) in self.template.bars.iter().enumerate() {
+            let n = self.numbering.elements()[b];
+            let elements = f64::from(n);
+            let (length, stiffness) = (self.value(&bar.length), self.value(&bar.stiffness));
+            let element = self.value(&bar.mass) / elements;
+            let k = elements * stiffness / length;
+            let c = self.optional(&bar.stiffness_damping) * k;
+            let first = self.numbering.first(b);
+            for i in 0..=n {
+                let (place, mass) = match i {
+                    0 => ("left".to_owned(), 0.5 * element),
+                    i if i == n => ("right".to_owned(), 0.5 * element),
+                    i => (i.to_string(), element),
+                };
+                let name = format!("{}.{place}", bar.name);
+                self.structure.nodes.push(Node { name, mass });
+            }
+            for i in first..first + n as usize {
+                self.add([Some(i), Some(i + 1)], k, c);
+            }
+        }
+    }
+
+    fn add(&mut self, between: [Option<usize>; 2], k: f64, c: f64) {
+        self.structure.stiffness.add_spring(between, k);
+        if c != 0.0 {
+            self.structure.damping.add_spring(between, c);
+        }
+    }
+
+    fn springs(&mut self) {
+        for spring in &self.template.springs {
+            let [i, j] = &spring.between;
+            let between = [self.node(i), self.node(j)];
+            let (k, c) = match &spring.numbers {
+                SpringNumbers::Stiffness { k, c } => (self.value(k), self.optional(c)),
+                SpringNumbers::Period {
+                    mass,
+                    period,
+                    ratio,
+                } => {
+                    let (mass, period) = (self.value(mass), self.value(period));
+                    let omega = 2.0 * PI / period;
+                    let c = 2.0 * self.optional(ratio) * omega * mass;
+                    (mass * omega * omega, c)
+                }
+            };
+            self.add(between, k, c);
+        }
+    }
+
+    /// C += mass M + stiffness K, K without the contacts.
+    fn rayleigh(&mut self) {
+        let [mass, stiffness] = &self.template.rayleigh;
+        let (mass, stiffness) = (self.optional(mass), self.optional(stiffness));
+        let Structure {
+            nodes,
+            stiffness: k,
+            damping,
+            ..
+        } = &mut self.structure;
+        if stiffness != 0.0 {
+            damping.add_matrix(k, stiffness);
+        }
+        if mass != 0.0 {
+            for (i, node) in nodes.iter().enumerate() {
+                damping.add(i, i, mass * node.mass);
+            }
+        }
+    }
+
+    fn contacts(&mut self) {
+        for contact in &self.template.contacts {
+            let [i, j] = &contact.between;
+            let between = [self.node(i), self.node(j)];
+            if between[0] == between[1] && self.violations.is_empty() {
+                let message = "a contact needs two different nodes";
+                self.violations.push(contacts::violation(contact, message));
+            }
+            let gap = self.optional(&contact.gap);
+            let law = contacts::relation(contact, self.case, self.template.metre);
+            if let Some(law) = self.checked(law) {
+                self.structure
+                    .contacts
+                    .push(crate::system::structure::Contact {
+                        name: contact.name.clone(),
+                        between,
+                        gap,
+                        law,
+                    });
+            }
+        }
+    }
+
+    fn loads(&mut self) {
+        for load in &self.template.loads {
+            let node = self.node(&load.at);
+            self.load(&load.force, |_, scale| {
+                node.map(|node| (node, scale)).into_iter().collect()
+            });
+        }
+        if let Some(ground) = &self.template.ground {
+            // u is relative to the ground: the load is -M a_g.
+            self.load(ground, |nodes, scale| {
+                let forces = nodes.iter().map(|node| -scale * node.mass);
+                forces.enumerate().collect()
+            });
+        }
+    }
+
+    fn load(&mut self, force: &Scaled, pattern: impl Fn(&[Node], f64) -> Vec<(usize, f64)>) {
+        let found = force.in_case(self.case, self.template.metre);
+        if let Some((signal, scale)) = self.checked(found) {
+            let pattern = pattern(&self.structure.nodes, scale);
+            self.structure.loads.push(Load { pattern, signal });
+        }
+    }
+
+    fn start(&mut self) {
+        for start in &self.template.start {
+            let (u, v) = (self.optional(&start.u), self.optional(&start.v));
+            let nodes = match &start.of {
+                Moved::Node(name) if name.node == NodeRef::Ground => 0..0,
+                Moved::Node(name) => self.node(name).map_or(0..0, |node| node..node + 1),
+                Moved::Bar(bar) => {
+                    let first = self.numbering.first(*bar);
+                    first..first + self.numbering.elements()[*bar] as usize + 1
+                }
+            };
+            for node in nodes {
+                self.structure.displacement[node] = u;
+                self.structure.velocity[node] = v;
+            }
+        }
+    }
+}

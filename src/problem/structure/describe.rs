@@ -1,0 +1,167 @@
+//! The assembled structure as text, for `explain`.
+
+use super::damping::modes;
+use crate::problem::parameter::shortest;
+use crate::system::structure::{Limit, Relation, Structure};
+use std::f64::consts::PI;
+
+/// Most lines of a list.
+const MOST_LINES: usize = 12;
+
+/// Nodes and masses, natural periods without contacts, contacts, and parts that nothing holds.
+pub fn describe(structure: &Structure, units: &str) -> String {
+    let mass: f64 = structure.nodes.iter().map(|node| node.mass).sum();
+    let units = match units {
+        "" => String::new(),
+        units => format!(" (units: {units})"),
+    };
+    let mut text = format!(
+        "structure: {} nodes, total mass {}, {} contacts, {} loads{units}\n",
+        structure.len(),
+        short(mass),
+        structure.contacts.len(),
+        structure.loads.len(),
+    );
+    let nodes = structure
+        .nodes
+        .iter()
+        .map(|node| format!("{} {}", node.name, short(node.mass)));
+    text += &list("nodes and masses", nodes.collect());
+    if let Some((omega2, _)) = modes(structure) {
+        text += &periods(omega2);
+    }
+    let contacts = structure.contacts.iter().map(|contact| {
+        let end = |node: Option<usize>| node.map_or("ground", |node| &structure.nodes[node].name);
+        let [i, j] = contact.between;
+        let law = law(&contact.law);
+        let gap = match contact.gap {
+            0.0 => String::new(),
+            gap => format!(", gap {}", short(gap)),
+        };
+        format!("{}: {} to {}{gap}, {law}", contact.name, end(i), end(j))
+    });
+    text += &lines("contacts", contacts.collect());
+    for part in free_parts(structure) {
+        text += &format!("nothing holds {part}: without contact and load it moves on freely\n");
+    }
+    text
+}
+
+fn periods(omega2: Vec<f64>) -> String {
+    let largest = omega2.iter().fold(0.0, |a: f64, b| a.max(*b));
+    // Round-off of the eigensolver.
+    let (free, mut held): (Vec<f64>, Vec<f64>) =
+        omega2.into_iter().partition(|x| *x <= 1e-12 * largest);
+    held.sort_by(f64::total_cmp);
+    let periods = held.iter().map(|x| short(2.0 * PI / x.sqrt())).collect();
+    let mut text = list("natural periods without contacts", periods);
+    if !free.is_empty() {
+        text += &format!("rigid-body modes: {}\n", free.len());
+    }
+    text
+}
+
+fn law(law: &Relation) -> String {
+    let limit = |limit: &Limit| match limit.varying {
+        None => format!("limit {}", short(limit.constant)),
+        Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
+    };
+    match law {
+        Relation::ImpactSpring { stiffness } => format!("impact spring k = {}", short(*stiffness)),
+        Relation::RigidStop { restitution } => {
+            format!("rigid impact, restitution {}", short(*restitution))
+        }
+        Relation::DisplacementControl {
+            stiffness,
+            limit: own,
+        } => format!(
+            "displacement-control k = {}, {}",
+            short(*stiffness),
+            limit(own)
+        ),
+        Relation::VelocityControl {
+            viscosity,
+            limit: own,
+        } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
+        Relation::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
+    }
+}
+
+/// Six significant digits.
+fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    shortest(rounded)
+}
+
+/// Items on one line; the middle of a long list is left out.
+fn list(what: &str, items: Vec<String>) -> String {
+    if items.is_empty() {
+        return String::new();
+    }
+    let len = items.len();
+    let shown = match len <= MOST_LINES {
+        true => items.join(", "),
+        false => format!(
+            "{}, ... ({len} in all), {}",
+            items[..MOST_LINES - 2].join(", "),
+            items[len - 1]
+        ),
+    };
+    format!("{what}: {shown}\n")
+}
+
+fn lines(what: &str, items: Vec<String>) -> String {
+    let all: String = items.iter().map(|item| format!("  {item}\n")).collect();
+    match items.is_empty() {
+        true => String::new(),
+        false => format!("{what}:\n{all}"),
+    }
+}
+
+/// The parts that springs connect neither to the ground nor to the rest, by the names of their nodes.
+fn free_parts(structure: &Structure) -> Vec<String> {
+    let size = structure.len();
+    let mut part: Vec<usize> = (0..size).collect();
+    let mut held = vec![0.0; size];
+    let root = |part: &[usize], mut i: usize| {
+        while part[i] != i {
+            i = part[i];
+        }
+        i
+    };
+    // A spring to the ground is what is left of the sum of a row of K.
+    for ((i, j), k) in structure.stiffness.entries() {
+        held[i] += k;
+        if i != j {
+            held[j] += k;
+            let (a, b) = (root(&part, i), root(&part, j));
+            part[a.max(b)] = a.min(b);
+        }
+    }
+    let diagonal: Vec<f64> = {
+        let mut diagonal = vec![0.0; size];
+        for ((i, j), k) in structure.stiffness.entries() {
+            if i == j {
+                diagonal[i] = k;
+            }
+        }
+        diagonal
+    };
+    let mut free = Vec::new();
+    for first in (0..size).filter(|i| part[*i] == *i) {
+        let members: Vec<usize> = (0..size).filter(|i| root(&part, *i) == first).collect();
+        let is_held = members
+            .iter()
+            .any(|i| held[*i] > 1e-12 * diagonal[*i].max(f64::MIN_POSITIVE));
+        if !is_held {
+            let names = members.iter().map(|i| structure.nodes[*i].name.as_str());
+            let names: Vec<&str> = names.collect();
+            free.push(match names[..] {
+                [one] => one.to_owned(),
+                [one, .., last] => format!("{one} to {last}"),
+                [] => String::new(),
+            });
+        }
+    }
+    free
+}

@@ -1,0 +1,167 @@
+//! The metrics of a case from its recorded motions.
+
+use super::channel::{Channel, Number, Quantity};
+use super::metric::{Reduction, StructureMetric};
+use super::node::Numbering;
+use crate::metrics::structure as reduce;
+use crate::system::structure::{Relation, Structure};
+
+/// Quantities of a motion at the steps 0..=N, one list for each number.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Recorded {
+    /// Which quantities.
+    pub numbers: Vec<Number>,
+    /// Their values.
+    pub series: Vec<Vec<f64>>,
+}
+
+impl Recorded {
+    /// The values of a quantity; none if it is not recorded.
+    pub fn of(&self, number: Number) -> &[f64] {
+        let place = self.numbers.iter().position(|own| *own == number);
+        place.map_or(&[], |place| &self.series[place])
+    }
+
+    /// The values of a channel of a structure with this numbering.
+    pub fn channel(&self, channel: &Channel, numbering: &Numbering) -> Vec<f64> {
+        let len = self.series.first().map_or(0, Vec::len);
+        let mut sum = vec![0.0; len];
+        for (sign, term) in &channel.terms {
+            if let Ok(Some(number)) = term.number(numbering) {
+                for (sum, x) in sum.iter_mut().zip(self.of(number)) {
+                    *sum += sign * x;
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// The quantities that a metric needs.
+pub fn needed(metric: &StructureMetric, numbering: &Numbering) -> Vec<Number> {
+    let terms = metric.channel.iter().flat_map(|channel| &channel.terms);
+    let of_channel = terms.filter_map(|(_, term)| term.number(numbering).ok().flatten());
+    let of_contact = metric.contact.into_iter().flat_map(|contact| {
+        let quantities: &[Quantity] = match metric.reduction {
+            Reduction::OpenTime => &[Quantity::Force, Quantity::Limit],
+            Reduction::Work => &[Quantity::Force, Quantity::Displacement],
+            Reduction::ResidualSlip => &[Quantity::Slip],
+            _ => &[Quantity::Force],
+        };
+        quantities.iter().map(move |quantity| Number::Contact(contact, *quantity))
+    });
+    of_channel.chain(of_contact).collect()
+}
+
+/// The motions that metrics compare; those that no metric needs are missing.
+#[derive(Debug, Default)]
+pub struct Motions {
+    /// By the time steps.
+    pub computed: Recorded,
+    /// By the time steps, from a start and with loads that are 1e-10 larger.
+    pub perturbed: Option<Recorded>,
+    /// Exact, with the softened laws.
+    pub softened: Option<Recorded>,
+    /// Exact, with the rigid laws.
+    pub rigid: Option<Recorded>,
+    /// Exact, with the softened laws on a finer mesh, and the numbering of that mesh.
+    pub finer: Option<(Recorded, Numbering)>,
+    /// Energy error of the computed motion.
+    pub energy_error: Option<f64>,
+}
+
+/// What the motions are of.
+#[derive(Debug, Clone, Copy)]
+pub struct Judged<'a> {
+    /// The structure.
+    pub structure: &'a Structure,
+    /// Numbers of its nodes.
+    pub numbering: &'a Numbering,
+    /// Time step.
+    pub dt: f64,
+    /// Whether errors are against the motion of the rigid laws.
+    pub against_rigid: bool,
+}
+
+/// The value of a metric; `None` where it is undefined.
+pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<f64> {
+    if metric.reduction == Reduction::EnergyError {
+        return motions.energy_error;
+    }
+    if let Some(contact) = metric.contact {
+        return of_contact(metric.reduction, contact, of, &motions.computed);
+    }
+    let channel = metric.channel.as_ref()?;
+    let series = |motion: &Recorded| motion.channel(channel, of.numbering);
+    let exact = |motion: &Option<Recorded>| motion.as_ref().map(series);
+    let reference = || match of.against_rigid {
+        true => exact(&motions.rigid),
+        false => exact(&motions.softened),
+    };
+    let c = series(&motions.computed);
+    match metric.reduction {
+        Reduction::Peak => Some(reduce::peak(&c)),
+        Reduction::Last => c.last().copied(),
+        Reduction::Min => Some(reduce::extent(&c)[0]),
+        Reduction::Max => Some(reduce::extent(&c)[1]),
+        Reduction::Rms => Some(reduce::rms(&c)),
+        Reduction::TimeOfPeak => reduce::step_of_peak(&c).map(|step| step as f64 * of.dt),
+        Reduction::RmsError => Some(reduce::rms_error(&c, &reference()?)),
+        Reduction::PeakError => {
+            let exact = reference()?;
+            Some((reduce::peak(&c) - reduce::peak(&exact)).abs())
+        }
+        Reduction::RegularisationError => Some(reduce::rms_error(
+            &exact(&motions.softened)?,
+            &exact(&motions.rigid)?,
+        )),
+        Reduction::StepError => Some(reduce::rms_error(&c, &exact(&motions.softened)?)),
+        Reduction::MeshError => {
+            let (finer, numbering) = motions.finer.as_ref()?;
+            let finer = finer.channel(channel, numbering);
+            Some(reduce::rms_error(&exact(&motions.softened)?, &finer))
+        }
+        Reduction::Divergence => {
+            let perturbed = exact(&motions.perturbed)?;
+            let step = reduce::divergence(&c, &perturbed, metric.threshold)?;
+            Some(step as f64 * of.dt)
+        }
+        Reduction::Impacts
+        | Reduction::Impulse
+        | Reduction::ContactTime
+        | Reduction::OpenTime
+        | Reduction::Work
+        | Reduction::ResidualSlip
+        | Reduction::EnergyError => None,
+    }
+}
+
+fn of_contact(
+    reduction: Reduction,
+    contact: usize,
+    of: Judged,
+    computed: &Recorded,
+) -> Option<f64> {
+    let series = |quantity| computed.of(Number::Contact(contact, quantity));
+    let force = series(Quantity::Force);
+    let impact = matches!(
+        of.structure.contacts.get(contact)?.law,
+        Relation::ImpactSpring { .. } | Relation::RigidStop { .. }
+    );
+    match reduction {
+        Reduction::Impacts => Some(reduce::closings(force) as f64),
+        Reduction::Impulse => Some(reduce::impulse(force, of.dt)),
+        Reduction::ContactTime => Some(reduce::time_where(force, of.dt, |s| s != 0.0)),
+        Reduction::OpenTime if impact => Some(reduce::time_where(force, of.dt, |s| s == 0.0)),
+        Reduction::OpenTime => {
+            let limit = series(Quantity::Limit);
+            Some(reduce::time_where(limit, of.dt, |limit| limit <= 0.0))
+        }
+        Reduction::Work => Some(reduce::work(force, series(Quantity::Displacement))),
+        Reduction::ResidualSlip => {
+            let slip = series(Quantity::Slip);
+            Some(slip.last()? - slip.first()?)
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,197 @@
+//! Functions of time in a study, as signals.
+
+use super::amount::Amount;
+use super::template::{Chosen, Scaled};
+use crate::problem::{Case, Violation};
+use crate::system::loads::{pulse, synthetic};
+use crate::system::structure::{Signal, Table};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A function of time. Cases with the same numbers share its signal, so that its samples are computed once.
+#[derive(Debug, Clone)]
+pub struct Source {
+    kind: Kind,
+    /// Byte offset and path in the study.
+    place: (usize, String),
+    made: Arc<Mutex<HashMap<Vec<u64>, Arc<Signal>>>>,
+}
+
+/// The kinds of functions.
+#[derive(Debug, Clone)]
+pub enum Kind {
+    /// amplitude sin(omega t + phase).
+    Sine {
+        /// Amplitude.
+        amplitude: Amount,
+        /// Circular frequency.
+        omega: Amount,
+        /// Phase; none for 0.
+        phase: Option<Amount>,
+    },
+    /// Straight lines between points, constant beyond.
+    Table {
+        /// Times.
+        t: Vec<Amount>,
+        /// Values.
+        f: Vec<Amount>,
+    },
+    /// A recorded acceleration in the study's units.
+    Record {
+        /// The file.
+        name: Chosen,
+        /// All files that a case may choose.
+        records: Vec<(&'static str, Arc<Signal>)>,
+    },
+    /// Ricker's pulse.
+    Ricker {
+        /// Amplitude.
+        amplitude: Amount,
+        /// Frequency.
+        frequency: Amount,
+        /// Time of the peak.
+        at: Amount,
+        /// Time between samples.
+        sampled: Amount,
+    },
+    /// One sine cycle.
+    Cosine {
+        /// Amplitude.
+        amplitude: Amount,
+        /// Period.
+        period: Amount,
+        /// Time between samples.
+        sampled: Amount,
+    },
+    /// A synthetic acceleration.
+    Synthetic {
+        /// Seed.
+        seed: Amount,
+    },
+}
+
+/// Most signals that are kept: a sweep over a frequency makes one for each case.
+const MOST_KEPT: usize = 256;
+
+impl Source {
+    /// A function at a place of the study.
+    pub fn new(kind: Kind, place: (usize, String)) -> Source {
+        Source {
+            kind,
+            place,
+            made: Arc::default(),
+        }
+    }
+
+    /// The kind of function.
+    pub fn kind(&self) -> &Kind {
+        &self.kind
+    }
+
+    /// The signal in a case. `metre` is the study's unit of length in m.
+    pub fn signal(&self, case: &Case, metre: f64) -> Result<Arc<Signal>, Violation> {
+        if let Kind::Record { name, records } = &self.kind {
+            let name = name.name(case);
+            let record = records.iter().find(|record| record.0 == name);
+            let none = || self.violation(format!("no record \"{name}\""));
+            return record.map(|record| record.1.clone()).ok_or_else(none);
+        }
+        let numbers = self.numbers(case)?;
+        let key: Vec<u64> = numbers.iter().map(|x| x.to_bits()).collect();
+        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(signal) = made.get(&key) {
+            return Ok(signal.clone());
+        }
+        let signal = Arc::new(self.make(&numbers, metre)?);
+        if made.len() >= MOST_KEPT {
+            made.clear();
+        }
+        made.insert(key, signal.clone());
+        Ok(signal)
+    }
+
+    /// The numbers of the function in a case, in the order of its fields.
+    fn numbers(&self, case: &Case) -> Result<Vec<f64>, Violation> {
+        let of = |amounts: &[&Amount]| amounts.iter().map(|amount| amount.value(case)).collect();
+        match &self.kind {
+            Kind::Sine {
+                amplitude,
+                omega,
+                phase,
+            } => {
+                let mut numbers = vec![amplitude.value(case)?, omega.value(case)?];
+                let phase = phase.as_ref().map_or(Ok(0.0), |phase| phase.value(case));
+                numbers.push(phase?);
+                Ok(numbers)
+            }
+            Kind::Table { t, f } => of(&t.iter().chain(f).collect::<Vec<_>>()),
+            Kind::Record { .. } => Ok(Vec::new()),
+            Kind::Ricker {
+                amplitude,
+                frequency,
+                at,
+                sampled,
+            } => of(&[amplitude, frequency, at, sampled]),
+            Kind::Cosine {
+                amplitude,
+                period,
+                sampled,
+            } => of(&[amplitude, period, sampled]),
+            Kind::Synthetic { seed } => {
+                let seed = seed.whole(case, 0, u32::MAX)?;
+                Ok(vec![f64::from(seed)])
+            }
+        }
+    }
+
+    fn make(&self, numbers: &[f64], metre: f64) -> Result<Signal, Violation> {
+        let none = || "the function has no finite values".to_owned();
+        let table = match (&self.kind, numbers) {
+            (Kind::Sine { .. }, &[amplitude, omega, phase]) => {
+                return Ok(Signal::Sine {
+                    amplitude,
+                    omega,
+                    phase,
+                });
+            }
+            (Kind::Table { t, .. }, numbers) => {
+                let (times, values) = numbers.split_at(t.len());
+                let table = Table::new(times.to_vec(), values.to_vec());
+                let rise = "times must rise; two equal times make a jump";
+                return table.map(Signal::Table).ok_or_else(|| self.violation(rise));
+            }
+            (Kind::Ricker { .. }, &[amplitude, frequency, at, sampled]) => {
+                pulse::ricker(amplitude, frequency, at, sampled)
+            }
+            (Kind::Cosine { .. }, &[amplitude, period, sampled]) => {
+                pulse::cosine(amplitude, period, sampled)
+            }
+            (Kind::Synthetic { .. }, &[seed]) => {
+                let record = synthetic::synthetic(seed as u64);
+                record.and_then(|record| record.scaled(1.0 / metre)).ok_or_else(none)
+            }
+            _ => Err(none()),
+        };
+        let table = table.map_err(|why| self.violation(why))?;
+        Ok(Signal::Table(table))
+    }
+
+    fn violation(&self, message: impl Into<String>) -> Violation {
+        Violation {
+            parameter: self.place.1.clone().into(),
+            message: message.into(),
+            at: Some(self.place.0),
+        }
+    }
+}
+
+impl Scaled {
+    /// The signal in a case, and its factor.
+    pub fn in_case(&self, case: &Case, metre: f64) -> Result<(Arc<Signal>, f64), Violation> {
+        let scale = self
+            .scale
+            .as_ref()
+            .map_or(Ok(1.0), |scale| scale.value(case));
+        Ok((self.source.signal(case, metre)?, scale?))
+    }
+}

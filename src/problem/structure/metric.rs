@@ -1,0 +1,193 @@
+//! Metrics of a structure: a reduction of a channel over time.
+
+use super::channel::{Channel, Names, QUANTITIES};
+
+/// A metric of the study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StructureMetric {
+    /// Its column: the text in the study, such as `peak(g1.right - p2)`.
+    pub name: String,
+    /// How the channel is reduced to a number.
+    pub reduction: Reduction,
+    /// The channel; none for `energy_error`.
+    pub channel: Option<Channel>,
+    /// The contact of a reduction of contacts, by its place in the list.
+    pub contact: Option<usize>,
+    /// The threshold of `divergence`, over the peak.
+    pub threshold: f64,
+}
+
+macro_rules! reductions {
+    ($($variant:ident $name:literal $takes:ident $meaning:literal),+ $(,)?) => {
+        /// How a channel is reduced to a number.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Reduction {
+            $(#[doc = $meaning] $variant),+
+        }
+
+        /// The reductions, each with its meaning.
+        pub const REDUCTIONS: [(&str, &str); [$($name),+].len()] = [$(($name, $meaning)),+];
+
+        const ALL: [(Reduction, Takes); REDUCTIONS.len()] = [$((Reduction::$variant, Takes::$takes)),+];
+    };
+}
+
+/// What a reduction is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Takes {
+    Channel,
+    Contact,
+    Nothing,
+    ChannelAndThreshold,
+}
+
+reductions! {
+    Peak "peak" Channel "largest absolute value over the steps",
+    Last "last" Channel "value at the last step",
+    Min "min" Channel "smallest value over the steps",
+    Max "max" Channel "largest value over the steps",
+    Rms "rms" Channel "sqrt(mean c^2) over the steps",
+    TimeOfPeak "time_of_peak" Channel "first time of the largest absolute value",
+    Impacts "impacts" Contact "number of times that the contact closes: steps with S < 0 after one with S = 0",
+    Impulse "impulse" Contact "integral of abs(S) over time, by trapezoids",
+    ContactTime "contact_time" Contact "time with a contact force: the steps that end with S != 0",
+    OpenTime "open_time" Contact "time without contact: for an impact the steps that end with S = 0, for friction those with limit 0",
+    Work "work" Contact "work of the contact force on the structure's motion, integral of S dr by trapezoids; positive where the contact takes energy",
+    ResidualSlip "residual_slip" Contact "slip at the last step minus slip at t = 0",
+    EnergyError "energy_error" Nothing "largest unbalanced energy over the largest kinetic and strain energy",
+    RmsError "rms_error" Channel "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",
+    PeakError "peak_error" Channel "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
+    RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",
+    StepError "step_error" Channel "sqrt(mean (c - g)^2); g is the exact motion of the softened laws",
+    MeshError "mesh_error" Channel "sqrt(mean (g - f)^2); g is the exact motion of the softened laws, f the same with 4 times as many elements in every bar and the same contacts",
+    Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
+}
+
+impl Reduction {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        let place = ALL.iter().position(|known| known.0 == self);
+        place.map_or("", |place| REDUCTIONS[place].0)
+    }
+
+    /// Its meaning.
+    pub fn meaning(self) -> &'static str {
+        let place = ALL.iter().position(|known| known.0 == self);
+        place.map_or("", |place| REDUCTIONS[place].1)
+    }
+}
+
+/// Whether a text has the form of a metric: `name(...)`, or `energy_error`.
+pub fn looks_like_metric(text: &str) -> bool {
+    let name = text.split('(').next().unwrap_or_default().trim();
+    let with_brackets = text.contains('(') && text.trim_end().ends_with(')');
+    let known = REDUCTIONS.iter().any(|known| known.0 == name);
+    known && (with_brackets || name == Reduction::EnergyError.name())
+}
+
+impl StructureMetric {
+    /// The metric of a text such as `peak(g1.right - p2)`.
+    ///
+    /// # Errors
+    /// What is wrong and what is allowed.
+    pub fn parse(text: &str, names: &Names) -> Result<StructureMetric, String> {
+        let text = text.trim();
+        let (name, inside) = match text.split_once('(') {
+            None => (text, None),
+            Some((name, rest)) => {
+                let inside = rest.strip_suffix(')');
+                (name.trim(), Some(inside.ok_or("a ')' is missing at the end")?))
+            }
+        };
+        let Some(place) = REDUCTIONS.iter().position(|known| known.0 == name) else {
+            let all = REDUCTIONS.map(|known| known.0).join(", ");
+            return Err(format!("no metric '{name}'; allowed: {all}"));
+        };
+        let (reduction, takes) = ALL[place];
+        let mut metric = StructureMetric {
+            name: text.to_owned(),
+            reduction,
+            channel: None,
+            contact: None,
+            threshold: 0.0,
+        };
+        let inside = inside.map(str::trim);
+        match (takes, inside) {
+            (Takes::Nothing, None) => {}
+            (Takes::Nothing, Some(_)) => return Err(format!("{name} has no channel")),
+            (_, None | Some("")) => {
+                let what = match takes {
+                    Takes::Contact => "a contact",
+                    _ => "a channel",
+                };
+                return Err(format!("{name} needs {what} in brackets"));
+            }
+            (Takes::Channel, Some(inside)) => {
+                metric.channel = Some(Channel::parse(inside, names)?);
+            }
+            (Takes::Contact, Some(inside)) => {
+                metric.contact = Some(contact(inside, names)?);
+            }
+            (Takes::ChannelAndThreshold, Some(inside)) => {
+                let (channel, threshold) = inside
+                    .rsplit_once(',')
+                    .ok_or("divergence needs a channel and a threshold, as in divergence(p1, 0.01)")?;
+                let threshold = threshold.trim();
+                let number: Option<f64> = threshold.parse().ok();
+                metric.threshold = number
+                    .filter(|x| *x > 0.0 && x.is_finite())
+                    .ok_or_else(|| format!("the threshold must be a number > 0, got '{threshold}'"))?;
+                metric.channel = Some(Channel::parse(channel, names)?);
+            }
+        }
+        Ok(metric)
+    }
+}
+
+/// A contact by its name, or by one of its channels.
+fn contact(text: &str, names: &Names) -> Result<usize, String> {
+    let bare = text
+        .rsplit_once('.')
+        .filter(|(_, end)| QUANTITIES.iter().any(|known| known.0 == *end))
+        .map_or(text, |(bare, _)| bare);
+    let place = names.contacts.iter().position(|known| *known == bare);
+    let known = names.contacts.join(", ");
+    place.ok_or_else(|| format!("no contact '{bare}'; the contacts are {known}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NAMES: Names = Names {
+        masses: &["p1", "p2"],
+        bars: &["g1"],
+        contacts: &["gap"],
+    };
+
+    #[test]
+    fn metrics_are_reductions_of_channels() {
+        let metric = |text| StructureMetric::parse(text, &NAMES).unwrap();
+        let peak = metric("peak( g1.right-p2 )");
+        assert_eq!(peak.name, "peak( g1.right-p2 )");
+        assert_eq!(peak.channel, metric("peak(g1.right - p2)").channel);
+        assert_eq!(peak.reduction, Reduction::Peak);
+        assert_eq!(metric("impacts(gap)").contact, metric("impacts(gap.S)").contact);
+        assert_eq!(metric("energy_error").name, "energy_error");
+        let divergence = metric("divergence(p1, 0.01)");
+        assert_eq!(divergence.threshold, 0.01);
+        for (text, part) in [
+            ("peek(p1)", "no metric 'peek'"),
+            ("peak(p3)", "no node or contact 'p3'"),
+            ("peak", "needs a channel"),
+            ("peak(p1", "')' is missing"),
+            ("impacts(p1)", "no contact 'p1'"),
+            ("energy_error(p1)", "has no channel"),
+            ("divergence(p1)", "a channel and a threshold"),
+            ("divergence(p1, 0)", "must be a number > 0"),
+        ] {
+            let why = StructureMetric::parse(text, &NAMES).unwrap_err();
+            assert!(why.contains(part), "{text}: {why}");
+        }
+    }
+}

@@ -1,0 +1,372 @@
+//! Structures of a study: masses, bars, springs, contacts, loads and records, with the exact motion by events.
+
+pub mod amount;
+mod assemble;
+pub mod channel;
+pub mod contacts;
+mod damping;
+mod describe;
+mod judge;
+pub mod loads;
+pub mod metric;
+mod motion;
+pub mod node;
+pub mod schema;
+pub mod template;
+
+use super::cases::Cases;
+use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
+use crate::history::History;
+use crate::problem::schema::Channel as Column;
+use crate::problem::unit::Dimension;
+use crate::solve::{MetricTable, Unsolvable};
+use crate::system::structure::Structure;
+use assemble::assemble;
+use channel::{Number, Quantity};
+use judge::{Judged, Motions, Recorded};
+use metric::{Reduction, StructureMetric};
+use node::Numbering;
+use schema::Drawn;
+use std::sync::Arc;
+use template::{Reference, Template};
+
+/// The structure of a study.
+#[derive(Debug)]
+pub struct StructureProblem {
+    schema: Arc<Schema>,
+    template: Template,
+    metrics: Vec<StructureMetric>,
+    drawn: Vec<Drawn>,
+    identity: String,
+}
+
+/// Most numbers of a history: 2 GiB.
+const MOST_NUMBERS: f64 = 268_435_456.0;
+
+impl StructureProblem {
+    /// The problem of a template with these tables. `identity` is different for different structures and records.
+    pub fn new(
+        template: Template,
+        schema: Arc<Schema>,
+        metrics: Vec<StructureMetric>,
+        drawn: Vec<Drawn>,
+        identity: String,
+    ) -> StructureProblem {
+        StructureProblem {
+            schema,
+            template,
+            metrics,
+            drawn,
+            identity,
+        }
+    }
+
+    /// The structure of a completed case, and the numbers of its nodes. Each bar has `finer` times its elements.
+    fn structure(&self, case: &Case, finer: u32) -> Result<(Structure, Numbering), Unsolvable> {
+        let broken = |all: Vec<Violation>| {
+            Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default())
+        };
+        let (mut structure, numbering) = assemble(&self.template, case, finer).map_err(broken)?;
+        if let Some(ratio) = &self.template.modal_damping {
+            let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
+            damping::add_modal(&mut structure, ratio).ok_or(Unsolvable::NoModes)?;
+        }
+        Ok((structure, numbering))
+    }
+
+    fn time(&self, case: &Case) -> Result<(f64, u64), Unsolvable> {
+        let dt = case.at(self.schema.step);
+        Ok((dt.ok_or(Unsolvable::ParameterMissing)?, self.steps(case)))
+    }
+
+    /// The motions that the metrics need, with these quantities of the computed motion recorded too.
+    fn motions(
+        &self,
+        (structure, numbering): (&Structure, &Numbering),
+        case: &Case,
+        more: &[Number],
+    ) -> Result<Motions, Unsolvable> {
+        let (dt, last) = self.time(case)?;
+        let has = |reductions: &[Reduction]| {
+            let mut all = self.metrics.iter();
+            all.any(|metric| reductions.contains(&metric.reduction))
+        };
+        let numbers = |numbering: &Numbering, reductions: Option<&[Reduction]>| {
+            let chosen = self.metrics.iter().filter(|metric| {
+                reductions.is_none_or(|reductions| reductions.contains(&metric.reduction))
+            });
+            let needed = chosen.flat_map(|metric| judge::needed(metric, numbering));
+            distinct(needed)
+        };
+        let mut computed = numbers(numbering, None);
+        computed.extend(more.iter().filter(|number| !computed.contains(number)).copied().collect::<Vec<_>>());
+        let energy = has(&[Reduction::EnergyError]);
+        let (computed, energy_error) = motion::computed(structure, dt, last, &computed, energy)?;
+        let mut motions = Motions {
+            computed,
+            energy_error,
+            ..Motions::default()
+        };
+        if has(&[Reduction::Divergence]) {
+            let own = numbers(numbering, Some(&[Reduction::Divergence]));
+            let other = motion::perturbed(structure);
+            motions.perturbed = Some(motion::computed(&other, dt, last, &own, false)?.0);
+        }
+        const ERRORS: [Reduction; 5] = [
+            Reduction::RmsError,
+            Reduction::PeakError,
+            Reduction::StepError,
+            Reduction::RegularisationError,
+            Reduction::MeshError,
+        ];
+        let own = numbers(numbering, Some(&ERRORS));
+        let times: Vec<f64> = (0..=last).map(|i| i as f64 * dt).collect();
+        let against = [Reduction::RmsError, Reduction::PeakError];
+        let softened = [
+            Reduction::StepError,
+            Reduction::RegularisationError,
+            Reduction::MeshError,
+        ];
+        if has(&softened) || has(&against) && !self.against_rigid() {
+            motions.softened = Some(motion::exact(structure, &times, &own)?);
+        }
+        if has(&[Reduction::RegularisationError]) || has(&against) && self.against_rigid() {
+            let rigid = motion::rigid(structure);
+            motions.rigid = Some(motion::exact(&rigid, &times, &own)?);
+        }
+        if has(&[Reduction::MeshError]) {
+            let (finer, numbering) = self.structure(case, FINER)?;
+            let own = numbers(&numbering, Some(&[Reduction::MeshError]));
+            motions.finer = Some((motion::exact(&finer, &times, &own)?, numbering));
+        }
+        Ok(motions)
+    }
+
+    fn against_rigid(&self) -> bool {
+        self.template.reference == Some(Reference::Rigid)
+    }
+
+    /// The exact motion of the reference at these times.
+    fn reference(
+        &self,
+        structure: &Structure,
+        times: &[f64],
+        numbers: &[Number],
+    ) -> Result<Recorded, Unsolvable> {
+        match self.against_rigid() {
+            true => motion::exact(&motion::rigid(structure), times, numbers),
+            false => motion::exact(structure, times, numbers),
+        }
+    }
+
+    fn values(&self, of: Judged, motions: &Motions) -> Vec<Option<f64>> {
+        let metrics = self.metrics.iter();
+        metrics.map(|metric| judge::value(metric, of, motions)).collect()
+    }
+
+    /// The channels of histories: those of figures, then those of every node and contact.
+    fn history(&self, recorded: &Recorded, numbering: &Numbering, all: &[Number]) -> Vec<Vec<f64>> {
+        let drawn = self.drawn.iter();
+        let drawn = drawn.map(|drawn| recorded.channel(&drawn.channel, numbering));
+        drawn
+            .chain(all.iter().map(|number| recorded.of(*number).to_vec()))
+            .collect()
+    }
+
+    fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
+        let terms = self.drawn.iter().flat_map(|drawn| &drawn.channel.terms);
+        distinct(terms.filter_map(|(_, term)| term.number(numbering).ok().flatten()))
+    }
+
+    /// Every channel expression has its nodes in a case.
+    fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
+        let of_metrics = self.metrics.iter().filter_map(|metric| metric.channel.as_ref());
+        let channels = of_metrics.chain(self.drawn.iter().map(|drawn| &drawn.channel));
+        let faults = channels.filter_map(|channel| {
+            let mut terms = channel.terms.iter();
+            let message = terms.find_map(|(_, term)| term.number(numbering).err())?;
+            Some(Violation {
+                parameter: channel.name.clone().into(),
+                message,
+                at: None,
+            })
+        });
+        faults.collect()
+    }
+}
+
+/// Refinement of the mesh that `mesh_error` compares with.
+const FINER: u32 = 4;
+
+fn distinct(numbers: impl Iterator<Item = Number>) -> Vec<Number> {
+    let mut distinct = Vec::new();
+    for number in numbers {
+        if !distinct.contains(&number) {
+            distinct.push(number);
+        }
+    }
+    distinct
+}
+
+/// u and v of every node, r, rdot and S of every contact.
+fn all_numbers(structure: &Structure) -> Vec<Number> {
+    let nodes = 0..structure.len();
+    let of_nodes = nodes.flat_map(|i| [Number::Displacement(i), Number::Velocity(i)]);
+    let of_contacts = (0..structure.contacts.len()).flat_map(|c| {
+        [Quantity::Displacement, Quantity::Velocity, Quantity::Force]
+            .map(|quantity| Number::Contact(c, quantity))
+    });
+    of_nodes.chain(of_contacts).collect()
+}
+
+impl Problem for StructureProblem {
+    fn schema(&self) -> &Arc<Schema> {
+        &self.schema
+    }
+
+    fn identity(&self) -> &str {
+        &self.identity
+    }
+
+    fn complete(&self, case: &mut Case) -> Vec<Violation> {
+        let number = |row| case.at(row).unwrap_or(f64::NAN);
+        let (step, duration) = (number(self.schema.step), number(self.schema.duration));
+        let mut violations = Vec::new();
+        if step.is_finite() && duration.is_finite() {
+            violations.extend(time_rules("dt", step, duration));
+        }
+        match assemble(&self.template, case, 1) {
+            Err(broken) => violations.extend(broken),
+            Ok((structure, numbering)) => {
+                violations.extend(self.check_channels(&numbering));
+                let numbers = (2 * structure.len() + 3 * structure.contacts.len()) as f64;
+                let steps = duration / step;
+                if violations.is_empty() && steps * numbers > MOST_NUMBERS {
+                    violations.push(Violation {
+                        parameter: "dt".into(),
+                        message: format!(
+                            "gives {steps:.3e} steps of {numbers} numbers, at most {MOST_NUMBERS:.2e} numbers fit in memory"
+                        ),
+                        at: None,
+                    });
+                }
+            }
+        }
+        violations
+    }
+
+    fn work(&self, case: &Case) -> u64 {
+        let size = assemble(&self.template, case, 1);
+        let size = size.map_or(1, |(structure, _)| structure.len() + 5 * structure.contacts.len());
+        self.steps(case).saturating_mul(size as u64)
+    }
+
+    fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        let (structure, numbering) = self.structure(case, 1)?;
+        let (dt, last) = self.time(case)?;
+        let all = all_numbers(&structure);
+        let mut recorded = self.drawn_numbers(&numbering);
+        recorded.extend(&all);
+        let recorded = distinct(recorded.into_iter());
+        let motions = self.motions((&structure, &numbering), case, &recorded)?;
+        let of = Judged {
+            structure: &structure,
+            numbering: &numbering,
+            dt,
+            against_rigid: self.against_rigid(),
+        };
+        let metrics = self.values(of, &motions);
+        let time: Vec<f64> = (0..=last).map(|i| i as f64 * dt).collect();
+        let exact = match self.template.reference {
+            None => Vec::new(),
+            Some(_) => {
+                let exact = self.reference(&structure, &time, &recorded)?;
+                self.history(&exact, &numbering, &all)
+            }
+        };
+        let computed = self.history(&motions.computed, &numbering, &all);
+        let history = |channels| History {
+            time: time.clone(),
+            channels,
+        };
+        let solution = Solution {
+            computed: history(computed),
+            exact: history(exact),
+            metrics,
+        };
+        match solution.computed.is_finite() {
+            true => Ok(solution),
+            false => Err(Unsolvable::OutOfRange),
+        }
+    }
+
+    fn solve_once(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        Err(Unsolvable::NotPrinted)
+    }
+
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
+        let mut table = MetricTable::new(rows.len(), self.metrics.len());
+        let mut shown = cases.shown();
+        for (place, row) in rows.iter().enumerate() {
+            let case = shown.at(*row as usize);
+            let metrics = self.structure(case, 1).and_then(|(structure, numbering)| {
+                let motions = self.motions((&structure, &numbering), case, &[])?;
+                let of = Judged {
+                    structure: &structure,
+                    numbering: &numbering,
+                    dt: self.time(case)?.0,
+                    against_rigid: self.against_rigid(),
+                };
+                Ok(self.values(of, &motions))
+            });
+            table.put(place, metrics);
+        }
+        table
+    }
+
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+        self.template.reference?;
+        let (structure, numbering) = self.structure(case, 1).ok()?;
+        let numbers = self.drawn_numbers(&numbering);
+        let exact = self.reference(&structure, times, &numbers).ok()?;
+        Some(History {
+            time: times.to_vec(),
+            channels: self.history(&exact, &numbering, &[]),
+        })
+    }
+
+    fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
+        let Ok((structure, _)) = assemble(&self.template, case, 1) else {
+            return Vec::new();
+        };
+        let exact = self.template.reference.is_some();
+        let nodes = structure.nodes.iter().flat_map(|node| {
+            [("u", Dimension::Length), ("v", Dimension::Velocity)]
+                .map(|(end, dimension)| (format!("{}.{end}", node.name), dimension))
+        });
+        let contacts = structure.contacts.iter().flat_map(|contact| {
+            [
+                ("r", Dimension::Length),
+                ("rdot", Dimension::Velocity),
+                ("S", Dimension::Force),
+            ]
+            .map(|(end, dimension)| (format!("{}.{end}", contact.name), dimension))
+        });
+        let columns = nodes.chain(contacts).enumerate();
+        columns
+            .map(|(i, (name, dimension))| HistoryColumn {
+                index: self.drawn.len() + i,
+                column: Column {
+                    name: name.into(),
+                    dimension,
+                    exact,
+                },
+            })
+            .collect()
+    }
+
+    fn description(&self, case: &Case) -> Option<String> {
+        let (structure, _) = self.structure(case, 1).ok()?;
+        Some(describe::describe(&structure, &self.template.units))
+    }
+}

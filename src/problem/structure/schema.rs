@@ -1,0 +1,187 @@
+//! The schema of a study of structures: its own parameters, metrics and channels.
+
+use super::channel::Channel;
+use super::metric::StructureMetric;
+use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
+use crate::problem::schema::{Channel as Column, Metric, Quantity, TimeAxis};
+use crate::problem::{Schema, Text};
+use std::borrow::Cow::{self, Borrowed};
+use std::sync::Arc;
+
+/// Name of the problem in studies.
+pub const NAME: &str = "structure";
+
+/// What the problem is.
+pub const MEANING: &str =
+    "a structure of masses, bars and springs with any number of contacts, under loads and ground motion";
+
+/// The parameters that every study of structures has, each with its meaning.
+pub const FIXED: [(&str, &str); 2] = [
+    ("dt", "time step; at most duration"),
+    ("duration", "end of the motion"),
+];
+
+/// A parameter that the study names.
+#[derive(Debug, Clone)]
+pub struct Named {
+    /// Its name.
+    pub name: String,
+    /// The names that it chooses from; none for a number.
+    pub choices: Option<&'static [(&'static str, &'static str)]>,
+    /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
+    pub required: bool,
+}
+
+/// A quantity of history figures.
+#[derive(Debug, Clone)]
+pub struct Drawn {
+    /// Its name in a figure.
+    pub name: String,
+    /// Its channel.
+    pub channel: Channel,
+    /// Whether it is the error of the channel.
+    pub error: bool,
+}
+
+/// The schema of these parameters, metrics and quantities. Channel i is that of quantity i.
+pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> Arc<Schema> {
+    let parameters: Vec<Parameter> = named.iter().map(parameter).collect();
+    let row = |name: &str| named.iter().position(|p| p.name == name).unwrap_or(0);
+    let metric = |metric: &StructureMetric| Metric {
+        name: metric.name.clone().into(),
+        symbol: escape(&metric.name).into(),
+        unit: Borrowed("1"),
+        meaning: Borrowed(metric.reduction.meaning()),
+        default: true,
+    };
+    let channel = |drawn: &Drawn| Column {
+        name: drawn.name.clone().into(),
+        dimension: drawn.channel.dimension(),
+        exact: false,
+    };
+    let quantity = |(channel, drawn): (usize, &Drawn)| Quantity {
+        name: drawn.name.clone().into(),
+        title: escape(&drawn.name).into(),
+        channel,
+        error: drawn.error,
+    };
+    Arc::new(Schema {
+        name: Borrowed(NAME),
+        meaning: Borrowed(MEANING),
+        step: row(FIXED[0].0),
+        duration: row(FIXED[1].0),
+        parameters: parameters.into(),
+        metrics: metrics.iter().map(metric).collect::<Vec<_>>().into(),
+        contact_metric: None,
+        channels: drawn.iter().map(channel).collect::<Vec<_>>().into(),
+        quantities: drawn.iter().enumerate().map(quantity).collect::<Vec<_>>().into(),
+        profiles: Cow::default(),
+        budgets: Cow::default(),
+        time: TimeAxis {
+            column: Borrowed("t"),
+            title: Borrowed("Time *t*"),
+            in_pi: false,
+        },
+        place_title: Borrowed(""),
+        later: Cow::default(),
+        scales: Cow::default(),
+        units: Cow::default(),
+        alternatives: Cow::default(),
+    })
+}
+
+fn parameter(named: &Named) -> Parameter {
+    let fixed = FIXED.iter().find(|fixed| fixed.0 == named.name);
+    let kind = match (named.choices, fixed) {
+        (Some(choices), _) => Kind::Choice(choices),
+        (None, Some(_)) => Kind::Number(Range::Positive),
+        (None, None) => Kind::Number(Range::Any),
+    };
+    let symbol = match fixed {
+        Some(("dt", _)) => "Δ*t*".to_owned(),
+        Some(_) => "*t*_end_".to_owned(),
+        None if named.choices.is_some() => escape(&named.name),
+        None => symbol(&named.name),
+    };
+    Parameter {
+        name: named.name.clone().into(),
+        symbol: symbol.into(),
+        unit: Borrowed("1"),
+        kind,
+        default: match named.required {
+            true => Default::Required,
+            false => Default::Follows(Text::Borrowed("not needed by the structure")),
+        },
+        applies: None,
+        column: ColumnRule::Always,
+        meaning: Borrowed(fixed.map_or("parameter of the study", |fixed| fixed.1)),
+    }
+}
+
+/// Greek letters by their names.
+const GREEK: [(&str, &str); 18] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("omega", "ω"),
+];
+
+/// A name as figures write it, in their markup: `k_I` as an italic k with the subscript I.
+fn symbol(name: &str) -> String {
+    let (base, below) = name.split_once('_').unwrap_or((name, ""));
+    let greek = GREEK.iter().find(|letter| letter.0 == base);
+    let base = greek.map_or(base, |letter| letter.1);
+    let italic = base.chars().count() <= 2;
+    let mut markup = match italic {
+        true => format!("*{}*", escape(base)),
+        false => escape(base),
+    };
+    if !below.is_empty() {
+        markup += &format!("_{}_", escape(below));
+    }
+    markup
+}
+
+/// Plain text in the markup of figures.
+fn escape(plain: &str) -> String {
+    let mut markup = String::new();
+    for c in plain.chars() {
+        if "\\*_^".contains(c) {
+            markup.push('\\');
+        }
+        markup.push(c);
+    }
+    markup
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_symbols() {
+        for (name, markup) in [
+            ("gamma", "*γ*"),
+            ("k_I", "*k*_I_"),
+            ("EA", "*EA*"),
+            ("scale", "scale"),
+            ("r_E_2", "*r*_E\\_2_"),
+        ] {
+            assert_eq!(symbol(name), markup);
+        }
+    }
+}

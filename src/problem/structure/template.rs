@@ -1,0 +1,204 @@
+//! The structure of a study: nodes, bars, springs, contacts, loads and start, with numbers that may depend on the parameters.
+
+use super::amount::Amount;
+use super::loads::Source;
+use super::node::NodeName;
+use crate::problem::Case;
+
+/// The structure of all cases of a study.
+#[derive(Debug, Clone, Default)]
+pub struct Template {
+    /// Units of mass, force, length and time, as the study writes them; empty if it does not.
+    pub units: String,
+    /// Length unit in m, for the acceleration units of records.
+    pub metre: f64,
+    /// Lumped masses.
+    pub masses: Vec<Mass>,
+    /// Bars of finite elements.
+    pub bars: Vec<Bar>,
+    /// Springs and dashpots.
+    pub springs: Vec<Spring>,
+    /// C += mass M + stiffness K.
+    pub rayleigh: [Option<Amount>; 2],
+    /// One damping ratio in every mode of the structure without contacts.
+    pub modal_damping: Option<Amount>,
+    /// The contacts.
+    pub contacts: Vec<Contact>,
+    /// Forces on nodes.
+    pub loads: Vec<Load>,
+    /// Acceleration of the ground.
+    pub ground: Option<Scaled>,
+    /// Displacements and velocities at t = 0.
+    pub start: Vec<Start>,
+    /// The reference, if the study asks for one.
+    pub reference: Option<Reference>,
+}
+
+/// Which exact motion histories and error metrics compare with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reference {
+    /// That of the same softened laws.
+    Softened,
+    /// That of the rigid laws, with Coulomb friction and impacts without compliance.
+    Rigid,
+}
+
+/// A node with its mass.
+#[derive(Debug, Clone)]
+pub struct Mass {
+    /// Name of the node.
+    pub name: String,
+    /// Its mass, > 0.
+    pub mass: Amount,
+}
+
+/// A uniform bar of n two-node elements with lumped masses.
+#[derive(Debug, Clone)]
+pub struct Bar {
+    /// Its name.
+    pub name: String,
+    /// Length L.
+    pub length: Amount,
+    /// Axial stiffness E A.
+    pub stiffness: Amount,
+    /// Mass of the whole bar.
+    pub mass: Amount,
+    /// Number of elements n.
+    pub elements: Amount,
+    /// Dashpot of an element over its stiffness; a time.
+    pub stiffness_damping: Option<Amount>,
+}
+
+/// A spring with a dashpot.
+#[derive(Debug, Clone)]
+pub struct Spring {
+    /// Its ends.
+    pub between: [NodeName; 2],
+    /// Its numbers.
+    pub numbers: SpringNumbers,
+}
+
+/// How a spring is given.
+#[derive(Debug, Clone)]
+pub enum SpringNumbers {
+    /// Stiffness k and dashpot c.
+    Stiffness {
+        /// k, >= 0.
+        k: Amount,
+        /// c, >= 0; none for 0.
+        c: Option<Amount>,
+    },
+    /// k = mass (2 pi/period)^2, c = 2 ratio (2 pi/period) mass.
+    Period {
+        /// Mass, > 0.
+        mass: Amount,
+        /// Period, > 0.
+        period: Amount,
+        /// Damping ratio, >= 0; none for 0.
+        ratio: Option<Amount>,
+    },
+}
+
+/// A contact. The numbers that its law does not use are not looked at.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Its name.
+    pub name: String,
+    /// Byte offset and path of the contact in the study.
+    pub place: (usize, String),
+    /// Nodes I and J.
+    pub between: [NodeName; 2],
+    /// Its law.
+    pub law: Chosen,
+    /// r at rest; none for 0.
+    pub gap: Option<Amount>,
+    /// Stiffness.
+    pub k: Option<Amount>,
+    /// Restitution of a rigid impact.
+    pub e: Option<Amount>,
+    /// Viscosity of velocity-control.
+    pub c: Option<Amount>,
+    /// Displacement r^E up to which displacement-control is elastic.
+    pub elastic: Option<Amount>,
+    /// Velocity rdot^E up to which velocity-control is viscous.
+    pub elastic_rate: Option<Amount>,
+    /// Friction limit.
+    pub limit: Option<Amount>,
+    /// Coefficient of friction.
+    pub nu: Option<Amount>,
+    /// Force that presses.
+    pub normal: Option<Normal>,
+}
+
+/// The normal force of a friction contact, positive when pressed.
+#[derive(Debug, Clone)]
+pub enum Normal {
+    /// Constant.
+    Constant(Amount),
+    /// A function of time.
+    Table(Source),
+    /// W (1 + a/g).
+    Weight {
+        /// W.
+        weight: Amount,
+        /// a, the vertical acceleration.
+        vertical: Scaled,
+    },
+}
+
+/// A name that is the same in all cases, or that a parameter chooses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Chosen {
+    /// The name.
+    Name(&'static str),
+    /// Row of the parameter.
+    Parameter(usize),
+}
+
+impl Chosen {
+    /// The name in a case; empty if the parameter has none.
+    pub fn name(self, case: &Case) -> &'static str {
+        match self {
+            Chosen::Name(name) => name,
+            Chosen::Parameter(row) => case.name_at(row),
+        }
+    }
+}
+
+/// A force on a node.
+#[derive(Debug, Clone)]
+pub struct Load {
+    /// The node.
+    pub at: NodeName,
+    /// The force.
+    pub force: Scaled,
+}
+
+/// A function of time, times a factor.
+#[derive(Debug, Clone)]
+pub struct Scaled {
+    /// The function.
+    pub source: Source,
+    /// The factor; none for 1.
+    pub scale: Option<Amount>,
+}
+
+/// Displacement and velocity at t = 0 of one node, or of all nodes of a bar.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// Where.
+    pub of: Moved,
+    /// u(0); none for 0.
+    pub u: Option<Amount>,
+    /// u'(0); none for 0.
+    pub v: Option<Amount>,
+}
+
+/// What a start moves.
+#[derive(Debug, Clone)]
+pub enum Moved {
+    /// A node.
+    Node(NodeName),
+    /// All nodes of a bar, by its place in the list.
+    Bar(usize),
+}

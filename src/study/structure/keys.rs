@@ -1,0 +1,175 @@
+//! The keys of a structure in a study, each with its meaning, for decoding, schema and documentation.
+
+/// Keys with their meanings.
+pub(in crate::study) type Keys = &'static [(&'static str, &'static str)];
+
+/// Keys of `structure`.
+pub(in crate::study) const STRUCTURE: Keys = &[
+    (
+        "units",
+        "units of mass, force, length and time, such as \"t, kN, m, s\"; nothing is converted but records",
+    ),
+    ("masses", "lumped masses: a node for each name"),
+    (
+        "bars",
+        "bars of n elements, with the nodes NAME.left, NAME.1 to NAME.(n-1), NAME.right; \"a|b|c\" is three alike",
+    ),
+    (
+        "springs",
+        "springs with dashpots between two nodes, or a node and \"ground\"",
+    ),
+    ("rayleigh", "C += mass M + stiffness K, K without the contacts"),
+    (
+        "modal_damping",
+        "damping ratio in every mode of the structure without contacts",
+    ),
+    ("contacts", "contacts between two nodes; r = u_J - u_I + gap"),
+    ("loads", "forces on nodes"),
+    (
+        "ground",
+        "acceleration of the ground; u is then relative to the ground",
+    ),
+    (
+        "start",
+        "displacement and velocity at t = 0 of nodes, or of all nodes of a bar",
+    ),
+    (
+        "contacts_reference",
+        "the exact motion in histories, figures and errors: that of the softened laws, or of the rigid ones",
+    ),
+];
+
+/// Keys of a bar.
+pub(in crate::study) const BAR: Keys = &[
+    ("L", "length"),
+    ("EA", "axial stiffness E A"),
+    ("mass", "mass of the whole bar; m/n at each node, half of it at the ends"),
+    ("n", "number of elements, each with the stiffness E A n/L"),
+    (
+        "stiffness_damping",
+        "dashpot of each element over its stiffness; a time",
+    ),
+];
+
+/// Keys of a spring.
+pub(in crate::study) const SPRING: Keys = &[
+    ("between", "two nodes"),
+    ("k", "stiffness"),
+    ("c", "dashpot"),
+    ("mass", "mass that has the period on this spring; with period and ratio, instead of k and c"),
+    ("period", "k = mass (2 pi/period)^2"),
+    ("ratio", "c = 2 ratio (2 pi/period) mass"),
+];
+
+/// Keys of `rayleigh`.
+pub(in crate::study) const RAYLEIGH: Keys = &[
+    ("mass", "factor of M, 1 over time"),
+    ("stiffness", "factor of K, a time"),
+];
+
+/// Keys of a contact.
+pub(in crate::study) const CONTACT: Keys = &[
+    ("law", "law of the contact, or a parameter that chooses it"),
+    ("between", "nodes I and J; r = u_J - u_I + gap"),
+    ("gap", "r at rest"),
+    (
+        "k",
+        "stiffness of the impact spring, or of displacement-control below the limit",
+    ),
+    ("e", "restitution of a rigid impact, instead of k"),
+    ("c", "viscosity of velocity-control below the limit"),
+    (
+        "rE",
+        "displacement-control: r^E, instead of k = limit at rest/r^E",
+    ),
+    (
+        "rdotE",
+        "velocity-control: rdot^E, instead of c = limit at rest/rdot^E",
+    ),
+    ("limit", "friction limit, instead of nu and N"),
+    ("nu", "coefficient of friction; the limit is nu N"),
+    (
+        "N",
+        "force that presses, positive when pressed; a number, a table of t and N, or a weight under a vertical acceleration",
+    ),
+];
+
+/// Keys of a table of normal forces.
+pub(in crate::study) const NORMAL_TABLE: Keys = &[("t", "times"), ("N", "forces at these times")];
+
+/// Keys of a weight under vertical acceleration.
+pub(in crate::study) const WEIGHT: Keys = &[
+    ("weight", "W; N = W (1 + a/g)"),
+    ("vertical", "vertical acceleration a of the ground"),
+];
+
+/// Keys of a function of time; one of the first ones.
+pub(in crate::study) const FUNCTION: Keys = &[
+    ("sine", "amplitude sin(omega t + phase)"),
+    ("table", "straight lines between points, constant beyond"),
+    (
+        "record",
+        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, CSV), or a parameter that chooses it",
+    ),
+    ("pulse", "a pulse of acceleration"),
+    ("synthetic", "a synthetic acceleration by its seed"),
+    ("unit", "unit of a record: g, m/s2 or cm/s2"),
+    ("scale", "factor of the function"),
+];
+
+/// Number of the keys of [`FUNCTION`] of which one is needed.
+pub(in crate::study) const FUNCTIONS: usize = 5;
+
+/// Keys of `sine`.
+pub(in crate::study) const SINE: Keys = &[
+    ("amplitude", "amplitude"),
+    ("omega", "circular frequency"),
+    ("phase", "phase; 0 if not given"),
+];
+
+/// Keys of `table`.
+pub(in crate::study) const TABLE: Keys = &[
+    ("t", "times, rising; two equal times make a jump"),
+    ("f", "values at these times"),
+];
+
+/// Keys of `pulse`.
+pub(in crate::study) const PULSE: Keys = &[
+    (
+        "ricker",
+        "a (1 - 2 x) exp(-x), x = (pi f (t - at))^2, from 0 to 2 at",
+    ),
+    ("cosine", "one sine cycle"),
+];
+
+/// Keys of `ricker`.
+pub(in crate::study) const RICKER: Keys = &[
+    ("amplitude", "a"),
+    ("frequency", "f"),
+    ("at", "time of the peak"),
+    ("sampled", "time between samples, straight between"),
+];
+
+/// Keys of `cosine`.
+pub(in crate::study) const COSINE: Keys = &[
+    ("amplitude", "amplitude"),
+    ("period", "length of the cycle"),
+    ("sampled", "time between samples, straight between"),
+];
+
+/// Keys of `synthetic`.
+pub(in crate::study) const SYNTHETIC: Keys = &[("seed", "a whole number")];
+
+/// Keys of a load: the node, and those of a function.
+pub(in crate::study) const LOAD_AT: (&str, &str) = ("at", "node on which the force acts");
+
+/// Keys of a start.
+pub(in crate::study) const START: Keys = &[("u", "displacement"), ("v", "velocity")];
+
+/// Names of the references.
+pub(in crate::study) const REFERENCES: [&str; 2] = ["softened", "rigid"];
+
+/// The names of keys.
+pub(in crate::study) fn names(keys: Keys) -> Vec<&'static str> {
+    keys.iter().map(|key| key.0).collect()
+}
