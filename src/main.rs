@@ -9,7 +9,6 @@ use commands::run::{Format, RunArgs};
 use commands::sources::Source;
 use slipgap::error::Error;
 use slipgap::figures::style;
-use slipgap::problem::Problem;
 use slipgap::study::Setting;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -125,7 +124,7 @@ struct Init {
     name: String,
     /// Problem of the study
     #[arg(long, value_parser = commands::init::problem)]
-    problem: std::sync::Arc<dyn Problem>,
+    problem: &'static str,
 }
 
 #[derive(Args)]
@@ -217,7 +216,7 @@ fn execute(cli: Cli) -> Result<u8, Error> {
             pool.install(|| commands::report::report(&studies, &report.out))
         }
         Verb::List(list) => commands::list::list(&list.read()?),
-        Verb::Init(init) => commands::init::init(&init.name, &*init.problem),
+        Verb::Init(init) => commands::init::init(&init.name, init.problem),
         Verb::Explain(args) => {
             if args.study.is_dir() {
                 let what = format!("{} is a folder; name one study", args.study.display());

@@ -2,24 +2,19 @@
 
 use super::terminal::print;
 use slipgap::error::Error;
-use slipgap::problem::{PROBLEMS, Problem};
+use slipgap::problem;
 use slipgap::study;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// Folder of studies, and path of the schema.
 const STUDIES: &str = "studies";
 const SCHEMA: &str = "schema/study.json";
 
 /// The problem of a name on the command line.
-pub fn problem(name: &str) -> Result<Arc<dyn Problem>, String> {
-    let known = PROBLEMS
-        .iter()
-        .find(|problem| problem.name() == name)
-        .cloned();
-    known.ok_or_else(|| {
-        let names: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+pub fn problem(name: &str) -> Result<&'static str, String> {
+    problem::names().find(|known| *known == name).ok_or_else(|| {
+        let names: Vec<&str> = problem::names().collect();
         format!("must be one of {}", names.join(", "))
     })
 }
@@ -39,14 +34,14 @@ pub fn name(text: &str) -> Result<String, String> {
 }
 
 /// Writes the study, and the schema for editors unless it exists; returns the exit code.
-pub fn init(name: &str, problem: &dyn Problem) -> Result<u8, Error> {
+pub fn init(name: &str, problem: &str) -> Result<u8, Error> {
     let path = Path::new(STUDIES).join(format!("{name}.json"));
     if path.exists() {
         let what = format!("{} exists already; choose another name", path.display());
         return Err(Error::Usage(what));
     }
     let up = "../".repeat(name.split('/').count());
-    let none = || Error::Usage(format!("{} has no example study", problem.name()));
+    let none = || Error::Usage(format!("{problem} has no example study"));
     let text = study::start(problem)
         .ok_or_else(none)?
         .replace("SCHEMA", &format!("{up}{SCHEMA}"))

@@ -3,6 +3,7 @@
 mod reference;
 mod schema;
 mod start;
+mod structure;
 mod values;
 
 pub use reference::reference;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::structure;
 use super::values::allowed;
 use crate::problem::parameter::{Default, Parameter};
 use crate::problem::{PROBLEMS, Problem};
@@ -17,7 +18,8 @@ use crate::study::figure::kinds::KINDS;
 /// docs/study-files.md.
 pub fn reference() -> String {
     let kinds: Vec<String> = KINDS.iter().map(kind).collect();
-    let problems: Vec<String> = PROBLEMS.iter().map(|p| problem(&**p)).collect();
+    let problems = PROBLEMS.iter().map(|p| problem(&**p));
+    let problems: Vec<String> = problems.chain([structure::reference()]).collect();
     let code = |names: &[&str]| -> String {
         let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
         quoted.join(", ")

@@ -4,12 +4,13 @@
 
 use serde_json::{Map, Value as Json, json};
 
+use super::structure;
 use super::values::{
     EXPRESSION, INTERVAL, RULE, expression, interval, names, number, object, parameters, refer,
     rule, value,
 };
 use crate::problem::parameter::{Kind, Parameter, Range};
-use crate::problem::{Metric, PROBLEMS, Problem};
+use crate::problem::{self, Metric, PROBLEMS, Problem};
 use crate::study::axes::design;
 use crate::study::decode::blocks::BLOCK_KEYS;
 use crate::study::decode::{self, checks, units};
@@ -37,7 +38,7 @@ pub fn schema() -> String {
     for key in ["blocks", "metrics", "figures", "checks"] {
         properties[key]["type"] = "array".into();
     }
-    let problems: Vec<&str> = PROBLEMS.iter().map(|problem| problem.name()).collect();
+    let problems: Vec<&str> = problem::names().collect();
     properties["problem"]["enum"] = json!(problems);
     properties["iteration"]["enum"] = json!(decode::ITERATIONS);
     let mut definitions = Map::new();
@@ -45,7 +46,8 @@ pub fn schema() -> String {
     definitions.insert(RULE.into(), rule());
     definitions.insert(INTERVAL.into(), interval());
     let rules = |problem: &Arc<dyn Problem>| of_problem(&**problem, &mut definitions);
-    let each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
+    let mut each: Vec<Json> = PROBLEMS.iter().map(rules).collect();
+    each.push(structure::rules(&mut definitions));
     let mut schema = object(properties, &["problem"]);
     schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
     schema["title"] = "slipgap study".into();
@@ -56,7 +58,7 @@ pub fn schema() -> String {
 }
 
 /// The keys of a block in addition to `parameters`.
-fn block_keys() -> Map<String, Json> {
+pub(super) fn block_keys() -> Map<String, Json> {
     let described = |key: &str, mut schema: Json, table: &[(&str, &str)]| {
         let meaning = table.iter().find(|row| row.0 == key).map(|row| row.1);
         schema["description"] = meaning.unwrap_or_default().into();
@@ -237,7 +239,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
     }
 }
 
-fn several(one: Json) -> Json {
+pub(super) fn several(one: Json) -> Json {
     json!({ "anyOf": [one, { "type": "array", "minItems": 1, "items": one }] })
 }
 
@@ -246,6 +248,11 @@ fn width() -> Json {
     let [least, most] = WIDTHS;
     let plain = json!({ "type": "number", "minimum": least, "maximum": most });
     json!({ "anyOf": [plain, refer(EXPRESSION)] })
+}
+
+/// A width in mm, and the two ends of an axis.
+pub(super) fn width_and_pair() -> (Json, Json) {
+    (width(), pair())
 }
 
 /// Two numbers.

@@ -4,7 +4,7 @@ mod words;
 
 use crate::study::source::number::length_of_number;
 use crate::study::units::{NEEDS_UNITS, scaled};
-use words::{OUTSIDE, SCALED, SYNONYMS, UNITS};
+use words::{OF_STRUCTURES, OUTSIDE, SCALED, SYNONYMS, UNITS};
 
 /// Most bytes of a name that is compared with others. Every valid name is shorter.
 const LONGEST: usize = 100;
@@ -19,10 +19,18 @@ pub(in crate::study) fn outside(name: &str, allowed: &[&str]) -> Option<String> 
     if synonym(&name, allowed).is_some() {
         return None;
     }
-    if let Some((_, what)) = OUTSIDE
-        .iter()
-        .find(|(words, _)| words.contains(&name.as_str()))
-    {
+    let find = |table: &[(&[&str], &'static str)]| {
+        let mut rows = table.iter();
+        let row = rows.find(|(words, _)| words.contains(&name.as_str()));
+        row.map(|row| row.1)
+    };
+    let has_table = allowed.contains(&"alpha") || allowed.contains(&"k_I");
+    if let Some(what) = find(OF_STRUCTURES).filter(|_| has_table) {
+        return Some(format!(
+            "only studies with \"problem\": \"structure\" have {what}; see docs/structures.md"
+        ));
+    }
+    if let Some(what) = find(OUTSIDE) {
         return Some(format!(
             "slipgap does not model {what}; docs/scope.md says what it does"
         ));
@@ -192,15 +200,15 @@ mod tests {
     fn a_quantity_that_is_not_modelled_has_a_hint() {
         let (friction, bars) = (&names(0)[..], &names(1)[..]);
         for (name, allowed, hint) in [
-            ("zeta", friction, Some("does not model damping;")),
-            ("damping_ratio", bars, Some("does not model damping;")),
-            ("forcing", friction, Some("does not model applied forces;")),
+            ("zeta", friction, Some("have damping;")),
+            ("damping_ratio", bars, Some("have damping;")),
+            ("forcing", friction, Some("have applied forces;")),
             (
                 "ground_motion",
                 friction,
-                Some("does not model ground motion;"),
+                Some("have ground motion;"),
             ),
-            ("record", bars, Some("does not model ground motion;")),
+            ("record", bars, Some("have ground motion;")),
             ("mu", friction, Some("the equations are scaled: ")),
             ("omega_n", friction, Some("the equations are scaled: ")),
             ("mu", bars, None),
@@ -221,7 +229,7 @@ mod tests {
     #[test]
     fn words_of_the_tables_are_written_as_names_are_compared() {
         let words = SYNONYMS.iter().flat_map(|row| row.0);
-        let outside = OUTSIDE.iter().flat_map(|row| row.0);
+        let outside = OUTSIDE.iter().chain(OF_STRUCTURES).flat_map(|row| row.0);
         for word in words.chain(outside).chain(SCALED) {
             assert_eq!(plain(word), **word);
             assert!(

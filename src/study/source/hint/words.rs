@@ -46,13 +46,17 @@ pub(in crate::study) const SYNONYMS: &[(&[&str], &[&str])] = &[
         &["bar-impact"],
     ),
     (&["oscillator", "sdof"], &["friction-oscillator"]),
+    (
+        &["structures", "mdof", "frame", "bridge", "building"],
+        &["structure"],
+    ),
     (&["timehistory"], &["history"]),
     (&["contour", "heatmap"], &["map"]),
     (&["filter", "select"], &["where", "when"]),
 ];
 
-/// Words for quantities that this program does not model, and the quantity.
-pub(in crate::study) const OUTSIDE: &[(&[&str], &str)] = &[
+/// Words for quantities that only structures have, and the quantity.
+pub(in crate::study) const OF_STRUCTURES: &[(&[&str], &str)] = &[
     (
         &[
             "damping",
@@ -100,8 +104,11 @@ pub(in crate::study) const OUTSIDE: &[(&[&str], &str)] = &[
         ],
         "plastic deformation",
     ),
-    (&["poisson", "poissonratio"], "lateral strain"),
 ];
+
+/// Words for quantities that this program does not model, and the quantity.
+pub(in crate::study) const OUTSIDE: &[(&[&str], &str)] =
+    &[(&["poisson", "poissonratio"], "lateral strain")];
 
 /// Words for the scales of the friction oscillator, which has the parameter `alpha`.
 pub(in crate::study) const SCALED: &[&str] = &[
