@@ -37,9 +37,6 @@ impl Problem for Extended {
     fn complete(&self, case: &mut Case) -> Vec<Violation> {
         FrictionOscillator.complete(case)
     }
-    fn system(&self, case: &Case) -> Result<System, Unsolvable> {
-        FrictionOscillator.system(case)
-    }
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         FrictionOscillator.solve(case, wanted)
     }

@@ -89,9 +89,6 @@ impl Problem for Bars {
     fn schema(&self) -> &Arc<Schema> {
         &SCHEMA
     }
-    fn system(&self, _: &Case) -> Result<System, Unsolvable> {
-        Err(Unsolvable::ParameterMissing)
-    }
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         self.solve(case, wanted)
     }

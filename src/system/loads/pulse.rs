@@ -18,7 +18,11 @@ pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<T
         let root = PI * frequency * (t - at);
         let x = root * root;
         // Above 746 exp(-x) is 0, but an infinite x makes 1 - 2x infinite.
-        if x > 746.0 { 0.0 } else { amplitude * (1.0 - 2.0 * x) * exp(-x) }
+        if x > 746.0 {
+            0.0
+        } else {
+            amplitude * (1.0 - 2.0 * x) * exp(-x)
+        }
     })
 }
 
@@ -27,7 +31,13 @@ pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<T
 /// It is straight between samples at distances `sampled`, and 0 after the period.
 pub fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, String> {
     positive("period", period)?;
-    table(period, sampled, |t| if t < period { amplitude * sin(2.0 * PI * (t / period)) } else { 0.0 })
+    table(period, sampled, |t| {
+        if t < period {
+            amplitude * sin(2.0 * PI * (t / period))
+        } else {
+            0.0
+        }
+    })
 }
 
 /// Samples of a function from 0 to `end`, which is the last one also where it is no multiple of `sampled`.
@@ -36,7 +46,9 @@ fn table(end: f64, sampled: f64, value: impl Fn(f64) -> f64) -> Result<Table, St
     // A quotient just above a whole number is round-off, not a further interval.
     let intervals = (end / sampled * (1.0 - 1e-12)).ceil();
     if intervals > MOST {
-        return Err(format!("sampled must give at most {MOST} points, got {intervals}"));
+        return Err(format!(
+            "sampled must give at most {MOST} points, got {intervals}"
+        ));
     }
     let inner = (0..intervals as usize).map(|i| i as f64 * sampled);
     let times: Vec<f64> = inner.chain([end]).collect();
@@ -59,7 +71,9 @@ mod tests {
     /// The integral of a table.
     fn integral(table: &Table) -> f64 {
         let (t, a) = (table.times(), table.values());
-        (1..t.len()).map(|i| (t[i] - t[i - 1]) * (a[i] + a[i - 1]) / 2.0).sum()
+        (1..t.len())
+            .map(|i| (t[i] - t[i - 1]) * (a[i] + a[i - 1]) / 2.0)
+            .sum()
     }
 
     #[test]
@@ -67,7 +81,7 @@ mod tests {
         let (f, at) = (2.0, 1.0);
         let pulse = ricker(3.0, f, at, 0.001).unwrap();
         assert_eq!(pulse.at(at), 3.0);
-        // Zeros at t - at = 1/(sqrt 2 pi f), troughs -2 a exp(-3/2) at sqrt(3/2)/(pi f). Straight between points 1e-3 apart: the chord
+        // Zeros at t - at = 1/(sqrt 2 pi f), troughs -2 a exp(-3/2) at sqrt(3/2)/(pi f). Points are 1e-3 apart, so the chord
         // differs by at most (1e-3)^2/8 times the largest curvature 6 a (pi f)^2 = 711, which is 9e-5.
         let zero = 1.0 / (2f64.sqrt() * PI * f);
         let trough = 1.5f64.sqrt() / (PI * f);
@@ -96,7 +110,17 @@ mod tests {
     fn a_cosine_pulse_is_a_sine_cycle_of_acceleration() {
         let pulse = cosine(2.0, 4.0, 0.5).unwrap();
         assert_eq!(pulse.times(), [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]);
-        let expected = [0.0, 2f64.sqrt(), 2.0, 2f64.sqrt(), 0.0, -(2f64.sqrt()), -2.0, -(2f64.sqrt()), 0.0];
+        let expected = [
+            0.0,
+            2f64.sqrt(),
+            2.0,
+            2f64.sqrt(),
+            0.0,
+            -(2f64.sqrt()),
+            -2.0,
+            -(2f64.sqrt()),
+            0.0,
+        ];
         // Round-off of the sine.
         let near = |(a, b): (&f64, f64)| (a - b).abs() < 1e-15;
         assert!(pulse.values().iter().zip(expected).all(near), "{pulse:?}");
@@ -105,7 +129,13 @@ mod tests {
     #[test]
     fn an_end_that_is_a_multiple_up_to_roundoff_has_no_short_interval() {
         // 0.3/0.1 is just below 3 in floating point, 0.6/0.2 too; 0.7/0.1 just below 7, 1.1/0.1 just above 11.
-        for (end, sampled, intervals) in [(0.3, 0.1, 3), (0.6, 0.2, 3), (0.7, 0.1, 7), (1.1, 0.1, 11), (2.0, 0.3, 7)] {
+        for (end, sampled, intervals) in [
+            (0.3, 0.1, 3),
+            (0.6, 0.2, 3),
+            (0.7, 0.1, 7),
+            (1.1, 0.1, 11),
+            (2.0, 0.3, 7),
+        ] {
             let times = cosine(1.0, end, sampled).unwrap().times().to_vec();
             assert_eq!((times.len(), times[intervals]), (intervals + 1, end));
         }
@@ -117,13 +147,22 @@ mod tests {
             (ricker(1.0, -1.0, 1.0, 0.1), "frequency must be > 0, got -1"),
             (ricker(1.0, 1.0, 0.0, 0.1), "at must be > 0, got 0"),
             (ricker(f64::NAN, 1.0, 1.0, 0.1), "the pulse must be finite"),
-            (cosine(1.0, f64::INFINITY, 0.1), "period must be > 0, got inf"),
+            (
+                cosine(1.0, f64::INFINITY, 0.1),
+                "period must be > 0, got inf",
+            ),
             (cosine(1.0, 1.0, f64::NAN), "sampled must be > 0, got NaN"),
-            (cosine(1.0, 1.0, 1e-8), "sampled must give at most 10000000 points, got 100000000"),
+            (
+                cosine(1.0, 1.0, 1e-8),
+                "sampled must give at most 10000000 points, got 100000000",
+            ),
         ] {
             assert_eq!(pulse.unwrap_err(), fault);
         }
         // Far from the peak the wavelet is 0, also where x overflows.
-        assert_eq!(ricker(1.0, 1e200, 1.0, 0.5).unwrap().values(), [0.0, 0.0, 1.0, 0.0, 0.0]);
+        assert_eq!(
+            ricker(1.0, 1e200, 1.0, 0.5).unwrap().values(),
+            [0.0, 0.0, 1.0, 0.0, 0.0]
+        );
     }
 }

@@ -30,9 +30,14 @@ impl fmt::Display for SignalFault {
                 write!(f, "the record has no unit; give {g}, {m} or {cm}")
             }
             SignalFault::TwoUnits { file, study } => {
-                write!(f, "the unit is {study}, but the file is in {file}; give {file} or no unit")
+                write!(
+                    f,
+                    "the unit is {study}, but the file is in {file}; give {file} or no unit"
+                )
             }
-            SignalFault::NotFinite => f.write_str("the scaled record is not finite; use a smaller scale"),
+            SignalFault::NotFinite => {
+                f.write_str("the scaled record is not finite; use a smaller scale")
+            }
         }
     }
 }
@@ -55,8 +60,8 @@ pub fn signal(record: &Record, unit: Option<Unit>, scale: f64) -> Result<Arc<Sig
 
 /// A table that is 0 before its first point (if this is after t = 0, when motions start) and after its last point.
 ///
-/// A table is constant beyond its points, so a value that is not 0 there becomes a jump: a second point at the same time. At the time
-/// of the last point the value is 0. No line leads to 0, because it would add a load that the points do not have.
+/// A table is constant beyond its points, so a value that is not 0 there becomes a jump: a second point at the same time. The value
+/// at the time of the last point is then 0. No line leads to 0, because it would add a load that the points do not have.
 ///
 /// `None` unless all numbers are finite and the times rise.
 pub(super) fn zero_beyond(mut times: Vec<f64>, mut values: Vec<f64>) -> Option<Table> {
@@ -98,7 +103,10 @@ mod tests {
     #[test]
     fn a_motion_that_starts_at_zero_time_or_ends_at_zero_has_no_extra_point() {
         let table = zero_beyond(vec![0.0, 1.0], vec![3.0, 0.0]).unwrap();
-        assert_eq!((table.times(), table.values()), (&[0.0, 1.0][..], &[3.0, 0.0][..]));
+        assert_eq!(
+            (table.times(), table.values()),
+            (&[0.0, 1.0][..], &[3.0, 0.0][..])
+        );
         assert_eq!(zero_beyond(vec![], vec![]), None);
     }
 
@@ -110,8 +118,14 @@ mod tests {
         assert_eq!(at_start(Some(gal), Some(gal)), Ok(0.04));
         assert_eq!(at_start(None, None), Err(SignalFault::NoUnit));
         let fault = at_start(Some(gal), Some(g)).unwrap_err();
-        assert_eq!(fault.to_string(), "the unit is g, but the file is in cm/s2; give cm/s2 or no unit");
+        assert_eq!(
+            fault.to_string(),
+            "the unit is g, but the file is in cm/s2; give cm/s2 or no unit"
+        );
         let fault = signal(&record(Some(g)), None, 1e308).unwrap_err();
-        assert_eq!(fault.to_string(), "the scaled record is not finite; use a smaller scale");
+        assert_eq!(
+            fault.to_string(),
+            "the scaled record is not finite; use a smaller scale"
+        );
     }
 }

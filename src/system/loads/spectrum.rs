@@ -1,18 +1,14 @@
 //! Elastic response spectra of an acceleration, and its Arias intensity.
 //!
-//! The acceleration is straight between its points, so the motion of an oscillator is known exactly. On a piece of the length h with
-//! omega h <= 1, the Taylor coefficients of u(h tau) follow from u'' + 2 zeta omega u' + omega^2 u = -a:
+//! The acceleration is straight between its points, so the motion of an oscillator is known exactly (see `piece`).
 //!
-//! ```text
-//! (k+1)(k+2) c_(k+2) = -h^2 a_k - 2 zeta omega h (k+1) c_(k+1) - (omega h)^2 c_k,   a = a_0 + a_1 tau
-//! ```
-//!
-//! They fall like 1/k!, so 20 of them are exact to round-off. No closed form with its cancellation for long periods is needed.
-//!
-//! The peak is the exact one, also between the points. The largest value at the points, which many programs print, is below it by up
-//! to about omega^2 dt^2/8 of the peak.
+//! The peak is the exact one, also between the points. The largest value at the points, which many programs print, is below it by
+//! up to about omega^2 dt^2/8 of the peak.
+
+mod piece;
 
 use crate::system::structure::Table;
+use piece::{Oscillator, Piece};
 use std::f64::consts::PI;
 
 /// The largest response of one oscillator.
@@ -61,8 +57,7 @@ fn ordinate(acceleration: &Table, period: f64, ratio: f64) -> Ordinate {
     let (times, values) = (acceleration.times(), acceleration.values());
     let omega = 2.0 * PI / period;
     let mut walk = Walk {
-        omega,
-        ratio,
+        oscillator: Oscillator { omega, ratio },
         time: times[0],
         state: [0.0; 2],
         peak: [0.0, times[0]],
@@ -85,8 +80,7 @@ fn ordinate(acceleration: &Table, period: f64, ratio: f64) -> Ordinate {
 
 /// An oscillator under way.
 struct Walk {
-    omega: f64,
-    ratio: f64,
+    oscillator: Oscillator,
     time: f64,
     /// u and u'.
     state: [f64; 2],
@@ -98,11 +92,11 @@ impl Walk {
     /// Goes on to the time `to` under an acceleration that is straight from `a0` to `a1`.
     fn advance(&mut self, to: f64, a0: f64, a1: f64) {
         let (from, length) = (self.time, to - self.time);
-        let parts = (self.omega * length).ceil();
+        let parts = (self.oscillator.omega * length).ceil();
         for part in 0..parts as usize {
             let at = |part: usize| a0 + (a1 - a0) * (part as f64 / parts);
             let h = length / parts;
-            let piece = Piece::new(self, h, [at(part), at(part + 1)]);
+            let piece = Piece::new(self.oscillator, self.state, h, [at(part), at(part + 1)]);
             self.time = from + length * (part as f64 / parts);
             self.reach(&piece, h);
             self.state = [piece.u(1.0), piece.v(1.0) / h];
@@ -112,7 +106,7 @@ impl Walk {
 
     /// Takes the extremes of a piece into the peak.
     fn reach(&mut self, piece: &Piece, h: f64) {
-        if piece.bound(self.omega * h) <= self.peak[0] {
+        if piece.bound(self.oscillator.omega * h) <= self.peak[0] {
             return;
         }
         let [first, second] = piece.extremes();
@@ -123,89 +117,6 @@ impl Walk {
             }
         }
     }
-}
-
-/// Number of Taylor coefficients: 1/20! < 1e-18.
-const TERMS: usize = 20;
-
-/// The motion on a piece as a polynomial of tau from 0 to 1.
-struct Piece([f64; TERMS]);
-
-impl Piece {
-    /// The motion from the state of an oscillator on.
-    fn new(walk: &Walk, h: f64, [a0, a1]: [f64; 2]) -> Piece {
-        let [u, v] = walk.state;
-        let turn = walk.omega * h;
-        let load = [h * h * a0, h * h * (a1 - a0)];
-        let mut c = [0.0; TERMS];
-        [c[0], c[1]] = [u, v * h];
-        for k in 0..TERMS - 2 {
-            let next = (k + 1) as f64;
-            let load = load.get(k).copied().unwrap_or(0.0);
-            let sum = load + 2.0 * walk.ratio * turn * next * c[k + 1] + turn * turn * c[k];
-            c[k + 2] = -sum / (next * (next + 1.0));
-        }
-        Piece(c)
-    }
-
-    /// u.
-    fn u(&self, tau: f64) -> f64 {
-        self.0.iter().rev().fold(0.0, |sum, c| sum * tau + c)
-    }
-
-    /// du/dtau.
-    fn v(&self, tau: f64) -> f64 {
-        (1..TERMS)
-            .rev()
-            .fold(0.0, |sum, k| sum * tau + k as f64 * self.0[k])
-    }
-
-    /// d2u/dtau2.
-    fn y(&self, tau: f64) -> f64 {
-        (2..TERMS)
-            .rev()
-            .fold(0.0, |sum, k| sum * tau + (k * (k - 1)) as f64 * self.0[k])
-    }
-
-    /// A bound of |u| on the piece: the larger end and the error of the chord, |y|/8.
-    ///
-    /// The load is straight, so y is a free vibration and y^2 + (y'/(omega h))^2 never rises.
-    fn bound(&self, turn: f64) -> f64 {
-        let [y, slope] = [2.0 * self.0[2], 6.0 * self.0[3] / turn];
-        self.0[0].abs().max(self.u(1.0).abs()) + (y * y + slope * slope).sqrt() / 8.0
-    }
-
-    /// The extremes of u inside: v is 0.
-    ///
-    /// y is 0 at most once, because omega h <= 1 < pi. So v is 0 at most twice: once if it changes its sign, twice only if y does.
-    fn extremes(&self) -> [Option<f64>; 2] {
-        let v = |tau| self.v(tau);
-        if let Some(tau) = root(v, 0.0, 1.0) {
-            return [Some(tau), None];
-        }
-        match root(|tau| self.y(tau), 0.0, 1.0) {
-            Some(turn) => [root(v, 0.0, turn), root(v, turn, 1.0)],
-            None => [None, None],
-        }
-    }
-}
-
-/// The root of a function whose sign differs at the ends, by bisection.
-fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
-    let start = f(low);
-    if start * f(high) >= 0.0 {
-        return None;
-    }
-    // 2^-53 of the piece.
-    for _ in 0..53 {
-        let middle = 0.5 * (low + high);
-        if f(middle) * start > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(0.5 * (low + high))
 }
 
 /// The Arias intensity pi/(2 g) times the integral of a^2 over the points `[Arias 1970]`; `gravity` in the unit of length of a.

@@ -16,7 +16,11 @@ enum Key {
 
 /// The index of the line that names NPTS and DT.
 pub(super) fn header(lines: &[&str]) -> Option<usize> {
-    let both = |line: &&str| [Key::Npts, Key::Dt].iter().all(|key| keys(line).any(|k| k == *key));
+    let both = |line: &&str| {
+        [Key::Npts, Key::Dt]
+            .iter()
+            .all(|key| keys(line).any(|k| k == *key))
+    };
     lines.iter().take(HEADER).position(both)
 }
 
@@ -56,9 +60,13 @@ pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, Place> {
 /// NPTS and DT: the first two numbers of the line, in the order of the names, which are before, between or after them.
 fn counts(line: &str) -> Result<(f64, f64), String> {
     let fields = line.split(|c: char| c.is_whitespace() || ",;:=".contains(c));
-    let numbers: Vec<f64> = fields.filter_map(|field| number(without_second(field)).ok()).collect();
+    let numbers: Vec<f64> = fields
+        .filter_map(|field| number(without_second(field)).ok())
+        .collect();
     let [first, second, ..] = numbers[..] else {
-        return Err("needs NPTS and DT with a number each, as in \"NPTS= 4000, DT= .005 SEC\"".into());
+        return Err(
+            "needs NPTS and DT with a number each, as in \"NPTS= 4000, DT= .005 SEC\"".into(),
+        );
     };
     let (npts, dt) = match keys(line).next() {
         Some(Key::Dt) => (second, first),
@@ -83,14 +91,17 @@ fn without_second(field: &str) -> &str {
 fn unit(title: &str) -> Option<Unit> {
     let title = title.to_ascii_uppercase();
     let (_, after) = title.split_once("UNITS OF")?;
-    match after.split_whitespace().next()?.trim_end_matches(['.', ',', ';', ':']) {
+    match after
+        .split_whitespace()
+        .next()?
+        .trim_end_matches(['.', ',', ';', ':'])
+    {
         "G" => Some(Unit::G),
         "M/S/S" | "M/S2" | "M/S**2" | "M/S^2" | "M/SEC/SEC" | "M/SEC2" | "M/SEC**2" => {
             Some(Unit::MetrePerSecond2)
         }
-        "GAL" | "CM/S/S" | "CM/S2" | "CM/S**2" | "CM/S^2" | "CM/SEC/SEC" | "CM/SEC2" | "CM/SEC**2" => {
-            Some(Unit::CentimetrePerSecond2)
-        }
+        "GAL" | "CM/S/S" | "CM/S2" | "CM/S**2" | "CM/S^2" | "CM/SEC/SEC" | "CM/SEC2"
+        | "CM/SEC**2" => Some(Unit::CentimetrePerSecond2),
         _ => None,
     }
 }

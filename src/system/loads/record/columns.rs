@@ -30,13 +30,13 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
         record.values.push(a);
     }
     if record.times.len() < 2 {
-        return Err(fault(from, "the file has one row of numbers; a record needs two or more"));
+        let message = "the file has one row of numbers; a record needs two or more";
+        return Err(fault(from, message));
     }
     Ok(record)
 }
 
-const NO_ROW: &str =
-    "the file has no row of two numbers; allowed: two columns t and a with decimal points, PEER AT2, K-NET ASCII";
+const NO_ROW: &str = "the file has no row of two numbers; allowed: two columns t and a with decimal points, PEER AT2, K-NET ASCII";
 
 /// t and a of a row.
 fn row(line: &str) -> Result<(f64, f64), String> {
@@ -44,7 +44,9 @@ fn row(line: &str) -> Result<(f64, f64), String> {
         [t, a] => Ok((number(t)?, number(a)?)),
         ref fields => {
             let count = fields.len();
-            Err(format!("a row must have two numbers, t and a, with decimal points, got {count}"))
+            Err(format!(
+                "a row must have two numbers, t and a, with decimal points, got {count}"
+            ))
         }
     }
 }
@@ -61,10 +63,10 @@ fn fields(line: &str) -> Vec<&str> {
     }
 }
 
-/// Whether a field begins as a number, so that a slip in the first row does not make a header of it.
+/// Whether a field is or begins as a number, so that a slip in the first row does not make a header of it. Dates and hours do not.
 fn is_numeric(field: &str) -> bool {
-    let unsigned = field.trim_start_matches(['+', '-', '.']);
-    let special = ["nan", "inf", "*"].iter();
-    unsigned.starts_with(|c: char| c.is_ascii_digit())
-        || special.clone().any(|word| unsigned.to_ascii_lowercase().starts_with(word))
+    let begins = field
+        .trim_start_matches(['+', '-', '.'])
+        .starts_with(|c: char| c.is_ascii_digit() || c == '*');
+    begins && !field.contains(['/', ':']) || field.parse::<f64>().is_ok()
 }

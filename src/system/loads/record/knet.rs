@@ -14,8 +14,12 @@ pub(super) fn is_format(lines: &[&str]) -> bool {
 
 /// The index and the rest of the line of the header that begins with `label`.
 fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
-    let rest = lines.iter().take(HEADER).map(|line| line.trim().strip_prefix(label));
-    rest.enumerate().find_map(|(index, rest)| Some((index, rest?.trim())))
+    let rest = lines
+        .iter()
+        .take(HEADER)
+        .map(|line| line.trim().strip_prefix(label));
+    rest.enumerate()
+        .find_map(|(index, rest)| Some((index, rest?.trim())))
 }
 
 /// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b.
@@ -36,15 +40,22 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
     if counts.len() < 2 {
         return Err(fault(end(lines), "a record needs two or more numbers"));
     }
+    let dt = 1.0 / frequency;
     let mean = counts.iter().sum::<f64>() / counts.len() as f64;
     let record = Record {
-        times: (0..counts.len()).map(|i| i as f64 / frequency).collect(),
+        times: (0..counts.len()).map(|i| i as f64 * dt).collect(),
         values: counts.iter().map(|count| (count - mean) * scale).collect(),
         unit: Some(Unit::CentimetrePerSecond2),
     };
-    let finite = record.times.iter().chain(&record.values).all(|x| x.is_finite());
+    let finite = record
+        .times
+        .iter()
+        .chain(&record.values)
+        .all(|x| x.is_finite());
     let message = "the numbers are too large with this frequency and scale factor";
-    finite.then_some(record).ok_or_else(|| fault(HEADER, message))
+    finite
+        .then_some(record)
+        .ok_or_else(|| fault(HEADER, message))
 }
 
 /// The number > 0 of the line of the header that begins with `label`.
@@ -54,7 +65,10 @@ fn positive(
     read: impl Fn(&str) -> Result<f64, String>,
 ) -> Result<f64, Place> {
     let Some((index, text)) = header(lines, label) else {
-        return Err(fault(HEADER - 1, format!("the header needs the line \"{label}\"")));
+        return Err(fault(
+            HEADER - 1,
+            format!("the header needs the line \"{label}\""),
+        ));
     };
     let number = read(text).map_err(|message| fault(index, message))?;
     if number <= 0.0 {
@@ -66,8 +80,17 @@ fn positive(
 
 /// a/b of a scale factor `a(gal)/b`.
 fn scale(text: &str) -> Result<f64, String> {
-    let form = || format!("the scale factor must have the form \"a(gal)/b\", got {}", shown(text));
+    let form = || {
+        format!(
+            "the scale factor must have the form \"a(gal)/b\", got {}",
+            shown(text)
+        )
+    };
     let (gal, count) = text.split_once("(gal)/").ok_or_else(form)?;
     let scale = number(gal.trim())? / number(count.trim())?;
-    if scale.is_finite() { Ok(scale) } else { Err(form()) }
+    if scale.is_finite() {
+        Ok(scale)
+    } else {
+        Err(form())
+    }
 }

@@ -1,7 +1,7 @@
 //! Recorded accelerations: PEER AT2, K-NET ASCII, and two columns.
 //!
-//! The content decides on the format: a file with a line `Scale Factor` in its header is K-NET, one with a line that names NPTS and DT
-//! is AT2, and any other file has two columns.
+//! The content decides on the format: a file with a line `Scale Factor` in its header is K-NET, one with a line that names NPTS and
+//! DT is AT2, and any other file has two columns.
 
 mod at2;
 mod columns;

@@ -32,7 +32,10 @@ pub(super) fn all(
         }
     }
     if (numbers.len() as f64) < count {
-        let message = format!("the file ends after {} numbers; {source} is {count}", numbers.len());
+        let message = format!(
+            "the file ends after {} numbers; {source} is {count}",
+            numbers.len()
+        );
         return Err(fault(super::end(lines), message));
     }
     Ok(numbers)
