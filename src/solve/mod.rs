@@ -1,6 +1,7 @@
 //! Solving: integration of systems in time, one at a time or several together. Written once for all problems.
 
 pub mod once;
+pub mod structure;
 pub mod sweep;
 mod table;
 mod track;

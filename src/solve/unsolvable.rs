@@ -1,5 +1,6 @@
 //! Why a case has no solution.
 
+use crate::contact::Unsolved;
 use std::fmt;
 
 /// Why a case has no solution.
@@ -13,6 +14,13 @@ pub enum Unsolvable {
     NoSolution {
         /// The step.
         step: usize,
+    },
+    /// The contacts have no forces at a step; 0 is the start.
+    NoForces {
+        /// The step.
+        step: usize,
+        /// Why.
+        why: Unsolved,
     },
     /// The mass matrix has no inverse.
     SingularMass,
@@ -43,6 +51,7 @@ impl fmt::Display for Unsolvable {
                 f.write_str("the motion leaves the range of double precision")
             }
             Unsolvable::NoSolution { step } => write!(f, "step {step} has no solution"),
+            Unsolvable::NoForces { step, why } => write!(f, "step {step}: {why}"),
             Unsolvable::SingularMass => f.write_str("the mass matrix has no inverse"),
             Unsolvable::TooManyElements { most, elements } => write!(
                 f,

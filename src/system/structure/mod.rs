@@ -3,6 +3,7 @@
 //! One direction, small motions, lumped masses. B has one column for each contact, with -1 at node I and +1 at node J, so that
 //! S resists the opening of the contact: S <= 0 in an impact.
 
+pub mod factor;
 mod matrix;
 mod signal;
 

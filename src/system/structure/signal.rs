@@ -54,7 +54,11 @@ impl Table {
 
     /// The value at time t; at a jump the one from then on.
     pub fn at(&self, t: f64) -> f64 {
-        let after = self.times.partition_point(|time| *time <= t);
+        self.after(self.times.partition_point(|time| *time <= t), t)
+    }
+
+    /// The value at time t, before which there are `after` points.
+    fn after(&self, after: usize, t: f64) -> f64 {
         let Some(before) = after.checked_sub(1) else {
             return self.values[0];
         };
@@ -78,6 +82,26 @@ impl Signal {
             Signal::Table(table) => table.at(t),
         }
     }
+
+    /// The values at 0, dt, .. steps dt, as [`Signal::at`] gives them.
+    pub fn at_steps(&self, dt: f64, steps: usize) -> Vec<f64> {
+        let times = (0..=steps).map(|i| i as f64 * dt);
+        match self {
+            Signal::Sine { .. } => times.map(|t| self.at(t)).collect(),
+            Signal::Table(table) => {
+                let mut after = 0;
+                let value = |t| {
+                    // Times rise, so that no search is needed.
+                    after += table.times[after..]
+                        .iter()
+                        .take_while(|time| **time <= t)
+                        .count();
+                    table.after(after, t)
+                };
+                times.map(value).collect()
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -90,6 +114,25 @@ mod tests {
         let at = |t| table.at(t);
         assert_eq!([at(0.0), at(1.0), at(1.5)], [3.0, 3.0, 4.0]);
         assert_eq!([at(2.0), at(3.0), at(4.0), at(9.0)], [-1.0, -0.5, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn the_values_at_steps_are_those_at_their_times() {
+        let table = Table::new(
+            vec![0.1, 0.25, 0.25, 0.7, 0.71],
+            vec![3.0, 5.0, -1.0, 0.3, 0.9],
+        );
+        let sine = Signal::Sine {
+            amplitude: 2.0,
+            omega: 3.0,
+            phase: 0.4,
+        };
+        for signal in [Signal::Table(table.unwrap()), sine] {
+            for dt in [0.05, 0.1, 0.013, 2.0] {
+                let expected: Vec<f64> = (0..=40).map(|i| signal.at(f64::from(i) * dt)).collect();
+                assert_eq!(signal.at_steps(dt, 40), expected);
+            }
+        }
     }
 
     #[test]

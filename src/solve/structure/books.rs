@@ -1,0 +1,136 @@
+//! Energy books of a run, and the work of each contact.
+
+use super::State;
+use super::run::Increments;
+use crate::lane::Lane;
+
+/// Energy books of L structures: the method fulfils, with the means over a step,
+///
+/// ```text
+/// E(i+1) - E(i) = du^T p_mean - dt v_mean^T C v_mean - S_mean^T dr
+/// ```
+///
+/// for the kinetic and strain energy E without the contacts, to round-off and for any forces.
+#[derive(Debug, Clone)]
+pub struct Books<const L: usize> {
+    /// Nodes, and r and S of the contacts, at the last step.
+    nodes: Vec<Increments<L>>,
+    contacts: Vec<[Lane<L>; 2]>,
+    start: Lane<L>,
+    /// Sum of the right sides.
+    supplied: Lane<L>,
+    /// Largest difference of both sides, summed up to a step.
+    difference: Lane<L>,
+    /// Largest energy.
+    largest: Lane<L>,
+    work: Vec<Lane<L>>,
+}
+
+impl<const L: usize> Books<L> {
+    /// Books from t = 0 on.
+    pub fn new(start: &State<L>) -> Self {
+        let zero = Lane::splat(0.0);
+        let energy = start.energy();
+        Books {
+            nodes: start.nodes.clone(),
+            contacts: start.contact_states().collect(),
+            start: energy,
+            supplied: zero,
+            difference: zero,
+            largest: energy + start.stored_energy(),
+            work: vec![zero; start.contacts()],
+        }
+    }
+
+    /// Adds the step to `state`.
+    #[inline(always)]
+    pub fn add(&mut self, state: &State<L>) {
+        let prepared = state.prepared;
+        // du = dt v_mean
+        for (i, now) in state.nodes.iter().enumerate() {
+            let change = (self.nodes[i].w + now.w) * 0.5;
+            (self.nodes[i].p, self.nodes[i].w) = (change, now.w);
+        }
+        let mut supplied = self.supplied;
+        for (i, own) in self.nodes[..prepared.nodes()].iter().enumerate() {
+            supplied = supplied + own.p * state.load(i);
+            for link in prepared.links(i).iter().filter(|link| link.to > i) {
+                let change = self.nodes[link.to].p - own.p;
+                supplied = supplied - change * change * link.c;
+            }
+        }
+        let contacts = self.contacts.iter_mut().zip(&mut self.work);
+        for ((before, work), [r, s]) in contacts.zip(state.contact_states()) {
+            let step = (before[1] + s) * 0.5 * (r - before[0]);
+            *work = *work + step;
+            supplied = supplied - step;
+            *before = [r, s];
+        }
+        self.supplied = supplied;
+        let energy = state.energy();
+        let difference = energy - self.start - supplied;
+        self.difference = self.difference.larger(difference.map(f64::abs));
+        self.largest = self.largest.larger(energy + state.stored_energy());
+    }
+
+    /// Largest difference of the books at any step, over the largest energy: kinetic, strain, and what the contacts store. NaN
+    /// if there never is any energy.
+    pub fn energy_error(&self) -> Lane<L> {
+        self.difference.zip(self.largest, |d, e| d / e)
+    }
+
+    /// Work of the structure on a contact, the integral of S dr, with the mean force of each step.
+    pub fn work(&self, contact: usize) -> Lane<L> {
+        self.work[contact]
+    }
+}
+
+impl<const L: usize> State<'_, L> {
+    /// Kinetic and strain energy, without the contacts.
+    #[inline(always)]
+    pub fn energy(&self) -> Lane<L> {
+        let (prepared, u) = (self.prepared, |node: &Increments<L>| node.p - node.w * 0.5);
+        let mut twice = Lane::splat(0.0);
+        for (i, own) in self.nodes[..prepared.nodes()].iter().enumerate() {
+            let displacement = u(own);
+            twice = twice + own.w * own.w * prepared.inertia(i);
+            for link in prepared.links(i).iter().filter(|link| link.to > i) {
+                let change = u(&self.nodes[link.to]) - displacement;
+                twice = twice + change * change * link.k;
+            }
+        }
+        twice * 0.5
+    }
+
+    /// Energy that the contacts store.
+    #[inline(always)]
+    pub fn stored_energy(&self) -> Lane<L> {
+        let mut twice = Lane::splat(0.0);
+        for contact in &self.contacts {
+            let line = &contact.line;
+            // Springs: displacement-control, impact.
+            let compliance = line.by_force + line.by_displacement * line.compliance;
+            twice = twice + contact.force * contact.force * compliance;
+        }
+        twice * 0.5
+    }
+
+    /// Mean of the loads on the node at place `i` over the last step.
+    #[inline(always)]
+    fn load(&self, i: usize) -> Lane<L> {
+        let mut sum = Lane::splat(0.0);
+        for term in self.inputs.terms(i) {
+            if term.input < self.inputs.loads() {
+                sum = sum + term.factor * self.input[term.input];
+            }
+        }
+        sum
+    }
+
+    /// r and S of the contacts.
+    #[inline(always)]
+    fn contact_states(&self) -> impl Iterator<Item = [Lane<L>; 2]> + '_ {
+        let states = self.contacts.iter();
+        states.map(|contact| [contact.p - contact.w * 0.5, contact.force])
+    }
+}

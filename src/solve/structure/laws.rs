@@ -1,0 +1,66 @@
+//! The laws of the contacts over a step.
+
+use crate::system::structure::{Contact, Limit, Relation};
+
+/// A law as a clipped line S = clip((r - c)/g, low, high).
+///
+/// The trial r* - c is of the increments since the last step and not of r where the law depends on them only:
+/// r* - c = (r* - r without the step's change of velocity) + by_increment dt rdot(i) + by_displacement (r(i) + dt rdot(i)/2)
+/// + by_force S(i).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Line {
+    /// g.
+    pub(super) compliance: f64,
+    pub(super) by_increment: f64,
+    pub(super) by_displacement: f64,
+    pub(super) by_force: f64,
+}
+
+impl Line {
+    pub(super) fn new(law: &Relation, dt: f64) -> Line {
+        let impact = |compliance| Line {
+            compliance,
+            by_increment: 0.5,
+            by_displacement: 1.0,
+            by_force: 0.0,
+        };
+        // c = r(i) + dt/2 rdot(i): the line is that of rdot(i+1) = 2/dt (r(i+1) - r(i)) - rdot(i).
+        let viscous = |compliance| Line {
+            compliance,
+            by_increment: 0.5,
+            by_displacement: 0.0,
+            by_force: 0.0,
+        };
+        match law {
+            Relation::ImpactSpring { stiffness } => impact(1.0 / stiffness),
+            Relation::RigidStop { .. } => impact(0.0),
+            // c = r(i) - S(i)/k^C.
+            Relation::DisplacementControl { stiffness, .. } => Line {
+                compliance: 1.0 / stiffness,
+                by_increment: 1.0,
+                by_displacement: 0.0,
+                by_force: 1.0 / stiffness,
+            },
+            Relation::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
+            Relation::Coulomb { .. } => viscous(0.0),
+        }
+    }
+}
+
+/// The bounds of the force of a contact at time t.
+pub(super) fn bounds(contact: &Contact, t: f64) -> [f64; 2] {
+    match contact.law.limit() {
+        Some(limit) => friction(limit.at(t)),
+        None => [f64::NEG_INFINITY, 0.0],
+    }
+}
+
+/// The bounds of a force of friction.
+pub(super) fn friction(limit: f64) -> [f64; 2] {
+    [-limit, limit]
+}
+
+/// A limit that changes with time.
+pub(super) fn varying(contact: &Contact) -> Option<&Limit> {
+    contact.law.limit().filter(|limit| limit.varying.is_some())
+}

@@ -1,0 +1,207 @@
+//! Loads and limits at the steps of a run.
+
+use super::Prepared;
+use super::laws::varying;
+use crate::lane::Lane;
+use crate::system::structure::{Signal, Structure};
+use std::sync::Arc;
+
+/// Signals at the steps 0..=N, each sampled once.
+#[derive(Debug)]
+pub(super) struct Samples<'a> {
+    signals: Vec<&'a Arc<Signal>>,
+    series: Vec<Vec<f64>>,
+    dt: f64,
+    steps: usize,
+}
+
+impl<'a> Samples<'a> {
+    pub(super) fn new(dt: f64, steps: usize) -> Self {
+        Samples {
+            signals: Vec::new(),
+            series: Vec::new(),
+            dt,
+            steps,
+        }
+    }
+
+    /// Number of the series of a signal.
+    fn number(&mut self, signal: &'a Arc<Signal>) -> usize {
+        let known = self.signals.iter().position(|s| Arc::ptr_eq(s, signal));
+        known.unwrap_or_else(|| {
+            self.signals.push(signal);
+            self.series.push(signal.at_steps(self.dt, self.steps));
+            self.signals.len() - 1
+        })
+    }
+}
+
+/// One signal for each lane, often the same one.
+#[derive(Debug)]
+struct Series<const L: usize> {
+    of: [usize; L],
+    shared: bool,
+}
+
+impl<const L: usize> Series<L> {
+    fn new(of: [usize; L]) -> Self {
+        Series {
+            of,
+            shared: of.iter().all(|number| *number == of[0]),
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, series: &[Vec<f64>], step: usize) -> Lane<L> {
+        let mut lane = Lane::splat(series[self.of[0]][step]);
+        if !self.shared {
+            for (x, number) in lane.0.iter_mut().zip(self.of) {
+                *x = series[number][step];
+            }
+        }
+        lane
+    }
+}
+
+/// A force on a node: a factor times one of the inputs, first the signals of the loads, then the contact forces.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Term<const L: usize> {
+    pub(super) input: usize,
+    pub(super) factor: Lane<L>,
+}
+
+/// A friction limit that changes with time, of at least one lane.
+#[derive(Debug)]
+struct Varying<const L: usize> {
+    contact: usize,
+    /// Whether the law of the lane is friction.
+    slides: [bool; L],
+    constant: Lane<L>,
+    factor: Lane<L>,
+    signal: Series<L>,
+}
+
+/// Loads on the nodes and limits of the contacts at the steps.
+#[derive(Debug)]
+pub(super) struct Inputs<const L: usize> {
+    series: Vec<Vec<f64>>,
+    loads: Vec<Series<L>>,
+    terms: Vec<Term<L>>,
+    starts: Vec<usize>,
+    limits: Vec<Varying<L>>,
+}
+
+impl<const L: usize> Inputs<L> {
+    /// Inputs of structures with loads on the same nodes.
+    pub(super) fn new(cases: &[&Structure; L], prepared: &Prepared, steps: usize) -> Self {
+        let mut samples = Samples::new(prepared.dt, steps);
+        let mut loads = Vec::new();
+        let mut by_places = vec![Vec::new(); prepared.nodes() + 1];
+        for (input, load) in cases[0].loads.iter().enumerate() {
+            let mut of = [0; L];
+            for (of, case) in of.iter_mut().zip(cases) {
+                *of = samples.number(&case.loads[input].signal);
+            }
+            loads.push(Series::new(of));
+            for (k, (node, _)) in load.pattern.iter().enumerate() {
+                let mut factor = Lane::splat(0.0);
+                for (x, case) in factor.0.iter_mut().zip(cases) {
+                    *x = case.loads[input].pattern[k].1;
+                }
+                by_places[prepared.place[*node]].push(Term { input, factor });
+            }
+        }
+        for (contact, [i, j]) in prepared.between.iter().enumerate() {
+            let input = loads.len() + contact;
+            for (place, sign) in [(*i, 1.0), (*j, -1.0)] {
+                let factor = Lane::splat(sign);
+                by_places[place].push(Term { input, factor });
+            }
+        }
+        let ends = by_places.iter().scan(0, |end, terms| {
+            *end += terms.len();
+            Some(*end)
+        });
+        Inputs {
+            starts: std::iter::once(0).chain(ends).collect(),
+            terms: by_places.concat(),
+            limits: limits(cases, prepared, &mut samples),
+            series: samples.series,
+            loads,
+        }
+    }
+
+    /// Number of loads.
+    pub(super) fn loads(&self) -> usize {
+        self.loads.len()
+    }
+
+    /// Terms of the force on the node at place `i`.
+    #[inline(always)]
+    pub(super) fn terms(&self, i: usize) -> &[Term<L>] {
+        &self.terms[self.starts[i]..self.starts[i + 1]]
+    }
+
+    /// Writes the mean of each load over the step that ends at `step`.
+    #[inline(always)]
+    pub(super) fn write_loads(&self, step: usize, to: &mut [Lane<L>]) {
+        for (to, load) in to.iter_mut().zip(&self.loads) {
+            *to = (load.at(&self.series, step - 1) + load.at(&self.series, step)) * 0.5;
+        }
+    }
+
+    /// Whether any limit changes.
+    pub(super) fn limits_vary(&self) -> bool {
+        !self.limits.is_empty()
+    }
+
+    /// The limits that change, at a step: contact, limit, and the lanes that have it.
+    #[inline(always)]
+    pub(super) fn limits(
+        &self,
+        step: usize,
+    ) -> impl Iterator<Item = (usize, Lane<L>, [bool; L])> + '_ {
+        self.limits.iter().map(move |limit| {
+            let varying = limit.factor * limit.signal.at(&self.series, step);
+            let sum = limit.constant + varying;
+            // As in `Limit::at`: f64::max does not compile to one instruction.
+            (limit.contact, sum.larger(Lane::splat(0.0)), limit.slides)
+        })
+    }
+}
+
+/// The limits that change with time.
+fn limits<'a, const L: usize>(
+    cases: &[&'a Structure; L],
+    prepared: &Prepared,
+    samples: &mut Samples<'a>,
+) -> Vec<Varying<L>> {
+    let mut limits = Vec::new();
+    for contact in 0..prepared.contacts() {
+        let of = cases.map(|case| varying(&case.contacts[contact]));
+        let Some(any) = of.iter().flatten().find_map(|limit| limit.varying.as_ref()) else {
+            continue;
+        };
+        let mut limit = Varying {
+            contact,
+            slides: cases.map(|case| case.contacts[contact].law.limit().is_some()),
+            constant: Lane::splat(0.0),
+            factor: Lane::splat(0.0),
+            signal: Series::new([0; L]),
+        };
+        let mut signals = [0; L];
+        for (l, case) in cases.iter().enumerate() {
+            let own = case.contacts[contact].law.limit();
+            let (constant, varying) =
+                own.map_or((0.0, None), |own| (own.constant, own.varying.as_ref()));
+            let (factor, signal) =
+                varying.map_or((0.0, &any.1), |(factor, signal)| (*factor, signal));
+            limit.constant.0[l] = constant;
+            limit.factor.0[l] = factor;
+            signals[l] = samples.number(signal);
+        }
+        limit.signal = Series::new(signals);
+        limits.push(limit);
+    }
+    limits
+}

@@ -1,0 +1,33 @@
+//! Time stepping of structures with any number of contacts by the constant average acceleration method.
+//!
+//! Newmark's method with gamma = 1/2, beta = 1/4 `[F section 4]` `[I section 3]` fulfils the equations of motion at the ends of
+//! every step. Their mean is one equation for the change of the velocities. With the increments W = dt v, P = u + W/2
+//!
+//! ```text
+//! (M/dt^2 + C/(2 dt) + K/4) (W(i+1) - W(i)) = (p(i) + p(i+1))/2 - B (S(i) + S(i+1))/2 - K P(i) - C W(i)/dt
+//! P(i+1) = P(i) + W(i+1),   u = P - W/2,   v = W/dt
+//! ```
+//!
+//! The matrix is Khat/4, K P and C W are sums over differences of neighbours, and no acceleration enters. The right side is
+//! small where the motion is slow, so round-off stays small however small the step is.
+//!
+//! The forces at the end of a step are a small convex problem ([`crate::contact::coupled`]): the step without S(i+1) gives r*, and
+//! r = r* - H S(i+1), H = B^T Khat^-1 B. One solution for each step is enough: forward elimination, forces, their subtraction,
+//! back substitution.
+//!
+//! A rigid stop has r >= 0 at the end of every step. The method does not know its restitution.
+
+mod books;
+mod forces;
+mod initial;
+mod laws;
+mod loads;
+mod prepared;
+mod run;
+
+pub use books::Books;
+pub use prepared::Prepared;
+pub use run::{ContactStep, State, run};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,107 @@
+//! The bits of a case do not depend on its lane.
+
+use super::*;
+use crate::lane::Lane;
+use crate::solve::structure::{Books, Prepared, run};
+
+const STEPS: usize = 1500;
+
+/// Bits of every node and contact at each step, and of the books, for each lane.
+fn bits<const L: usize>(cases: &[&Structure; L]) -> [Vec<u64>; L] {
+    let prepared = Prepared::new(cases[0], 0.002).unwrap();
+    assert!(cases.iter().all(|case| prepared.fits(case, 0.002)));
+    let mut bits = [const { Vec::new() }; L];
+    let mut books: Option<Books<L>> = None;
+    let mut put = |lane: Lane<L>| {
+        for (bits, x) in bits.iter_mut().zip(lane.0) {
+            bits.push(x.to_bits());
+        }
+    };
+    let done = run::<L>(cases, &prepared, STEPS, |_, state| {
+        for node in 0..state.nodes() {
+            put(state.displacement(node));
+            put(state.velocity(node));
+        }
+        for c in 0..state.contacts() {
+            let now = state.contact(c);
+            let channels = [
+                now.displacement,
+                now.velocity,
+                now.force,
+                now.limit,
+                now.slip,
+            ];
+            channels.into_iter().for_each(&mut put);
+        }
+        match &mut books {
+            Some(books) => books.add(state),
+            None => books = Some(Books::new(state)),
+        }
+        put(books.iter().next().unwrap().energy_error());
+    });
+    assert!(done.iter().all(Result::is_ok));
+    bits
+}
+
+#[test]
+fn a_case_has_the_same_bits_in_every_lane() {
+    let (ground, other) = (ground(), ground());
+    let mut cases = Vec::new();
+    for i in 0..8 {
+        let scale = 0.3 + 0.2 * f64::from(i);
+        let signal = if i % 3 == 2 { &other } else { &ground };
+        cases.push(girders(4, 0.2 * scale, scale, signal));
+    }
+    for i in [2, 5] {
+        // Other laws, and limits that change, in some lanes only.
+        let laws = mixed(4, 1.3, &ground).contacts;
+        for c in 0..5 {
+            cases[i].contacts[c].law = laws[c].law.clone();
+        }
+    }
+    let cases: Vec<&Structure> = cases.iter().collect();
+    let alone: Vec<Vec<u64>> = cases.iter().flat_map(|case| bits::<1>(&[case])).collect();
+    let together = bits::<8>(cases[..].try_into().unwrap());
+    for l in 0..8 {
+        assert!(alone[l] == together[l], "lane {l}");
+    }
+    let backwards: [&Structure; 8] = std::array::from_fn(|l| cases[7 - l]);
+    let swapped = bits::<8>(&backwards);
+    for l in 0..8 {
+        assert!(alone[l] == swapped[7 - l], "lane {l}");
+    }
+    let three = bits::<3>(&[cases[2], cases[0], cases[7]]);
+    assert!(three == [alone[2].clone(), alone[0].clone(), alone[7].clone()]);
+}
+
+#[test]
+fn a_lane_that_fails_leaves_the_others_alone() {
+    let ground = ground();
+    let good = girders(2, 1.0, 1.0, &ground);
+    let mut bad = good.clone();
+    // Two rigid contacts between the same nodes: their forces are not unique.
+    for c in [2, 3] {
+        bad.contacts[c].between = bad.contacts[4].between;
+    }
+    let mut good = good;
+    for c in [2, 3] {
+        good.contacts[c].between = good.contacts[4].between;
+    }
+    for c in [2, 3] {
+        bad.contacts[c].law = Relation::Coulomb {
+            limit: Limit::constant(1e3),
+        };
+    }
+    let prepared = Prepared::new(&good, 0.002).unwrap();
+    let mut last = [0.0; 2];
+    let done = run::<2>(&[&bad, &good], &prepared, 500, |_, state| {
+        last[0] = state.displacement(3).0[1];
+    });
+    println!("{done:?}");
+    assert!(done[0].is_err() && done[1].is_ok());
+    let [alone] = run::<1>(&[&good], &prepared, 500, |_, state| {
+        last[1] = state.displacement(3).0[0];
+    });
+    alone.unwrap();
+    assert_eq!(last[0].to_bits(), last[1].to_bits());
+}
