@@ -13,10 +13,12 @@ const SCHEMA: &str = "schema/study.json";
 
 /// The problem of a name on the command line.
 pub fn problem(name: &str) -> Result<&'static str, String> {
-    problem::names().find(|known| *known == name).ok_or_else(|| {
-        let names: Vec<&str> = problem::names().collect();
-        format!("must be one of {}", names.join(", "))
-    })
+    problem::names()
+        .find(|known| *known == name)
+        .ok_or_else(|| {
+            let names: Vec<&str> = problem::names().collect();
+            format!("must be one of {}", names.join(", "))
+        })
 }
 
 /// The name of a study without extension: a file name, also in sub-folders.

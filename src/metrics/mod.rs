@@ -2,8 +2,8 @@
 
 pub mod friction;
 pub mod impact;
-pub mod structure;
 pub mod norm;
+pub mod structure;
 
 use crate::lane::Lane;
 

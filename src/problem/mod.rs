@@ -14,8 +14,8 @@ pub mod unit;
 
 pub use case::{Case, Violation};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
-pub use text::{Text, interned};
 pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
+pub use text::{Text, interned};
 
 use crate::history::History;
 use crate::metrics::steps;

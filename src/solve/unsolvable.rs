@@ -59,9 +59,7 @@ impl fmt::Display for Unsolvable {
             ),
             Unsolvable::NotPrinted => f.write_str("the law has no un-iterated form"),
             Unsolvable::Reference(why) => write!(f, "no exact motion: {why}"),
-            Unsolvable::NoModes => {
-                f.write_str("modal damping is allowed for at most 1000 nodes")
-            }
+            Unsolvable::NoModes => f.write_str("modal damping is allowed for at most 1000 nodes"),
             Unsolvable::BrokenRules(words) | Unsolvable::Stored(words) => f.write_str(words),
         }
     }

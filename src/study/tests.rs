@@ -106,7 +106,11 @@ impl Problem for Bars {
             case.values[3] = Some(Value::Number(2.0 * dt));
         }
         let rule = |parameter: Text, broken: bool, message: String| {
-            broken.then_some(Violation { parameter, message, at: None })
+            broken.then_some(Violation {
+                parameter,
+                message,
+                at: None,
+            })
         };
         let late = rule(
             "dt".into(),

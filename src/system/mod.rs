@@ -5,7 +5,6 @@ pub mod bar;
 mod bar_pair;
 pub mod loads;
 mod modes;
-pub mod loads;
 pub mod structure;
 
 pub use bar_pair::BarPair;

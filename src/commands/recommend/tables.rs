@@ -210,9 +210,6 @@ mod tests {
             FrictionOscillator.complete(case)
         }
 
-        fn system(&self, case: &Case) -> Result<slipgap::system::System, Unsolvable> {
-            FrictionOscillator.system(case)
-        }
         fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
             match case.at(self.schema().step) {
                 Some(step) if step < SMALLEST => Err(Unsolvable::OutOfRange),

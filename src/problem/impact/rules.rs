@@ -119,7 +119,13 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
         impedance_ratio,
         ..
     } = scaled.bars;
-    let mut violation = |parameter, message| violations.push(Violation { parameter, message, at: None });
+    let mut violation = |parameter, message| {
+        violations.push(Violation {
+            parameter,
+            message,
+            at: None,
+        })
+    };
     let impedance_is_normal = match Opposite::of(case) {
         Some(Opposite::Wall) => true,
         None => impedance_ratio.is_normal(),

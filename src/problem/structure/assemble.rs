@@ -38,9 +38,7 @@ pub fn assemble(
             Err(violation) => violations.push(violation),
         }
     }
-    let nodes = elements
-        .iter()
-        .fold(0u64, |sum, n| sum + u64::from(*n) + 1);
+    let nodes = elements.iter().fold(0u64, |sum, n| sum + u64::from(*n) + 1);
     if violations.is_empty() && nodes > u64::from(MOST_NODES) * u64::from(finer) {
         let first = template.bars.first();
         violations.extend(first.map(|bar| {
@@ -99,7 +97,9 @@ impl Draft<'_> {
     }
 
     fn checked<T>(&mut self, result: Result<T, Violation>) -> Option<T> {
-        result.map_err(|violation| self.violations.push(violation)).ok()
+        result
+            .map_err(|violation| self.violations.push(violation))
+            .ok()
     }
 
     fn masses(&mut self) {

@@ -145,7 +145,10 @@ impl Term {
         if let Some(found) = of(".v") {
             return Ok(Term::Velocity(found));
         }
-        let bars = names.bars.iter().map(|bar| format!("{bar}.left, {bar}.right"));
+        let bars = names
+            .bars
+            .iter()
+            .map(|bar| format!("{bar}.left, {bar}.right"));
         let masses = names.masses.iter().map(|mass| (*mass).to_owned());
         let contacts = names.contacts.iter().map(|contact| format!("{contact}.S"));
         let known: Vec<String> = masses.chain(bars).chain(contacts).collect();

@@ -13,9 +13,8 @@ pub fn add_modal(structure: &mut Structure, ratio: f64) -> Option<()> {
     let size = masses.len();
     for i in 0..size {
         for j in 0..=i {
-            let modes = (0..size).map(|k| {
-                2.0 * ratio * omega2[k].max(0.0).sqrt() * shapes[(i, k)] * shapes[(j, k)]
-            });
+            let modes = (0..size)
+                .map(|k| 2.0 * ratio * omega2[k].max(0.0).sqrt() * shapes[(i, k)] * shapes[(j, k)]);
             let c = masses[i].sqrt() * masses[j].sqrt() * modes.sum::<f64>();
             structure.damping.add(i, j, c);
         }
@@ -36,7 +35,10 @@ pub fn modes(structure: &Structure) -> Option<(Vec<f64>, DMatrix<f64>)> {
         matrix[(j, i)] = matrix[(i, j)];
     }
     let eigen = SymmetricEigen::new(matrix);
-    Some((eigen.eigenvalues.iter().copied().collect(), eigen.eigenvectors))
+    Some((
+        eigen.eigenvalues.iter().copied().collect(),
+        eigen.eigenvectors,
+    ))
 }
 
 #[cfg(test)]
@@ -48,7 +50,12 @@ mod tests {
     fn every_mode_of_a_chain_has_the_ratio() {
         let masses = [2.0, 1.0, 3.0];
         let mut structure = Structure {
-            nodes: masses.map(|mass| Node { name: String::new(), mass }).to_vec(),
+            nodes: masses
+                .map(|mass| Node {
+                    name: String::new(),
+                    mass,
+                })
+                .to_vec(),
             stiffness: Symmetric::zeros(3),
             damping: Symmetric::zeros(3),
             contacts: Vec::new(),

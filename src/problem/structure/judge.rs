@@ -48,7 +48,9 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering) -> Vec<Number> {
             Reduction::ResidualSlip => &[Quantity::Slip],
             _ => &[Quantity::Force],
         };
-        quantities.iter().map(move |quantity| Number::Contact(contact, *quantity))
+        quantities
+            .iter()
+            .map(move |quantity| Number::Contact(contact, *quantity))
     });
     of_channel.chain(of_contact).collect()
 }

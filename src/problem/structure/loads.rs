@@ -168,7 +168,7 @@ impl Source {
             }
             (Kind::Synthetic { .. }, &[seed]) => {
                 let record = synthetic::synthetic(seed as u64);
-                record.and_then(|record| record.scaled(1.0 / metre)).ok_or_else(none)
+                record.scaled(1.0 / metre).ok_or_else(none)
             }
             _ => Err(none()),
         };

@@ -96,7 +96,10 @@ impl StructureMetric {
             None => (text, None),
             Some((name, rest)) => {
                 let inside = rest.strip_suffix(')');
-                (name.trim(), Some(inside.ok_or("a ')' is missing at the end")?))
+                (
+                    name.trim(),
+                    Some(inside.ok_or("a ')' is missing at the end")?),
+                )
             }
         };
         let Some(place) = REDUCTIONS.iter().position(|known| known.0 == name) else {
@@ -129,14 +132,17 @@ impl StructureMetric {
                 metric.contact = Some(contact(inside, names)?);
             }
             (Takes::ChannelAndThreshold, Some(inside)) => {
-                let (channel, threshold) = inside
-                    .rsplit_once(',')
-                    .ok_or("divergence needs a channel and a threshold, as in divergence(p1, 0.01)")?;
+                let (channel, threshold) = inside.rsplit_once(',').ok_or(
+                    "divergence needs a channel and a threshold, as in divergence(p1, 0.01)",
+                )?;
                 let threshold = threshold.trim();
                 let number: Option<f64> = threshold.parse().ok();
-                metric.threshold = number
-                    .filter(|x| *x > 0.0 && x.is_finite())
-                    .ok_or_else(|| format!("the threshold must be a number > 0, got '{threshold}'"))?;
+                metric.threshold =
+                    number
+                        .filter(|x| *x > 0.0 && x.is_finite())
+                        .ok_or_else(|| {
+                            format!("the threshold must be a number > 0, got '{threshold}'")
+                        })?;
                 metric.channel = Some(Channel::parse(channel, names)?);
             }
         }
@@ -172,7 +178,10 @@ mod tests {
         assert_eq!(peak.name, "peak( g1.right-p2 )");
         assert_eq!(peak.channel, metric("peak(g1.right - p2)").channel);
         assert_eq!(peak.reduction, Reduction::Peak);
-        assert_eq!(metric("impacts(gap)").contact, metric("impacts(gap.S)").contact);
+        assert_eq!(
+            metric("impacts(gap)").contact,
+            metric("impacts(gap.S)").contact
+        );
         assert_eq!(metric("energy_error").name, "energy_error");
         let divergence = metric("divergence(p1, 0.01)");
         assert_eq!(divergence.threshold, 0.01);

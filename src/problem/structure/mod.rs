@@ -12,6 +12,8 @@ pub mod metric;
 mod motion;
 pub mod node;
 pub mod schema;
+mod solve;
+mod sweep;
 pub mod template;
 
 use super::cases::Cases;
@@ -23,12 +25,14 @@ use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::assemble;
 use channel::{Number, Quantity};
-use judge::{Judged, Motions, Recorded};
-use metric::{Reduction, StructureMetric};
+use judge::Recorded;
+use metric::StructureMetric;
 use node::Numbering;
 use schema::Drawn;
+use solve::distinct;
 use std::sync::Arc;
-use template::{Reference, Template};
+use sweep::{Groups, Ready};
+use template::Template;
 
 /// The structure of a study.
 #[derive(Debug)]
@@ -63,9 +67,8 @@ impl StructureProblem {
 
     /// The structure of a completed case, and the numbers of its nodes. Each bar has `finer` times its elements.
     fn structure(&self, case: &Case, finer: u32) -> Result<(Structure, Numbering), Unsolvable> {
-        let broken = |all: Vec<Violation>| {
-            Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default())
-        };
+        let broken =
+            |all: Vec<Violation>| Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default());
         let (mut structure, numbering) = assemble(&self.template, case, finer).map_err(broken)?;
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
@@ -74,76 +77,18 @@ impl StructureProblem {
         Ok((structure, numbering))
     }
 
-    fn time(&self, case: &Case) -> Result<(f64, u64), Unsolvable> {
+    /// A case ready to be stepped; `place` is its place in the table of results.
+    fn ready(&self, place: usize, case: &Case) -> Result<Ready, Unsolvable> {
         let dt = case.at(self.schema.step);
-        Ok((dt.ok_or(Unsolvable::ParameterMissing)?, self.steps(case)))
-    }
-
-    /// The motions that the metrics need, with these quantities of the computed motion recorded too.
-    fn motions(
-        &self,
-        (structure, numbering): (&Structure, &Numbering),
-        case: &Case,
-        more: &[Number],
-    ) -> Result<Motions, Unsolvable> {
-        let (dt, last) = self.time(case)?;
-        let has = |reductions: &[Reduction]| {
-            let mut all = self.metrics.iter();
-            all.any(|metric| reductions.contains(&metric.reduction))
-        };
-        let numbers = |numbering: &Numbering, reductions: Option<&[Reduction]>| {
-            let chosen = self.metrics.iter().filter(|metric| {
-                reductions.is_none_or(|reductions| reductions.contains(&metric.reduction))
-            });
-            let needed = chosen.flat_map(|metric| judge::needed(metric, numbering));
-            distinct(needed)
-        };
-        let mut computed = numbers(numbering, None);
-        computed.extend(more.iter().filter(|number| !computed.contains(number)).copied().collect::<Vec<_>>());
-        let energy = has(&[Reduction::EnergyError]);
-        let (computed, energy_error) = motion::computed(structure, dt, last, &computed, energy)?;
-        let mut motions = Motions {
-            computed,
-            energy_error,
-            ..Motions::default()
-        };
-        if has(&[Reduction::Divergence]) {
-            let own = numbers(numbering, Some(&[Reduction::Divergence]));
-            let other = motion::perturbed(structure);
-            motions.perturbed = Some(motion::computed(&other, dt, last, &own, false)?.0);
-        }
-        const ERRORS: [Reduction; 5] = [
-            Reduction::RmsError,
-            Reduction::PeakError,
-            Reduction::StepError,
-            Reduction::RegularisationError,
-            Reduction::MeshError,
-        ];
-        let own = numbers(numbering, Some(&ERRORS));
-        let times: Vec<f64> = (0..=last).map(|i| i as f64 * dt).collect();
-        let against = [Reduction::RmsError, Reduction::PeakError];
-        let softened = [
-            Reduction::StepError,
-            Reduction::RegularisationError,
-            Reduction::MeshError,
-        ];
-        if has(&softened) || has(&against) && !self.against_rigid() {
-            motions.softened = Some(motion::exact(structure, &times, &own)?);
-        }
-        if has(&[Reduction::RegularisationError]) || has(&against) && self.against_rigid() {
-            let rigid = motion::rigid(structure);
-            motions.rigid = Some(motion::exact(&rigid, &times, &own)?);
-        }
-        if has(&[Reduction::MeshError]) {
-            let (finer, numbering) = self.structure(case, FINER)?;
-            let own = numbers(&numbering, Some(&[Reduction::MeshError]));
-            motions.finer = Some((motion::exact(&finer, &times, &own)?, numbering));
-        }
-        Ok(motions)
-    }
-
-    fn against_rigid(&self) -> bool {
-        self.template.reference == Some(Reference::Rigid)
+        let (structure, numbering) = self.structure(case, 1)?;
+        Ok(Ready {
+            place,
+            case: case.clone(),
+            structure,
+            numbering,
+            dt: dt.ok_or(Unsolvable::ParameterMissing)?,
+            last: self.steps(case),
+        })
     }
 
     /// The exact motion of the reference at these times.
@@ -157,11 +102,6 @@ impl StructureProblem {
             true => motion::exact(&motion::rigid(structure), times, numbers),
             false => motion::exact(structure, times, numbers),
         }
-    }
-
-    fn values(&self, of: Judged, motions: &Motions) -> Vec<Option<f64>> {
-        let metrics = self.metrics.iter();
-        metrics.map(|metric| judge::value(metric, of, motions)).collect()
     }
 
     /// The channels of histories: those of figures, then those of every node and contact.
@@ -180,7 +120,10 @@ impl StructureProblem {
 
     /// Every channel expression has its nodes in a case.
     fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
-        let of_metrics = self.metrics.iter().filter_map(|metric| metric.channel.as_ref());
+        let of_metrics = self
+            .metrics
+            .iter()
+            .filter_map(|metric| metric.channel.as_ref());
         let channels = of_metrics.chain(self.drawn.iter().map(|drawn| &drawn.channel));
         let faults = channels.filter_map(|channel| {
             let mut terms = channel.terms.iter();
@@ -193,19 +136,6 @@ impl StructureProblem {
         });
         faults.collect()
     }
-}
-
-/// Refinement of the mesh that `mesh_error` compares with.
-const FINER: u32 = 4;
-
-fn distinct(numbers: impl Iterator<Item = Number>) -> Vec<Number> {
-    let mut distinct = Vec::new();
-    for number in numbers {
-        if !distinct.contains(&number) {
-            distinct.push(number);
-        }
-    }
-    distinct
 }
 
 /// u and v of every node, r, rdot and S of every contact.
@@ -257,34 +187,27 @@ impl Problem for StructureProblem {
 
     fn work(&self, case: &Case) -> u64 {
         let size = assemble(&self.template, case, 1);
-        let size = size.map_or(1, |(structure, _)| structure.len() + 5 * structure.contacts.len());
+        let size = size.map_or(1, |(structure, _)| {
+            structure.len() + 5 * structure.contacts.len()
+        });
         self.steps(case).saturating_mul(size as u64)
     }
 
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
-        let (structure, numbering) = self.structure(case, 1)?;
-        let (dt, last) = self.time(case)?;
-        let all = all_numbers(&structure);
-        let mut recorded = self.drawn_numbers(&numbering);
-        recorded.extend(&all);
-        let recorded = distinct(recorded.into_iter());
-        let motions = self.motions((&structure, &numbering), case, &recorded)?;
-        let of = Judged {
-            structure: &structure,
-            numbering: &numbering,
-            dt,
-            against_rigid: self.against_rigid(),
-        };
-        let metrics = self.values(of, &motions);
-        let time: Vec<f64> = (0..=last).map(|i| i as f64 * dt).collect();
+        let ready = self.ready(0, case)?;
+        let all = all_numbers(&ready.structure);
+        let drawn = self.drawn_numbers(&ready.numbering);
+        let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
+        let (motions, metrics) = self.solve_ready(&ready, &recorded)?;
+        let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
         let exact = match self.template.reference {
             None => Vec::new(),
             Some(_) => {
-                let exact = self.reference(&structure, &time, &recorded)?;
-                self.history(&exact, &numbering, &all)
+                let exact = self.reference(&ready.structure, &time, &recorded)?;
+                self.history(&exact, &ready.numbering, &all)
             }
         };
-        let computed = self.history(&motions.computed, &numbering, &all);
+        let computed = self.history(&motions.computed, &ready.numbering, &all);
         let history = |channels| History {
             time: time.clone(),
             channels,
@@ -305,23 +228,15 @@ impl Problem for StructureProblem {
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
-        let mut table = MetricTable::new(rows.len(), self.metrics.len());
+        let mut groups = Groups::new(self, rows.len());
         let mut shown = cases.shown();
         for (place, row) in rows.iter().enumerate() {
-            let case = shown.at(*row as usize);
-            let metrics = self.structure(case, 1).and_then(|(structure, numbering)| {
-                let motions = self.motions((&structure, &numbering), case, &[])?;
-                let of = Judged {
-                    structure: &structure,
-                    numbering: &numbering,
-                    dt: self.time(case)?.0,
-                    against_rigid: self.against_rigid(),
-                };
-                Ok(self.values(of, &motions))
-            });
-            table.put(place, metrics);
+            match self.ready(place, shown.at(*row as usize)) {
+                Ok(ready) => groups.add(ready),
+                Err(why) => groups.fail(place, why),
+            }
         }
-        table
+        groups.finish()
     }
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {

@@ -1,9 +1,107 @@
-//! The motions of a case that its metrics, histories and figures need, each computed once.
+//! Motions of structures as recorded quantities: by time steps, many side by side, and exact.
 
-use super::channel::Number;
+use super::channel::{Number, Quantity};
 use super::judge::Recorded;
 use crate::solve::Unsolvable;
+use crate::solve::structure::{Books, Prepared, State, run};
 use crate::system::structure::{Relation, Structure};
+
+/// Cases side by side.
+pub const LANES: usize = 8;
+
+/// What is recorded of a run.
+#[derive(Debug, Clone, Copy)]
+pub struct Recording<'a> {
+    /// Number of steps N.
+    pub last: u64,
+    /// The quantities.
+    pub numbers: &'a [Number],
+    /// Whether the energy books are kept.
+    pub energy: bool,
+}
+
+/// A run: its quantities and, if the books are kept, the energy error; or why it failed.
+pub type Run = Result<(Recorded, Option<f64>), Unsolvable>;
+
+/// The linear part of a structure with steps of `dt`.
+pub fn prepare(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
+    Prepared::new(structure, dt).map_err(|_| Unsolvable::SingularMass)
+}
+
+/// The motion of one structure by time steps.
+pub fn computed(structure: &Structure, dt: f64, recording: Recording) -> Run {
+    let prepared = prepare(structure, dt)?;
+    let [run] = steps(&[structure], &prepared, recording);
+    run
+}
+
+/// The motions of L structures with the same linear part by time steps.
+pub fn steps<const L: usize>(
+    structures: &[&Structure; L],
+    prepared: &Prepared,
+    recording: Recording,
+) -> [Run; L] {
+    let Recording {
+        last,
+        numbers,
+        energy,
+    } = recording;
+    let count = last as usize + 1;
+    let mut series: [Vec<Vec<f64>>; L] =
+        std::array::from_fn(|_| vec![Vec::with_capacity(count); numbers.len()]);
+    let mut books: Option<Books<L>> = None;
+    let ends = run(
+        structures,
+        prepared,
+        last as usize,
+        |step, state: &State<L>| {
+            for (i, number) in numbers.iter().enumerate() {
+                let value = value(state, *number);
+                for (series, x) in series.iter_mut().zip(value) {
+                    series[i].push(x);
+                }
+            }
+            match &mut books {
+                Some(books) => books.add(state),
+                None if energy && step == 0 => books = Some(Books::new(state)),
+                None => {}
+            }
+        },
+    );
+    let errors = books.map(|books| books.energy_error().0);
+    let mut lanes = ends.into_iter().zip(series).enumerate();
+    std::array::from_fn(|_| {
+        let (l, (end, series)) = lanes.next().unwrap_or((0, (Ok(()), Vec::new())));
+        end?;
+        let recorded = Recorded {
+            numbers: numbers.to_vec(),
+            series,
+        };
+        // Without any energy there is no error.
+        let error = errors.map(|errors| if errors[l].is_nan() { 0.0 } else { errors[l] });
+        Ok((recorded, error))
+    })
+}
+
+/// A quantity in all lanes.
+#[inline(always)]
+fn value<const L: usize>(state: &State<L>, number: Number) -> [f64; L] {
+    let lane = match number {
+        Number::Displacement(node) => state.displacement(node),
+        Number::Velocity(node) => state.velocity(node),
+        Number::Contact(contact, quantity) => {
+            let contact = state.contact(contact);
+            match quantity {
+                Quantity::Displacement => contact.displacement,
+                Quantity::Velocity => contact.velocity,
+                Quantity::Force => contact.force,
+                Quantity::Slip => contact.slip,
+                Quantity::Limit => contact.limit,
+            }
+        }
+    };
+    lane.0
+}
 
 /// STUB
 pub fn exact(
@@ -11,17 +109,6 @@ pub fn exact(
     _times: &[f64],
     _numbers: &[Number],
 ) -> Result<Recorded, Unsolvable> {
-    Err(Unsolvable::NoModes)
-}
-
-/// STUB
-pub fn computed(
-    _structure: &Structure,
-    _dt: f64,
-    _last: u64,
-    _numbers: &[Number],
-    _energy: bool,
-) -> Result<(Recorded, Option<f64>), Unsolvable> {
     Err(Unsolvable::NoModes)
 }
 

@@ -12,8 +12,7 @@ use std::sync::Arc;
 pub const NAME: &str = "structure";
 
 /// What the problem is.
-pub const MEANING: &str =
-    "a structure of masses, bars and springs with any number of contacts, under loads and ground motion";
+pub const MEANING: &str = "a structure of masses, bars and springs with any number of contacts, under loads and ground motion";
 
 /// The parameters that every study of structures has, each with its meaning.
 pub const FIXED: [(&str, &str); 2] = [
@@ -74,7 +73,12 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
         metrics: metrics.iter().map(metric).collect::<Vec<_>>().into(),
         contact_metric: None,
         channels: drawn.iter().map(channel).collect::<Vec<_>>().into(),
-        quantities: drawn.iter().enumerate().map(quantity).collect::<Vec<_>>().into(),
+        quantities: drawn
+            .iter()
+            .enumerate()
+            .map(quantity)
+            .collect::<Vec<_>>()
+            .into(),
         profiles: Cow::default(),
         budgets: Cow::default(),
         time: TimeAxis {

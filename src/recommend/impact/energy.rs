@@ -3,8 +3,8 @@
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::impact::{Energy, Track};
-use crate::problem::impact::BarImpact;
 use crate::problem::Case;
+use crate::problem::impact::BarImpact;
 
 /// max (E_i - E_0)/E_0 over all steps from t = 0. It is not negative, because step 0 is one of them.
 pub fn energy_gain(case: &Case, computed: &History) -> Option<f64> {

@@ -1,9 +1,7 @@
 //! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
 
 use super::schema::{block_keys, several, width_and_pair};
-use super::values::{
-    INTERVAL, RULE, expression, names, number, object, refer,
-};
+use super::values::{INTERVAL, RULE, expression, names, number, object, refer};
 use crate::problem::parameter::{Kind, Range};
 use crate::problem::structure::channel::QUANTITIES;
 use crate::problem::structure::contacts::LawName;
@@ -24,7 +22,14 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         refer(&name)
     };
     let function = define("function", described(keys::FUNCTION, function_value, &[]));
-    let contact = define("contact", described(keys::CONTACT, |key| contact_value(key, &function), &["law", "between"]));
+    let contact = define(
+        "contact",
+        described(
+            keys::CONTACT,
+            |key| contact_value(key, &function),
+            &["law", "between"],
+        ),
+    );
     let parameters = define("parameters", parameters());
     let structure = define("structure", structure(&function, &contact));
     let metric = define("metric", metric());
@@ -234,9 +239,9 @@ fn taken(key: &Key) -> Json {
 /// The section of the reference page.
 pub(super) fn reference() -> String {
     let table = |title: &str, keys: Keys| {
-        let rows = keys.iter().map(|(key, meaning)| {
-            format!("| `{key}` | {} |\n", meaning.replace('|', "\\|"))
-        });
+        let rows = keys
+            .iter()
+            .map(|(key, meaning)| format!("| `{key}` | {} |\n", meaning.replace('|', "\\|")));
         format!(
             "\n{title}\n\n| key | meaning |\n| --- | --- |\n{}",
             rows.collect::<String>()
@@ -246,7 +251,9 @@ pub(super) fn reference() -> String {
         Kind::Choice(laws) => laws.to_vec(),
         _ => Vec::new(),
     };
-    let laws = laws.iter().map(|(law, meaning)| format!("| `{law}` | {meaning} |\n"));
+    let laws = laws
+        .iter()
+        .map(|(law, meaning)| format!("| `{law}` | {meaning} |\n"));
     let mut text = format!(
         "## {NAME}\n\n{}{}. The parameters have free names; every number inside `structure` may be an expression of them. \
          `dt` and `duration` are fixed names. `law` of a contact and `record` may be the name of a parameter, whose values are then \

@@ -35,10 +35,21 @@ fn contact(
     let before = faults.count();
     let mut optional = |key: &str, range| reader.optional(&object, key, range, faults);
     let (gap, k) = (optional("gap", Range::Any), optional("k", Range::Positive));
-    let (e, c) = (optional("e", Range::NotNegative), optional("c", Range::Positive));
-    let (elastic, elastic_rate) = (optional("rE", Range::Positive), optional("rdotE", Range::Positive));
-    let (limit, nu) = (optional("limit", Range::NotNegative), optional("nu", Range::NotNegative));
-    let normal = object.get("N").and_then(|node| normal(node, &object.path("N"), reader, faults));
+    let (e, c) = (
+        optional("e", Range::NotNegative),
+        optional("c", Range::Positive),
+    );
+    let (elastic, elastic_rate) = (
+        optional("rE", Range::Positive),
+        optional("rdotE", Range::Positive),
+    );
+    let (limit, nu) = (
+        optional("limit", Range::NotNegative),
+        optional("nu", Range::NotNegative),
+    );
+    let normal = object
+        .get("N")
+        .and_then(|node| normal(node, &object.path("N"), reader, faults));
     let complete = faults.count() == before;
     Some(Contact {
         name: name.to_owned(),
@@ -90,7 +101,10 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
     for member in &object.members {
         let key = member.key.as_str();
         if !["law", "between", "gap"].contains(&key) && !own.contains(&key) {
-            let message = format!("a contact with law {law} has no {key}; it has {}", own.join(", "));
+            let message = format!(
+                "a contact with law {law} has no {key}; it has {}",
+                own.join(", ")
+            );
             faults.add(member.node.at, &object.path(key), message);
         }
     }

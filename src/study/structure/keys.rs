@@ -18,12 +18,18 @@ pub(in crate::study) const STRUCTURE: Keys = &[
         "springs",
         "springs with dashpots between two nodes, or a node and \"ground\"",
     ),
-    ("rayleigh", "C += mass M + stiffness K, K without the contacts"),
+    (
+        "rayleigh",
+        "C += mass M + stiffness K, K without the contacts",
+    ),
     (
         "modal_damping",
         "damping ratio in every mode of the structure without contacts",
     ),
-    ("contacts", "contacts between two nodes; r = u_J - u_I + gap"),
+    (
+        "contacts",
+        "contacts between two nodes; r = u_J - u_I + gap",
+    ),
     ("loads", "forces on nodes"),
     (
         "ground",
@@ -43,7 +49,10 @@ pub(in crate::study) const STRUCTURE: Keys = &[
 pub(in crate::study) const BAR: Keys = &[
     ("L", "length"),
     ("EA", "axial stiffness E A"),
-    ("mass", "mass of the whole bar; m/n at each node, half of it at the ends"),
+    (
+        "mass",
+        "mass of the whole bar; m/n at each node, half of it at the ends",
+    ),
     ("n", "number of elements, each with the stiffness E A n/L"),
     (
         "stiffness_damping",
@@ -56,7 +65,10 @@ pub(in crate::study) const SPRING: Keys = &[
     ("between", "two nodes"),
     ("k", "stiffness"),
     ("c", "dashpot"),
-    ("mass", "mass that has the period on this spring; with period and ratio, instead of k and c"),
+    (
+        "mass",
+        "mass that has the period on this spring; with period and ratio, instead of k and c",
+    ),
     ("period", "k = mass (2 pi/period)^2"),
     ("ratio", "c = 2 ratio (2 pi/period) mass"),
 ];

@@ -52,7 +52,10 @@ fn function(
         .collect();
     let [member] = given[..] else {
         let all: Vec<&str> = kinds.iter().map(|kind| kind.0).collect();
-        object.fault(format!("must have exactly one of {}", all.join(", ")), faults);
+        object.fault(
+            format!("must have exactly one of {}", all.join(", ")),
+            faults,
+        );
         return None;
     };
     if let (Some(unit), false) = (object.get("unit"), member.key == "record") {
@@ -135,8 +138,14 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
     if member.key == "ricker" {
         let object = open(&member.node, &path, RICKER, faults)?;
         let mut need = |key, range| reader.needed(&object, RICKER, key, range, faults);
-        let (amplitude, frequency) = (need("amplitude", Range::Any), need("frequency", Range::Positive));
-        let (at, sampled) = (need("at", Range::Positive), need("sampled", Range::Positive));
+        let (amplitude, frequency) = (
+            need("amplitude", Range::Any),
+            need("frequency", Range::Positive),
+        );
+        let (at, sampled) = (
+            need("at", Range::Positive),
+            need("sampled", Range::Positive),
+        );
         return Some(Kind::Ricker {
             amplitude: amplitude?,
             frequency: frequency?,
@@ -147,7 +156,10 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
     let object = open(&member.node, &path, COSINE, faults)?;
     let mut need = |key, range| reader.needed(&object, COSINE, key, range, faults);
     let amplitude = need("amplitude", Range::Any);
-    let (period, sampled) = (need("period", Range::Positive), need("sampled", Range::Positive));
+    let (period, sampled) = (
+        need("period", Range::Positive),
+        need("sampled", Range::Positive),
+    );
     Some(Kind::Cosine {
         amplitude: amplitude?,
         period: period?,

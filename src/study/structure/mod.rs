@@ -86,9 +86,16 @@ pub(super) fn problem(
     let texts = |parts: &[parts::Part]| -> Vec<String> { parts.iter().map(name).collect() };
     let contacts = texts(&contacts);
     let as_str = |texts: &[String]| -> Vec<&'static str> {
-        texts.iter().map(|text| crate::problem::interned(text)).collect()
+        texts
+            .iter()
+            .map(|text| crate::problem::interned(text))
+            .collect()
     };
-    let (masses, bars, contacts) = (as_str(&reader.masses), as_str(&reader.bars), as_str(&contacts));
+    let (masses, bars, contacts) = (
+        as_str(&reader.masses),
+        as_str(&reader.bars),
+        as_str(&contacts),
+    );
     let known = Names {
         masses: &masses,
         bars: &bars,
@@ -111,8 +118,11 @@ pub(super) fn problem(
     }
     let identity = names::identity(node, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn);
-    (faults.count() == before)
-        .then(|| Arc::new(StructureProblem::new(template, schema, metrics, drawn, identity)) as _)
+    (faults.count() == before).then(|| {
+        Arc::new(StructureProblem::new(
+            template, schema, metrics, drawn, identity,
+        )) as _
+    })
 }
 
 /// The units as the study writes them, and the unit of length in m.

@@ -25,7 +25,9 @@ fn members(node: &Node) -> &[Member] {
 /// The value of a key of an object.
 fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
     let mut members = members(node).iter();
-    members.find(|member| member.key == key).map(|member| &member.node)
+    members
+        .find(|member| member.key == key)
+        .map(|member| &member.node)
 }
 
 /// The members of all `parameters` of a study, each with its path.
@@ -33,7 +35,8 @@ fn given(root: &Node) -> Vec<(&Member, String)> {
     let of = |node: &Node, path: &str| -> Vec<(usize, String)> {
         let members = members(node).iter().enumerate();
         let real = members.filter(|(_, member)| member.key != "//");
-        real.map(|(i, member)| (i, join(path, &member.key))).collect()
+        real.map(|(i, member)| (i, join(path, &member.key)))
+            .collect()
     };
     let mut all = Vec::new();
     let mut add = |node, path: &str| {
@@ -145,7 +148,10 @@ pub(super) fn parameters(
             || ["and", "or", "not"].contains(&name.as_str());
         if reserved || !is_name(name) {
             let message = match reserved {
-                true => format!("{} has a meaning in expressions; choose another name", quoted(name)),
+                true => format!(
+                    "{} has a meaning in expressions; choose another name",
+                    quoted(name)
+                ),
                 false => format!(
                     "{} cannot name a parameter; a name is letters, digits and _, not beginning with a digit",
                     quoted(name)
@@ -197,7 +203,9 @@ pub(super) fn report_unused(
         let own = given.iter().find(|(member, _)| member.key == named.name);
         if let Some((member, path)) = own {
             let name = quoted(&named.name);
-            let message = format!("{name} is not used: no part of the structure and no expression contains it");
+            let message = format!(
+                "{name} is not used: no part of the structure and no expression contains it"
+            );
             faults.add(member.at, path, message);
         }
     }

@@ -125,7 +125,9 @@ impl Reader<'_> {
                 path: path.to_owned(),
             });
         }
-        let ends = bars.iter().flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
+        let ends = bars
+            .iter()
+            .flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
         let ends: Vec<String> = ends.collect();
         let known = ["ground"].into_iter().chain(masses.iter().copied());
         let known: Vec<&str> = known.chain(ends.iter().map(String::as_str)).collect();

@@ -32,7 +32,10 @@ pub(super) fn record(
     };
     let file = text(node, path, faults)?;
     let (chosen, files) = match reader.choices(&file) {
-        Some((row, files)) => (Chosen::Parameter(row), files.iter().map(|file| file.0).collect()),
+        Some((row, files)) => (
+            Chosen::Parameter(row),
+            files.iter().map(|file| file.0).collect(),
+        ),
         None => {
             let file = interned(&file);
             (Chosen::Name(file), vec![file])

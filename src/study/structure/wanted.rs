@@ -30,7 +30,9 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
         }
     };
     if let Some(node) = root.get("metrics") {
-        each_text(node, "metrics", &mut |text, at, path| add(text, at, path, faults));
+        each_text(node, "metrics", &mut |text, at, path| {
+            add(text, at, path, faults)
+        });
     }
     for key in ["checks", "figures"] {
         if let Some(node) = root.get(key) {
@@ -58,7 +60,8 @@ pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Dr
             continue;
         };
         let draws = members.iter().any(|member| {
-            member.key == "kind" && matches!(&member.node.tree, Tree::Text(kind) if KINDS.contains(&kind.as_str()))
+            member.key == "kind"
+                && matches!(&member.node.tree, Tree::Text(kind) if KINDS.contains(&kind.as_str()))
         });
         for member in members.iter().filter(|_| draws) {
             if !["x", "y"].contains(&member.key.as_str()) {
@@ -69,7 +72,9 @@ pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Dr
                 if all.iter().any(|known| known.name == text) {
                     return;
                 }
-                let inside = text.strip_prefix("error(").and_then(|rest| rest.strip_suffix(')'));
+                let inside = text
+                    .strip_prefix("error(")
+                    .and_then(|rest| rest.strip_suffix(')'));
                 let channel = Channel::parse(inside.unwrap_or(text), names).unwrap_or_else(|why| {
                     faults.add(at, path, format!("{}: {why}", quoted(text)));
                     Channel {

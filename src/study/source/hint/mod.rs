@@ -203,11 +203,7 @@ mod tests {
             ("zeta", friction, Some("have damping;")),
             ("damping_ratio", bars, Some("have damping;")),
             ("forcing", friction, Some("have applied forces;")),
-            (
-                "ground_motion",
-                friction,
-                Some("have ground motion;"),
-            ),
+            ("ground_motion", friction, Some("have ground motion;")),
             ("record", bars, Some("have ground motion;")),
             ("mu", friction, Some("the equations are scaled: ")),
             ("omega_n", friction, Some("the equations are scaled: ")),

@@ -1,0 +1,148 @@
+//! The motions that the metrics of a case need, and their values, one case at a time or side by side.
+
+use super::StructureProblem;
+use super::channel::Number;
+use super::judge::{self, Judged, Motions};
+use super::metric::{Reduction, StructureMetric};
+use super::motion::{self, Recording, Run};
+use super::node::Numbering;
+use super::sweep::Ready;
+use super::template::Reference;
+use crate::solve::Unsolvable;
+
+/// Refinement of the mesh that `mesh_error` compares with.
+const FINER: u32 = 4;
+
+/// Reductions that compare with an exact motion.
+const ERRORS: [Reduction; 5] = [
+    Reduction::RmsError,
+    Reduction::PeakError,
+    Reduction::StepError,
+    Reduction::RegularisationError,
+    Reduction::MeshError,
+];
+
+/// Reductions that compare with the motion of `contacts_reference`.
+const AGAINST_REFERENCE: [Reduction; 2] = [Reduction::RmsError, Reduction::PeakError];
+
+/// Reductions that always need the motion of the softened laws.
+const SOFTENED: [Reduction; 3] = [
+    Reduction::StepError,
+    Reduction::RegularisationError,
+    Reduction::MeshError,
+];
+
+/// Each number once, in the order of their first places.
+pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
+    let mut distinct = Vec::new();
+    for number in numbers {
+        if !distinct.contains(&number) {
+            distinct.push(number);
+        }
+    }
+    distinct
+}
+
+impl StructureProblem {
+    /// Whether a metric has one of these reductions.
+    fn has(&self, reductions: &[Reduction]) -> bool {
+        let mut all = self.metrics.iter();
+        all.any(|metric| reductions.contains(&metric.reduction))
+    }
+
+    /// The quantities that the metrics with these reductions need.
+    pub(super) fn numbers(
+        &self,
+        numbering: &Numbering,
+        chosen: impl Fn(&StructureMetric) -> bool,
+    ) -> Vec<Number> {
+        let metrics = self.metrics.iter().filter(|metric| chosen(metric));
+        distinct(metrics.flat_map(|metric| judge::needed(metric, numbering)))
+    }
+
+    /// Whether errors are against the motion of the rigid laws.
+    pub(super) fn against_rigid(&self) -> bool {
+        self.template.reference == Some(Reference::Rigid)
+    }
+
+    /// The metrics of a case, with these quantities of the computed motion recorded too.
+    pub(super) fn solve_ready(
+        &self,
+        ready: &Ready,
+        more: &[Number],
+    ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
+        let numbers = self.numbers(&ready.numbering, |_| true);
+        let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
+        let recording = self.recording(ready, &numbers);
+        let run = motion::computed(&ready.structure, ready.dt, recording);
+        self.judge(ready, run)
+    }
+
+    pub(super) fn recording<'a>(&self, ready: &Ready, numbers: &'a [Number]) -> Recording<'a> {
+        Recording {
+            last: ready.last,
+            numbers,
+            energy: self.has(&[Reduction::EnergyError]),
+        }
+    }
+
+    /// The metrics of a case from its run, with the other motions that they need.
+    pub(super) fn judge(
+        &self,
+        ready: &Ready,
+        run: Run,
+    ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
+        let (computed, energy_error) = run?;
+        let Ready {
+            structure,
+            numbering,
+            dt,
+            last,
+            ..
+        } = ready;
+        let mut motions = Motions {
+            computed,
+            energy_error,
+            ..Motions::default()
+        };
+        if self.has(&[Reduction::Divergence]) {
+            let numbers = self.numbers(numbering, |metric| {
+                metric.reduction == Reduction::Divergence
+            });
+            let recording = Recording {
+                last: *last,
+                numbers: &numbers,
+                energy: false,
+            };
+            let other = motion::perturbed(structure);
+            motions.perturbed = Some(motion::computed(&other, *dt, recording)?.0);
+        }
+        let numbers = self.numbers(numbering, |metric| ERRORS.contains(&metric.reduction));
+        let times: Vec<f64> = (0..=*last).map(|i| i as f64 * dt).collect();
+        let rigid = self.against_rigid();
+        if self.has(&SOFTENED) || self.has(&AGAINST_REFERENCE) && !rigid {
+            motions.softened = Some(motion::exact(structure, &times, &numbers)?);
+        }
+        if self.has(&[Reduction::RegularisationError]) || self.has(&AGAINST_REFERENCE) && rigid {
+            motions.rigid = Some(motion::exact(&motion::rigid(structure), &times, &numbers)?);
+        }
+        if self.has(&[Reduction::MeshError]) {
+            let (finer, numbering) = self.structure(&ready.case, FINER)?;
+            let numbers = self.numbers(&numbering, |metric| {
+                metric.reduction == Reduction::MeshError
+            });
+            motions.finer = Some((motion::exact(&finer, &times, &numbers)?, numbering));
+        }
+        let of = Judged {
+            structure,
+            numbering,
+            dt: *dt,
+            against_rigid: rigid,
+        };
+        let metrics = self.metrics.iter();
+        let values = metrics
+            .map(|metric| judge::value(metric, of, &motions))
+            .collect();
+        Ok((motions, values))
+    }
+}
