@@ -3,6 +3,7 @@
 
 pub mod bar;
 mod bar_pair;
+pub mod loads;
 mod modes;
 pub mod structure;
 

@@ -1,0 +1,96 @@
+//! K-NET and KiK-net ASCII: a header of 17 lines, the last one `Memo.`, then counts of the digitiser in rows.
+
+use super::number::{all, number};
+use super::{Place, Record, end, fault, shown};
+use crate::system::loads::Unit;
+
+/// Lines of the header.
+const HEADER: usize = 17;
+
+/// Whether the header has a line `Scale Factor`.
+pub(super) fn is_format(lines: &[&str]) -> bool {
+    header(lines, "Scale Factor").is_some()
+}
+
+/// The index and the rest of the line of the header that begins with `label`.
+fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
+    let rest = lines
+        .iter()
+        .take(HEADER)
+        .map(|line| line.trim().strip_prefix(label));
+    rest.enumerate()
+        .find_map(|(index, rest)| Some((index, rest?.trim())))
+}
+
+/// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b.
+pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
+    let memo = lines.get(HEADER - 1).map(|line| line.trim());
+    if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
+        let message = "a K-NET header must have 17 lines, the last one \"Memo.\"";
+        return Err(fault(end(lines).min(HEADER - 1), message));
+    }
+    let frequency = positive(lines, "Sampling Freq(Hz)", |text| {
+        number(text.strip_suffix("Hz").unwrap_or(text).trim())
+    })?;
+    let duration = positive(lines, "Duration Time(s)", number)?;
+    let scale = positive(lines, "Scale Factor", scale)?;
+    let count = (duration * frequency).round();
+    let source = "Duration Time(s) times Sampling Freq(Hz)";
+    let counts = all(lines, HEADER, count, source)?;
+    if counts.len() < 2 {
+        return Err(fault(end(lines), "a record needs two or more numbers"));
+    }
+    let dt = 1.0 / frequency;
+    let mean = counts.iter().sum::<f64>() / counts.len() as f64;
+    let record = Record {
+        times: (0..counts.len()).map(|i| i as f64 * dt).collect(),
+        values: counts.iter().map(|count| (count - mean) * scale).collect(),
+        unit: Some(Unit::CentimetrePerSecond2),
+    };
+    let finite = record
+        .times
+        .iter()
+        .chain(&record.values)
+        .all(|x| x.is_finite());
+    let message = "the numbers are too large with this frequency and scale factor";
+    finite
+        .then_some(record)
+        .ok_or_else(|| fault(HEADER, message))
+}
+
+/// The number > 0 of the line of the header that begins with `label`.
+fn positive(
+    lines: &[&str],
+    label: &str,
+    read: impl Fn(&str) -> Result<f64, String>,
+) -> Result<f64, Place> {
+    let Some((index, text)) = header(lines, label) else {
+        return Err(fault(
+            HEADER - 1,
+            format!("the header needs the line \"{label}\""),
+        ));
+    };
+    let number = read(text).map_err(|message| fault(index, message))?;
+    if number <= 0.0 {
+        let message = format!("{label} must be > 0, got {number}");
+        return Err(fault(index, message));
+    }
+    Ok(number)
+}
+
+/// a/b of a scale factor `a(gal)/b`.
+fn scale(text: &str) -> Result<f64, String> {
+    let form = || {
+        format!(
+            "the scale factor must have the form \"a(gal)/b\", got {}",
+            shown(text)
+        )
+    };
+    let (gal, count) = text.split_once("(gal)/").ok_or_else(form)?;
+    let scale = number(gal.trim())? / number(count.trim())?;
+    if scale.is_finite() {
+        Ok(scale)
+    } else {
+        Err(form())
+    }
+}

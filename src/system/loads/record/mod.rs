@@ -1,0 +1,87 @@
+//! Recorded accelerations: PEER AT2, K-NET ASCII, and two columns.
+//!
+//! The content decides on the format: a file with a line `Scale Factor` in its header is K-NET, one with a line that names NPTS and
+//! DT is AT2, and any other file has two columns.
+
+mod at2;
+mod columns;
+mod knet;
+mod number;
+
+use super::Unit;
+use std::fmt;
+
+/// A recorded acceleration. It is straight between its points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// Times in seconds; at least two, and they rise.
+    pub times: Vec<f64>,
+    /// Accelerations in the record's unit, one for each time.
+    pub values: Vec<f64>,
+    /// The unit that the file has: cm/s2 (gal) for K-NET, the one of the header for AT2, none for two columns.
+    pub unit: Option<Unit>,
+}
+
+/// Why a file is no record: displayed as `FILE:LINE: MESSAGE`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordFault {
+    /// The file.
+    pub name: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// What is wrong; what is allowed.
+    pub message: String,
+}
+
+impl fmt::Display for RecordFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.name, self.line, self.message)
+    }
+}
+
+/// The content of a record file; `name` is for messages only.
+pub fn parse(name: &str, bytes: &[u8]) -> Result<Record, RecordFault> {
+    let text = String::from_utf8_lossy(bytes); // Names of stations in a header may have any encoding.
+    let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
+    let record = if knet::is_format(&lines) {
+        knet::parse(&lines)
+    } else if let Some(header) = at2::header(&lines) {
+        at2::parse(&lines, header)
+    } else {
+        columns::parse(&lines)
+    };
+    record.map_err(|Place { line, message }| RecordFault {
+        name: name.to_owned(),
+        line,
+        message,
+    })
+}
+
+/// A fault with its line, from 1, in a file without a name.
+#[derive(Debug)]
+struct Place {
+    line: usize,
+    message: String,
+}
+
+/// A fault in the line with this index, from 0.
+fn fault(index: usize, message: impl Into<String>) -> Place {
+    Place {
+        line: index + 1,
+        message: message.into(),
+    }
+}
+
+/// The last line of a file, as an index.
+fn end(lines: &[&str]) -> usize {
+    lines.len().saturating_sub(1)
+}
+
+/// The start of a text for a message.
+fn shown(text: &str) -> String {
+    let short: String = text.chars().take(30).collect();
+    format!("\"{}\"", short.escape_debug())
+}
+
+#[cfg(test)]
+mod tests;
