@@ -3,6 +3,7 @@
 //! All is text in, data out; the caller reads the files. Accelerations become a [`Table`](super::structure::Table) that is 0 beyond
 //! the motion.
 
+pub mod pulse;
 pub mod record;
 mod signal;
 mod unit;
