@@ -6,6 +6,8 @@
 pub mod pulse;
 pub mod record;
 mod signal;
+pub mod spectrum;
+pub mod synthetic;
 mod unit;
 
 pub use signal::{SignalFault, signal};

@@ -1,0 +1,134 @@
+//! The motion of an oscillator while the ground acceleration is straight, over at most one radian.
+//!
+//! On a piece of the length h with omega h <= 1, the Taylor coefficients of u(h tau) follow from
+//! u'' + 2 zeta omega u' + omega^2 u = -a:
+//!
+//! ```text
+//! (k+1)(k+2) c_(k+2) = -h^2 a_k - 2 zeta omega h (k+1) c_(k+1) - (omega h)^2 c_k,   a = a_0 + a_1 tau
+//! ```
+//!
+//! They fall like 1/k!, so 20 of them are exact to round-off. The closed form would lose digits by cancellation for long periods.
+
+/// Number of Taylor coefficients: 1/20! < 1e-18.
+const TERMS: usize = 20;
+
+/// An oscillator.
+#[derive(Clone, Copy)]
+pub(super) struct Oscillator {
+    /// Circular frequency without damping.
+    pub omega: f64,
+    /// Damping ratio.
+    pub ratio: f64,
+}
+
+/// The motion on a piece as a polynomial of tau from 0 to 1.
+pub(super) struct Piece([f64; TERMS]);
+
+impl Piece {
+    /// The motion from the state u, u' on, under an acceleration that is straight from `a0` to `a1`.
+    pub fn new(oscillator: Oscillator, [u, v]: [f64; 2], h: f64, [a0, a1]: [f64; 2]) -> Piece {
+        let turn = oscillator.omega * h;
+        let load = [h * h * a0, h * h * (a1 - a0)];
+        let mut c = [0.0; TERMS];
+        [c[0], c[1]] = [u, v * h];
+        for k in 0..TERMS - 2 {
+            let next = (k + 1) as f64;
+            let load = load.get(k).copied().unwrap_or(0.0);
+            let sum = load + 2.0 * oscillator.ratio * turn * next * c[k + 1] + turn * turn * c[k];
+            c[k + 2] = -sum / (next * (next + 1.0));
+        }
+        Piece(c)
+    }
+
+    /// u.
+    pub fn u(&self, tau: f64) -> f64 {
+        self.0.iter().rev().fold(0.0, |sum, c| sum * tau + c)
+    }
+
+    /// du/dtau.
+    pub fn v(&self, tau: f64) -> f64 {
+        (1..TERMS)
+            .rev()
+            .fold(0.0, |sum, k| sum * tau + k as f64 * self.0[k])
+    }
+
+    /// d2u/dtau2.
+    fn y(&self, tau: f64) -> f64 {
+        (2..TERMS)
+            .rev()
+            .fold(0.0, |sum, k| sum * tau + (k * (k - 1)) as f64 * self.0[k])
+    }
+
+    /// A bound of |u| on the piece: the larger end and the error of the chord, |y|/8.
+    ///
+    /// The load is straight, so y is a free vibration and y^2 + (y'/(omega h))^2 never rises.
+    pub fn bound(&self, turn: f64) -> f64 {
+        let [y, slope] = [2.0 * self.0[2], 6.0 * self.0[3] / turn];
+        self.0[0].abs().max(self.u(1.0).abs()) + (y * y + slope * slope).sqrt() / 8.0
+    }
+
+    /// The extremes of u inside: v is 0.
+    ///
+    /// y is 0 at most once, because omega h <= 1 < pi. So v is 0 at most twice: once if it changes its sign, twice only if y does.
+    pub fn extremes(&self) -> [Option<f64>; 2] {
+        let v = |tau| self.v(tau);
+        if let Some(tau) = root(v, 0.0, 1.0) {
+            return [Some(tau), None];
+        }
+        match root(|tau| self.y(tau), 0.0, 1.0) {
+            Some(turn) => [root(v, 0.0, turn), root(v, turn, 1.0)],
+            None => [None, None],
+        }
+    }
+}
+
+/// The root of a function whose sign differs at the ends, by bisection.
+fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
+    let start = f(low);
+    let end = f(high);
+    if start == 0.0 || end == 0.0 || (start < 0.0) == (end < 0.0) {
+        return None;
+    }
+    // 2^-53 of the piece.
+    for _ in 0..53 {
+        let middle = 0.5 * (low + high);
+        if (f(middle) < 0.0) == (start < 0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(0.5 * (low + high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_extremes_inside_one_piece_are_both_seen() {
+        // u = tau^3/3 - tau^2/2 + 3/16 tau has extremes at 1/4 and 3/4; its y changes its sign at 1/2.
+        let mut c = [0.0; TERMS];
+        (c[1], c[2], c[3]) = (3.0 / 16.0, -0.5, 1.0 / 3.0);
+        let [first, second] = Piece(c).extremes();
+        // Round-off of v, whose slope is 1/2 there.
+        let near = |tau: Option<f64>, exact: f64| assert!((tau.unwrap() - exact).abs() < 1e-15);
+        near(first, 0.25);
+        near(second, 0.75);
+    }
+
+    #[test]
+    fn the_bound_holds_where_only_the_slope_of_y_is_not_zero() {
+        // omega = h = 1: u = sin tau - 0.85 tau under the acceleration 0.85 tau, with its extreme at cos tau = 0.85.
+        let oscillator = Oscillator {
+            omega: 1.0,
+            ratio: 0.0,
+        };
+        let piece = Piece::new(oscillator, [0.0, 0.15], 1.0, [0.0, 0.85]);
+        let [first, second] = piece.extremes();
+        let tau = 0.85f64.acos();
+        // Round-off of v, whose slope is 0.53 there.
+        assert!((first.unwrap() - tau).abs() < 1e-15 && second.is_none());
+        assert!(piece.bound(1.0) >= tau.sin() - 0.85 * tau);
+    }
+}
