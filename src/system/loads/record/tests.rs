@@ -139,7 +139,7 @@ fn two_columns_may_have_any_separator_and_header() {
             ("", ""),
             ("t,a\n", "\n\n"),
             (
-                "3\nTime (s)\tAcc. (m/s2)\n\n2000/01/01 12:30\nInformation 1\n",
+                "3\nTime (s)\tAcc. (m/s2)\n\n2000/01/01 3\n12:30 0\nInformation 1\n",
                 "",
             ),
         ] {
@@ -152,6 +152,7 @@ fn two_columns_may_have_any_separator_and_header() {
         }
     }
     assert_eq!(read("0,1,\n1,2,\n").values, [1.0, 2.0]);
+    assert_eq!(read("\u{feff}0 1\n1 2\n").values, [1.0, 2.0]);
 }
 
 #[test]
@@ -198,6 +199,9 @@ fn knet_counts_are_scaled_without_their_mean() {
     assert_eq!(record.times, [0.0, 0.01, 0.02, 0.03]);
     assert_eq!(record.values, [1.0, -1.0, 0.0, 0.0]);
     assert_eq!(record.unit, Some(Unit::CentimetrePerSecond2));
+    // 0.07 times 100 is above 7 in floating point.
+    let record = read(&knet(["100Hz", "0.07", "1(gal)/1"], "1 2 3 4 5 6 7"));
+    assert_eq!(record.values, [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0]);
 }
 
 #[test]
@@ -217,6 +221,10 @@ fn knet_faults_have_their_line() {
         (
             knet(good, "1 2\n3"),
             format!("f:19: more numbers than {source}, 2"),
+        ),
+        (
+            knet(["100Hz", "0.01", good[2]], "1"),
+            "f:18: a record needs two or more numbers".into(),
         ),
         (knet(good, "1 2a"), "f:18: not a number: \"2a\"".into()),
         (

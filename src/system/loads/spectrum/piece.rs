@@ -116,4 +116,19 @@ mod tests {
         near(first, 0.25);
         near(second, 0.75);
     }
+
+    #[test]
+    fn the_bound_holds_where_only_the_slope_of_y_is_not_zero() {
+        // omega = h = 1: u = sin tau - 0.85 tau under the acceleration 0.85 tau, with its extreme at cos tau = 0.85.
+        let oscillator = Oscillator {
+            omega: 1.0,
+            ratio: 0.0,
+        };
+        let piece = Piece::new(oscillator, [0.0, 0.15], 1.0, [0.0, 0.85]);
+        let [first, second] = piece.extremes();
+        let tau = 0.85f64.acos();
+        // Round-off of v, whose slope is 0.53 there.
+        assert!((first.unwrap() - tau).abs() < 1e-15 && second.is_none());
+        assert!(piece.bound(1.0) >= tau.sin() - 0.85 * tau);
+    }
 }

@@ -68,6 +68,15 @@ fn a_rectangular_pulse_has_its_peak_in_or_after_it() {
 }
 
 #[test]
+fn the_second_extreme_after_the_last_point_may_be_the_largest() {
+    // omega = 1: pushed to the other side for 0.4, then free about u = 3 with the amplitude from u and u' there.
+    let pushed = table(&[[0.0, 1.0], [0.4, 1.0], [0.4, -3.0]]);
+    let [u, v] = [0.4f64.cos() - 1.0, -(0.4f64.sin())];
+    let expected = 3.0 + (u - 3.0).hypot(v);
+    near(one(&pushed, 2.0 * PI, 0.0).displacement, expected, 1e-14);
+}
+
+#[test]
 fn a_still_ground_has_no_response() {
     let still = one(&table(&[[0.0, 0.0], [5.0, 0.0]]), 1.0, 0.05);
     assert_eq!((still.displacement, still.time), (0.0, 0.0));
@@ -197,14 +206,14 @@ fn ramps(points: &[[f64; 2]], period: f64, ratio: f64, t: f64) -> f64 {
         let [a, b] = [points[i], points[i + 1]];
         (b[1] - a[1]) / (b[0] - a[0])
     };
-    let last = points.len() - 1;
     let mut sum = 0.0;
-    for i in 0..=last {
-        let before = if i == 0 { 0.0 } else { slope(i - 1) };
-        let after = if i == last { 0.0 } else { slope(i) };
-        if t > points[i][0] {
-            sum += (after - before) * ramp(t - points[i][0]);
+    let mut before = 0.0;
+    for (i, [time, _]) in points.iter().enumerate() {
+        let after = if i + 1 < points.len() { slope(i) } else { 0.0 };
+        if t > *time {
+            sum += (after - before) * ramp(t - time);
         }
+        before = after;
     }
     sum
 }
