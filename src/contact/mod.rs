@@ -14,11 +14,13 @@
 //! both equations in closed form. Newton's iteration of the papers has the same root if it converges; on clipped laws it can
 //! cycle.
 
+pub mod coupled;
 mod displacement_control;
 pub mod element;
 mod impact_spring;
 mod velocity_control;
 
+pub use coupled::{CoupledForces, Unsolved};
 pub use displacement_control::DisplacementControl;
 pub use impact_spring::ImpactSpring;
 pub use velocity_control::VelocityControl;
