@@ -11,7 +11,6 @@ use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::{Case, Problem, Schema, Solution, Violation};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::study::{Axis, Block, Group, Study, parse};
-use crate::system::System;
 use std::sync::Arc;
 
 /// The friction oscillator with a parameter that has a default and a column only if it is given.

@@ -14,7 +14,6 @@ use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::{Case, Problem, Schema, Solution, Violation};
 use crate::solve::{MetricTable, Unsolvable};
-use crate::system::System;
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::{Arc, LazyLock};
 

@@ -48,7 +48,7 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
     let row = |name: &str| named.iter().position(|p| p.name == name).unwrap_or(0);
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
-        symbol: escape(&metric.name).into(),
+        symbol: title(&metric.name).into(),
         unit: Borrowed("1"),
         meaning: Borrowed(metric.reduction.meaning()),
         default: true,
@@ -60,7 +60,7 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
     };
     let quantity = |(channel, drawn): (usize, &Drawn)| Quantity {
         name: drawn.name.clone().into(),
-        title: escape(&drawn.name).into(),
+        title: title(&drawn.name).into(),
         channel,
         error: drawn.error,
     };
@@ -158,6 +158,11 @@ fn symbol(name: &str) -> String {
         markup += &format!("_{}_", escape(below));
     }
     markup
+}
+
+/// A metric or channel as an axis title.
+fn title(name: &str) -> String {
+    escape(name).replace(" - ", " − ")
 }
 
 /// Plain text in the markup of figures.
