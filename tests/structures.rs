@@ -1,0 +1,188 @@
+//! Studies of structures: the format of the document, its faults, and the agreement of the ways to solve them.
+
+use slipgap::problem::cases::Cases;
+use slipgap::study::{self, Study};
+use std::fs;
+use std::path::Path;
+
+/// A study in the format of docs/structures.md, with every part that it describes.
+const EXAMPLE: &str = r#"{ "problem": "structure",
+"parameters": { "gamma": {"geomspace": [0.0625, 4, 13]}, "gap": [0.01, 0.02], "n": 10, "L": 40, "EA": 1.5e8, "k_I": "gamma*n*EA/L", "dt": 0.001, "duration": 20 },
+"structure": {
+  "units": "t, kN, m, s",
+  "masses":   { "p1": 100, "p2": 100 },
+  "bars":     { "g1|g2": { "L": "L", "EA": "EA", "mass": 500, "n": "n", "stiffness_damping": 1.5e-4 } },
+  "springs":  [ { "between": ["ground", "p1"], "mass": 600, "period": 1.0, "ratio": 0.05 }, { "between": ["p1", "g1.left"], "k": 2e6, "c": 0 } ],
+  "rayleigh": { "mass": 0, "stiffness": 0 },
+  "contacts": { "gap12": { "law": "impact", "between": ["g1.right", "g2.left"], "gap": "gap", "k": "k_I" },
+                "bearing": { "law": "displacement-control", "between": ["p2", "g1.right"], "nu": 0.1, "N": 2450, "rE": 0.0005 } },
+  "loads":    [ { "at": "p1", "sine": { "amplitude": 1, "omega": 2, "phase": 0 } } ],
+  "ground":   { "record": "records/name.AT2", "unit": "g", "scale": 1 },
+  "start":    { "g1": { "v": 0.1 } },
+  "contacts_reference": "softened"
+},
+"metrics": ["peak(g1.right - p2)", "impacts(gap12)", "energy_error"] }"#;
+
+/// A folder with the study and a record of its own, of which the last value is `last`.
+fn folder(last: f64) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("records")).unwrap();
+    let record = format!(
+        "TITLE\nSTATION\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=   4, DT=   .0100 SEC\n 0.0 0.1 -0.2 {last}\n"
+    );
+    fs::write(folder.path().join("records/name.AT2"), record).unwrap();
+    folder
+}
+
+fn read(folder: &Path, text: &str) -> Result<Study, String> {
+    let file = folder.join("study.json");
+    fs::write(&file, text).unwrap();
+    study::read(&file).map_err(|fault| fault.to_string())
+}
+
+#[test]
+fn the_example_of_the_format_is_read() {
+    let folder = folder(0.0);
+    let study = read(folder.path(), EXAMPLE).unwrap();
+    assert_eq!(study.len(), 26);
+    let case = study.case(24).unwrap();
+    assert_eq!(case.number("k_I"), Some(4.0 * 10.0 * 1.5e8 / 40.0));
+    let names: Vec<&str> = study.problem.metrics().iter().map(|m| &*m.name).collect();
+    assert_eq!(names, ["peak(g1.right - p2)", "impacts(gap12)", "energy_error"]);
+    let text = study.problem.description(&case).unwrap();
+    // Two masses of 100 and two bars of 500 with 11 nodes each.
+    assert!(text.contains("24 nodes, total mass 1200, 2 contacts"), "{text}");
+    assert!(text.contains("nothing holds g2.left to g2.right"), "{text}");
+    let columns: Vec<String> = study
+        .problem
+        .history_columns(&case)
+        .iter()
+        .map(|column| column.column.name.to_string())
+        .collect();
+    assert_eq!(columns.len(), 2 * 24 + 3 * 2);
+    assert_eq!(columns[..3], ["p1.u", "p1.v", "p2.u"]);
+    assert_eq!(columns[columns.len() - 1], "bearing.S");
+}
+
+#[test]
+fn every_fault_has_its_place_and_says_what_is_allowed() {
+    let folder = folder(0.0);
+    for (from, to, place, message) in [
+        ("\"gap\": [", "\"unused\": 1, \"gap\": [", "2:58: parameters.unused", "is not used"),
+        ("\"gap\": [", "\"pi\": 1, \"gap\": [", "2:58: parameters.pi", "has a meaning in expressions"),
+        ("\"EA\": \"EA\"", "\"EA\": \"EB\"", "structure.bars.g1|g2.EA", "unknown name \"EB\""),
+        ("\"p1\", \"g1.left\"", "\"p7\", \"g1.left\"", "springs[1].between[0]", "unknown node \"p7\""),
+        ("[\"p2\", \"g1.right\"]", "[\"p2\", \"g1.10\"]", "bearing.between[1]", "inner nodes 1 to 9, got 10"),
+        ("\"p2\": 100", "\"p2\": 0", "5:33: structure.masses.p2", "must be > 0, got 0"),
+        ("\"n\": \"n\"", "\"n\": \"n - 10\"", "structure.bars.g1|g2.n", "must be > 0"),
+        ("\"n\": \"n\"", "\"n\": \"n/4\"", "structure.bars.g1|g2.n", "whole number"),
+        ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.right\"]", "gap12.between", "two different nodes"),
+        ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.10\"]", "gap12.between[1]", "inner nodes 1 to 9"),
+        ("records/name.AT2", "records/none.AT2", "11:25: structure.ground.record", "cannot read"),
+        ("\"unit\": \"g\"", "\"unit\": \"gal\"", "structure.ground.unit", "allowed: g, m/s2, cm/s2"),
+        ("\"unit\": \"g\"", "\"unit\": \"m/s2\"", "structure.ground.record", "the file is in g"),
+        ("\"sine\": { \"amplitude\": 1, \"omega\": 2, \"phase\": 0 }", "\"table\": {\"t\": [1, 0], \"f\": [1, 2]}", "structure.loads[0]", "times must rise"),
+        ("\"law\": \"impact\"", "\"law\": \"coulomb\"", "gap12.k", "has no k"),
+        ("\"rE\": 0.0005", "\"rE\": 0.0005, \"k\": 1", "bearing.rE", "give k or rE, not both"),
+        (", \"rE\": 0.0005", "", "structure.contacts.bearing", "needs k or rE"),
+        ("\"g1\": { \"v\"", "\"g3\": { \"v\"", "structure.start.g3", "unknown node \"g3\""),
+        ("\"t, kN, m, s\"", "\"t, kN, ell, s\"", "structure.units", "unknown unit of length"),
+        ("\"softened\"", "\"soft\"", "contacts_reference", "did you mean \"softened\""),
+        ("impacts(gap12)", "impacts(gap13)", "metrics[1]", "no contact 'gap13'"),
+        ("g1.right - p2)", "g1.right - p5)", "metrics[0]", "no node or contact 'p5'"),
+        ("\"dt\": 0.001, ", "", "parameters.dt", "missing"),
+        ("\"problem\": \"structure\"", "\"problem\": \"structures\"", "1:14: problem", "did you mean \"structure\""),
+    ] {
+        assert!(EXAMPLE.contains(from), "{from}");
+        let text = EXAMPLE.replacen(from, to, 1);
+        let faults = read(folder.path(), &text).unwrap_err();
+        assert!(
+            faults.contains(place) && faults.contains(message),
+            "{from} -> {to}: {faults}"
+        );
+    }
+}
+
+#[test]
+fn the_bytes_of_a_record_belong_to_the_results_and_remarks_do_not() {
+    let identity = |last: f64, text: &str| {
+        let folder = folder(last);
+        let study = read(folder.path(), text).unwrap();
+        study.problem.identity().to_owned()
+    };
+    let own = identity(0.0, EXAMPLE);
+    let remark = EXAMPLE.replace("\"units\":", "\"//\": \"a remark\",\n  \"units\":");
+    assert_eq!(identity(0.0, &remark), own);
+    assert_ne!(identity(0.25, EXAMPLE), own);
+    let stiffer = EXAMPLE.replace("\"k\": 2e6", "\"k\": 3e6");
+    assert_ne!(identity(0.0, &stiffer), own);
+}
+
+fn parse(text: &str) -> Study {
+    study::parse("study.json", text).unwrap()
+}
+
+#[test]
+fn one_mass_with_friction_is_the_friction_oscillator() {
+    // In the oscillator's scales mass, stiffness and limit are 1. Round-off of 400 steps of numbers up to 12, and of S, which is a
+    // difference of numbers up to 12 over alpha = 0.1.
+    for (law, own, width) in [
+        ("displacement-control", "alpha", "\"rE\": 0.1"),
+        ("velocity-control", "beta", "\"rdotE\": 0.1"),
+    ] {
+        let time = "\"duration\": \"8*pi\"";
+        let oscillator = parse(&format!(
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "{law}", "{own}": 0.1, "dT": "pi/50", {time}}}}}"#
+        ));
+        let structure = parse(&format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": "pi/50", {time}}}, "structure": {{"masses": {{"x": 1}},
+                "springs": [{{"between": ["ground", "x"], "k": 1}}], "start": {{"x": {{"u": 12}}}},
+                "contacts": {{"f": {{"law": "{law}", "between": ["ground", "x"], "limit": 1, {width}}}}}}},
+                "metrics": ["peak(x)"], "figures": [{{"name": "h", "kind": "history", "y": ["x", "x.v", "f.S"]}}]}}"#
+        ));
+        let solve = |study: &Study| {
+            let case = study.case(0).unwrap();
+            study.problem.solve(&case, &[]).unwrap().computed
+        };
+        let (expected, found) = (solve(&oscillator), solve(&structure));
+        assert_eq!(expected.len(), 401);
+        for channel in 0..3 {
+            for (a, b) in expected.channel(channel).iter().zip(found.channel(channel)) {
+                assert!((a - b).abs() < 1e-11, "{law} {channel}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sweep_has_the_bits_of_single_cases_whatever_its_order() {
+    // n changes the linear part, the others do not; 23 cases of a kind do not fill the lanes.
+    let study = parse(
+        r#"{"problem": "structure", "parameters": {"scale": {"linspace": [0.1, 2.3, 23]}, "n": [1, 3], "law":
+            ["displacement-control", "velocity-control", "coulomb"], "dt": 0.01, "duration": 3},
+            "structure": {"masses": {"p": 2}, "bars": {"b": {"L": 1, "EA": 300, "mass": 1, "n": "n"}},
+            "springs": [{"between": ["ground", "p"], "k": 50, "c": 0.3}],
+            "contacts": {"slide": {"law": "law", "between": ["p", "b.left"], "limit": 0.4, "rE": 0.002, "rdotE": 0.01},
+                         "stop": {"law": "impact", "between": ["b.right", "ground"], "gap": 0.05, "k": 700}},
+            "ground": {"sine": {"amplitude": 1, "omega": 5}, "scale": "scale"}},
+            "metrics": ["peak(p)", "rms(b.right.v)", "impacts(stop)", "impulse(stop)", "contact_time(stop)", "open_time(stop)",
+                        "work(slide)", "residual_slip(slide)", "time_of_peak(p)", "last(b.left - p)", "min(slide.S)", "max(stop.r)",
+                        "divergence(p, 1e-9)", "energy_error"]}"#,
+    );
+    assert_eq!(study.len(), 138);
+    let mut cases = Cases::new(study.problem.schema());
+    study.cases().for_each(|case| cases.push(&case));
+    let rows: Vec<u32> = (0..138).rev().collect();
+    let table = study.problem.sweep(&cases, &rows);
+    for (place, row) in rows.iter().enumerate() {
+        let case = study.case(u64::from(*row)).unwrap();
+        let alone = study.problem.solve(&case, &[]).unwrap().metrics;
+        let swept: Vec<Option<f64>> = table.row(place).collect();
+        let bits = |metrics: &[Option<f64>]| -> Vec<Option<u64>> {
+            metrics.iter().map(|x| x.map(f64::to_bits)).collect()
+        };
+        assert_eq!(bits(&swept), bits(&alone), "case {row}");
+        let energy_error = alone[13].unwrap();
+        assert!(energy_error < 1e-13, "case {row}: {energy_error}");
+    }
+}
