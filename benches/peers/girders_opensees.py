@@ -3,12 +3,13 @@
 What OpenSees needs for this:
 
 - `ElasticPPGap` for a gap that closes takes a negative yield force and a negative gap. Its force is E (strain - gap) below the gap,
-  0 above: the impact spring with S = force. The yield force is far away, because the material keeps its plastic strain.
+  0 above: the impact spring with S = force. The yield force is out of reach.
 - `ElasticPP` for displacement-control: S and the slip are of the last committed step until the next one has converged, so that
   iterations do not add slip. This is the return mapping of [F (9)].
-- `Viscous` with exponent 1 for dashpots. `rayleigh` would use one factor for a whole element, the contacts' stiffness included.
-- Increments below 1e-13 m, not a residual: forces are up to 1e5 kN, and stiffness times the round-off of u is some 1e-8 kN.
-- The time is set before each step. The program adds steps up, and the record is read up to 1e-12 s beside its place.
+- `Viscous` with exponent 1 for dashpots. Rayleigh damping of a `region` of the bars' elements gives the same displacements, no faster.
+- Residuals below 1e-7 kN are round-off: stiffness times that of u is some 1e-8 kN. A limit of 1e-9 kN, or increments below
+  1e-13 m, takes more iterations and gets no nearer to the numba loop.
+- The time is set before each step. The program adds steps up, which alone moves the displacements by 3e-13 m.
 """
 
 import time
@@ -18,7 +19,7 @@ import openseespy.opensees as ops
 
 from girders import EVERY, GAP, LIMIT, SAMPLE, STEP, STEPS, WIDTH, Girders, record
 
-TOLERANCE, ITERATIONS = 1e-13, 50
+TOLERANCE, ITERATIONS = 1e-7, 50
 
 
 def build(g):
@@ -57,7 +58,7 @@ def build(g):
     ops.constraints("Plain")
     ops.numberer("RCM")
     ops.system("ProfileSPD")
-    ops.test("NormDispIncr", TOLERANCE, ITERATIONS)
+    ops.test("NormUnbalance", TOLERANCE, ITERATIONS)
     ops.algorithm("Newton")
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
