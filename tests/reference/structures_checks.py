@@ -13,7 +13,8 @@ import sys
 
 import numpy as np
 
-from structures import Motion, Structure, piece, solve
+from structures import Motion, Structure, solve
+from structures_contacts import piece
 from structures_data import STRUCTURES, difference, displacement, impact, limit, load, sine, structure, velocity
 
 LOW, FREE, HIGH = -1, 0, 1
