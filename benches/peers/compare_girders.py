@@ -9,6 +9,7 @@ import pathlib
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 
 import numpy as np
@@ -23,15 +24,14 @@ CASES = 64  # widths of the gap, for the time of a sweep by slipgap
 DEMANDED = 1e-10  # m
 
 
-def slipgap(program, study, folder, *more):
-    """Seconds of a run on one thread."""
-    file = folder / "girders.json"
-    file.write_text(json.dumps(study))
-    start = time.perf_counter()
-    done = subprocess.run([program, "run", file, "--out", folder, "--jobs", "1", *more], capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(done.stderr.strip().splitlines()[0])
-    return time.perf_counter() - start
+def slipgap(program, study, *more, read=lambda folder: None):
+    """Seconds of a run on one thread, from nothing, and what is read of its results."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "girders.json"
+        file.write_text(json.dumps(study))
+        start = time.perf_counter()
+        subprocess.run([program, "run", file, "--out", folder, "--jobs", "1", *more], check=True, stdout=subprocess.PIPE)
+        return time.perf_counter() - start, read(file.with_suffix(""))
 
 
 def swept(study, n):
@@ -48,19 +48,17 @@ def displacements(file, names, times):
     return np.array([[float(row[f"{name}.u"]) for name in names] for row in picked])
 
 
-def by_slipgap(root, folder, found):
-    """ns a step for each mesh and the displacements; nothing, and a message, where slipgap refuses the study."""
+def by_slipgap(root, found):
+    """ns a step for each mesh; the displacements are added to `found`."""
     program, study = root / "target" / "release" / "slipgap", json.loads((HERE / "girders.json").read_text())
-    try:
-        slipgap(program, study, folder, "--histories", "--format", "csv")
-    except RuntimeError as fault:
-        print(f"slipgap does not run girders.json, its row is left out: {fault}")
-        return None
-    for case, n in enumerate(ELEMENTS):
-        names, times, _ = found["numba loop", n]
-        file = folder / "girders" / "histories" / f"{case}.csv"
-        found["slipgap", n] = names, times, displacements(file, names, times)
-    return [statistics.median(slipgap(program, swept(study, n), folder) for _ in range(TURNS)) / CASES / STEPS * 1e9
+
+    def histories(folder):
+        for case, n in enumerate(ELEMENTS):
+            names, times, _ = found["numba loop", n]
+            found["slipgap", n] = names, times, displacements(folder / "histories" / f"{case}.csv", names, times)
+
+    slipgap(program, study, "--histories", "--format", "csv", read=histories)
+    return [statistics.median(slipgap(program, swept(study, n))[0] for _ in range(TURNS)) / CASES / STEPS * 1e9
             for n in ELEMENTS]
 
 
@@ -78,8 +76,7 @@ def main():
                 *found[name, n], ns, rounds[name, n] = module.run(n)
                 times.setdefault((name, n), []).append(ns)
     rows = {name: [statistics.median(times[name, n]) for n in ELEMENTS] for name in programs}
-    if own := by_slipgap(root, folder, found):
-        rows = {f"slipgap run, {CASES} cases": own, **rows}
+    rows = {f"slipgap run, {CASES} cases": by_slipgap(root, found), **rows}
     print("\n| ns a step, degrees of freedom |", " | ".join(str(3 * (n + 2)) for n in ELEMENTS), "|")
     print("|---|---:|---:|---:|---:|")
     for name, row in rows.items():
@@ -94,7 +91,7 @@ def main():
             apart.setdefault(name, []).append(np.max(np.abs(u - found["numba loop", n][2])))
     for name, row in apart.items():
         print(f"| displacements, {name} less numba loop, m |", " | ".join(f"{x:.0e}" for x in row), "|")
-    if any(x > DEMANDED for row in apart.values() for x in row):
+    if not all(x <= DEMANDED for row in apart.values() for x in row):
         sys.exit(f"displacements differ by more than {DEMANDED} m")
 
 
