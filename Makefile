@@ -40,7 +40,7 @@ guard: ## compare the instruction counts of sweeps with recorded ones (needs val
 	cargo bench --locked --bench guard
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
-peers: ## the same sweeps by slipgap, numba, numpy and OpenSees, in one table
+peers: ## the same sweeps and three girders with contacts by slipgap, numba, numpy and OpenSees, in tables
 	benches/peers/run
 
 maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/

@@ -8,16 +8,17 @@ import time
 
 import numpy as np
 
+import at_hand
 import loops
-import opensees
 from cases import BAR_STEPS, N, STEPS, alphas, gammas, slipgap
 
 MODES = 2 * (N + 1)
 PEERS = [
     ("numba loop", loops.numba_oscillator, loops.numba_bars, 20_000, 2_000),
     ("numpy loop", loops.numpy_oscillator, loops.numpy_bars, 500, 50),
-    ("OpenSees", opensees.opensees_oscillator, opensees.opensees_bars, 100, 20),
 ]
+if opensees := at_hand.opensees("opensees"):
+    PEERS.append(("OpenSees", opensees.opensees_oscillator, opensees.opensees_bars, 100, 20))
 CASES = 200_000
 TURNS = 5
 
