@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::problem::parameter::{self, ColumnRule, Parameter};
-use crate::problem::{PROBLEMS, Problem};
+use crate::problem::structure::metric::looks_like_metric;
+use crate::problem::structure::schema::{NAME, named};
+use crate::problem::{PROBLEMS, Problem, find};
 use crate::study::units::scaled;
 
 /// A table of results as text: results.csv, or the same from a store.
@@ -60,6 +62,21 @@ impl Comparison {
     }
 }
 
+/// The parameters of the problem called `name`, as columns of two tables; those of structures have the names that the tables give
+/// them. `None` if there is no such problem.
+pub fn parameters(name: &str, a: &Rows, b: &Rows) -> Option<Vec<Parameter>> {
+    if name != NAME {
+        return Some(find(name)?.parameters().to_vec());
+    }
+    let mut names: Vec<&String> = Vec::new();
+    for column in a.columns.iter().chain(&b.columns) {
+        if column != "case" && !looks_like_metric(column) && !names.contains(&column) {
+            names.push(column);
+        }
+    }
+    Some(names.into_iter().map(|name| named(name)).collect())
+}
+
 /// The problem whose parameters are columns of a table: a guess for folders without a problem in the manifest.
 pub fn problem_of_columns(columns: &[String]) -> Option<Arc<dyn Problem>> {
     let has_all = |problem: &&Arc<dyn Problem>| {
@@ -69,12 +86,12 @@ pub fn problem_of_columns(columns: &[String]) -> Option<Arc<dyn Problem>> {
     PROBLEMS.iter().find(has_all).cloned()
 }
 
-/// Compares two tables of a problem. Cases are the same if all their parameters are the same; their numbers may differ. A
+/// Compares two tables of a problem with these parameters. Cases are the same if all their parameters are the same; their numbers may differ. A
 /// parameter without a column has its default in every case.
-pub fn compare(problem: &dyn Problem, a: &Rows, b: &Rows, tolerance: f64) -> Comparison {
+pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> Comparison {
     let has = |rows: &Rows, name: &str| rows.columns.iter().any(|column| column == name);
     let is_metric =
-        |name: &&String| **name != "case" && problem.parameters().iter().all(|p| p.name != **name);
+        |name: &&String| **name != "case" && parameters.iter().all(|p| p.name != **name);
     let metrics =
         |rows: &Rows| -> Vec<String> { rows.columns.iter().filter(is_metric).cloned().collect() };
     let only = |one: &Rows, other: &Rows| {
@@ -83,7 +100,7 @@ pub fn compare(problem: &dyn Problem, a: &Rows, b: &Rows, tolerance: f64) -> Com
         only.retain(|name| !has(other, name) && scaled(name).is_none());
         only
     };
-    let (keys_a, keys_b) = (keys(problem, a), keys(problem, b));
+    let (keys_a, keys_b) = (keys(parameters, a), keys(parameters, b));
     let mut unmatched: HashMap<&[Cow<str>], Vec<usize>> = HashMap::new();
     for (row, key) in keys_b.iter().enumerate().rev() {
         unmatched.entry(key).or_default().push(row);
@@ -134,9 +151,9 @@ pub fn compare(problem: &dyn Problem, a: &Rows, b: &Rows, tolerance: f64) -> Com
 }
 
 /// The values of the parameters in each row, as text.
-fn keys<'a>(problem: &dyn Problem, rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> {
+fn keys<'a>(parameters: &[Parameter], rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> {
     let place = |name: &str| rows.columns.iter().position(|column| column == name);
-    let table = problem.parameters().iter();
+    let table = parameters.iter();
     let places: Vec<(&Parameter, Option<usize>)> = table.map(|p| (p, place(&p.name))).collect();
     let key = |row: &'a Vec<String>| {
         let mut key: Vec<Cow<str>> = Vec::new();
@@ -185,8 +202,7 @@ fn difference(cells: [&String; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::find;
-
+    
     /// Rows of friction with these values of alpha and of two metrics.
     fn table(rows: &[(&str, &str, &str)]) -> Rows {
         let problem = find("friction-oscillator").unwrap();
@@ -217,7 +233,7 @@ mod tests {
         let a = table(&[("1", "2.0", "3"), ("2", "1", "4"), ("3", "", "5")]);
         let b = table(&[("2", "1", "4.4"), ("1", "2", "6"), ("4", "7", "7")]);
         let problem = find("friction-oscillator").unwrap();
-        let found = compare(&*problem, &a, &b, 0.1);
+        let found = compare(problem.parameters(), &a, &b, 0.1);
         assert_eq!((found.common, found.alone), (2, [1, 1]));
         let [change] = &found.changes[..] else {
             panic!("{found:?}")
@@ -226,7 +242,7 @@ mod tests {
         assert_eq!((change.metric.as_str(), change.cases), ("max_error", 1));
         assert_eq!((change.largest, change.case.as_str()), (0.5, "0"));
         assert_eq!(change.cells, ["3", "6"]);
-        assert!(!found.same() && compare(&*problem, &a, &a, 0.0).same());
+        assert!(!found.same() && compare(problem.parameters(), &a, &a, 0.0).same());
     }
 
     #[test]
@@ -234,7 +250,7 @@ mod tests {
         let a = table(&[("1", "", "1"), ("1", "2", "1")]);
         let b = table(&[("1", "1", "1.5"), ("1", "2", "1")]);
         let problem = find("friction-oscillator").unwrap();
-        let found = compare(&*problem, &a, &b, 0.0);
+        let found = compare(problem.parameters(), &a, &b, 0.0);
         let largest: Vec<(&str, f64)> = found
             .changes
             .iter()
@@ -258,7 +274,7 @@ mod tests {
         without.columns.remove(x0);
         without.rows[0].remove(x0);
         for (a, b, only) in [(&with, &without, [2, 0]), (&without, &with, [0, 2])] {
-            let found = compare(&*problem, a, b, 0.0);
+            let found = compare(problem.parameters(), a, b, 0.0);
             assert_eq!((found.common, found.alone), (1, only));
             assert_eq!(found.changes, []);
         }

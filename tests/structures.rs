@@ -73,7 +73,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
         ("\"EA\": \"EA\"", "\"EA\": \"EB\"", "structure.bars.g1|g2.EA", "unknown name \"EB\""),
         ("\"p1\", \"g1.left\"", "\"p7\", \"g1.left\"", "springs[1].between[0]", "unknown node \"p7\""),
         ("[\"p2\", \"g1.right\"]", "[\"p2\", \"g1.10\"]", "bearing.between[1]", "inner nodes 1 to 9, got 10"),
-        ("\"p2\": 100", "\"p2\": 0", "5:33: structure.masses.p2", "must be > 0, got 0"),
+        ("\"p2\": 100", "\"p2\": 0", "5:34: structure.masses.p2", "must be > 0, got 0"),
         ("\"n\": \"n\"", "\"n\": \"n - 10\"", "structure.bars.g1|g2.n", "must be > 0"),
         ("\"n\": \"n\"", "\"n\": \"n/4\"", "structure.bars.g1|g2.n", "whole number"),
         ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.right\"]", "gap12.between", "two different nodes"),

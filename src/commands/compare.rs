@@ -5,13 +5,11 @@ use super::sources::files;
 use super::terminal::{note, print, table};
 use slipgap::batch::output::{RESULTS, problem_of};
 use slipgap::batch::store::{self, STORE};
-use slipgap::compare::{Rows, compare as compare_rows, problem_of_columns};
+use slipgap::compare::{Rows, compare as compare_rows, parameters, problem_of_columns};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
-use slipgap::problem::{Problem, find};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use walkdir::DirEntry;
 
 /// Compares the studies in the folders `a` and `b`, or these studies themselves; returns the exit code.
@@ -38,15 +36,18 @@ pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
             continue;
         };
         let (first, second) = (read(path)?, read(other)?);
-        let problems = [(path, &first), (other, &second)].map(|(path, rows)| problem(path, rows));
-        let problem = match problems {
-            [Some(problem), Some(second)] if problem.name() == second.name() => problem,
-            [Some(_), Some(_)] | [None, _] | [_, None] => {
-                differing += report(name, "the two results are of different problems".into());
-                continue;
+        let names = [(path, &first), (other, &second)].map(|(path, rows)| problem(path, rows));
+        let known = match &names {
+            [Some(problem), Some(other)] if problem == other => {
+                parameters(problem, &first, &second)
             }
+            [Some(_), Some(_)] | [None, _] | [_, None] => None,
         };
-        let comparison = compare_rows(&*problem, &first, &second, tolerance);
+        let Some(parameters) = known else {
+            differing += report(name, "the two results are of different problems".into());
+            continue;
+        };
+        let comparison = compare_rows(&parameters, &first, &second, tolerance);
         if comparison.same() {
             same += 1;
             continue;
@@ -111,12 +112,10 @@ fn results(path: &Path) -> Result<BTreeMap<String, PathBuf>, Error> {
     Ok(named.collect())
 }
 
-/// The problem of a folder: the one in its manifest. If the manifest names none, the columns decide.
-fn problem(folder: &Path, rows: &Rows) -> Option<Arc<dyn Problem>> {
-    match problem_of(folder) {
-        Some(name) => find(&name),
-        None => problem_of_columns(&rows.columns),
-    }
+/// The name of the problem of a folder: the one in its manifest. If the manifest names none, the columns decide.
+fn problem(folder: &Path, rows: &Rows) -> Option<String> {
+    let of_columns = || problem_of_columns(&rows.columns).map(|p| p.name().to_owned());
+    problem_of(folder).or_else(of_columns)
 }
 
 /// The results in a folder.

@@ -94,6 +94,15 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
     })
 }
 
+/// A number with a free name.
+pub fn named(name: &str) -> Parameter {
+    parameter(&Named {
+        name: name.to_owned(),
+        choices: None,
+        required: false,
+    })
+}
+
 fn parameter(named: &Named) -> Parameter {
     let fixed = FIXED.iter().find(|fixed| fixed.0 == named.name);
     let kind = match (named.choices, fixed) {
