@@ -1,5 +1,7 @@
 //! The factor of the part of a matrix that belongs to the free contacts.
 
+use super::matrix::Matrix;
+
 /// A pivot below this part of its terms is round-off: 1e-16 of the factor and some 1e-15 of a matrix that was itself computed.
 /// Stiffness ratios of 1e12 leave pivots of 1e-12.
 const SINGULAR: f64 = 1e-14;
@@ -25,11 +27,11 @@ impl Factor {
     }
 
     /// Factors the rows and columns `free` of a matrix; false if they are singular to round-off.
-    pub fn compute(&mut self, matrix: &[f64], free: &[usize]) -> bool {
+    pub fn compute(&mut self, matrix: &Matrix, free: &[usize]) -> bool {
         let width = self.width;
         self.rows.fill(0.0);
         for (before, &k) in free.iter().enumerate() {
-            let a = &matrix[k * width..][..width];
+            let a = matrix.row(k);
             let before = &free[..before];
             let mut pivot = a[k];
             self.row.fill(0.0);
@@ -50,7 +52,7 @@ impl Factor {
             let mut terms = a[k];
             for &i in before.iter().rev() {
                 let v = self.row[i];
-                terms += matrix[i * width + i] * v * v;
+                terms += matrix.row(i)[i] * v * v;
                 for (x, l) in self.row.iter_mut().zip(&self.rows[i * width..][..i]) {
                     *x -= l * v;
                 }

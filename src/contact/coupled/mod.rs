@@ -10,13 +10,21 @@
 //! pivoting of Judice and Pires (1992), with the rule of Murty, which ends for every positive definite A.
 
 mod factor;
+mod matrix;
 mod pattern;
+mod pivoting;
+#[cfg(test)]
+mod tests;
 
+use matrix::Matrix;
 use pattern::{At, Pattern, Step};
 use std::fmt;
 
-/// Rounds that change all wrong contacts although these have not become fewer.
-const TRIES: usize = 3;
+/// Part of A_ii that is added to it where A is singular; see `solve_singular`.
+const SOFTENING: f64 = 1e-6;
+
+/// Steps of the proximal point method.
+const PROXIMAL_STEPS: usize = 4;
 
 /// Why a step has no forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,18 +68,23 @@ impl std::error::Error for Unsolved {}
 pub struct CoupledForces {
     /// A of the one contact, if there is one.
     single: Option<f64>,
-    contacts: usize,
     pattern: Pattern,
+    /// If A is singular: for A + SOFTENING diag(A).
+    softened: Option<Box<Pattern>>,
     rounds: usize,
 }
 
 impl CoupledForces {
     /// `matrix`: A = H + diag(g), row-major, symmetric positive semidefinite.
     pub fn new(matrix: Vec<f64>, contacts: usize) -> CoupledForces {
+        let single = (contacts == 1).then(|| matrix[0]);
+        let matrix = Matrix::new(matrix, contacts);
+        let pattern = Pattern::new(matrix.clone());
+        let softened = || Box::new(Pattern::new(matrix.softened(SOFTENING)));
         CoupledForces {
-            single: (contacts == 1).then(|| matrix[0]),
-            contacts,
-            pattern: Pattern::new(matrix, contacts),
+            single,
+            softened: pattern.is_singular().then(softened),
+            pattern,
             rounds: 0,
         }
     }
@@ -93,65 +106,11 @@ impl CoupledForces {
             return self.solve_single(a, d[0], [low[0], high[0]], &mut force[0]);
         }
         let step = Step { d, low, high, size };
-        // The same code with a known number of contacts is up to three times as fast.
-        match self.contacts {
-            2 => self.pivot(2, step, force),
-            3 => self.pivot(3, step, force),
-            4 => self.pivot(4, step, force),
-            5 => self.pivot(5, step, force),
-            6 => self.pivot(6, step, force),
-            contacts => self.pivot(contacts, step, force),
-        }
-    }
-
-    #[inline(always)]
-    fn pivot(&mut self, contacts: usize, step: Step, force: &mut [f64]) -> Result<(), Unsolved> {
-        let Step { d, low, high, size } = step;
-        let [d, low, high, size] = [d, low, high, size].map(|x| &x[..contacts]);
-        let step = Step { d, low, high, size };
-        let force = &mut force[..contacts];
-        self.pattern.adapt(contacts, step);
-        let [mut least, mut left] = [self.contacts + 1, TRIES];
-        for round in 1..=self.most_rounds() {
-            self.rounds = round;
-            if !self.pattern.factor() {
-                return Err(Unsolved::Singular);
-            }
-            if !self.pattern.follow(contacts, step, force) {
-                return Err(Unsolved::TooManyRounds);
-            }
-            let mut last = None;
-            let mut wrong = 0;
-            for i in 0..contacts {
-                if let Some(at) = self.pattern.better_place(i, step, force) {
-                    last = Some((i, at));
-                    wrong += 1;
-                }
-            }
-            let Some((i, at)) = last else {
-                let unique = self.pattern.is_unique(step, force);
-                return unique.then_some(()).ok_or(Unsolved::Singular);
-            };
-            if wrong < least {
-                [least, left] = [wrong, TRIES];
-            } else if left > 0 {
-                left -= 1;
-            } else {
-                self.pattern.put(i, at);
-                continue;
-            }
-            self.change_all(step, force);
-        }
-        Err(Unsolved::TooManyRounds)
-    }
-
-    /// Changes the places of all wrong contacts.
-    fn change_all(&mut self, step: Step, force: &[f64]) {
-        for i in 0..self.contacts {
-            if let Some(at) = self.pattern.better_place(i, step, force) {
-                self.pattern.put(i, at);
-            }
-        }
+        self.rounds = match self.pattern.pivot(step, force) {
+            Err(Unsolved::Singular) => self.solve_singular(step, force)?,
+            rounds => rounds?,
+        };
+        Ok(())
     }
 
     /// S = clip(d/A, low, high).
@@ -162,26 +121,43 @@ impl CoupledForces {
         [low, high]: [f64; 2],
         force: &mut f64,
     ) -> Result<(), Unsolved> {
-        let s = if low == high { low } else { d / a };
+        let s = d / a;
+        let regular = a > 0.0 || low == high;
         let (at, s) = match s {
-            s if s < low => (At::Low, low),
+            _ if !regular => return Err(Unsolved::Singular),
+            s if s < low || low == high => (At::Low, low),
             s if s > high => (At::High, high),
+            s if s.is_nan() => return Err(Unsolved::TooManyRounds),
             s => (At::Free, s),
         };
         self.pattern.put(0, at);
         *force = s;
-        if s.is_nan() {
-            Err(Unsolved::TooManyRounds)
-        } else if a > 0.0 || low == high {
-            Ok(())
-        } else {
-            Err(Unsolved::Singular)
-        }
+        Ok(())
     }
 
-    /// Far more than a step has ever needed; the rule of Murty has no small bound.
-    fn most_rounds(&self) -> usize {
-        1000 + 100 * self.contacts
+    /// The search met free contacts that are singular; the right pattern may be another one.
+    ///
+    /// The proximal point method finds it: S(k+1) minimises the function plus 1/2 e (S - S(k))^T diag(A) (S - S(k)), which is
+    /// strictly convex; S(k) tends to a minimum of the function itself. If its free contacts are singular, too, it is not the only
+    /// one.
+    fn solve_singular(&mut self, step: Step, force: &mut [f64]) -> Result<usize, Unsolved> {
+        let mut d = step.d.to_vec();
+        let mut last = Err(Unsolved::Singular);
+        for _ in 0..PROXIMAL_STEPS {
+            let Some(softened) = &mut self.softened else {
+                break;
+            };
+            let rounds = softened.pivot(Step { d: &d, ..step }, force)?;
+            for (i, s) in force.iter().enumerate() {
+                d[i] = step.d[i] + SOFTENING * self.pattern.diagonal(i) * s;
+                self.pattern.put(i, softened.place(i));
+            }
+            last = self.pattern.pivot(step, force).map(|more| rounds + more);
+            if last != Err(Unsolved::Singular) {
+                break;
+            }
+        }
+        last
     }
 
     /// Whether the force of a contact was not at a limit in the last answer.

@@ -1,13 +1,7 @@
 //! A pattern of contacts at their limits and free ones, and the forces that follow from it.
 
 use super::factor::Factor;
-
-/// Round-off of q_i as part of the sum of its terms: some 500 times the unit round-off, for sums of many terms and solutions of
-/// blocks. As part of d_i alone, which may be a small difference of large numbers, it would be too small.
-const ROUND_OFF: f64 = 1e-13;
-
-/// Corrections of the free forces by their residual. One is enough unless the block is singular to round-off.
-const CORRECTIONS: usize = 3;
+use super::matrix::Matrix;
 
 /// The place of a force in its box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,10 +20,23 @@ pub(super) struct Step<'a> {
     pub size: &'a [f64],
 }
 
+impl Step<'_> {
+    /// The same numbers; the compiler may know how many they are.
+    #[inline(always)]
+    pub fn of(self, contacts: usize) -> Self {
+        Step {
+            d: &self.d[..contacts],
+            low: &self.low[..contacts],
+            high: &self.high[..contacts],
+            size: &self.size[..contacts],
+        }
+    }
+}
+
 /// The place of each contact, with the factor of the free ones.
 #[derive(Debug, Clone)]
 pub(super) struct Pattern {
-    matrix: Vec<f64>,
+    matrix: Matrix,
     places: Vec<At>,
     /// The free contacts, if `factored`.
     free: Vec<usize>,
@@ -37,15 +44,18 @@ pub(super) struct Pattern {
     factored: bool,
     /// q = d - A S.
     residual: Vec<f64>,
-    /// Right side and solution of the free contacts.
+    /// The forces of the free contacts.
     block: Vec<f64>,
     /// Whether all contacts together are singular.
     singular: bool,
+    /// If so: contacts that q does not press against a limit.
+    movable: Vec<usize>,
 }
 
 impl Pattern {
     /// All contacts at their high limits.
-    pub fn new(matrix: Vec<f64>, contacts: usize) -> Pattern {
+    pub fn new(matrix: Matrix) -> Pattern {
+        let contacts = matrix.width();
         let mut factor = Factor::new(contacts);
         let free = Vec::from_iter(0..contacts);
         Pattern {
@@ -57,7 +67,17 @@ impl Pattern {
             factored: false,
             residual: vec![0.0; contacts],
             block: vec![0.0; contacts],
+            movable: Vec::with_capacity(contacts),
         }
+    }
+
+    /// Whether all contacts together are singular.
+    pub fn is_singular(&self) -> bool {
+        self.singular
+    }
+
+    pub fn diagonal(&self, contact: usize) -> f64 {
+        self.matrix.row(contact)[contact]
     }
 
     pub fn place(&self, contact: usize) -> At {
@@ -100,39 +120,34 @@ impl Pattern {
         self.factored
     }
 
-    /// The forces by A_FF S_F = d_F - A_FB S_B, and q; false if the free contacts have a residual above round-off.
+    /// The forces by A_FF S_F = d_F - A_FB S_B, and q; false if they are not finite. The residual of the free contacts is round-off
+    /// because they are not singular.
+    ///
+    /// `contacts` is their number, which the compiler may know.
     #[inline(always)]
     pub fn follow(&mut self, contacts: usize, step: Step, force: &mut [f64]) -> bool {
         let (q, x) = (&mut self.residual[..contacts], &mut self.block[..contacts]);
-        let force = &mut force[..contacts];
-        q.copy_from_slice(&step.d[..contacts]);
-        let (low, high) = (&step.low[..contacts], &step.high[..contacts]);
+        q.copy_from_slice(step.d);
         for (i, at) in self.places[..contacts].iter().enumerate() {
             let s = match at {
-                At::Low => low[i],
+                At::Low => step.low[i],
                 At::Free => 0.0,
-                At::High => high[i],
+                At::High => step.high[i],
             };
             force[i] = s;
             if s != 0.0 {
-                take(&self.matrix, i, s, q);
+                self.matrix.take(i, s, q);
             }
         }
-        for _ in 0..=CORRECTIONS {
+        if !self.free.is_empty() {
             x.copy_from_slice(q);
             self.factor.solve(contacts, x);
             for i in 0..contacts {
                 force[i] += x[i];
-                take(&self.matrix, i, x[i], q);
-            }
-            let held = |(i, at): (usize, &At)| {
-                *at == At::Free && !is_round_off(&self.matrix, i, q, step, force)
-            };
-            if !self.places[..contacts].iter().enumerate().any(held) {
-                return true;
+                self.matrix.take(i, x[i], q);
             }
         }
-        false
+        force.iter().all(|s| s.is_finite())
     }
 
     /// The place that a contact has to change to; `None` if its place is right.
@@ -149,9 +164,7 @@ impl Pattern {
             At::Low => q <= 0.0,
             At::High => q >= 0.0,
         };
-        let right = pressed
-            || low == high
-            || is_round_off(&self.matrix, contact, &self.residual, step, force);
+        let right = pressed || low == high || self.matrix.is_round_off(contact, q, step, force);
         (!right).then_some(At::Free)
     }
 
@@ -160,40 +173,17 @@ impl Pattern {
         if !self.singular {
             return true;
         }
-        let movable = |i: &usize| {
-            step.low[*i] < step.high[*i]
-                && is_round_off(&self.matrix, *i, &self.residual, step, force)
-        };
-        let movable = Vec::from_iter((0..force.len()).filter(movable));
-        if movable == self.free {
+        self.movable.clear();
+        for i in 0..force.len() {
+            let hidden = self.matrix.is_round_off(i, self.residual[i], step, force);
+            if self.places[i] == At::Free || hidden && step.low[i] < step.high[i] {
+                self.movable.push(i);
+            }
+        }
+        if self.movable == self.free {
             return true;
         }
         self.factored = false;
-        self.factor.compute(&self.matrix, &movable)
-    }
-}
-
-#[inline]
-fn row(matrix: &[f64], row: usize, width: usize) -> &[f64] {
-    &matrix[row * width..][..width]
-}
-
-/// Takes the part of a force off q.
-#[inline(always)]
-fn take(matrix: &[f64], contact: usize, force: f64, q: &mut [f64]) {
-    let column = row(matrix, contact, q.len());
-    for (q, a) in q.iter_mut().zip(column) {
-        *q -= a * force;
-    }
-}
-
-/// Whether q is round-off of its terms.
-#[inline(always)]
-fn is_round_off(matrix: &[f64], contact: usize, q: &[f64], step: Step, force: &[f64]) -> bool {
-    let [size, sum] = [step.size[contact], q[contact].abs()];
-    // Most often the first of the terms is enough.
-    sum <= ROUND_OFF * size || {
-        let terms = row(matrix, contact, force.len()).iter().zip(force);
-        sum <= ROUND_OFF * (size + terms.map(|(a, s)| (a * s).abs()).sum::<f64>())
+        self.factor.compute(&self.matrix, &self.movable)
     }
 }
