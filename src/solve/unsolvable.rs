@@ -22,6 +22,11 @@ pub enum Unsolvable {
         /// Why.
         why: Unsolved,
     },
+    /// 4/dt^2 M + 2/dt C + K is not positive definite.
+    Indefinite {
+        /// A node with a pivot that is not positive.
+        node: String,
+    },
     /// The mass matrix has no inverse.
     SingularMass,
     /// The un-iterated form would be too large.
@@ -52,6 +57,10 @@ impl fmt::Display for Unsolvable {
             }
             Unsolvable::NoSolution { step } => write!(f, "step {step} has no solution"),
             Unsolvable::NoForces { step, why } => write!(f, "step {step}: {why}"),
+            Unsolvable::Indefinite { node } => write!(
+                f,
+                "the matrix of a step, 4/dt^2 M + 2/dt C + K, is not positive definite at node {node}"
+            ),
             Unsolvable::SingularMass => f.write_str("the mass matrix has no inverse"),
             Unsolvable::TooManyElements { most, elements } => write!(
                 f,

@@ -1,6 +1,7 @@
 //! Energy books of a run, and the work of each contact.
 
 use super::State;
+use super::prepared::Link;
 use super::run::Increments;
 use crate::lane::Lane;
 
@@ -13,9 +14,11 @@ use crate::lane::Lane;
 /// for the kinetic and strain energy E without the contacts, to round-off and for any forces.
 #[derive(Debug, Clone)]
 pub struct Books<const L: usize> {
-    /// Nodes, and r and S of the contacts, at the last step.
-    nodes: Vec<Increments<L>>,
+    /// The change of u over the last step, and dt v after it.
+    nodes: Vec<[Lane<L>; 2]>,
+    /// r and S of the contacts after the last step.
     contacts: Vec<[Lane<L>; 2]>,
+    /// Energy at t = 0.
     start: Lane<L>,
     /// Sum of the right sides.
     supplied: Lane<L>,
@@ -27,12 +30,12 @@ pub struct Books<const L: usize> {
 }
 
 impl<const L: usize> Books<L> {
-    /// Books from t = 0 on.
+    /// Books from the state at t = 0 on.
     pub fn new(start: &State<L>) -> Self {
         let zero = Lane::splat(0.0);
         let energy = start.energy();
         Books {
-            nodes: start.nodes.clone(),
+            nodes: start.nodes.iter().map(|node| [zero, node.w]).collect(),
             contacts: start.contact_states().collect(),
             start: energy,
             supplied: zero,
@@ -46,16 +49,15 @@ impl<const L: usize> Books<L> {
     #[inline(always)]
     pub fn add(&mut self, state: &State<L>) {
         let prepared = state.prepared;
-        // du = dt v_mean
-        for (i, now) in state.nodes.iter().enumerate() {
-            let change = (self.nodes[i].w + now.w) * 0.5;
-            (self.nodes[i].p, self.nodes[i].w) = (change, now.w);
+        for ([change, w], now) in self.nodes.iter_mut().zip(&state.nodes) {
+            // du = dt v_mean
+            (*change, *w) = ((*w + now.w) * 0.5, now.w);
         }
         let mut supplied = self.supplied;
-        for (i, own) in self.nodes[..prepared.nodes()].iter().enumerate() {
-            supplied = supplied + own.p * state.load(i);
-            for link in prepared.links(i).iter().filter(|link| link.to > i) {
-                let change = self.nodes[link.to].p - own.p;
+        for (i, [own, _]) in self.nodes[..prepared.nodes()].iter().enumerate() {
+            supplied = supplied + *own * state.load(i);
+            for link in later(prepared.links(i), i) {
+                let change = self.nodes[link.to][0] - *own;
                 supplied = supplied - change * change * link.c;
             }
         }
@@ -85,6 +87,12 @@ impl<const L: usize> Books<L> {
     }
 }
 
+/// The links to later places, and to the ground: each link once.
+#[inline(always)]
+fn later(links: &[Link], i: usize) -> impl Iterator<Item = &Link> {
+    links.iter().filter(move |link| link.to > i)
+}
+
 impl<const L: usize> State<'_, L> {
     /// Kinetic and strain energy, without the contacts.
     #[inline(always)]
@@ -94,7 +102,7 @@ impl<const L: usize> State<'_, L> {
         for (i, own) in self.nodes[..prepared.nodes()].iter().enumerate() {
             let displacement = u(own);
             twice = twice + own.w * own.w * prepared.inertia(i);
-            for link in prepared.links(i).iter().filter(|link| link.to > i) {
+            for link in later(prepared.links(i), i) {
                 let change = u(&self.nodes[link.to]) - displacement;
                 twice = twice + change * change * link.k;
             }

@@ -3,6 +3,7 @@
 use super::Prepared;
 use super::laws::varying;
 use crate::lane::Lane;
+use crate::system::structure::lists::Lists;
 use crate::system::structure::{Signal, Structure};
 use std::sync::Arc;
 
@@ -86,8 +87,7 @@ struct Varying<const L: usize> {
 pub(super) struct Inputs<const L: usize> {
     series: Vec<Vec<f64>>,
     loads: Vec<Series<L>>,
-    terms: Vec<Term<L>>,
-    starts: Vec<usize>,
+    terms: Lists<Term<L>>,
     limits: Vec<Varying<L>>,
 }
 
@@ -118,13 +118,8 @@ impl<const L: usize> Inputs<L> {
                 by_places[place].push(Term { input, factor });
             }
         }
-        let ends = by_places.iter().scan(0, |end, terms| {
-            *end += terms.len();
-            Some(*end)
-        });
         Inputs {
-            starts: std::iter::once(0).chain(ends).collect(),
-            terms: by_places.concat(),
+            terms: Lists::new(&by_places),
             limits: limits(cases, prepared, &mut samples),
             series: samples.series,
             loads,
@@ -139,7 +134,7 @@ impl<const L: usize> Inputs<L> {
     /// Terms of the force on the node at place `i`.
     #[inline(always)]
     pub(super) fn terms(&self, i: usize) -> &[Term<L>] {
-        &self.terms[self.starts[i]..self.starts[i + 1]]
+        self.terms.list(i)
     }
 
     /// Writes the mean of each load over the step that ends at `step`.

@@ -1,6 +1,8 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
+use crate::solve::Unsolvable;
 use crate::system::structure::factor::{Factor, NotPositive};
+use crate::system::structure::lists::Lists;
 use crate::system::structure::{Load, Structure, Symmetric};
 
 /// The linear part of a step, in the order of elimination of Khat.
@@ -12,12 +14,11 @@ pub struct Prepared {
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
     /// Neighbours of each place; the place behind the last one is the ground.
-    links: Vec<Link>,
-    starts: Vec<usize>,
+    links: Lists<Link>,
     /// Places I and J of each contact.
     pub(super) between: Vec<[usize; 2]>,
     /// L^-1 B by columns, without zeros.
-    reduced: Vec<Vec<Reduced>>,
+    reduced: Lists<Reduced>,
     /// H = B^T Khat^-1 B by rows.
     pub(super) flexibility: Vec<f64>,
     key: Key,
@@ -57,8 +58,8 @@ impl Prepared {
     /// Prepares steps of `dt`.
     ///
     /// # Errors
-    /// [`NotPositive`] with the number of a node if Khat is not positive definite.
-    pub fn new(structure: &Structure, dt: f64) -> Result<Prepared, NotPositive> {
+    /// [`Unsolvable::Indefinite`] with the name of a node if Khat is not positive definite.
+    pub fn new(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
         let n = structure.len();
         let mut matrix = Symmetric::zeros(n);
         for (i, node) in structure.nodes.iter().enumerate() {
@@ -71,26 +72,24 @@ impl Prepared {
         for node in between.iter().flatten().flatten() {
             touches[*node] = true;
         }
-        let factor = Factor::new(&matrix, &touches)?;
+        let factor = Factor::new(&matrix, &touches).map_err(|NotPositive { row }| {
+            let node = structure.nodes[row].name.clone();
+            Unsolvable::Indefinite { node }
+        })?;
         let mut place = vec![0; n];
         for (k, node) in factor.order().iter().enumerate() {
             place[*node] = k;
         }
         let links = links(structure, &place, dt);
-        let ends = links.iter().scan(0, |end, links| {
-            *end += links.len();
-            Some(*end)
-        });
         let at = |node: Option<usize>| node.map_or(n, |node| place[node]);
         let places: Vec<_> = between.iter().map(|ends| ends.map(at)).collect();
         let reduced: Vec<_> = places.iter().map(|ends| reduce(&factor, *ends)).collect();
         Ok(Prepared {
             dt,
-            starts: std::iter::once(0).chain(ends).collect(),
-            links: links.concat(),
+            links: Lists::new(&links),
             flexibility: flexibility(&reduced),
             between: places,
-            reduced,
+            reduced: Lists::new(&reduced),
             factor,
             place,
             key: Key {
@@ -146,13 +145,13 @@ impl Prepared {
     /// Neighbours of the node at place `i`.
     #[inline(always)]
     pub(super) fn links(&self, i: usize) -> &[Link] {
-        &self.links[self.starts[i]..self.starts[i + 1]]
+        self.links.list(i)
     }
 
     /// Column of L^-1 B of a contact.
     #[inline(always)]
     pub(super) fn reduced(&self, contact: usize) -> &[Reduced] {
-        &self.reduced[contact]
+        self.reduced.list(contact)
     }
 }
 

@@ -26,7 +26,6 @@ fn the_books_balance_to_round_off() {
         for (dt, steps) in [(0.001, 5000), (1e-5, 50_000)] {
             for structure in [girders(n, 0.25, 0.5, &ground), mixed(n, 2.0, &ground)] {
                 let error = energy_error(&structure, dt, steps);
-                println!("{n} {dt} {error}");
                 assert!(error < 1e-12, "{n} {dt} {error}");
             }
         }

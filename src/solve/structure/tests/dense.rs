@@ -155,7 +155,7 @@ fn the_textbook_form_moves_alike() {
     for (structure, dt) in [
         (girders(2, 0.25, 1.0, &ground), 0.005),
         (second, 0.005),
-        (mixed(2, 0.5, &ground), 0.002),
+        (mixed(2, 0.5, &ground), 0.005),
     ] {
         let steps = 800;
         let mut dense = Dense::new(&structure);
@@ -188,9 +188,8 @@ fn the_textbook_form_moves_alike() {
             }
         });
         done.unwrap();
-        println!("{worst:?} {size:?} {touched:?}");
         // All contacts were free and at a bound.
-        assert!(touched.iter().all(|t| *t == [true, true]));
+        assert!(touched.iter().all(|t| *t == [true, true]), "{touched:?}");
         for k in 0..3 {
             assert!(worst[k] < 1e-9 * size[k], "{k} {worst:?} {size:?}");
         }

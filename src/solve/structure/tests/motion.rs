@@ -107,7 +107,6 @@ fn the_error_of_a_smooth_motion_has_order_two() {
         errors.fold(0.0, |a: f64, b| a.max(b.abs()))
     };
     let [coarse, fine, finest] = [400, 800, 1600].map(error);
-    println!("{coarse} {fine} {finest}");
     // The next order is 4, so that the ratio of the errors differs from 4 by a part of the order of (omega dt)^2.
     for ratio in [coarse / fine, fine / finest] {
         assert!((ratio - 4.0).abs() < 0.01, "{ratio}");
@@ -148,4 +147,16 @@ fn a_rigid_stop_is_not_passed() {
     let u = displacements(&structure, 0.01, 3000);
     let smallest = u.iter().fold(0.0, |a: f64, b| a.min(*b));
     assert!((smallest + 0.1).abs() < 1e-14, "{smallest}");
+}
+
+#[test]
+fn a_matrix_of_a_step_that_is_not_positive_definite_is_a_fault_of_a_node() {
+    // 4/dt^2 M + K = 400 - 500.
+    let mut structure = masses(&[1.0, 1.0]);
+    structure.stiffness.add(1, 1, -500.0);
+    let fault = Prepared::new(&structure, 0.1).unwrap_err();
+    assert_eq!(
+        fault.to_string(),
+        "the matrix of a step, 4/dt^2 M + 2/dt C + K, is not positive definite at node m1"
+    );
 }

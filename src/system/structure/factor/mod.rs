@@ -3,6 +3,7 @@
 mod order;
 
 use super::Symmetric;
+use super::lists::Lists;
 use order::Remaining;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -16,15 +17,9 @@ pub struct Factor {
     order: Vec<usize>,
     /// 1/D.
     reciprocals: Vec<f64>,
-    rows: Lists,
-    columns: Lists,
-}
-
-/// Lists of entries, one list for each row or column of L without its diagonal.
-#[derive(Debug, Clone)]
-struct Lists {
-    starts: Vec<usize>,
-    entries: Vec<Entry>,
+    /// L without its diagonal.
+    rows: Lists<Entry>,
+    columns: Lists<Entry>,
 }
 
 /// An entry of L.
@@ -50,24 +45,6 @@ impl fmt::Display for NotPositive {
 }
 
 impl std::error::Error for NotPositive {}
-
-impl Lists {
-    fn new(lists: &[Vec<Entry>]) -> Lists {
-        let ends = lists.iter().scan(0, |end, list| {
-            *end += list.len();
-            Some(*end)
-        });
-        Lists {
-            starts: std::iter::once(0).chain(ends).collect(),
-            entries: lists.concat(),
-        }
-    }
-
-    #[inline(always)]
-    fn list(&self, i: usize) -> &[Entry] {
-        &self.entries[self.starts[i]..self.starts[i + 1]]
-    }
-}
 
 impl Factor {
     /// Factors a matrix. Rows of `late` come late in the order where that costs nothing.
@@ -169,6 +146,125 @@ impl Factor {
 
     /// Number of entries of L below its diagonal.
     pub fn entries(&self) -> usize {
-        self.rows.entries.len()
+        self.rows.entries().len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DMatrix;
+    use proptest::prelude::*;
+
+    /// Springs k between pairs of nodes, and 0.5 from each node to the ground.
+    fn springs(n: usize, pairs: &[(usize, usize, f64)]) -> Symmetric {
+        let mut matrix = Symmetric::zeros(n);
+        for i in 0..n {
+            matrix.add_spring([None, Some(i)], 0.5);
+        }
+        for (i, j, k) in pairs {
+            matrix.add_spring([Some(*i), Some(*j)], *k);
+        }
+        matrix
+    }
+
+    /// L D L^T in the order of the matrix.
+    fn product(factor: &Factor) -> DMatrix<f64> {
+        let n = factor.order().len();
+        let mut l = DMatrix::identity(n, n);
+        let mut rows = DMatrix::identity(n, n);
+        for i in 0..n {
+            for entry in factor.column(i) {
+                l[(entry.at, i)] = entry.value;
+            }
+            for entry in factor.row(i) {
+                rows[(i, entry.at)] = entry.value;
+            }
+        }
+        assert_eq!(l, rows);
+        let d = DMatrix::from_fn(n, n, |i, j| {
+            if i == j {
+                1.0 / factor.reciprocal(i)
+            } else {
+                0.0
+            }
+        });
+        let ordered = &l * d * l.transpose();
+        let mut matrix = DMatrix::zeros(n, n);
+        for (i, row) in factor.order().iter().enumerate() {
+            for (j, column) in factor.order().iter().enumerate() {
+                matrix[(*row, *column)] = ordered[(i, j)];
+            }
+        }
+        matrix
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn the_factor_multiplies_to_the_matrix(
+            pairs in prop::collection::vec((0..12_usize, 0..12_usize, 0.1..10.0_f64), 0..40),
+            late in prop::collection::vec(any::<bool>(), 12),
+        ) {
+            let pairs: Vec<_> = pairs.into_iter().filter(|(i, j, _)| i != j).collect();
+            let matrix = springs(12, &pairs);
+            let product = product(&Factor::new(&matrix, &late).unwrap());
+            for i in 0..12 {
+                let mut row = [0.0; 12];
+                let unit: [f64; 12] = std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 });
+                matrix.add_product(&unit, &mut row);
+                for (j, expected) in row.into_iter().enumerate() {
+                    // Entries up to 400 of sums of at most 12 products.
+                    prop_assert!((product[(i, j)] - expected).abs() < 1e-12);
+                }
+            }
+        }
+
+        #[test]
+        fn a_tree_has_no_fill_in(parents in prop::collection::vec(0..1000_usize, 30)) {
+            let edges = (1..30).map(|i| (i, parents[i] % i, 1.0));
+            let matrix = springs(30, &edges.collect::<Vec<_>>());
+            prop_assert_eq!(Factor::new(&matrix, &[false; 30]).unwrap().entries(), 29);
+        }
+    }
+
+    #[test]
+    fn a_ring_has_the_least_fill_in() {
+        // Eliminating a node of a ring joins its neighbours: n - 3 new entries.
+        let edges: Vec<_> = (0..10).map(|i| (i, (i + 1) % 10, 1.0)).collect();
+        assert_eq!(
+            Factor::new(&springs(10, &edges), &[false; 10])
+                .unwrap()
+                .entries(),
+            17
+        );
+    }
+
+    #[test]
+    fn late_rows_of_a_chain_come_last() {
+        let edges: Vec<_> = (1..9).map(|i| (i - 1, i, 1.0)).collect();
+        let late: Vec<bool> = (0..9).map(|i| i == 8).collect();
+        let factor = Factor::new(&springs(9, &edges), &late).unwrap();
+        assert_eq!(factor.order(), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_positive_definite_has_no_factor() {
+        for (k, row) in [(-1.0, 0), (f64::NAN, 0), (0.0, 0)] {
+            let mut matrix = Symmetric::zeros(2);
+            matrix.add_spring([Some(0), Some(1)], k);
+            assert_eq!(
+                Factor::new(&matrix, &[false; 2]).unwrap_err(),
+                NotPositive { row }
+            );
+        }
+        // Free: the second pivot is zero.
+        let mut matrix = Symmetric::zeros(2);
+        matrix.add_spring([Some(0), Some(1)], 2.0);
+        assert_eq!(
+            Factor::new(&matrix, &[false; 2]).unwrap_err(),
+            NotPositive { row: 1 }
+        );
     }
 }
