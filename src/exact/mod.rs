@@ -2,6 +2,7 @@
 
 mod bisection;
 pub mod coulomb;
+pub mod events;
 pub mod mesh;
 pub mod regularised;
 pub mod spring;

@@ -1,0 +1,109 @@
+//! The energy book: E(t) - E(0) = work of the loads - dissipated energy, E kinetic, of K and of the springs of the contacts.
+
+use super::bernstein::{slope, value};
+use super::model::Model;
+use super::phase::{ContactState, Force};
+use super::series::Series;
+use crate::system::structure::Relation;
+
+/// Points and weights of Gauss's rule with ten points on -1..=1, for the positive points.
+const GAUSS: [[f64; 2]; 5] = [
+    [0.148_874_338_981_631_2, 0.295_524_224_714_752_9],
+    [0.433_395_394_129_247_2, 0.269_266_719_309_996_3],
+    [0.679_409_568_299_024_4, 0.219_086_362_515_982],
+    [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
+    [0.973_906_528_517_171_7, 0.066_671_344_308_688_1],
+];
+
+/// Energies from t = 0 on.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Book {
+    /// Energy at t = 0.
+    pub start: f64,
+    /// Work of the loads.
+    pub work: f64,
+    /// Energy that dampers, friction and impacts dissipated.
+    pub dissipated: f64,
+    /// The largest energy.
+    pub largest: f64,
+    /// The largest |E(t) - E(0) - work + dissipated|.
+    pub residual: f64,
+}
+
+impl Book {
+    /// Adds dissipated energy.
+    pub fn dissipate(&mut self, energy: f64) {
+        self.dissipated += energy;
+    }
+
+    /// Adds the work on 0..=s of a piece.
+    pub fn add_piece(&mut self, model: &Model, series: &Series, states: &[ContactState], s: f64) {
+        let points: Vec<[f64; 2]> = (GAUSS.iter())
+            .flat_map(|[x, w]| {
+                [
+                    [0.5 * s * (1.0 - x), 0.5 * s * w],
+                    [0.5 * s * (1.0 + x), 0.5 * s * w],
+                ]
+            })
+            .collect();
+        for (load, signal) in model.structure.loads.iter().zip(&series.loads) {
+            let path = series.combine(&load.pattern);
+            let terms = points
+                .iter()
+                .map(|[s, w]| w * value(signal, *s) * slope(&path, *s));
+            self.work += terms.sum::<f64>();
+        }
+        if !model.damping.is_zero() {
+            let mut u = vec![0.0; model.structure.len()];
+            let mut v = u.clone();
+            for [s, w] in &points {
+                series.motion_at(*s, &mut u, &mut v);
+                self.dissipated += w * series.length * model.damping.form(&v, &v);
+            }
+        }
+        for (i, state) in states.iter().enumerate() {
+            self.dissipated += contact_work(model, series, i, state, &points);
+        }
+    }
+
+    /// Closes the book at a time with this state.
+    pub fn close(&mut self, energy: f64) {
+        self.largest = self.largest.max(energy);
+        let residual = energy - self.start - self.work + self.dissipated;
+        self.residual = self.residual.max(residual.abs());
+    }
+}
+
+/// The energy that a contact dissipates on a piece: the integral of S times the rate of the slip.
+fn contact_work(
+    model: &Model,
+    series: &Series,
+    i: usize,
+    state: &ContactState,
+    points: &[[f64; 2]],
+) -> f64 {
+    let law = &model.structure.contacts[i].law;
+    let elastic = match (state.law(law), law) {
+        (Force::Limit(_), Relation::DisplacementControl { stiffness, .. }) => 1.0 / stiffness,
+        (Force::Limit(_) | Force::Dashpot { .. }, _) => 0.0,
+        _ => return 0.0,
+    };
+    let (rate, force) = (series.rate(i), &series.contacts[i].force);
+    let terms = points.iter().map(|[s, w]| {
+        let slip = series.length * value(&rate, *s) - elastic * slope(force, *s);
+        w * value(force, *s) * slip
+    });
+    terms.sum()
+}
+
+/// Kinetic energy, energy of K, and of the springs of the contacts.
+pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f64 {
+    let kinetic = v.iter().zip(&model.inverse_masses).map(|(v, w)| v * v / w);
+    let contacts = model.structure.contacts.iter().zip(states);
+    let stored = contacts.map(|(contact, state)| match contact.law {
+        Relation::ImpactSpring { stiffness: k }
+        | Relation::DisplacementControl { stiffness: k, .. } => state.force * state.force / k,
+        _ => 0.0,
+    });
+    0.5 * (kinetic.sum::<f64>() + model.stiffness.form(u, u) + stored.sum::<f64>())
+}

@@ -1,0 +1,184 @@
+//! The exact motion of a structure with contacts, from event to event.
+//!
+//! Between events the motion is linear, with loads that are polynomials or sines in time. Its Taylor series are exact to
+//! round-off on pieces that are short against the shortest period (`series`), for any C and without eigenvalues. Event functions
+//! are polynomials of a piece; their Bernstein coefficients prove that no event is missed (`bernstein`, `watch`). Forces of
+//! softened laws are continuous, so that simultaneous events need no order (`review`). Which rigid contacts stick or stay shut,
+//! and impulses, are problems of a box (`decide`, `rigid`).
+
+mod bernstein;
+mod book;
+mod cholesky;
+mod decide;
+mod model;
+mod motion;
+mod phase;
+mod review;
+mod rigid;
+mod room;
+mod scales;
+mod series;
+mod signals;
+mod sparse;
+#[cfg(test)]
+mod tests;
+mod watch;
+
+pub use book::Book;
+pub use motion::{MOST_EVENTS, MOST_PIECES};
+pub use phase::Phase;
+
+use crate::system::structure::Structure;
+use motion::Motion;
+use room::Room;
+use std::fmt;
+
+/// The motion at one time; at an event, after it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State<'a> {
+    /// u of each node.
+    pub u: &'a [f64],
+    /// u' of each node.
+    pub v: &'a [f64],
+    /// r of each contact, with its gap.
+    pub r: &'a [f64],
+    /// rdot of each contact.
+    pub rate: &'a [f64],
+    /// S of each contact.
+    pub force: &'a [f64],
+    /// r - S/k^C for displacement-control, r for other laws.
+    pub slip: &'a [f64],
+}
+
+/// An event of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// Its time.
+    pub time: f64,
+    /// The contact.
+    pub contact: usize,
+    /// What happens.
+    pub kind: EventKind,
+}
+
+/// What happens at an event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EventKind {
+    /// The contact changes to this phase.
+    Phase(Phase),
+    /// A rigid stop closes.
+    Impact {
+        /// rdot before it, < 0.
+        rate: f64,
+    },
+}
+
+/// What a motion had.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// The events in time.
+    pub events: Vec<Event>,
+    /// Number of pieces.
+    pub pieces: usize,
+    /// Smallest |rdot| of a contact that closes. After a closing with |rdot| = g, errors grow as 1/g.
+    pub least_impact_rate: Option<f64>,
+    /// The energy book.
+    pub book: Book,
+}
+
+/// Why there is no exact motion.
+#[derive(Debug, Clone, PartialEq)]
+pub enum EventsFault {
+    /// The motion has too many events.
+    TooManyEvents {
+        /// The largest number of events.
+        most: usize,
+        /// The time reached.
+        time: f64,
+    },
+    /// The motion has too many pieces: it is long compared with the shortest period, or a contact is very stiff or viscous.
+    TooManyPieces {
+        /// The largest number of pieces.
+        most: usize,
+        /// The time reached.
+        time: f64,
+    },
+    /// The forces of rigid contacts are not unique.
+    Singular {
+        /// The time.
+        time: f64,
+    },
+    /// Contacts change their phases without end at one time.
+    Unsettled {
+        /// The time.
+        time: f64,
+    },
+    /// A rigid stop starts with r < 0.
+    Overlap {
+        /// Name of the contact.
+        contact: String,
+        /// r at t = 0.
+        r: f64,
+    },
+}
+
+impl fmt::Display for EventsFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EventsFault::TooManyEvents { most, time } => {
+                write!(
+                    f,
+                    "the exact motion has more than {most} events up to t = {time}"
+                )
+            }
+            EventsFault::TooManyPieces { most, time } => write!(
+                f,
+                "the exact motion needs more than {most} pieces up to t = {time}; a contact is too stiff or too viscous for it"
+            ),
+            EventsFault::Singular { time } => write!(
+                f,
+                "the forces of the rigid contacts at t = {time} are not unique; give one of them a stiffness or a viscosity"
+            ),
+            EventsFault::Unsettled { time } => {
+                write!(f, "the contacts do not settle at t = {time}")
+            }
+            EventsFault::Overlap { contact, r } => write!(
+                f,
+                "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for EventsFault {}
+
+/// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, which rise from a number >= 0.
+pub fn run(
+    structure: &Structure,
+    times: &[f64],
+    mut visit: impl FnMut(usize, &State),
+) -> Result<Summary, EventsFault> {
+    let end = times.last().copied().unwrap_or(0.0);
+    let mut motion = Motion::start(structure, end)?;
+    let mut room = Room::new(structure);
+    let mut times = times.iter().enumerate().peekable();
+    loop {
+        motion.advance()?;
+        let reached = motion.reached();
+        while let Some((i, time)) = times.next_if(|(_, time)| **time < reached || reached >= end) {
+            motion.at(*time, &mut room);
+            visit(i, &room.state());
+        }
+        if reached >= end {
+            break;
+        }
+        motion.finish()?;
+    }
+    motion.finish()?;
+    Ok(Summary {
+        events: motion.events,
+        pieces: motion.pieces,
+        least_impact_rate: motion.least_impact_rate,
+        book: motion.book,
+    })
+}

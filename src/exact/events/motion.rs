@@ -1,0 +1,286 @@
+//! The motion, piece by piece.
+
+use super::book::{Book, energy};
+use super::decide::decide;
+use super::model::Model;
+use super::phase::{ContactState, Phase, is_rigid};
+use super::review::Review;
+use super::rigid::{Constraints, impacts};
+use super::room::Room;
+use super::scales::Scales;
+use super::series::Series;
+use super::watch::{Found, first_event};
+use super::{Event, EventKind, EventsFault, bernstein};
+use crate::system::structure::{Relation, Structure};
+
+/// Most events of a motion.
+pub const MOST_EVENTS: usize = 1_000_000;
+
+/// Most pieces of a motion.
+pub const MOST_PIECES: usize = 10_000_000;
+
+/// Most events at one time, for each contact.
+const MOST_AT_ONCE: usize = 50;
+
+/// A motion at the end of a piece.
+pub struct Motion<'a> {
+    model: Model<'a>,
+    end: f64,
+    t: f64,
+    u: Vec<f64>,
+    v: Vec<f64>,
+    states: Vec<ContactState>,
+    constraints: Constraints,
+    series: Series,
+    scales: Scales,
+    /// Length of a piece in the present phases.
+    length: f64,
+    /// Index of the next point of a table.
+    point: usize,
+    /// Events since t last changed.
+    at_once: usize,
+    /// The end of the present piece: its s, and the event there.
+    reached: (f64, Option<Found>),
+    pub book: Book,
+    pub events: Vec<Event>,
+    pub pieces: usize,
+    pub least_impact_rate: Option<f64>,
+}
+
+impl<'a> Motion<'a> {
+    /// The motion at t = 0, up to `end`.
+    pub fn start(structure: &'a Structure, end: f64) -> Result<Motion<'a>, EventsFault> {
+        let model = Model::new(structure);
+        let closed = ContactState {
+            phase: Phase::Open,
+            origin: 0.0,
+            force: 0.0,
+        };
+        let mut motion = Motion {
+            series: Series::new(&model),
+            scales: Scales::new(structure.contacts.len()),
+            states: vec![closed; structure.contacts.len()],
+            constraints: Constraints::default(),
+            end,
+            t: 0.0,
+            u: structure.displacement.clone(),
+            v: structure.velocity.clone(),
+            length: 1.0,
+            point: 0,
+            at_once: 0,
+            reached: (0.0, None),
+            book: Book::default(),
+            events: Vec::new(),
+            pieces: 0,
+            least_impact_rate: None,
+            model,
+        };
+        motion.begin();
+        motion.refuse_overlaps()?;
+        let (review, states) = motion.review();
+        review.start(states);
+        motion.settle(None)?;
+        motion.book.start = energy(&motion.model, &motion.states, &motion.u, &motion.v);
+        motion.book.close(motion.book.start);
+        Ok(motion)
+    }
+
+    /// The time at which the present piece ends.
+    pub fn reached(&self) -> f64 {
+        let (s, found) = self.reached;
+        let next = self.t + self.series.length;
+        match found {
+            Some(_) => self.t + s * self.series.length,
+            // Without the round-off of the sum.
+            None if next >= self.limit() * (1.0 - f64::EPSILON) => self.limit(),
+            None => next,
+        }
+    }
+
+    /// The next point of a table, or the end.
+    fn limit(&self) -> f64 {
+        let point = self.model.points.get(self.point);
+        point.map_or(self.end, |point| point.min(self.end))
+    }
+
+    /// Starts the polynomials at t.
+    fn begin(&mut self) {
+        let left = self.limit() - self.t;
+        let length = self.length.min(if left > 0.0 { left } else { 1.0 });
+        // The length between the times as numbers, so that their round-off does not add up.
+        let length = (self.t + length) - self.t;
+        let Motion { u, v, .. } = self;
+        self.series.begin(&self.model, [self.t, length], u, v);
+        self.scales.include(&self.model, u, v, &self.series);
+    }
+
+    fn refuse_overlaps(&self) -> Result<(), EventsFault> {
+        for (i, contact) in self.model.structure.contacts.iter().enumerate() {
+            let rigid = matches!(contact.law, Relation::RigidStop { .. });
+            let r = self.series.contacts[i].r[0];
+            if rigid && r < -self.scales.r(&self.model, i) {
+                return Err(EventsFault::Overlap {
+                    contact: contact.name.clone(),
+                    r,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn review(&mut self) -> (Review<'_>, &mut [ContactState]) {
+        let review = Review {
+            model: &self.model,
+            series: &self.series,
+            scales: &self.scales,
+            book: &mut self.book,
+        };
+        (review, &mut self.states)
+    }
+
+    /// Computes the next piece up to its first event.
+    pub fn advance(&mut self) -> Result<(), EventsFault> {
+        self.pieces += 1;
+        if self.pieces > MOST_PIECES {
+            return Err(EventsFault::TooManyPieces {
+                most: MOST_PIECES,
+                time: self.t,
+            });
+        }
+        self.begin();
+        let constraints = self.constraints.parts();
+        self.series.complete(&self.model, &self.states, constraints);
+        let found = first_event(&self.model, &self.series, &self.states, &self.scales);
+        self.reached = (found.map_or(1.0, |found| found.s), found);
+        Ok(())
+    }
+
+    /// Goes to the end of the piece, through its event.
+    pub fn finish(&mut self) -> Result<(), EventsFault> {
+        let (s, found) = self.reached;
+        let reached = self.reached();
+        self.book
+            .add_piece(&self.model, &self.series, &self.states, s);
+        self.series.motion_at(s, &mut self.u, &mut self.v);
+        for (state, series) in self.states.iter_mut().zip(&self.series.contacts) {
+            state.force = bernstein::value(&series.force, s);
+        }
+        self.at_once = if reached > self.t {
+            0
+        } else {
+            self.at_once + 1
+        };
+        self.t = reached;
+        let before = self.point;
+        while self
+            .model
+            .points
+            .get(self.point)
+            .is_some_and(|point| *point <= self.t)
+        {
+            self.point += 1;
+        }
+        if found.is_some() || self.point > before {
+            self.settle(found)?;
+        }
+        self.book
+            .close(energy(&self.model, &self.states, &self.u, &self.v));
+        if self.events.len() > MOST_EVENTS {
+            return Err(EventsFault::TooManyEvents {
+                most: MOST_EVENTS,
+                time: self.t,
+            });
+        }
+        if self.at_once > MOST_AT_ONCE * self.states.len() {
+            return Err(EventsFault::Unsettled { time: self.t });
+        }
+        Ok(())
+    }
+
+    /// The phases from t on.
+    fn settle(&mut self, found: Option<Found>) -> Result<(), EventsFault> {
+        let singular = EventsFault::Singular { time: self.t };
+        let before: Vec<Phase> = self.states.iter().map(|state| state.phase).collect();
+        self.begin();
+        let (mut review, states) = self.review();
+        if let Some(found) = &found {
+            review.cross(found, states);
+        }
+        review.friction(states);
+        if self
+            .model
+            .structure
+            .contacts
+            .iter()
+            .any(|contact| is_rigid(&contact.law))
+        {
+            let Motion {
+                model,
+                series,
+                scales,
+                book,
+                v,
+                ..
+            } = self;
+            let impacts = impacts(model, series, scales, book, v).map_err(|_| singular.clone())?;
+            if !impacts.is_empty() {
+                for (contact, rate) in impacts {
+                    self.impact(contact, rate);
+                }
+                self.begin();
+                let (mut review, states) = self.review();
+                review.friction(states);
+            }
+            let Motion {
+                model,
+                series,
+                scales,
+                states,
+                u,
+                v,
+                ..
+            } = self;
+            decide(model, series, scales, states, [u, v]).map_err(|_| singular.clone())?;
+            self.constraints = Constraints::new(model, states).map_err(|_| singular)?;
+        }
+        self.length = self.model.piece_length(&self.states);
+        for (contact, before) in before.into_iter().enumerate() {
+            let phase = self.states[contact].phase;
+            if phase != before {
+                self.events.push(Event {
+                    time: self.t,
+                    contact,
+                    kind: EventKind::Phase(phase),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn impact(&mut self, contact: usize, rate: f64) {
+        let least = self.least_impact_rate.unwrap_or(f64::INFINITY);
+        self.least_impact_rate = Some(least.min(-rate));
+        self.events.push(Event {
+            time: self.t,
+            contact,
+            kind: EventKind::Impact { rate },
+        });
+    }
+
+    /// The state at a time of the present piece.
+    pub fn at(&self, time: f64, room: &mut Room) {
+        let s = ((time - self.t) / self.series.length).clamp(0.0, self.reached.0);
+        self.series.motion_at(s, &mut room.u, &mut room.v);
+        for (i, contact) in self.model.structure.contacts.iter().enumerate() {
+            let force = bernstein::value(&self.series.contacts[i].force, s);
+            let r = self.model.relative(i, &room.u) + contact.gap;
+            room.force[i] = force;
+            room.r[i] = r;
+            room.rate[i] = self.model.relative(i, &room.v);
+            room.slip[i] = match contact.law {
+                Relation::DisplacementControl { stiffness, .. } => r - force / stiffness,
+                _ => r,
+            };
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The phases of a contact: in each one its force is linear in the motion, and event functions are positive.
+
+use crate::system::structure::Relation;
+
+/// The phase of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Phase {
+    /// An impact contact with r > 0, or a friction contact without a normal force: no force.
+    Open,
+    /// An impact contact that presses; a friction contact that sticks: elastic, viscous, or rigid.
+    Closed,
+    /// A friction contact at its limit, in this direction, +1 or -1.
+    Sliding(f64),
+}
+
+/// A contact at one time.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactState {
+    /// Its phase.
+    pub phase: Phase,
+    /// Displacement-control: r at which the friction spring has no force.
+    pub origin: f64,
+    /// S.
+    pub force: f64,
+}
+
+/// The force of a contact in a phase.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Force {
+    /// 0.
+    None,
+    /// k (r - origin).
+    Spring { k: f64, origin: f64 },
+    /// c rdot.
+    Dashpot { c: f64 },
+    /// The limit, in this direction.
+    Limit(f64),
+    /// What keeps r'' = 0.
+    Constraint,
+}
+
+impl ContactState {
+    /// The force that the law has in the present phase.
+    pub fn law(&self, law: &Relation) -> Force {
+        match (self.phase, law) {
+            (Phase::Open, _) => Force::None,
+            (Phase::Sliding(direction), _) => Force::Limit(direction),
+            (Phase::Closed, Relation::ImpactSpring { stiffness }) => Force::Spring {
+                k: *stiffness,
+                origin: 0.0,
+            },
+            (Phase::Closed, Relation::DisplacementControl { stiffness, .. }) => Force::Spring {
+                k: *stiffness,
+                origin: self.origin,
+            },
+            (Phase::Closed, Relation::VelocityControl { viscosity, .. }) => {
+                Force::Dashpot { c: *viscosity }
+            }
+            (Phase::Closed, Relation::RigidStop { .. } | Relation::Coulomb { .. }) => {
+                Force::Constraint
+            }
+        }
+    }
+}
+
+/// Whether the law has no compliance.
+pub fn is_rigid(law: &Relation) -> bool {
+    matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. })
+}

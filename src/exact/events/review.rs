@@ -1,0 +1,141 @@
+//! Phases after an event, a point of a table or an impact: limits that become positive, 0 or jump, and softened laws.
+
+use super::book::Book;
+use super::model::Model;
+use super::phase::{ContactState, Phase};
+use super::scales::Scales;
+use super::series::Series;
+use super::watch::{Crossing, Found};
+use crate::system::structure::Relation;
+
+/// What a review works on: a piece that has begun, and the phases.
+pub struct Review<'a> {
+    pub model: &'a Model<'a>,
+    pub series: &'a Series,
+    pub scales: &'a Scales,
+    pub book: &'a mut Book,
+}
+
+impl Review<'_> {
+    /// The phases of softened contacts at t = 0.
+    pub fn start(&self, states: &mut [ContactState]) {
+        for (i, state) in states.iter_mut().enumerate() {
+            let r = self.series.contacts[i].r[0];
+            state.origin = r;
+            if let Relation::ImpactSpring { stiffness } = self.model.structure.contacts[i].law
+                && r < 0.0
+            {
+                state.phase = Phase::Closed;
+                state.force = stiffness * r;
+            }
+        }
+    }
+
+    /// The new phase of the contact of an event. Rigid contacts and limits that change their sign are left to the other steps.
+    pub fn cross(&self, found: &Found, states: &mut [ContactState]) {
+        let i = found.contact;
+        let (series, state) = (&self.series.contacts[i], &mut states[i]);
+        match (&self.model.structure.contacts[i].law, found.crossing) {
+            (Relation::ImpactSpring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
+            (Relation::ImpactSpring { .. }, Crossing::Release) => state.phase = Phase::Open,
+            (
+                Relation::DisplacementControl { .. } | Relation::VelocityControl { .. },
+                Crossing::Limit(direction),
+            ) => state.phase = Phase::Sliding(direction),
+            (Relation::DisplacementControl { stiffness, .. }, Crossing::Stop) => {
+                state.origin = series.r[0] - state.force / stiffness;
+                state.phase = Phase::Closed;
+            }
+            (Relation::VelocityControl { .. }, Crossing::Stop) => state.phase = Phase::Closed,
+            _ => {}
+        }
+    }
+
+    /// Friction contacts that open or close, or whose limit or rdot has jumped.
+    pub fn friction(&mut self, states: &mut [ContactState]) {
+        for (i, state) in states.iter_mut().enumerate() {
+            let law = &self.model.structure.contacts[i].law;
+            if law.limit().is_none() {
+                continue;
+            }
+            if !self.presses(i) {
+                self.drop_force(law, state, 0.0);
+                state.phase = Phase::Open;
+                continue;
+            }
+            match law {
+                Relation::DisplacementControl { stiffness, .. } => {
+                    self.displacement_control(i, law, *stiffness, state);
+                }
+                Relation::VelocityControl { viscosity, .. } => {
+                    self.velocity_control(i, *viscosity, state);
+                }
+                _ if state.phase == Phase::Open => {
+                    state.phase = Phase::Sliding(1.0_f64.copysign(self.series.contacts[i].r[1]));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether the limit is positive or becomes so.
+    fn presses(&self, contact: usize) -> bool {
+        let tolerance = self.scales.limit(contact);
+        let limit = self.series.contacts[contact].limit.iter();
+        limit
+            .into_iter()
+            .find(|l| l.abs() > tolerance)
+            .is_some_and(|l| *l > 0.0)
+    }
+
+    fn displacement_control(&mut self, i: usize, law: &Relation, k: f64, state: &mut ContactState) {
+        let series = &self.series.contacts[i];
+        let [r, change] = [series.r[0], k * series.r[1]];
+        let limit = series.limit[0].max(0.0);
+        let tolerance = self.scales.contact_force(self.model, i, self.series.length);
+        match state.phase {
+            Phase::Open => {
+                state.origin = r;
+                state.phase = Phase::Closed;
+                if limit <= self.scales.limit(i) && change.abs() > series.limit[1].max(0.0) {
+                    state.phase = Phase::Sliding(1.0_f64.copysign(change));
+                }
+            }
+            Phase::Closed | Phase::Sliding(_) => {
+                if state.force.abs() > limit + tolerance {
+                    self.drop_force(law, state, limit);
+                    state.phase = Phase::Sliding(1.0_f64.copysign(state.force));
+                } else if state.force.abs() < limit - tolerance && state.phase != Phase::Closed {
+                    state.origin = r - state.force / k;
+                    state.phase = Phase::Closed;
+                }
+            }
+        }
+    }
+
+    /// The friction spring relaxes to a smaller force; S^2/2k falls by the work of the slip.
+    fn drop_force(&mut self, law: &Relation, state: &mut ContactState, limit: f64) {
+        if let Relation::DisplacementControl { stiffness, .. } = law {
+            let force = state.force;
+            self.book
+                .dissipate(0.5 * (force - limit) * (force + limit) / stiffness);
+            state.force = limit.copysign(force);
+        }
+    }
+
+    fn velocity_control(&self, i: usize, c: f64, state: &mut ContactState) {
+        let series = &self.series.contacts[i];
+        let force = c * series.r[1] / self.series.length;
+        let limit = series.limit[0].max(0.0);
+        let tolerance = self.scales.contact_force(self.model, i, self.series.length);
+        let closed = if force.abs() > limit + tolerance {
+            Phase::Sliding(1.0_f64.copysign(force))
+        } else {
+            Phase::Closed
+        };
+        match state.phase {
+            Phase::Sliding(direction) if direction * force >= limit - tolerance => {}
+            _ => state.phase = closed,
+        }
+    }
+}

@@ -1,0 +1,331 @@
+//! Several contacts at once.
+
+use super::random::softened;
+use super::*;
+
+/// A limit constant + factor signal.
+pub fn varying(constant: f64, factor: f64, signal: Signal) -> Limit {
+    Limit {
+        constant,
+        varying: Some((factor, Arc::new(signal))),
+    }
+}
+
+/// u, v and all events of a motion up to `end`.
+fn last(structure: &Structure, end: f64) -> (Vec<f64>, Summary) {
+    let mut last = Vec::new();
+    let summary = run(structure, &[end], |_, state| {
+        last = [state.u, state.v].concat()
+    });
+    (last, summary.unwrap())
+}
+
+/// Three masses with dampers, loads with a jump, and all softened laws, with limits that become 0.
+fn three() -> Structure {
+    let pulse = [[0.5, 0.0], [1.5, 3.0], [2.0, -1.0], [2.0, 0.5], [5.0, 0.0]];
+    let pressure = [[0.0, 0.0], [1.0, 1.0], [2.5, -1.0], [3.5, 0.5]];
+    masses(&[1.0, 2.0, 0.5])
+        .spring([None, Some(0)], 4.0)
+        .spring([Some(0), Some(1)], 9.0)
+        .spring([None, Some(2)], 1.0)
+        .dashpot([None, Some(0)], 0.1)
+        .dashpot([Some(1), Some(2)], 0.05)
+        .load(&[(0, -1.0), (1, -2.0), (2, -0.5)], sine(2.0, 1.7, 0.3))
+        .load(&[(1, 1.0)], table(&pulse))
+        .moving(&[0.1, 0.0, -0.2], &[0.5, -1.0, 0.3])
+        .contact(
+            [Some(0), Some(1)],
+            0.0,
+            Relation::DisplacementControl {
+                stiffness: 40.0,
+                limit: varying(0.3, 0.6, sine(1.0, 2.3, 0.1)),
+            },
+        )
+        .contact(
+            [Some(1), Some(2)],
+            0.1,
+            Relation::ImpactSpring { stiffness: 50.0 },
+        )
+        .contact(
+            [None, Some(2)],
+            0.0,
+            Relation::VelocityControl {
+                viscosity: 5.0,
+                limit: varying(0.5, 1.0, table(&pressure)),
+            },
+        )
+        .contact(
+            [None, Some(1)],
+            0.0,
+            Relation::DisplacementControl {
+                stiffness: 30.0,
+                limit: Limit::constant(0.4),
+            },
+        )
+}
+
+/// u, v and the elongations of the friction springs by Runge-Kutta steps that do not stop at events: the force of a
+/// friction spring is cut to the limit after each step.
+fn runge_kutta(s: &Structure, end: f64, count: usize) -> Vec<f64> {
+    let (n, m, h) = (s.len(), s.contacts.len(), end / count as f64);
+    let mut y = [&s.displacement[..], &s.velocity, &vec![0.0; m]].concat();
+    let rates = |t: f64, y: &[f64]| -> Vec<f64> {
+        let (u, v) = (&y[..n], &y[n..2 * n]);
+        let [mut f, mut product, mut elongation] = [vec![0.0; n], vec![0.0; n], vec![0.0; m]];
+        s.add_loads(t, &mut f);
+        s.stiffness.add_product(u, &mut product);
+        s.damping.add_product(v, &mut product);
+        for (i, contact) in s.contacts.iter().enumerate() {
+            let (r, rate) = (s.relative(i, u) + contact.gap, s.relative(i, v));
+            let limit = contact.law.limit().map_or(0.0, |limit| limit.at(t));
+            let force = match &contact.law {
+                Relation::ImpactSpring { stiffness } => stiffness * r.min(0.0),
+                Relation::VelocityControl { viscosity, .. } => {
+                    (viscosity * rate).clamp(-limit, limit)
+                }
+                Relation::DisplacementControl { stiffness, .. } => {
+                    let trial = stiffness * y[2 * n + i];
+                    elongation[i] = if trial.abs() >= limit && trial * rate > 0.0 {
+                        0.0
+                    } else {
+                        rate
+                    };
+                    trial.clamp(-limit, limit)
+                }
+                _ => 0.0,
+            };
+            for (node, sign) in s.column(i) {
+                f[node] -= sign * force;
+            }
+        }
+        let a = (0..n).map(|i| (f[i] - product[i]) / s.nodes[i].mass);
+        v.iter().copied().chain(a).chain(elongation).collect()
+    };
+    for step in 0..count {
+        let t = step as f64 * h;
+        let add =
+            |k: &[f64], c: f64| -> Vec<f64> { y.iter().zip(k).map(|(y, k)| y + c * k).collect() };
+        let k1 = rates(t, &y);
+        let k2 = rates(t + 0.5 * h, &add(&k1, 0.5 * h));
+        let k3 = rates(t + 0.5 * h, &add(&k2, 0.5 * h));
+        let k4 = rates(t + h, &add(&k3, h));
+        for i in 0..y.len() {
+            y[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+        }
+        for (i, contact) in s.contacts.iter().enumerate() {
+            if let Relation::DisplacementControl { stiffness, limit } = &contact.law {
+                let most = limit.at(t + h) / stiffness;
+                y[2 * n + i] = y[2 * n + i].clamp(-most, most);
+            }
+        }
+    }
+    y.truncate(2 * n);
+    y
+}
+
+#[test]
+fn softened_contacts_move_as_by_runge_kutta() {
+    let (exact, summary) = last(&three(), 6.0);
+    assert_eq!(summary.events.len(), 32);
+    assert!(summary.book.residual < 1e-14 * summary.book.largest);
+    let [coarse, fine] = [24_000, 48_000].map(|count| runge_kutta(&three(), 6.0, count));
+    for ((coarse, fine), exact) in coarse.iter().zip(&fine).zip(&exact) {
+        // Order 1 at the 32 events; what is left after extrapolation varies with the places of events in steps.
+        assert!((fine - exact).abs() < 4e-5);
+        assert!((2.0 * fine - coarse - exact).abs() < 5e-6, "{fine} {exact}");
+    }
+}
+
+#[test]
+fn rigid_contacts_are_the_limit_of_softened_ones() {
+    // Friction with the order of the widths, impacts with the root of the compliance.
+    let structure = |rigid: bool, narrow: f64| {
+        let limit = |l| varying(l, 0.3, sine(1.0, 1.3, 0.4));
+        let friction = |l| match rigid {
+            true => Relation::Coulomb { limit: limit(l) },
+            false => Relation::VelocityControl {
+                viscosity: 1.0 / narrow,
+                limit: limit(l),
+            },
+        };
+        masses(&[1.0, 2.0, 0.5])
+            .spring([None, Some(0)], 4.0)
+            .spring([Some(0), Some(1)], 9.0)
+            .spring([None, Some(2)], 1.0)
+            .load(&[(0, -1.0), (1, -2.0), (2, -0.5)], sine(1.5, 1.7, 0.3))
+            .moving(&[0.1, 0.0, -0.2], &[0.5, -1.0, 0.3])
+            .contact([Some(0), Some(1)], 0.0, friction(0.8))
+            .contact([Some(1), Some(2)], 0.0, friction(0.5))
+            .contact([None, Some(2)], 0.0, friction(0.4))
+    };
+    let (rigid, summary) = last(&structure(true, 0.0), 8.0);
+    assert!(summary.events.len() > 10, "{}", summary.events.len());
+    assert!(summary.book.residual < 1e-14 * summary.book.largest);
+    let error = |narrow| {
+        let (soft, _) = last(&structure(false, narrow), 8.0);
+        let errors = rigid.iter().zip(&soft).map(|(a, b)| (a - b).abs());
+        errors.fold(0.0, f64::max)
+    };
+    let [wide, narrow] = [error(1e-3), error(1e-4)];
+    assert!(
+        narrow < 1e-3 && (wide / narrow - 10.0).abs() < 1.0,
+        "{wide} {narrow}"
+    );
+}
+
+#[test]
+fn a_slab_drags_a_block_until_both_move_as_one() {
+    // The slab (2) moves with 3, the block (1) rests on it: rdot falls by L (1/1 + 1/2), and the momentum stays.
+    let slab = masses(&[1.0, 2.0])
+        .moving(&[0.0, 0.0], &[0.0, 3.0])
+        .contact([Some(0), Some(1)], 0.0, coulomb(0.5));
+    let (state, summary) = last(&slab, 10.0);
+    assert_eq!(summary.events.len(), 2);
+    // 3/(0.5 1.5) = 4; slip 3 4/2 = 6, work 0.5 6.
+    assert!((summary.events[1].time - 4.0).abs() < 1e-13);
+    assert!((state[1] - state[0] - 6.0).abs() < 1e-13);
+    assert!((state[2] - 2.0).abs() < 1e-14 && (state[3] - 2.0).abs() < 1e-14);
+    assert!((summary.book.dissipated - 3.0).abs() < 1e-13);
+}
+
+#[test]
+fn balls_of_equal_mass_exchange_their_velocities() {
+    let stop = |e| Relation::RigidStop { restitution: e };
+    let balls = |masses_of: &[f64], e: f64| {
+        masses(masses_of)
+            .moving(&[0.0; 3], &[1.0, 0.0, 0.0])
+            .contact([Some(0), Some(1)], 0.1, stop(e))
+            .contact([Some(1), Some(2)], 0.1, stop(e))
+    };
+    let (state, summary) = last(&balls(&[1.0; 3], 1.0), 1.0);
+    for (v, expected) in state[3..].iter().zip([0.0, 0.0, 1.0]) {
+        assert!((v - expected).abs() < 2e-16);
+    }
+    assert!((summary.least_impact_rate.unwrap() - 1.0).abs() < 2e-16);
+    // Ball i gets (1 + e) m/(m + m') of the velocity before it.
+    let (state, _) = last(&balls(&[3.0, 2.0, 1.0], 0.5), 0.3);
+    assert!((state[5] - 1.5 * 0.6 * 1.5 * 2.0 / 3.0).abs() < 1e-15);
+}
+
+#[test]
+fn a_block_that_sticks_takes_an_impact_and_slides() {
+    // Friction has no impulse: the block starts with (1 + e) m/(m + M) v and slides v^2/2L.
+    let block = masses(&[1.0, 2.0])
+        .moving(&[0.0, 0.0], &[1.0, 0.0])
+        .contact(
+            [Some(0), Some(1)],
+            0.5,
+            Relation::RigidStop { restitution: 0.8 },
+        )
+        .contact([None, Some(1)], 0.0, coulomb(0.3));
+    let (state, summary) = last(&block, 20.0);
+    let v = 1.8 / 3.0;
+    assert!((state[1] - 2.0 * v * v / (2.0 * 0.3)).abs() < 1e-14);
+    assert_eq!(state[3], 0.0);
+    assert!(summary.book.residual < 1e-15);
+}
+
+#[test]
+fn friction_ends_where_the_limit_falls_below_the_load() {
+    // Pulled by 0.5 with the limit 1 - t/10 from t = 0 to 10: it slides from t = 5 on, u'' = (t - 5)/10, and is free from 10 on.
+    let limit = varying(0.0, 1.0, table(&[[0.0, 1.0], [12.0, -0.2]]));
+    let block = one().load(&[(0, 1.0)], table(&[[0.0, 0.5]])).contact(
+        [None, Some(0)],
+        0.0,
+        Relation::Coulomb { limit },
+    );
+    let (states, summary) = first(&block, &[5.0, 8.0, 12.0]);
+    let times: Vec<f64> = summary.events.iter().map(|event| event.time).collect();
+    // The first event is the start of sticking.
+    assert!((times[1] - 5.0).abs() < 1e-12 && (times[2] - 10.0).abs() < 1e-12);
+    assert_eq!(states[0].u, 0.0);
+    assert!((states[1].u - 27.0 / 60.0).abs() < 1e-12);
+    let free = 125.0 / 60.0 + 1.25 * 2.0 + 0.25 * 4.0;
+    assert!((states[2].u - free).abs() < 1e-12, "{}", states[2].u);
+}
+
+#[test]
+fn equal_blocks_that_slide_at_one_time_move_as_one() {
+    let pair = |count: usize| {
+        let mut s = masses(&vec![1.0; count]);
+        for i in 0..count {
+            s = s.load(&[(i, 1.0)], sine(1.0, 1.0, 0.0));
+            s = s.contact([None, Some(i)], 0.0, coulomb(0.7));
+            s = s.spring([None, Some(i)], 0.2);
+        }
+        for i in 1..count {
+            s = s.spring([Some(i - 1), Some(i)], 3.0);
+        }
+        last(&s, 50.0).0
+    };
+    let (alone, three) = (pair(1), pair(3));
+    for i in 0..3 {
+        assert!((three[i] - alone[0]).abs() < 1e-12 && (three[3 + i] - alone[1]).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn contacts_in_parallel_hold_what_both_can() {
+    // The limits add up to 1.0: the block slides where sin t = 1.
+    let block = |limits: &[f64], most: f64| {
+        let mut s = one().load(&[(0, 1.0)], sine(most, 1.0, 0.0));
+        for limit in limits {
+            s = s.contact([None, Some(0)], 0.0, coulomb(*limit));
+        }
+        last(&s, 20.0).0
+    };
+    assert!(block(&[0.7, 0.3], 0.99).iter().all(|x| x.abs() < 1e-16));
+    for (a, b) in block(&[0.7, 0.3], 1.6).iter().zip(block(&[1.0], 1.6)) {
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
+}
+
+#[test]
+fn a_damper_and_a_sine_have_the_closed_form() {
+    // u'' + 2 z u' + u = sin t from rest: u = (-cos t + e^(-z t) (cos w t + z/w sin w t))/(2 z), w^2 = 1 - z^2.
+    let z: f64 = 0.05;
+    let w = f64::sqrt(1.0 - z * z);
+    let s = one()
+        .spring([None, Some(0)], 1.0)
+        .dashpot([None, Some(0)], 2.0 * z)
+        .load(&[(0, 1.0)], sine(1.0, 1.0, 0.0));
+    let times = steps(0.37, 300);
+    let (states, summary) = first(&s, &times);
+    for (t, state) in times.iter().zip(&states) {
+        let free = libm::exp(-z * t) * (libm::cos(w * t) + z / w * libm::sin(w * t));
+        let expected = (free - libm::cos(*t)) / (2.0 * z);
+        // Round-off of 10 and of the phase 100.
+        assert!(
+            (state.u - expected).abs() < 1e-13,
+            "{t} {}",
+            state.u - expected
+        );
+    }
+    assert!(summary.book.residual < 1e-14 * summary.book.largest);
+}
+
+#[test]
+fn the_motion_does_not_depend_on_the_times() {
+    let s = softened();
+    let mut all = Vec::new();
+    run(&s, &steps(0.01, 1000), |i, state| {
+        if i % 100 == 0 {
+            all.push(state.u.to_vec());
+        }
+    })
+    .unwrap();
+    let mut few = Vec::new();
+    run(
+        &s,
+        &steps(0.01, 1000)[..]
+            .iter()
+            .copied()
+            .step_by(100)
+            .collect::<Vec<_>>(),
+        |_, state| {
+            few.push(state.u.to_vec());
+        },
+    )
+    .unwrap();
+    assert_eq!(all, few);
+}

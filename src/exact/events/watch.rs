@@ -1,0 +1,154 @@
+//! Event functions: polynomials that are not negative as long as the contacts keep their phases.
+
+use super::bernstein::{Polynomial, TERMS, first_negative};
+use super::model::Model;
+use super::phase::{ContactState, Phase};
+use super::scales::Scales;
+use super::series::Series;
+use crate::system::structure::Relation;
+
+/// What happens at an event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Crossing {
+    /// r of an open impact contact becomes 0.
+    Touch,
+    /// The force of a closed impact contact becomes 0.
+    Release,
+    /// The force of a sticking contact reaches the limit in this direction.
+    Limit(f64),
+    /// The slip, or the viscous force, of a sliding contact falls below what sliding needs.
+    Stop,
+    /// The limit becomes 0 or positive.
+    Normal,
+}
+
+/// The first event of a piece.
+#[derive(Debug, Clone, Copy)]
+pub struct Found {
+    /// Time over the length of the piece.
+    pub s: f64,
+    /// The contact.
+    pub contact: usize,
+    /// What happens.
+    pub crossing: Crossing,
+}
+
+/// The first event on 0..=1 of a piece.
+pub fn first_event(
+    model: &Model,
+    series: &Series,
+    states: &[ContactState],
+    scales: &Scales,
+) -> Option<Found> {
+    let mut first: Option<Found> = None;
+    for (contact, state) in states.iter().enumerate() {
+        let mut test = |crossing, p: &Polynomial, tolerance: f64| {
+            let until = first.map_or(1.0, |found| found.s);
+            if let Some(s) = first_negative(p, until, tolerance)
+                && first.is_none_or(|found| s < found.s)
+            {
+                first = Some(Found {
+                    s,
+                    contact,
+                    crossing,
+                });
+            }
+        };
+        let watched = Watched {
+            model,
+            series,
+            contact,
+            scales,
+        };
+        watched.functions(state.phase, &mut test);
+    }
+    first
+}
+
+struct Watched<'a> {
+    model: &'a Model<'a>,
+    series: &'a Series,
+    contact: usize,
+    scales: &'a Scales,
+}
+
+impl Watched<'_> {
+    /// Calls `test` with each event function and its tolerance.
+    fn functions(&self, phase: Phase, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
+        let law = &self.model.structure.contacts[self.contact].law;
+        let of = &self.series.contacts[self.contact];
+        let (limit, force) = (&of.limit, &of.force);
+        let scales = self.scales;
+        let force_tolerance = scales.contact_force(self.model, self.contact, self.series.length);
+        let limit_tolerance = scales.limit(self.contact);
+        let impact = law.limit().is_none();
+        let varying = law.limit().is_some_and(|limit| limit.varying.is_some());
+        match phase {
+            Phase::Open if impact => self.touch(law, test),
+            Phase::Open if varying => {
+                test(Crossing::Normal, &limit.map(|l| -l), limit_tolerance);
+            }
+            Phase::Open => {}
+            Phase::Closed if impact => {
+                test(Crossing::Release, &force.map(|s| -s), force_tolerance);
+            }
+            Phase::Closed => {
+                for direction in [1.0, -1.0] {
+                    let distance = std::array::from_fn(|k| limit[k] - direction * force[k]);
+                    test(Crossing::Limit(direction), &distance, force_tolerance);
+                }
+            }
+            Phase::Sliding(direction) => {
+                let (slip, tolerance) = self.slip(law, direction);
+                test(Crossing::Stop, &slip, tolerance);
+                if varying {
+                    test(Crossing::Normal, limit, limit_tolerance);
+                }
+            }
+        }
+    }
+
+    /// r of an open impact contact; for a rigid stop that just bounced at r = 0, r over s.
+    fn touch(&self, law: &Relation, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
+        let r = &self.series.contacts[self.contact].r;
+        let tolerance = self.scales.r(self.model, self.contact);
+        let length = self.series.length;
+        let rate_tolerance = self.scales.rate(length);
+        let rigid = matches!(law, Relation::RigidStop { .. });
+        if rigid && r[0].abs() <= tolerance && r[1] > rate_tolerance * length {
+            let over_s = std::array::from_fn(|k| r[k + 1]);
+            test(Crossing::Touch, &over_s, rate_tolerance * length);
+        } else {
+            test(Crossing::Touch, &std::array::from_fn(|k| r[k]), tolerance);
+        }
+    }
+
+    /// The event function of sliding, and its tolerance: the rate of the slip, or the viscous force beyond the limit.
+    fn slip(&self, law: &Relation, direction: f64) -> (Polynomial, f64) {
+        let (limit, length) = (
+            &self.series.contacts[self.contact].limit,
+            self.series.length,
+        );
+        let tolerance = self.scales.rate(length);
+        let mut slip = self.series.rate(self.contact).map(|rate| direction * rate);
+        match law {
+            // The spring follows the limit, so that the slip has the rate rdot - direction (nu N)'/k^C.
+            Relation::DisplacementControl { stiffness, .. } => {
+                for k in 0..TERMS - 1 {
+                    slip[k] -= (k + 1) as f64 * limit[k + 1] / (length * stiffness);
+                }
+            }
+            Relation::VelocityControl { viscosity, .. } => {
+                for (slip, limit) in slip.iter_mut().zip(limit) {
+                    *slip -= limit / viscosity;
+                }
+                return (
+                    slip,
+                    tolerance + self.scales.limit(self.contact) / viscosity,
+                );
+            }
+            _ => {}
+        }
+        (slip, tolerance)
+    }
+}
