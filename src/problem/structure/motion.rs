@@ -2,6 +2,7 @@
 
 use super::channel::{Number, Quantity};
 use super::judge::Recorded;
+use crate::exact::events;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, run};
 use crate::system::structure::{Relation, Structure};
@@ -103,13 +104,44 @@ fn value<const L: usize>(state: &State<L>, number: Number) -> [f64; L] {
     lane.0
 }
 
-/// STUB
+/// The exact motion at these times.
+///
+/// # Errors
+/// [`Unsolvable::Reference`]: the motion has too many events or pieces, or its rigid contacts have no unique forces.
 pub fn exact(
-    _structure: &Structure,
-    _times: &[f64],
-    _numbers: &[Number],
+    structure: &Structure,
+    times: &[f64],
+    numbers: &[Number],
 ) -> Result<Recorded, Unsolvable> {
-    Err(Unsolvable::NoModes)
+    let mut series = vec![Vec::with_capacity(times.len()); numbers.len()];
+    let record = |i: usize, state: &events::State| {
+        for (series, number) in series.iter_mut().zip(numbers) {
+            series.push(exact_value(structure, times[i], state, *number));
+        }
+    };
+    let summary = events::run(structure, times, record);
+    summary.map_err(|why| Unsolvable::Reference(why.to_string()))?;
+    Ok(Recorded {
+        numbers: numbers.to_vec(),
+        series,
+    })
+}
+
+fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Number) -> f64 {
+    match number {
+        Number::Displacement(node) => state.u[node],
+        Number::Velocity(node) => state.v[node],
+        Number::Contact(contact, quantity) => match quantity {
+            Quantity::Displacement => state.r[contact],
+            Quantity::Velocity => state.rate[contact],
+            Quantity::Force => state.force[contact],
+            Quantity::Slip => state.slip[contact],
+            Quantity::Limit => {
+                let limit = structure.contacts[contact].law.limit();
+                limit.map_or(0.0, |limit| limit.at(t))
+            }
+        },
+    }
 }
 
 /// The same structure with rigid laws: impacts without compliance and with the restitution of a spring, which is 1, and Coulomb
