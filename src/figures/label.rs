@@ -4,7 +4,7 @@ use crate::figures::DrawnCase;
 use crate::figures::text::{markup, number};
 use crate::problem::Case;
 use crate::problem::parameter::{Default, Parameter, Value};
-use crate::study::Study;
+use crate::study::{Filter, Study};
 use std::collections::HashMap;
 
 /// Whether two values are the same, or both do not apply.
@@ -69,7 +69,11 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
     let given = |row: usize| study.blocks.iter().any(|block| block.gives(row));
     let worked_out =
         |row: &usize| matches!(table[*row].default, Default::Follows(_)) && !given(*row);
-    let follows = |row: &usize| study.blocks.iter().all(|block| block.follows(*row, &[x]));
+    let all = Filter::default();
+    let follows = |row: &usize| {
+        let mut blocks = study.blocks.iter();
+        blocks.all(|block| block.follows(&all, *row, &[x]))
+    };
     let (mut along, mut distinguishing) = (vec![x], Vec::new());
     for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
         match !worked_out(&row) && !study.blocks.is_empty() && follows(&row) {

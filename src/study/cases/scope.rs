@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::filter::Filter;
 use crate::problem::Problem;
-use crate::problem::parameter::Value;
+use crate::problem::parameter::{Default, Value};
 use crate::study::Measure;
 use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::object::Object;
@@ -192,8 +192,12 @@ impl Scope {
     /// Whether the parameters in `from` decide a parameter, in every block with cases that a filter selects.
     pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
         let selected = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
+        let default = &self.problem.parameters()[parameter].default;
+        // A block that does not give a parameter without default has no value of it.
+        let lacks =
+            |block: &Block| !matches!(default, Default::Is(_)) && !block.gives(parameter);
         let mut blocks = self.blocks.iter().filter(selected);
-        blocks.all(|block| block.follows(parameter, from))
+        blocks.all(|block| lacks(block) || block.follows(filter, parameter, from))
     }
 
     /// The different values of a parameter among the cases that a filter selects.

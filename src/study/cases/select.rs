@@ -102,10 +102,12 @@ impl Block {
         distinct(positions.iter().map(|i| values[*i as usize]))
     }
 
-    /// Whether the parameters in `from` decide a parameter: it advances together with one of them, or has an expression of
-    /// them.
-    pub fn follows(&self, parameter: usize, from: &[usize]) -> bool {
-        let decided = |group: &Group| group.len() == 1 || from.iter().any(|row| group.has(*row));
+    /// Whether the parameters in `from` decide a parameter among the cases that a filter selects: it advances together with one
+    /// of them, or has an expression of them and of values that the filter fixes.
+    pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
+        let decided = |group: &Group| {
+            group.positions(filter).len() == 1 || from.iter().any(|row| group.has(*row))
+        };
         let mut groups = self.groups.iter();
         match self.derived.iter().find(|d| d.parameter == parameter) {
             Some(derived) => {
