@@ -78,7 +78,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
         ("\"n\": \"n\"", "\"n\": \"n/4\"", "structure.bars.g1|g2.n", "whole number"),
         ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.right\"]", "gap12.between", "two different nodes"),
         ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.10\"]", "gap12.between[1]", "inner nodes 1 to 9"),
-        ("records/name.AT2", "records/none.AT2", "11:25: structure.ground.record", "cannot read"),
+        ("records/name.AT2", "records/none.AT2", "12:27: structure.ground.record", "cannot read"),
         ("\"unit\": \"g\"", "\"unit\": \"gal\"", "structure.ground.unit", "allowed: g, m/s2, cm/s2"),
         ("\"unit\": \"g\"", "\"unit\": \"m/s2\"", "structure.ground.record", "the file is in g"),
         ("\"sine\": { \"amplitude\": 1, \"omega\": 2, \"phase\": 0 }", "\"table\": {\"t\": [1, 0], \"f\": [1, 2]}", "structure.loads[0]", "times must rise"),
