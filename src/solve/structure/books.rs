@@ -56,7 +56,7 @@ impl<const L: usize> Books<L> {
         let mut supplied = self.supplied;
         for (i, [own, _]) in self.nodes[..prepared.nodes()].iter().enumerate() {
             supplied = supplied + *own * state.load(i);
-            for link in later(prepared.links(i), i) {
+            for link in later(prepared.links.list(i), i) {
                 let change = self.nodes[link.to][0] - *own;
                 supplied = supplied - change * change * link.c;
             }
@@ -102,7 +102,7 @@ impl<const L: usize> State<'_, L> {
         for (i, own) in self.nodes[..prepared.nodes()].iter().enumerate() {
             let displacement = u(own);
             twice = twice + own.w * own.w * prepared.inertia(i);
-            for link in later(prepared.links(i), i) {
+            for link in later(prepared.links.list(i), i) {
                 let change = u(&self.nodes[link.to]) - displacement;
                 twice = twice + change * change * link.k;
             }
@@ -127,7 +127,7 @@ impl<const L: usize> State<'_, L> {
     #[inline(always)]
     fn load(&self, i: usize) -> Lane<L> {
         let mut sum = Lane::splat(0.0);
-        for term in self.inputs.terms(i) {
+        for term in self.inputs.terms.list(i) {
             if term.input < self.inputs.loads() {
                 sum = sum + term.factor * self.input[term.input];
             }

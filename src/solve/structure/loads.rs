@@ -87,7 +87,7 @@ struct Varying<const L: usize> {
 pub(super) struct Inputs<const L: usize> {
     series: Vec<Vec<f64>>,
     loads: Vec<Series<L>>,
-    terms: Lists<Term<L>>,
+    pub(super) terms: Lists<Term<L>>,
     limits: Vec<Varying<L>>,
 }
 
@@ -129,12 +129,6 @@ impl<const L: usize> Inputs<L> {
     /// Number of loads.
     pub(super) fn loads(&self) -> usize {
         self.loads.len()
-    }
-
-    /// Terms of the force on the node at place `i`.
-    #[inline(always)]
-    pub(super) fn terms(&self, i: usize) -> &[Term<L>] {
-        self.terms.list(i)
     }
 
     /// Writes the mean of each load over the step that ends at `step`.

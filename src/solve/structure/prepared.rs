@@ -14,11 +14,11 @@ pub struct Prepared {
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
     /// Neighbours of each place; the place behind the last one is the ground.
-    links: Lists<Link>,
+    pub(super) links: Lists<Link>,
     /// Places I and J of each contact.
     pub(super) between: Vec<[usize; 2]>,
     /// L^-1 B by columns, without zeros.
-    reduced: Lists<Reduced>,
+    pub(super) reduced: Lists<Reduced>,
     /// H = B^T Khat^-1 B by rows.
     pub(super) flexibility: Vec<f64>,
     key: Key,
@@ -141,18 +141,6 @@ impl Prepared {
     pub(super) fn inertia(&self, i: usize) -> f64 {
         self.key.masses[self.factor.order()[i]] / (self.dt * self.dt)
     }
-
-    /// Neighbours of the node at place `i`.
-    #[inline(always)]
-    pub(super) fn links(&self, i: usize) -> &[Link] {
-        self.links.list(i)
-    }
-
-    /// Column of L^-1 B of a contact.
-    #[inline(always)]
-    pub(super) fn reduced(&self, contact: usize) -> &[Reduced] {
-        self.reduced.list(contact)
-    }
 }
 
 /// The nodes of a load.
@@ -205,17 +193,15 @@ fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
     let mut column = vec![0.0; n + 1];
     column[i] -= 1.0;
     column[j] += 1.0;
-    for k in 0..n {
-        if column[k] != 0.0 {
-            for entry in factor.column(k) {
-                column[entry.at] -= entry.value * column[k];
-            }
+    for (k, below) in factor.columns().enumerate() {
+        for entry in below {
+            column[entry.at] -= entry.value * column[k];
         }
     }
     let entry = |(at, value): (usize, f64)| Reduced {
         at,
         value,
-        by_pivot: value * factor.reciprocal(at),
+        by_pivot: value * factor.reciprocals()[at],
     };
     let entries = column[..n].iter().copied().enumerate();
     entries.filter(|(_, x)| *x != 0.0).map(entry).collect()

@@ -137,10 +137,8 @@ impl<const L: usize> State<'_, L> {
         if self.inputs.limits_vary() {
             for (contact, limit, slides) in self.inputs.limits(step) {
                 let [mut low, mut high] = self.forces.bounds(contact);
-                for l in 0..L {
-                    if slides[l] {
-                        [low.0[l], high.0[l]] = friction(limit.0[l]);
-                    }
+                for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
+                    [low.0[l], high.0[l]] = friction(limit.0[l]);
                 }
                 self.forces.bound(contact, [low, high]);
             }
@@ -151,18 +149,19 @@ impl<const L: usize> State<'_, L> {
     /// L y = (p(i) + p(i+1))/2 - B S(i)/2 - K P(i) - C W(i)/dt.
     #[inline(always)]
     fn eliminate(&mut self) {
-        let prepared = self.prepared;
-        for i in 0..prepared.nodes() {
-            let own = self.nodes[i];
+        let factor = &self.prepared.factor;
+        let rows = self.prepared.links.lists().zip(factor.rows());
+        let rows = rows.zip(self.inputs.terms.lists()).zip(&self.nodes);
+        for (i, (((links, row), terms), own)) in rows.enumerate() {
             let mut q = Lane::splat(0.0);
-            for term in self.inputs.terms(i) {
+            for term in terms {
                 q = q + term.factor * self.input[term.input];
             }
-            for link in prepared.links(i) {
+            for link in links {
                 let other = &self.nodes[link.to];
                 q = q + ((other.p - own.p) * link.k + (other.w - own.w) * link.c);
             }
-            for entry in prepared.factor.row(i) {
+            for entry in row {
                 q = q - self.work[entry.at] * entry.value;
             }
             self.work[i] = q;
@@ -172,10 +171,10 @@ impl<const L: usize> State<'_, L> {
     /// The forces S(i+1), and y of the whole step.
     #[inline(always)]
     fn meet(&mut self, step: usize) {
-        let prepared = self.prepared;
+        let reduced = &self.prepared.reduced;
         for (c, contact) in self.contacts.iter_mut().enumerate() {
             let mut change = Lane::splat(0.0);
-            for entry in prepared.reduced(c) {
+            for entry in reduced.list(c) {
                 change = change + self.work[entry.at] * entry.by_pivot;
             }
             let line = &contact.line;
@@ -201,7 +200,7 @@ impl<const L: usize> State<'_, L> {
             let force = self.force[c];
             contact.force = force;
             let mean = force * 0.5;
-            for entry in prepared.reduced(c) {
+            for entry in reduced.list(c) {
                 self.work[entry.at] = self.work[entry.at] - mean * entry.value;
             }
         }
@@ -210,10 +209,11 @@ impl<const L: usize> State<'_, L> {
     /// D L^T (W(i+1) - W(i)) = y.
     #[inline(always)]
     fn substitute(&mut self) {
-        let prepared = self.prepared;
-        for i in (0..prepared.nodes()).rev() {
-            let mut x = self.work[i] * prepared.factor.reciprocal(i);
-            for entry in prepared.factor.column(i) {
+        let factor = &self.prepared.factor;
+        let rows = factor.columns().zip(factor.reciprocals()).enumerate();
+        for (i, (column, reciprocal)) in rows.rev() {
+            let mut x = self.work[i] * *reciprocal;
+            for entry in column {
                 x = x - self.work[entry.at] * entry.value;
             }
             self.work[i] = x;

@@ -25,13 +25,14 @@ impl<T> Lists<T> {
     /// List `i`.
     #[inline(always)]
     pub fn list(&self, i: usize) -> &[T] {
-        &self.entries[self.start(i)..self.start(i + 1)]
+        &self.entries[self.starts[i]..self.starts[i + 1]]
     }
 
-    /// Place of the first entry of list `i` among all entries.
+    /// The lists.
     #[inline(always)]
-    pub fn start(&self, i: usize) -> usize {
-        self.starts[i]
+    pub fn lists(&self) -> impl DoubleEndedIterator<Item = &[T]> + ExactSizeIterator {
+        let ends = self.starts.windows(2);
+        ends.map(|ends| &self.entries[ends[0]..ends[1]])
     }
 
     /// The entries of all lists.

@@ -55,8 +55,8 @@ fn a_case_has_the_same_bits_in_every_lane() {
     for i in [2, 5] {
         // Other laws, and limits that change, in some lanes only.
         let laws = mixed(4, 1.3, &ground).contacts;
-        for c in 0..5 {
-            cases[i].contacts[c].law = laws[c].law.clone();
+        for (contact, other) in cases[i].contacts.iter_mut().zip(laws) {
+            contact.law = other.law;
         }
     }
     let cases: Vec<&Structure> = cases.iter().collect();

@@ -126,22 +126,22 @@ impl Factor {
         &self.order
     }
 
-    /// 1/D of the row at place `i` of the order.
+    /// 1/D in the order of elimination.
     #[inline(always)]
-    pub fn reciprocal(&self, i: usize) -> f64 {
-        self.reciprocals[i]
+    pub fn reciprocals(&self) -> &[f64] {
+        &self.reciprocals
     }
 
-    /// Row `i` of L, left of the diagonal, in the order of elimination.
+    /// The rows of L, left of the diagonal, in the order of elimination.
     #[inline(always)]
-    pub fn row(&self, i: usize) -> &[Entry] {
-        self.rows.list(i)
+    pub fn rows(&self) -> impl DoubleEndedIterator<Item = &[Entry]> + ExactSizeIterator {
+        self.rows.lists()
     }
 
-    /// Column `i` of L, below the diagonal, in the order of elimination.
+    /// The columns of L, below the diagonal, in the order of elimination.
     #[inline(always)]
-    pub fn column(&self, i: usize) -> &[Entry] {
-        self.columns.list(i)
+    pub fn columns(&self) -> impl DoubleEndedIterator<Item = &[Entry]> + ExactSizeIterator {
+        self.columns.lists()
     }
 
     /// Number of entries of L below its diagonal.
@@ -173,18 +173,18 @@ mod tests {
         let n = factor.order().len();
         let mut l = DMatrix::identity(n, n);
         let mut rows = DMatrix::identity(n, n);
-        for i in 0..n {
-            for entry in factor.column(i) {
+        for (i, (column, row)) in factor.columns().zip(factor.rows()).enumerate() {
+            for entry in column {
                 l[(entry.at, i)] = entry.value;
             }
-            for entry in factor.row(i) {
+            for entry in row {
                 rows[(i, entry.at)] = entry.value;
             }
         }
         assert_eq!(l, rows);
         let d = DMatrix::from_fn(n, n, |i, j| {
             if i == j {
-                1.0 / factor.reciprocal(i)
+                1.0 / factor.reciprocals()[i]
             } else {
                 0.0
             }
