@@ -21,13 +21,16 @@ mod books;
 mod forces;
 mod initial;
 mod laws;
+mod links;
 mod loads;
 mod prepared;
 mod run;
+mod state;
 
 pub use books::Books;
 pub use prepared::Prepared;
-pub use run::{ContactStep, State, run};
+pub use run::run;
+pub use state::{ContactStep, State};
 
 #[cfg(test)]
 mod tests;

@@ -28,13 +28,6 @@ impl<T> Lists<T> {
         &self.entries[self.starts[i]..self.starts[i + 1]]
     }
 
-    /// The lists.
-    #[inline(always)]
-    pub fn lists(&self) -> impl DoubleEndedIterator<Item = &[T]> + ExactSizeIterator {
-        let ends = self.starts.windows(2);
-        ends.map(|ends| &self.entries[ends[0]..ends[1]])
-    }
-
     /// The entries of all lists.
     pub fn entries(&self) -> &[T] {
         &self.entries
