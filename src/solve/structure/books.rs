@@ -1,8 +1,6 @@
 //! Energy books of a run, and the work of each contact.
 
 use super::State;
-use super::prepared::Link;
-use super::run::Increments;
 use crate::lane::Lane;
 
 /// Energy books of L structures: the method fulfils, with the means over a step,
@@ -16,6 +14,8 @@ use crate::lane::Lane;
 pub struct Books<const L: usize> {
     /// The change of u over the last step, and dt v after it.
     nodes: Vec<[Lane<L>; 2]>,
+    /// Means of the loads by place over the last step.
+    loads: Vec<Lane<L>>,
     /// r and S of the contacts after the last step.
     contacts: Vec<[Lane<L>; 2]>,
     /// Energy at t = 0.
@@ -35,7 +35,8 @@ impl<const L: usize> Books<L> {
         let zero = Lane::splat(0.0);
         let energy = start.energy();
         Books {
-            nodes: start.nodes.iter().map(|node| [zero, node.w]).collect(),
+            nodes: start.w.iter().map(|w| [zero, *w]).collect(),
+            loads: vec![zero; start.w.len()],
             contacts: start.contact_states().collect(),
             start: energy,
             supplied: zero,
@@ -49,17 +50,20 @@ impl<const L: usize> Books<L> {
     #[inline(always)]
     pub fn add(&mut self, state: &State<L>) {
         let prepared = state.prepared;
-        for ([change, w], now) in self.nodes.iter_mut().zip(&state.nodes) {
+        for ([change, w], now) in self.nodes.iter_mut().zip(&state.w) {
             // du = dt v_mean
-            (*change, *w) = ((*w + now.w) * 0.5, now.w);
+            (*change, *w) = ((*w + *now) * 0.5, *now);
         }
         let mut supplied = self.supplied;
-        for (i, [own, _]) in self.nodes[..prepared.nodes()].iter().enumerate() {
-            supplied = supplied + *own * state.load(i);
-            for link in later(prepared.links(i), i) {
-                let change = self.nodes[link.to][0] - *own;
-                supplied = supplied - change * change * link.c;
-            }
+        let change = |place: usize| self.nodes[place][0];
+        self.loads.fill(Lane::splat(0.0));
+        state.inputs.add_loads(state.step, &mut self.loads);
+        for (load, [change, _]) in self.loads.iter().zip(&self.nodes) {
+            supplied = supplied + *load * *change;
+        }
+        for link in prepared.all_links() {
+            let change = change(link.to) - change(link.from);
+            supplied = supplied - change * change * link.c;
         }
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
         for ((before, work), [r, s]) in contacts.zip(state.contact_states()) {
@@ -87,25 +91,18 @@ impl<const L: usize> Books<L> {
     }
 }
 
-/// The links to later places, and to the ground: each link once.
-#[inline(always)]
-fn later(links: &[Link], i: usize) -> impl Iterator<Item = &Link> {
-    links.iter().filter(move |link| link.to > i)
-}
-
 impl<const L: usize> State<'_, L> {
     /// Kinetic and strain energy, without the contacts.
     #[inline(always)]
     pub fn energy(&self) -> Lane<L> {
-        let (prepared, u) = (self.prepared, |node: &Increments<L>| node.p - node.w * 0.5);
+        let u = |place: usize| self.p[place] - self.w[place] * 0.5;
         let mut twice = Lane::splat(0.0);
-        for (i, own) in self.nodes[..prepared.nodes()].iter().enumerate() {
-            let displacement = u(own);
-            twice = twice + own.w * own.w * prepared.inertia(i);
-            for link in later(prepared.links(i), i) {
-                let change = u(&self.nodes[link.to]) - displacement;
-                twice = twice + change * change * link.k;
-            }
+        for (w, inertia) in self.w.iter().zip(&self.prepared.inertia) {
+            twice = twice + *w * *w * *inertia;
+        }
+        for link in self.prepared.all_links() {
+            let change = u(link.to) - u(link.from);
+            twice = twice + change * change * link.k;
         }
         twice * 0.5
     }
@@ -121,18 +118,6 @@ impl<const L: usize> State<'_, L> {
             twice = twice + contact.force * contact.force * compliance;
         }
         twice * 0.5
-    }
-
-    /// Mean of the loads on the node at place `i` over the last step.
-    #[inline(always)]
-    fn load(&self, i: usize) -> Lane<L> {
-        let mut sum = Lane::splat(0.0);
-        for term in self.inputs.terms(i) {
-            if term.input < self.inputs.loads() {
-                sum = sum + term.factor * self.input[term.input];
-            }
-        }
-        sum
     }
 
     /// r and S of the contacts.

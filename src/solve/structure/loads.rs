@@ -3,7 +3,6 @@
 use super::Prepared;
 use super::laws::varying;
 use crate::lane::Lane;
-use crate::system::structure::lists::Lists;
 use crate::system::structure::{Signal, Structure};
 use std::sync::Arc;
 
@@ -64,11 +63,11 @@ impl<const L: usize> Series<L> {
     }
 }
 
-/// A force on a node: a factor times one of the inputs, first the signals of the loads, then the contact forces.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Term<const L: usize> {
-    pub(super) input: usize,
-    pub(super) factor: Lane<L>,
+/// A load: a factor at each of its places times a signal.
+#[derive(Debug)]
+struct LaneLoad<const L: usize> {
+    pattern: Vec<(usize, Lane<L>)>,
+    signal: Series<L>,
 }
 
 /// A friction limit that changes with time, of at least one lane.
@@ -86,8 +85,7 @@ struct Varying<const L: usize> {
 #[derive(Debug)]
 pub(super) struct Inputs<const L: usize> {
     series: Vec<Vec<f64>>,
-    loads: Vec<Series<L>>,
-    terms: Lists<Term<L>>,
+    loads: Vec<LaneLoad<L>>,
     limits: Vec<Varying<L>>,
 }
 
@@ -96,52 +94,39 @@ impl<const L: usize> Inputs<L> {
     pub(super) fn new(cases: &[&Structure; L], prepared: &Prepared, steps: usize) -> Self {
         let mut samples = Samples::new(prepared.dt, steps);
         let mut loads = Vec::new();
-        let mut by_places = vec![Vec::new(); prepared.nodes() + 1];
-        for (input, load) in cases[0].loads.iter().enumerate() {
+        for (number, load) in cases[0].loads.iter().enumerate() {
             let mut of = [0; L];
             for (of, case) in of.iter_mut().zip(cases) {
-                *of = samples.number(&case.loads[input].signal);
+                *of = samples.number(&case.loads[number].signal);
             }
-            loads.push(Series::new(of));
-            for (k, (node, _)) in load.pattern.iter().enumerate() {
-                let mut factor = Lane::splat(0.0);
-                for (x, case) in factor.0.iter_mut().zip(cases) {
-                    *x = case.loads[input].pattern[k].1;
+            let factors = |(k, (node, _)): (usize, &(usize, f64))| {
+                let mut factors = Lane::splat(0.0);
+                for (x, case) in factors.0.iter_mut().zip(cases) {
+                    *x = case.loads[number].pattern[k].1;
                 }
-                by_places[prepared.place[*node]].push(Term { input, factor });
-            }
-        }
-        for (contact, [i, j]) in prepared.between.iter().enumerate() {
-            let input = loads.len() + contact;
-            for (place, sign) in [(*i, 1.0), (*j, -1.0)] {
-                let factor = Lane::splat(sign);
-                by_places[place].push(Term { input, factor });
-            }
+                (prepared.place[*node], factors)
+            };
+            loads.push(LaneLoad {
+                pattern: load.pattern.iter().enumerate().map(factors).collect(),
+                signal: Series::new(of),
+            });
         }
         Inputs {
-            terms: Lists::new(&by_places),
             limits: limits(cases, prepared, &mut samples),
             series: samples.series,
             loads,
         }
     }
 
-    /// Number of loads.
-    pub(super) fn loads(&self) -> usize {
-        self.loads.len()
-    }
-
-    /// Terms of the force on the node at place `i`.
+    /// Adds the mean of the loads over the step that ends at `step` to the forces by place.
     #[inline(always)]
-    pub(super) fn terms(&self, i: usize) -> &[Term<L>] {
-        self.terms.list(i)
-    }
-
-    /// Writes the mean of each load over the step that ends at `step`.
-    #[inline(always)]
-    pub(super) fn write_loads(&self, step: usize, to: &mut [Lane<L>]) {
-        for (to, load) in to.iter_mut().zip(&self.loads) {
-            *to = (load.at(&self.series, step - 1) + load.at(&self.series, step)) * 0.5;
+    pub(super) fn add_loads(&self, step: usize, force: &mut [Lane<L>]) {
+        for load in &self.loads {
+            let [from, to] = [step - 1, step].map(|step| load.signal.at(&self.series, step));
+            let mean = (from + to) * 0.5;
+            for (place, factor) in &load.pattern {
+                force[*place] = force[*place] + *factor * mean;
+            }
         }
     }
 

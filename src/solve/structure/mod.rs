@@ -16,18 +16,53 @@
 //! back substitution.
 //!
 //! A rigid stop has r >= 0 at the end of every step. The method does not know its restitution.
+//!
+//! A mass of 1 with the velocity 2 and Coulomb friction 1 comes to rest after 2 s at v^2/2 = 2:
+//!
+//! ```
+//! use slipgap::solve::structure::{Prepared, run};
+//! use slipgap::system::structure::{Contact, Limit, Node, Relation, Structure, Symmetric};
+//!
+//! let limit = Limit::constant(1.0);
+//! let floor = Contact {
+//!     name: "floor".to_string(),
+//!     between: [None, Some(0)],
+//!     gap: 0.0,
+//!     law: Relation::Coulomb { limit },
+//! };
+//! let block = Structure {
+//!     nodes: vec![Node { name: "block".to_string(), mass: 1.0 }],
+//!     stiffness: Symmetric::zeros(1),
+//!     damping: Symmetric::zeros(1),
+//!     contacts: vec![floor],
+//!     loads: Vec::new(),
+//!     displacement: vec![0.0],
+//!     velocity: vec![2.0],
+//! };
+//! let prepared = Prepared::new(&block, 0.01)?;
+//! let mut last = [0.0; 2];
+//! let [done] = run::<1>(&[&block], &prepared, 300, |_, state| {
+//!     last = [state.displacement(0), state.contact(0).force].map(|x| x.0[0]);
+//! });
+//! done?;
+//! assert!((last[0] - 2.0).abs() < 1e-10 && last[1].abs() < 1e-10);
+//! # Ok::<(), slipgap::solve::Unsolvable>(())
+//! ```
 
 mod books;
 mod forces;
 mod initial;
 mod laws;
+mod links;
 mod loads;
 mod prepared;
 mod run;
+mod state;
 
 pub use books::Books;
 pub use prepared::Prepared;
-pub use run::{ContactStep, State, run};
+pub use run::run;
+pub use state::{ContactStep, State};
 
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,8 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
+use super::links::{Link, Row, links, rows};
 use crate::solve::Unsolvable;
-use crate::system::structure::factor::{Factor, NotPositive};
+use crate::system::structure::factor::{Entry, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Load, Structure, Symmetric};
 
@@ -9,29 +10,23 @@ use crate::system::structure::{Load, Structure, Symmetric};
 #[derive(Debug, Clone)]
 pub struct Prepared {
     pub(super) dt: f64,
-    /// Of Khat/4.
-    pub(super) factor: Factor,
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
-    /// Neighbours of each place; the place behind the last one is the ground.
-    links: Lists<Link>,
+    /// Rows of Khat/4 = L D L^T in the order of elimination.
+    pub(super) rows: Vec<Row>,
+    /// Entries of L in the column of each place, without the one in its [`Row`].
+    pub(super) more: Lists<Entry>,
+    /// Links that are in no [`Row`]. The place behind the last one is the ground.
+    pub(super) links: Vec<Link>,
+    /// m/dt^2 by place.
+    pub(super) inertia: Vec<f64>,
     /// Places I and J of each contact.
     pub(super) between: Vec<[usize; 2]>,
     /// L^-1 B by columns, without zeros.
-    reduced: Lists<Reduced>,
+    pub(super) reduced: Lists<Reduced>,
     /// H = B^T Khat^-1 B by rows.
     pub(super) flexibility: Vec<f64>,
     key: Key,
-}
-
-/// Spring and dashpot between a node and a neighbour.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Link {
-    pub(super) to: usize,
-    /// Stiffness.
-    pub(super) k: f64,
-    /// c/dt.
-    pub(super) c: f64,
 }
 
 /// An entry of L^-1 B.
@@ -62,8 +57,9 @@ impl Prepared {
     pub fn new(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
         let n = structure.len();
         let mut matrix = Symmetric::zeros(n);
-        for (i, node) in structure.nodes.iter().enumerate() {
-            matrix.add(i, i, node.mass / (dt * dt));
+        let inertia = |node: usize| structure.nodes[node].mass / (dt * dt);
+        for i in 0..n {
+            matrix.add(i, i, inertia(i));
         }
         matrix.add_matrix(&structure.damping, 0.5 / dt);
         matrix.add_matrix(&structure.stiffness, 0.25);
@@ -80,17 +76,19 @@ impl Prepared {
         for (k, node) in factor.order().iter().enumerate() {
             place[*node] = k;
         }
-        let links = links(structure, &place, dt);
+        let (rows, more, links) = rows(&factor, links(structure, &place, dt));
         let at = |node: Option<usize>| node.map_or(n, |node| place[node]);
         let places: Vec<_> = between.iter().map(|ends| ends.map(at)).collect();
         let reduced: Vec<_> = places.iter().map(|ends| reduce(&factor, *ends)).collect();
         Ok(Prepared {
             dt,
-            links: Lists::new(&links),
+            rows,
+            more: Lists::new(&more),
+            links,
+            inertia: factor.order().iter().map(|node| inertia(*node)).collect(),
             flexibility: flexibility(&reduced),
             between: places,
             reduced: Lists::new(&reduced),
-            factor,
             place,
             key: Key {
                 masses: structure.nodes.iter().map(|node| node.mass).collect(),
@@ -136,67 +134,22 @@ impl Prepared {
         self.between.len()
     }
 
-    /// m/dt^2 of the node at place `i`.
-    #[inline(always)]
-    pub(super) fn inertia(&self, i: usize) -> f64 {
-        self.key.masses[self.factor.order()[i]] / (self.dt * self.dt)
-    }
-
-    /// Neighbours of the node at place `i`.
-    #[inline(always)]
-    pub(super) fn links(&self, i: usize) -> &[Link] {
-        self.links.list(i)
-    }
-
-    /// Column of L^-1 B of a contact.
-    #[inline(always)]
-    pub(super) fn reduced(&self, contact: usize) -> &[Reduced] {
-        self.reduced.list(contact)
+    /// All springs and dashpots.
+    pub(super) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
+        let link = |(from, row): (usize, &Row)| Link {
+            from,
+            to: row.to,
+            k: row.k,
+            c: row.c,
+        };
+        let of_rows = self.rows.iter().enumerate().map(link);
+        of_rows.chain(self.links.iter().copied())
     }
 }
 
 /// The nodes of a load.
 fn loaded(load: &Load) -> impl Iterator<Item = usize> + '_ {
     load.pattern.iter().map(|(node, _)| *node)
-}
-
-/// K and C as springs and dashpots between nodes, and to the ground.
-///
-/// Differences of displacements are exact where neighbours move alike, while the terms of a row of K cancel.
-fn links(structure: &Structure, place: &[usize], dt: f64) -> Vec<Vec<Link>> {
-    let n = structure.len();
-    let mut links: Vec<Vec<Link>> = vec![Vec::new(); n];
-    let mut add = |i: usize, to: usize, [k, c]: [f64; 2]| {
-        let links = &mut links[place[i]];
-        match links.iter_mut().find(|link| link.to == to) {
-            Some(link) => (link.k, link.c) = (link.k + k, link.c + c),
-            None => links.push(Link { to, k, c }),
-        }
-    };
-    for (matrix, [k, c]) in [
-        (&structure.stiffness, [1.0, 0.0]),
-        (&structure.damping, [0.0, 1.0 / dt]),
-    ] {
-        // Row sums are forces to the ground. The sum of a row without ground is round-off.
-        let mut sums = vec![0.0; n];
-        let mut sizes = vec![0.0; n];
-        for ((i, j), value) in matrix.entries() {
-            for i in if i == j { vec![i] } else { vec![i, j] } {
-                sums[i] += value;
-                sizes[i] += value.abs();
-            }
-            if i != j && value != 0.0 {
-                add(i, place[j], [-value * k, -value * c]);
-                add(j, place[i], [-value * k, -value * c]);
-            }
-        }
-        for (i, (sum, size)) in sums.into_iter().zip(sizes).enumerate() {
-            if f64::abs(sum) > 4.0 * f64::EPSILON * size {
-                add(i, n, [sum * k, sum * c]);
-            }
-        }
-    }
-    links
 }
 
 /// L^-1 B of a contact between two places; the place behind the last one is the ground.
@@ -206,16 +159,14 @@ fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
     column[i] -= 1.0;
     column[j] += 1.0;
     for k in 0..n {
-        if column[k] != 0.0 {
-            for entry in factor.column(k) {
-                column[entry.at] -= entry.value * column[k];
-            }
+        for entry in factor.column(k) {
+            column[entry.at] -= entry.value * column[k];
         }
     }
     let entry = |(at, value): (usize, f64)| Reduced {
         at,
         value,
-        by_pivot: value * factor.reciprocal(at),
+        by_pivot: value * factor.reciprocals()[at],
     };
     let entries = column[..n].iter().copied().enumerate();
     entries.filter(|(_, x)| *x != 0.0).map(entry).collect()

@@ -25,13 +25,7 @@ impl<T> Lists<T> {
     /// List `i`.
     #[inline(always)]
     pub fn list(&self, i: usize) -> &[T] {
-        &self.entries[self.start(i)..self.start(i + 1)]
-    }
-
-    /// Place of the first entry of list `i` among all entries.
-    #[inline(always)]
-    pub fn start(&self, i: usize) -> usize {
-        self.starts[i]
+        &self.entries[self.starts[i]..self.starts[i + 1]]
     }
 
     /// The entries of all lists.

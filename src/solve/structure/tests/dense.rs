@@ -146,7 +146,10 @@ fn all_patterns(
 fn the_textbook_form_moves_alike() {
     let ground = ground();
     let mut second = girders(1, 1.0, 3.0, &ground);
-    // A general C, and a start in motion.
+    // Closed loops, a general C, and a start in motion.
+    for (i, j) in [(0, 4), (2, 7), (1, 8), (5, 8)] {
+        second.stiffness.add_spring([Some(i), Some(j)], 3e3);
+    }
     second.damping.add(2, 5, -30.0);
     second.damping.add(2, 2, 80.0);
     second.damping.add(5, 5, 90.0);
@@ -190,8 +193,9 @@ fn the_textbook_form_moves_alike() {
         done.unwrap();
         // All contacts were free and at a bound.
         assert!(touched.iter().all(|t| *t == [true, true]), "{touched:?}");
-        for k in 0..3 {
-            assert!(worst[k] < 1e-9 * size[k], "{k} {worst:?} {size:?}");
+        // The textbook form takes differences of 4/dt^2 u, some 1e-11 of u. An impact's force is k_I = 4e6 times r.
+        for (k, tolerance) in [1e-10, 1e-9, 1e-8].into_iter().enumerate() {
+            assert!(worst[k] < tolerance * size[k], "{k} {worst:?} {size:?}");
         }
     }
 }

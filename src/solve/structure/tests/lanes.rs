@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::lane::Lane;
+use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, run};
 
 const STEPS: usize = 1500;
@@ -55,8 +56,8 @@ fn a_case_has_the_same_bits_in_every_lane() {
     for i in [2, 5] {
         // Other laws, and limits that change, in some lanes only.
         let laws = mixed(4, 1.3, &ground).contacts;
-        for c in 0..5 {
-            cases[i].contacts[c].law = laws[c].law.clone();
+        for (contact, other) in cases[i].contacts.iter_mut().zip(laws) {
+            contact.law = other.law;
         }
     }
     let cases: Vec<&Structure> = cases.iter().collect();
@@ -108,4 +109,43 @@ fn a_lane_that_fails_leaves_the_others_alone() {
     });
     alone.unwrap();
     assert_eq!(last[0].to_bits(), last[1].to_bits());
+}
+
+#[test]
+fn a_lane_fails_at_the_step_from_which_its_forces_are_not_unique() {
+    // Both contacts are open until t = 0.5 and stick from then on.
+    let signal = Signal::Table(Table::new(vec![0.0, 0.5, 0.5], vec![0.0, 0.0, 1.0]).unwrap());
+    let limit = Limit {
+        constant: 0.0,
+        varying: Some((1e3, Arc::new(signal))),
+    };
+    let mut stuck = masses(&[1.0]);
+    let law = Relation::Coulomb { limit };
+    stuck.contacts = vec![contact([None, Some(0)], 0.0, law); 2];
+    let mut free = stuck.clone();
+    for contact in &mut free.contacts {
+        contact.law = displacement_control(1.0, 1.0);
+    }
+    let prepared = Prepared::new(&stuck, 0.25).unwrap();
+    let done = run::<2>(&[&stuck, &free], &prepared, 10, |_, _| ());
+    let why = crate::contact::Unsolved::Singular;
+    assert_eq!(done, [Err(Unsolvable::NoForces { step: 2, why }), Ok(())]);
+}
+
+#[test]
+fn a_motion_that_grows_without_bound_is_out_of_range() {
+    // C < 0: v grows by (1 + 1/2)/(1 - 1/2) = 3 in a step.
+    let mut moving = masses(&[1.0]);
+    moving.damping.add(0, 0, -10.0);
+    moving.contacts = vec![contact(
+        [None, Some(0)],
+        0.0,
+        displacement_control(1.0, 1.0),
+    )];
+    let rest = moving.clone();
+    moving.velocity[0] = 1.0;
+    let prepared = Prepared::new(&moving, 0.1).unwrap();
+    let run = |steps| run::<2>(&[&moving, &rest], &prepared, steps, |_, _| ());
+    assert_eq!(run(600), [Ok(()), Ok(())]);
+    assert_eq!(run(700), [Err(Unsolvable::OutOfRange), Ok(())]);
 }

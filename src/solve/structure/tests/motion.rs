@@ -137,6 +137,64 @@ fn a_block_that_coulomb_friction_holds_does_not_move() {
 }
 
 #[test]
+fn softened_laws_give_the_forces_at_the_start() {
+    let mut structure = masses(&[1.0]);
+    structure.displacement[0] = -0.3;
+    structure.velocity[0] = 2.0;
+    let between = [None, Some(0)];
+    structure.contacts = vec![
+        contact(between, 0.1, Relation::ImpactSpring { stiffness: 50.0 }),
+        contact(between, 0.0, displacement_control(7.0, 1.0)),
+        contact(between, 0.0, velocity_control(0.25, 1.0)),
+        contact(between, 0.0, velocity_control(5.0, 1.0)),
+        contact(
+            between,
+            0.0,
+            Relation::Coulomb {
+                limit: Limit::constant(3.0),
+            },
+        ),
+    ];
+    let prepared = Prepared::new(&structure, 0.01).unwrap();
+    let [done] = run::<1>(&[&structure], &prepared, 0, |_, state| {
+        for (c, force) in [-10.0, 0.0, 0.5, 1.0, 3.0].into_iter().enumerate() {
+            assert!((state.contact(c).force.0[0] - force).abs() < 1e-14);
+            assert!((state.contact(c).velocity.0[0] - 2.0).abs() < 1e-15);
+        }
+        assert!((state.contact(0).displacement.0[0] + 0.2).abs() < 1e-16);
+    });
+    done.unwrap();
+}
+
+#[test]
+fn two_equal_contacts_move_like_one_of_twice_the_stiffness_and_limit() {
+    let mut structure = masses(&[1.0]);
+    structure.stiffness.add(0, 0, 1.0);
+    structure.loads = vec![Load {
+        pattern: vec![(0, 1.0)],
+        signal: Arc::new(Signal::Sine {
+            amplitude: 2.0,
+            omega: 0.7,
+            phase: 0.3,
+        }),
+    }];
+    for stiffness in [1e2, 1e6, 1e10] {
+        let own = |factor: f64| {
+            let law = displacement_control(factor * stiffness, factor * 0.4);
+            contact([None, Some(0)], 0.0, law)
+        };
+        structure.contacts = vec![own(1.0), own(1.0)];
+        let two = displacements(&structure, 0.01, 3000);
+        structure.contacts = vec![own(2.0)];
+        let one = displacements(&structure, 0.01, 3000);
+        for (two, one) in two.iter().zip(one) {
+            // A of both has the condition number 2 h k, h = 2.5e-5, but the sum of their forces does not depend on it.
+            assert!((two - one).abs() < 1e-11, "{stiffness} {two} {one}");
+        }
+    }
+}
+
+#[test]
 fn a_rigid_stop_is_not_passed() {
     // A mass on a spring that a stop at -0.1 cuts off.
     let mut structure = masses(&[1.0]);

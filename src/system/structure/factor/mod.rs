@@ -18,14 +18,13 @@ pub struct Factor {
     /// 1/D.
     reciprocals: Vec<f64>,
     /// L without its diagonal.
-    rows: Lists<Entry>,
     columns: Lists<Entry>,
 }
 
 /// An entry of L.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
-    /// Column of an entry in a row, row of an entry in a column.
+    /// Its row.
     pub at: usize,
     /// The number.
     pub value: f64,
@@ -101,11 +100,9 @@ impl Factor {
         for (k, row) in order.iter().enumerate() {
             place[*row] = k;
         }
-        let mut by_rows = vec![Vec::new(); order.len()];
         let mut by_columns = vec![Vec::new(); order.len()];
         for (k, column) in columns.into_iter().enumerate() {
             for (row, value) in column {
-                by_rows[place[row]].push(Entry { at: k, value });
                 let at = place[row];
                 by_columns[k].push(Entry { at, value });
             }
@@ -116,7 +113,6 @@ impl Factor {
         Factor {
             reciprocals: order.iter().map(|row| 1.0 / diagonal[*row]).collect(),
             order,
-            rows: Lists::new(&by_rows),
             columns: Lists::new(&by_columns),
         }
     }
@@ -126,27 +122,19 @@ impl Factor {
         &self.order
     }
 
-    /// 1/D of the row at place `i` of the order.
-    #[inline(always)]
-    pub fn reciprocal(&self, i: usize) -> f64 {
-        self.reciprocals[i]
+    /// 1/D in the order of elimination.
+    pub fn reciprocals(&self) -> &[f64] {
+        &self.reciprocals
     }
 
-    /// Row `i` of L, left of the diagonal, in the order of elimination.
-    #[inline(always)]
-    pub fn row(&self, i: usize) -> &[Entry] {
-        self.rows.list(i)
-    }
-
-    /// Column `i` of L, below the diagonal, in the order of elimination.
-    #[inline(always)]
+    /// Column `i` of L, below the diagonal, in the order of elimination; its rows rise.
     pub fn column(&self, i: usize) -> &[Entry] {
         self.columns.list(i)
     }
 
     /// Number of entries of L below its diagonal.
     pub fn entries(&self) -> usize {
-        self.rows.entries().len()
+        self.columns.entries().len()
     }
 }
 
@@ -172,19 +160,14 @@ mod tests {
     fn product(factor: &Factor) -> DMatrix<f64> {
         let n = factor.order().len();
         let mut l = DMatrix::identity(n, n);
-        let mut rows = DMatrix::identity(n, n);
         for i in 0..n {
             for entry in factor.column(i) {
                 l[(entry.at, i)] = entry.value;
             }
-            for entry in factor.row(i) {
-                rows[(i, entry.at)] = entry.value;
-            }
         }
-        assert_eq!(l, rows);
         let d = DMatrix::from_fn(n, n, |i, j| {
             if i == j {
-                1.0 / factor.reciprocal(i)
+                1.0 / factor.reciprocals()[i]
             } else {
                 0.0
             }

@@ -1,0 +1,195 @@
+//! The state of structures in lanes.
+
+use super::Prepared;
+use super::forces::Forces;
+use super::initial;
+use super::laws::{Line, bounds};
+use super::loads::Inputs;
+use crate::lane::Lane;
+use crate::system::structure::Structure;
+
+/// The state of L structures after a step.
+#[derive(Debug)]
+pub struct State<'a, const L: usize> {
+    pub(super) prepared: &'a Prepared,
+    /// P = u + W/2 by place; the last one is the ground, which does not move.
+    pub(super) p: Vec<Lane<L>>,
+    /// W = dt v.
+    pub(super) w: Vec<Lane<L>>,
+    pub(super) contacts: Vec<ContactState<L>>,
+    pub(super) forces: Forces<L>,
+    pub(super) inputs: Inputs<L>,
+    /// The last step.
+    pub(super) step: usize,
+    /// Right side, then the solution; the last one is the ground.
+    pub(super) work: Vec<Lane<L>>,
+    pub(super) trial: Vec<Lane<L>>,
+    pub(super) force: Vec<Lane<L>>,
+}
+
+/// The motion of a contact, and its law.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ContactState<const L: usize> {
+    /// gap + B^T P.
+    pub(super) p: Lane<L>,
+    /// B^T W.
+    pub(super) w: Lane<L>,
+    /// S.
+    pub(super) force: Lane<L>,
+    pub(super) gap: Lane<L>,
+    pub(super) line: LaneLine<L>,
+    /// B^T of the change of W without S(i+1).
+    pub(super) change: Lane<L>,
+}
+
+/// The laws of a contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LaneLine<const L: usize> {
+    pub(super) compliance: Lane<L>,
+    pub(super) by_increment: Lane<L>,
+    pub(super) by_displacement: Lane<L>,
+    pub(super) by_force: Lane<L>,
+}
+
+/// A contact after a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactStep<const L: usize> {
+    /// Relative displacement r.
+    pub displacement: Lane<L>,
+    /// Relative velocity rdot.
+    pub velocity: Lane<L>,
+    /// Force S.
+    pub force: Lane<L>,
+    /// Friction limit; 0 for an impact.
+    pub limit: Lane<L>,
+    /// r - S/k^C of the displacement-control model; r of the other laws.
+    pub slip: Lane<L>,
+}
+
+impl<const L: usize> State<'_, L> {
+    /// Displacement of a node, numbered as in the structure.
+    #[inline(always)]
+    pub fn displacement(&self, node: usize) -> Lane<L> {
+        let place = self.prepared.place[node];
+        self.p[place] - self.w[place] * 0.5
+    }
+
+    /// Velocity of a node.
+    #[inline(always)]
+    pub fn velocity(&self, node: usize) -> Lane<L> {
+        let dt = self.prepared.dt;
+        self.w[self.prepared.place[node]].map(|w| w / dt)
+    }
+
+    /// A contact.
+    #[inline(always)]
+    pub fn contact(&self, contact: usize) -> ContactStep<L> {
+        let dt = self.prepared.dt;
+        let [_, limit] = self.forces.bounds(contact);
+        let contact = &self.contacts[contact];
+        let displacement = contact.p - contact.w * 0.5;
+        ContactStep {
+            displacement,
+            velocity: contact.w.map(|w| w / dt),
+            force: contact.force,
+            limit,
+            slip: displacement - contact.force * contact.line.by_force,
+        }
+    }
+
+    /// Number of contacts.
+    pub fn contacts(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.prepared.nodes()
+    }
+
+    /// Whether the motion of each lane is finite.
+    pub(super) fn finite(&self) -> [bool; L] {
+        let mut finite = [true; L];
+        for (p, w) in self.p.iter().zip(&self.w) {
+            for (l, finite) in finite.iter_mut().enumerate() {
+                *finite &= p.0[l].is_finite() && w.0[l].is_finite();
+            }
+        }
+        finite
+    }
+}
+
+impl<'a, const L: usize> State<'a, L> {
+    /// The structures at t = 0.
+    pub(super) fn new(cases: &[&Structure; L], prepared: &'a Prepared, inputs: Inputs<L>) -> Self {
+        let (n, m) = (prepared.nodes(), prepared.contacts());
+        let (dt, zero) = (prepared.dt, Lane::splat(0.0));
+        let (mut p, mut w) = (vec![zero; n + 1], vec![zero; n + 1]);
+        for (node, place) in prepared.place.iter().enumerate() {
+            for (l, case) in cases.iter().enumerate() {
+                w[*place].0[l] = dt * case.velocity[node];
+                p[*place].0[l] = case.displacement[node] + 0.5 * w[*place].0[l];
+            }
+        }
+        let of = |number: &dyn Fn(&Structure) -> f64| {
+            let mut lane = zero;
+            for (x, case) in lane.0.iter_mut().zip(cases) {
+                *x = number(case);
+            }
+            lane
+        };
+        let line = |c: usize| {
+            let of =
+                |number: fn(Line) -> f64| of(&|case| number(Line::new(&case.contacts[c].law, dt)));
+            LaneLine {
+                compliance: of(|line| line.compliance),
+                by_increment: of(|line| line.by_increment),
+                by_displacement: of(|line| line.by_displacement),
+                by_force: of(|line| line.by_force),
+            }
+        };
+        let mut force = vec![zero; m];
+        let mut failures = Vec::new();
+        for (l, case) in cases.iter().enumerate() {
+            match initial::forces(case) {
+                Ok(forces) => {
+                    for (force, start) in force.iter_mut().zip(forces) {
+                        force.0[l] = start;
+                    }
+                }
+                Err(why) => failures.push((l, why)),
+            }
+        }
+        let contact = |c: usize| ContactState {
+            p: zero,
+            w: zero,
+            force: force[c],
+            gap: of(&|case| case.contacts[c].gap),
+            line: line(c),
+            change: zero,
+        };
+        let contacts: Vec<_> = (0..m).map(contact).collect();
+        let bound = |c: usize| {
+            let side = |k: usize| of(&|case| bounds(&case.contacts[c], 0.0)[k]);
+            (contacts[c].line.compliance, [side(0), side(1)])
+        };
+        let mut forces = Forces::new(&prepared.flexibility, (0..m).map(bound));
+        for (lane, why) in failures {
+            forces.fail(lane, 0, why);
+        }
+        let mut state = State {
+            prepared,
+            p,
+            w,
+            contacts,
+            forces,
+            inputs,
+            step: 0,
+            work: vec![zero; n + 1],
+            trial: vec![zero; m],
+            force,
+        };
+        state.touch();
+        state
+    }
+}
