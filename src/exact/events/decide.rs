@@ -52,7 +52,7 @@ pub fn decide(
         return Ok(());
     }
     stop(model, &candidates, u, v);
-    series.begin(model, [series.start, series.length], u, v);
+    series.begin(model, [series.start, series.length, series.phase], [u, v]);
     for order in 0..ORDERS {
         series.free_acceleration(order, model, states);
         decide_order(model, series, order, scales, states, &mut candidates)?;

@@ -4,7 +4,7 @@
 //! round-off on pieces that are short against the shortest period (`series`), for any C and without eigenvalues. Event functions
 //! are polynomials of a piece; their Bernstein coefficients prove that no event is missed (`bernstein`, `watch`). Forces of
 //! softened laws are continuous, so that simultaneous events need no order (`review`). Which rigid contacts stick or stay shut,
-//! and impulses, are problems of a box (`decide`, `rigid`).
+//! and impulses, are the problem that a step has, too (`decide`, `rigid`, [`crate::contact::CoupledForces`]).
 
 mod bernstein;
 mod book;
@@ -18,6 +18,7 @@ mod rigid;
 mod room;
 mod scales;
 mod series;
+mod settle;
 mod signals;
 mod sparse;
 #[cfg(test)]
@@ -80,7 +81,7 @@ pub struct Summary {
     pub events: Vec<Event>,
     /// Number of pieces.
     pub pieces: usize,
-    /// Smallest |rdot| of a contact that closes. After a closing with |rdot| = g, errors grow as 1/g.
+    /// Smallest |rdot| of an impact contact that closes, impacts that accumulate included. Errors grow as its inverse.
     pub least_impact_rate: Option<f64>,
     /// The energy book.
     pub book: Book,

@@ -1,8 +1,10 @@
 //! Motions against closed forms, printed numbers and other methods.
 
+mod bars;
 mod friction;
 mod impact;
 mod random;
+mod restarts;
 mod several;
 
 use super::*;
