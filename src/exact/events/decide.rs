@@ -3,9 +3,10 @@
 //! Their forces minimise 1/2 S^T A S - S^T d within their bounds, A = B^T M^-1 B, where d is r'' without them. A contact at its
 //! limit with r'' = 0 is decided by r''', and so on: then the derivatives of its force have the bound.
 
+use super::least::{Singular, least};
 use super::model::Model;
 use super::phase::{ContactState, Phase};
-use super::rigid::{Singular, solve_box};
+
 use super::scales::Scales;
 use super::series::Series;
 use crate::system::structure::Relation;
@@ -151,8 +152,12 @@ fn decide_order(
         } else {
             0.0
         };
-        // The limit of an open contact is 0, not negative.
-        let limit = if order == 0 { limit.max(0.0) } else { limit };
+        // Below 0 by round-off.
+        let limit = if candidate.at == [true; 2] {
+            limit.max(0.0)
+        } else {
+            limit
+        };
         low[i] = if candidate.at[0] {
             -limit
         } else {
@@ -166,36 +171,34 @@ fn decide_order(
     }
     let size: Vec<f64> = d.iter().map(|d| d.abs()).collect();
     let bounds = [low, high];
-    let unique = solve_box(flexibility.clone(), &d, &bounds, &size, &mut force)?;
+    let unique = least(flexibility.clone(), &d, &bounds, &size, &mut force)?;
     let [low, high] = bounds;
     for (contact, force) in contacts.iter().zip(&force) {
         series.apply(order, *contact, *force, model);
     }
     let largest = (0..m).map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]));
     let zero = ZERO * largest.fold(0.0, f64::max) + ROUND_OFF * scales.force();
-    let mut i = 0;
+    let mut i = 0..m;
     candidates.retain_mut(|candidate| {
+        let i = i.next().unwrap_or_default();
         let left = series.relative_acceleration(candidate.contact, model) / flexibility[i * m + i];
         let [over, under] = [force[i] - low[i], high[i] - force[i]];
-        i += 1;
         if left.abs() > zero && candidate.at[usize::from(left > 0.0)] {
             candidate.leave(left > 0.0, states);
             return false;
         }
-        // A limit that starts at 0.
         let both = candidate.at == [true; 2] && order > 0;
         candidate.at[0] &= over <= zero;
         candidate.at[1] &= under <= zero;
         let one = candidate.at[0] != candidate.at[1];
-        if !unique && (both || one) {
-            candidate.leave(
-                if one {
-                    candidate.at[1]
-                } else {
-                    force[i - 1] >= 0.0
-                },
-                states,
-            );
+        // The second case is a limit that starts at 0.
+        if !unique && (one || both) {
+            let upper = if one {
+                candidate.at[1]
+            } else {
+                force[i] >= 0.0
+            };
+            candidate.leave(upper, states);
             return false;
         }
         true

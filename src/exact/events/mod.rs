@@ -10,6 +10,7 @@ mod bernstein;
 mod book;
 mod cholesky;
 mod decide;
+mod least;
 mod model;
 mod motion;
 mod phase;
@@ -104,7 +105,7 @@ pub enum EventsFault {
         /// The time reached.
         time: f64,
     },
-    /// The forces of rigid contacts are not unique.
+    /// A rigid contact is between a node, or the ground, and itself.
     Singular {
         /// The time.
         time: f64,
@@ -138,10 +139,13 @@ impl fmt::Display for EventsFault {
             ),
             EventsFault::Singular { time } => write!(
                 f,
-                "the forces of the rigid contacts at t = {time} are not unique; give one of them a stiffness or a viscosity"
+                "a rigid contact has no force at t = {time}; it must be between two nodes, or a node and the ground"
             ),
             EventsFault::Unsettled { time } => {
-                write!(f, "the contacts do not settle at t = {time}")
+                write!(
+                    f,
+                    "the contacts do not settle at t = {time}; give a rigid contact that shares its load with others a stiffness"
+                )
             }
             EventsFault::Overlap { contact, r } => write!(
                 f,
@@ -153,7 +157,34 @@ impl fmt::Display for EventsFault {
 
 impl std::error::Error for EventsFault {}
 
-/// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, which rise from a number >= 0.
+/// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, finite numbers that rise from a number >= 0.
+///
+/// A mass slides with 2, is slowed down by a limit of 1, and rests from t = 2 on at u = 2^2/2:
+///
+/// ```
+/// use slipgap::exact::events::run;
+/// use slipgap::system::structure::{Contact, Limit, Node, Relation, Structure, Symmetric};
+///
+/// let mass = Structure {
+///     nodes: vec![Node { name: "mass".into(), mass: 1.0 }],
+///     stiffness: Symmetric::zeros(1),
+///     damping: Symmetric::zeros(1),
+///     contacts: vec![Contact {
+///         name: "floor".into(),
+///         between: [None, Some(0)],
+///         gap: 0.0,
+///         law: Relation::Coulomb { limit: Limit::constant(1.0) },
+///     }],
+///     loads: Vec::new(),
+///     displacement: vec![0.0],
+///     velocity: vec![2.0],
+/// };
+/// let mut u = 0.0;
+/// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;
+/// assert_eq!((u, summary.events[1].time), (2.0, 2.0));
+/// assert_eq!(summary.book.dissipated, 2.0);
+/// # Ok::<(), slipgap::exact::events::EventsFault>(())
+/// ```
 pub fn run(
     structure: &Structure,
     times: &[f64],

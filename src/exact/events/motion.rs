@@ -134,7 +134,8 @@ impl<'a> Motion<'a> {
     pub fn advance(&mut self) -> Result<(), EventsFault> {
         self.pieces += 1;
         self.begin();
-        if self.pieces > MOST_PIECES || self.series.length <= 0.0 {
+        // Shorter pieces than the round-off of t have no end.
+        if self.pieces > MOST_PIECES || self.length < f64::EPSILON * self.end {
             return Err(EventsFault::TooManyPieces {
                 most: MOST_PIECES,
                 time: self.t,

@@ -1,10 +1,11 @@
 //! The phases after an event or a point of a table.
 
 use super::decide::decide;
+use super::least::Singular;
 use super::motion::Motion;
 use super::phase::{ContactState, Phase, is_rigid};
 use super::review::Review;
-use super::rigid::{Constraints, Singular, impacts};
+use super::rigid::{Constraints, impacts};
 use super::watch::{Crossing, Found};
 use super::{Event, EventKind, EventsFault};
 

@@ -270,3 +270,66 @@ fn the_motion_does_not_depend_on_the_times() {
     .unwrap();
     assert_eq!(all, few);
 }
+
+/// Three bars of 11 elements on friction bearings, with dampers and a record: 36 nodes and 5 contacts.
+fn bridge() -> Structure {
+    let points: Vec<[f64; 2]> = (0..500)
+        .map(|i| {
+            let t = 0.01 * f64::from(i);
+            [
+                t,
+                libm::sin(1.7 * t) + libm::cos(5.1 * t) + 0.3 * libm::sin(23.0 * t),
+            ]
+        })
+        .collect();
+    let ground: Vec<(usize, f64)> = (0..36).map(|i| (i, -1.0)).collect();
+    let mut s = masses(&[1.0; 36]).load(&ground, table(&points));
+    for i in 0..36 {
+        s = match i % 12 {
+            0 => s.spring([None, Some(i)], 5.0),
+            _ => s
+                .spring([Some(i - 1), Some(i)], 100.0)
+                .dashpot([Some(i - 1), Some(i)], 0.1),
+        };
+        s.velocity[i] = libm::sin(i as f64);
+    }
+    for i in [12, 24] {
+        s = s.contact(
+            [Some(i - 1), Some(i)],
+            0.1,
+            Relation::ImpactSpring { stiffness: 1000.0 },
+        );
+    }
+    for i in [0, 12, 24] {
+        let limit = Limit::constant(1.0);
+        let law = Relation::DisplacementControl {
+            stiffness: 100.0,
+            limit,
+        };
+        s = s.contact([None, Some(i)], 0.0, law);
+    }
+    s
+}
+
+#[test]
+fn a_bridge_moves_as_by_runge_kutta() {
+    let (exact, summary) = last(&bridge(), 3.0);
+    assert!(summary.events.len() > 20);
+    assert!(summary.book.residual < 1e-13 * summary.book.largest);
+    for (other, exact) in restarts(&bridge(), 3.0, 6000).iter().zip(&exact) {
+        // 3.6e-9, 2.2e-10 and 1.4e-11 for 3000, 6000 and 12000 steps.
+        assert!((other - exact).abs() < 5e-10, "{other} {exact}");
+    }
+}
+
+#[test]
+fn what_has_no_exact_motion_is_a_fault() {
+    let rigid = one().contact([None, None], 0.0, coulomb(1.0));
+    let fault = run(&rigid, &[1.0], |_, _| ()).unwrap_err();
+    let message = "a rigid contact has no force at t = 0; it must be between two nodes, or a node and the ground";
+    assert_eq!(fault.to_string(), message);
+    let stiff = one().spring([None, Some(0)], 1e200);
+    let fault = run(&stiff, &[1.0], |_, _| ()).unwrap_err();
+    let most = MOST_PIECES;
+    assert_eq!(fault, EventsFault::TooManyPieces { most, time: 0.0 });
+}
