@@ -8,8 +8,10 @@
 
 mod bernstein;
 mod book;
+mod candidate;
 mod cholesky;
 mod decide;
+mod fault;
 mod least;
 mod model;
 mod motion;
@@ -27,13 +29,13 @@ mod tests;
 mod watch;
 
 pub use book::Book;
+pub use fault::EventsFault;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
 use crate::system::structure::Structure;
 use motion::Motion;
 use room::Room;
-use std::fmt;
 
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,75 +89,6 @@ pub struct Summary {
     /// The energy book.
     pub book: Book,
 }
-
-/// Why there is no exact motion.
-#[derive(Debug, Clone, PartialEq)]
-pub enum EventsFault {
-    /// The motion has too many events.
-    TooManyEvents {
-        /// The largest number of events.
-        most: usize,
-        /// The time reached.
-        time: f64,
-    },
-    /// The motion has too many pieces: it is long compared with the shortest period, or a contact is very stiff or viscous.
-    TooManyPieces {
-        /// The largest number of pieces.
-        most: usize,
-        /// The time reached.
-        time: f64,
-    },
-    /// A rigid contact is between a node, or the ground, and itself.
-    Singular {
-        /// The time.
-        time: f64,
-    },
-    /// Contacts change their phases without end at one time.
-    Unsettled {
-        /// The time.
-        time: f64,
-    },
-    /// A rigid stop starts with r < 0.
-    Overlap {
-        /// Name of the contact.
-        contact: String,
-        /// r at t = 0.
-        r: f64,
-    },
-}
-
-impl fmt::Display for EventsFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            EventsFault::TooManyEvents { most, time } => {
-                write!(
-                    f,
-                    "the exact motion has more than {most} events up to t = {time}"
-                )
-            }
-            EventsFault::TooManyPieces { most, time } => write!(
-                f,
-                "the exact motion needs more than {most} pieces up to t = {time}; a contact is too stiff or too viscous for it"
-            ),
-            EventsFault::Singular { time } => write!(
-                f,
-                "a rigid contact has no force at t = {time}; it must be between two nodes, or a node and the ground"
-            ),
-            EventsFault::Unsettled { time } => {
-                write!(
-                    f,
-                    "the contacts do not settle at t = {time}; give a rigid contact that shares its load with others a stiffness"
-                )
-            }
-            EventsFault::Overlap { contact, r } => write!(
-                f,
-                "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for EventsFault {}
 
 /// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, finite numbers that rise from a number >= 0.
 ///
