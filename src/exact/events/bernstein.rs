@@ -99,3 +99,61 @@ fn last_positive(p: &Polynomial, low: f64) -> Option<f64> {
     }
     (p[0] > 0.0).then_some(0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The product of s - root, times a factor.
+    fn product(roots: &[f64], factor: f64) -> Polynomial {
+        let mut p = [0.0; TERMS];
+        p[0] = factor;
+        for root in roots {
+            for k in (0..TERMS).rev() {
+                p[k] = -root * p[k] + if k > 0 { p[k - 1] } else { 0.0 };
+            }
+        }
+        p
+    }
+
+    #[test]
+    fn bernstein_coefficients_are_those_of_the_definition() {
+        // s^2 on 0..=1/2: b_j = j (j - 1)/(n (n - 1))/4.
+        let b = bernstein(&product(&[0.0, 0.0], 1.0), 0.5);
+        for (j, b) in b.into_iter().enumerate() {
+            let expected = (j * j.saturating_sub(1)) as f64 / (24.0 * 23.0) / 4.0;
+            assert!((b - expected).abs() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn the_first_root_is_found() {
+        for (roots, factor, first) in [
+            (&[0.25][..], -1.0, 0.25),
+            (&[0.25, 0.7], 1.0, 0.25),
+            // A short time below 0.
+            (&[0.3, 0.300_01], 1.0, 0.3),
+            (&[0.2, 0.4, 0.6, 0.8, 0.9], -1.0, 0.2),
+            (&[1.5, 0.99, -3.0], 1.0, 0.99),
+            // It starts at 0.
+            (&[0.0, 0.5], -1.0, 0.5),
+            (&[0.0], -1.0, 0.0),
+        ] {
+            let p = product(roots, factor);
+            let root = first_negative(&p, 1.0, 1e-13).unwrap();
+            // Round-off over the slope, which is 1e-5 at the close roots.
+            assert!((root - first).abs() < 1e-10, "{roots:?}: {root}");
+            let before = first_negative(&p, first - 1e-9, 1e-13);
+            assert!(first == 0.0 || before.is_none());
+        }
+    }
+
+    #[test]
+    fn a_root_that_is_not_passed_is_no_event() {
+        assert_eq!(first_negative(&product(&[0.3, 0.3], 1.0), 1.0, 1e-13), None);
+        assert_eq!(first_negative(&product(&[1.1, 1.3], 1.0), 1.0, 1e-13), None);
+        // Below 0 by 2.5e-13 between close roots, with the tolerance 1e-12.
+        let shallow = product(&[0.3, 0.300_001], 1.0);
+        assert_eq!(first_negative(&shallow, 1.0, 1e-12), None);
+    }
+}

@@ -4,12 +4,15 @@
 //! round-off on pieces that are short against the shortest period (`series`), for any C and without eigenvalues. Event functions
 //! are polynomials of a piece; their Bernstein coefficients prove that no event is missed (`bernstein`, `watch`). Forces of
 //! softened laws are continuous, so that simultaneous events need no order (`review`). Which rigid contacts stick or stay shut,
-//! and impulses, are problems of a box (`decide`, `rigid`).
+//! and impulses, are the problem that a step has, too (`decide`, `rigid`, [`crate::contact::CoupledForces`]).
 
 mod bernstein;
 mod book;
+mod candidate;
 mod cholesky;
 mod decide;
+mod fault;
+mod least;
 mod model;
 mod motion;
 mod phase;
@@ -18,6 +21,7 @@ mod rigid;
 mod room;
 mod scales;
 mod series;
+mod settle;
 mod signals;
 mod sparse;
 #[cfg(test)]
@@ -25,13 +29,13 @@ mod tests;
 mod watch;
 
 pub use book::Book;
+pub use fault::EventsFault;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
 use crate::system::structure::Structure;
 use motion::Motion;
 use room::Room;
-use std::fmt;
 
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,79 +84,40 @@ pub struct Summary {
     pub events: Vec<Event>,
     /// Number of pieces.
     pub pieces: usize,
-    /// Smallest |rdot| of a contact that closes. After a closing with |rdot| = g, errors grow as 1/g.
+    /// Smallest |rdot| of an impact contact that closes, impacts that accumulate included. Errors grow as its inverse.
     pub least_impact_rate: Option<f64>,
     /// The energy book.
     pub book: Book,
 }
 
-/// Why there is no exact motion.
-#[derive(Debug, Clone, PartialEq)]
-pub enum EventsFault {
-    /// The motion has too many events.
-    TooManyEvents {
-        /// The largest number of events.
-        most: usize,
-        /// The time reached.
-        time: f64,
-    },
-    /// The motion has too many pieces: it is long compared with the shortest period, or a contact is very stiff or viscous.
-    TooManyPieces {
-        /// The largest number of pieces.
-        most: usize,
-        /// The time reached.
-        time: f64,
-    },
-    /// The forces of rigid contacts are not unique.
-    Singular {
-        /// The time.
-        time: f64,
-    },
-    /// Contacts change their phases without end at one time.
-    Unsettled {
-        /// The time.
-        time: f64,
-    },
-    /// A rigid stop starts with r < 0.
-    Overlap {
-        /// Name of the contact.
-        contact: String,
-        /// r at t = 0.
-        r: f64,
-    },
-}
-
-impl fmt::Display for EventsFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            EventsFault::TooManyEvents { most, time } => {
-                write!(
-                    f,
-                    "the exact motion has more than {most} events up to t = {time}"
-                )
-            }
-            EventsFault::TooManyPieces { most, time } => write!(
-                f,
-                "the exact motion needs more than {most} pieces up to t = {time}; a contact is too stiff or too viscous for it"
-            ),
-            EventsFault::Singular { time } => write!(
-                f,
-                "the forces of the rigid contacts at t = {time} are not unique; give one of them a stiffness or a viscosity"
-            ),
-            EventsFault::Unsettled { time } => {
-                write!(f, "the contacts do not settle at t = {time}")
-            }
-            EventsFault::Overlap { contact, r } => write!(
-                f,
-                "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for EventsFault {}
-
-/// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, which rise from a number >= 0.
+/// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, finite numbers that rise from a number >= 0.
+///
+/// A mass slides with 2, is slowed down by a limit of 1, and rests from t = 2 on at u = 2^2/2:
+///
+/// ```
+/// use slipgap::exact::events::run;
+/// use slipgap::system::structure::{Contact, Limit, Node, Relation, Structure, Symmetric};
+///
+/// let mass = Structure {
+///     nodes: vec![Node { name: "mass".into(), mass: 1.0 }],
+///     stiffness: Symmetric::zeros(1),
+///     damping: Symmetric::zeros(1),
+///     contacts: vec![Contact {
+///         name: "floor".into(),
+///         between: [None, Some(0)],
+///         gap: 0.0,
+///         law: Relation::Coulomb { limit: Limit::constant(1.0) },
+///     }],
+///     loads: Vec::new(),
+///     displacement: vec![0.0],
+///     velocity: vec![2.0],
+/// };
+/// let mut u = 0.0;
+/// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;
+/// assert_eq!((u, summary.events[1].time), (2.0, 2.0));
+/// assert_eq!(summary.book.dissipated, 2.0);
+/// # Ok::<(), slipgap::exact::events::EventsFault>(())
+/// ```
 pub fn run(
     structure: &Structure,
     times: &[f64],

@@ -6,7 +6,7 @@ use super::sparse::{RowSums, Rows};
 use crate::system::structure::Structure;
 
 /// Largest product of the bound of the frequencies and the length of a piece: the terms left out are below 2^27/27! = 1e-20.
-const LONGEST: f64 = 2.0;
+pub const LONGEST: f64 = 2.0;
 
 /// A structure with the inverse masses, the rows of K and C, and the times of the points of its tables.
 #[derive(Debug)]

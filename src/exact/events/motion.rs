@@ -1,40 +1,38 @@
 //! The motion, piece by piece.
 
 use super::book::{Book, energy};
-use super::decide::decide;
-use super::model::Model;
-use super::phase::{ContactState, Phase, is_rigid};
-use super::review::Review;
-use super::rigid::{Constraints, impacts};
+use super::model::{LONGEST, Model};
+use super::phase::{ContactState, Phase};
+use super::rigid::Constraints;
 use super::room::Room;
 use super::scales::Scales;
 use super::series::Series;
 use super::watch::{Found, first_event};
-use super::{Event, EventKind, EventsFault, bernstein};
+use super::{Event, EventsFault, bernstein};
 use crate::system::structure::{Relation, Structure};
 
 /// Most events of a motion.
 pub const MOST_EVENTS: usize = 1_000_000;
 
 /// Most pieces of a motion.
-pub const MOST_PIECES: usize = 10_000_000;
+pub const MOST_PIECES: usize = 5_000_000;
 
 /// Most events at one time, for each contact.
 const MOST_AT_ONCE: usize = 50;
 
 /// A motion at the end of a piece.
 pub struct Motion<'a> {
-    model: Model<'a>,
+    pub model: Model<'a>,
     end: f64,
-    t: f64,
-    u: Vec<f64>,
-    v: Vec<f64>,
-    states: Vec<ContactState>,
-    constraints: Constraints,
-    series: Series,
-    scales: Scales,
+    pub t: f64,
+    pub u: Vec<f64>,
+    pub v: Vec<f64>,
+    pub states: Vec<ContactState>,
+    pub constraints: Constraints,
+    pub series: Series,
+    pub scales: Scales,
     /// Length of a piece in the present phases.
-    length: f64,
+    pub length: f64,
     /// Index of the next point of a table.
     point: usize,
     /// Events since t last changed.
@@ -51,7 +49,7 @@ impl<'a> Motion<'a> {
     /// The motion at t = 0, up to `end`.
     pub fn start(structure: &'a Structure, end: f64) -> Result<Motion<'a>, EventsFault> {
         let model = Model::new(structure);
-        let closed = ContactState {
+        let open = ContactState {
             phase: Phase::Open,
             origin: 0.0,
             force: 0.0,
@@ -59,7 +57,7 @@ impl<'a> Motion<'a> {
         let mut motion = Motion {
             series: Series::new(&model),
             scales: Scales::new(structure.contacts.len()),
-            states: vec![closed; structure.contacts.len()],
+            states: vec![open; structure.contacts.len()],
             constraints: Constraints::default(),
             end,
             t: 0.0,
@@ -79,9 +77,11 @@ impl<'a> Motion<'a> {
         motion.refuse_overlaps()?;
         let (review, states) = motion.review();
         review.start(states);
-        motion.settle(None)?;
         motion.book.start = energy(&motion.model, &motion.states, &motion.u, &motion.v);
-        motion.book.close(motion.book.start);
+        motion.settle(None)?;
+        motion
+            .book
+            .close(energy(&motion.model, &motion.states, &motion.u, &motion.v));
         Ok(motion)
     }
 
@@ -104,13 +104,15 @@ impl<'a> Motion<'a> {
     }
 
     /// Starts the polynomials at t.
-    fn begin(&mut self) {
+    pub fn begin(&mut self) {
         let left = self.limit() - self.t;
         let length = self.length.min(if left > 0.0 { left } else { 1.0 });
         // The length between the times as numbers, so that their round-off does not add up.
         let length = (self.t + length) - self.t;
+        let phase = LONGEST * (length / self.length);
         let Motion { u, v, .. } = self;
-        self.series.begin(&self.model, [self.t, length], u, v);
+        self.series
+            .begin(&self.model, [self.t, length, phase], [u, v]);
         self.scales.include(&self.model, u, v, &self.series);
     }
 
@@ -128,26 +130,17 @@ impl<'a> Motion<'a> {
         Ok(())
     }
 
-    fn review(&mut self) -> (Review<'_>, &mut [ContactState]) {
-        let review = Review {
-            model: &self.model,
-            series: &self.series,
-            scales: &self.scales,
-            book: &mut self.book,
-        };
-        (review, &mut self.states)
-    }
-
     /// Computes the next piece up to its first event.
     pub fn advance(&mut self) -> Result<(), EventsFault> {
         self.pieces += 1;
-        if self.pieces > MOST_PIECES {
+        self.begin();
+        // Shorter pieces than the round-off of t have no end.
+        if self.pieces > MOST_PIECES || self.length < f64::EPSILON * self.end {
             return Err(EventsFault::TooManyPieces {
                 most: MOST_PIECES,
                 time: self.t,
             });
         }
-        self.begin();
         let constraints = self.constraints.parts();
         self.series.complete(&self.model, &self.states, constraints);
         let found = first_event(&self.model, &self.series, &self.states, &self.scales);
@@ -195,76 +188,6 @@ impl<'a> Motion<'a> {
             return Err(EventsFault::Unsettled { time: self.t });
         }
         Ok(())
-    }
-
-    /// The phases from t on.
-    fn settle(&mut self, found: Option<Found>) -> Result<(), EventsFault> {
-        let singular = EventsFault::Singular { time: self.t };
-        let before: Vec<Phase> = self.states.iter().map(|state| state.phase).collect();
-        self.begin();
-        let (mut review, states) = self.review();
-        if let Some(found) = &found {
-            review.cross(found, states);
-        }
-        review.friction(states);
-        if self
-            .model
-            .structure
-            .contacts
-            .iter()
-            .any(|contact| is_rigid(&contact.law))
-        {
-            let Motion {
-                model,
-                series,
-                scales,
-                book,
-                v,
-                ..
-            } = self;
-            let impacts = impacts(model, series, scales, book, v).map_err(|_| singular.clone())?;
-            if !impacts.is_empty() {
-                for (contact, rate) in impacts {
-                    self.impact(contact, rate);
-                }
-                self.begin();
-                let (mut review, states) = self.review();
-                review.friction(states);
-            }
-            let Motion {
-                model,
-                series,
-                scales,
-                states,
-                u,
-                v,
-                ..
-            } = self;
-            decide(model, series, scales, states, [u, v]).map_err(|_| singular.clone())?;
-            self.constraints = Constraints::new(model, states).map_err(|_| singular)?;
-        }
-        self.length = self.model.piece_length(&self.states);
-        for (contact, before) in before.into_iter().enumerate() {
-            let phase = self.states[contact].phase;
-            if phase != before {
-                self.events.push(Event {
-                    time: self.t,
-                    contact,
-                    kind: EventKind::Phase(phase),
-                });
-            }
-        }
-        Ok(())
-    }
-
-    fn impact(&mut self, contact: usize, rate: f64) {
-        let least = self.least_impact_rate.unwrap_or(f64::INFINITY);
-        self.least_impact_rate = Some(least.min(-rate));
-        self.events.push(Event {
-            time: self.t,
-            contact,
-            kind: EventKind::Impact { rate },
-        });
     }
 
     /// The state at a time of the present piece.

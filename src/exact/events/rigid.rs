@@ -4,20 +4,16 @@
 //! limit has no impulse.
 
 use super::book::Book;
-use super::cholesky::{Cholesky, regular};
+use super::cholesky::Cholesky;
+use super::least::{Singular, least};
 use super::model::Model;
 use super::phase::{ContactState, Phase, is_rigid};
 use super::scales::Scales;
 use super::series::Series;
-use crate::contact::CoupledForces;
 use crate::system::structure::Relation;
 
 /// Impacts with a smaller |rdot|, over the largest velocity, accumulate: the contact shuts.
 const SHUT: f64 = 1e-9;
-
-/// The system cannot be solved: the contacts that stick depend on each other.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Singular;
 
 /// The contacts with constraints, and the factor of their A.
 #[derive(Debug, Clone, Default)]
@@ -42,50 +38,6 @@ impl Constraints {
     pub fn parts(&self) -> (&[usize], &Cholesky) {
         (&self.contacts, &self.factor)
     }
-}
-
-/// Solves the problem of a box; whether the forces are unique. Where they are not, the motion is, and equal contacts have equal
-/// forces as far as their bounds allow.
-pub fn solve_box(
-    matrix: Vec<f64>,
-    d: &[f64],
-    [low, high]: &[Vec<f64>; 2],
-    size: &[f64],
-    force: &mut [f64],
-) -> Result<bool, Singular> {
-    let m = d.len();
-    let unique = Cholesky::new(matrix.clone(), m).is_some();
-    let other = if unique {
-        matrix.clone()
-    } else {
-        regular(&matrix, m)
-    };
-    let mut problem = CoupledForces::new(other, m);
-    problem
-        .solve(d, low, high, size, force)
-        .map_err(|_| Singular)?;
-    if !unique {
-        let free: Vec<usize> = (0..m).filter(|i| problem.is_free(*i)).collect();
-        balance(&matrix, &free, d, force)?;
-    }
-    Ok(unique)
-}
-
-/// Computes the free forces again, with the matrix itself.
-fn balance(matrix: &[f64], free: &[usize], d: &[f64], force: &mut [f64]) -> Result<(), Singular> {
-    let m = d.len();
-    let rows = free.iter().map(|i| &matrix[i * m..(i + 1) * m]);
-    let block = rows.clone().flat_map(|row| free.iter().map(|j| row[*j]));
-    let factor = Cholesky::of_any(block.collect(), free.len()).ok_or(Singular)?;
-    let residuals = free.iter().zip(rows);
-    let mut change: Vec<f64> = residuals
-        .map(|(i, row)| d[*i] - row.iter().zip(&*force).map(|(a, s)| a * s).sum::<f64>())
-        .collect();
-    factor.solve(&mut change);
-    for (i, change) in free.iter().zip(change) {
-        force[*i] += change;
-    }
-    Ok(())
 }
 
 /// The rate of each contact that had an impact.
@@ -125,7 +77,7 @@ pub fn impacts(
     let size: Vec<f64> = before.iter().map(|rate| rate.abs() + tolerance).collect();
     let mut impulses = vec![0.0; m];
     let bounds = [vec![f64::NEG_INFINITY; m], vec![0.0; m]];
-    solve_box(
+    least(
         model.flexibility(&touching),
         &d,
         &bounds,

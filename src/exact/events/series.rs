@@ -8,8 +8,14 @@ use super::model::Model;
 use super::phase::{ContactState, Force};
 use super::signals::{self, add_signal};
 
-/// Terms of u.
+/// Most terms of u.
 const ORDERS: usize = TERMS + 2;
+
+/// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
+const FEWEST: usize = 6;
+
+/// Size of the terms left out, over the motion with the highest frequency: the round-off of double precision is larger.
+const LEFT_OUT: f64 = 4e-18;
 
 /// The polynomials of a contact.
 #[derive(Debug, Clone)]
@@ -22,6 +28,16 @@ pub struct ContactSeries {
     pub limit: Polynomial,
 }
 
+/// Number of terms of u for a bound of the frequencies times the length: forces have two terms less.
+fn terms(phase: f64) -> usize {
+    let (mut term, mut count) = (1.0, 0);
+    while term > LEFT_OUT && count < TERMS {
+        count += 1;
+        term *= phase / count as f64;
+    }
+    (count + 2).max(FEWEST)
+}
+
 /// The polynomials of a piece.
 #[derive(Debug, Clone)]
 pub struct Series {
@@ -29,8 +45,12 @@ pub struct Series {
     pub start: f64,
     /// Its length h.
     pub length: f64,
+    /// Bound of the frequencies times the length.
+    pub phase: f64,
     /// Number of nodes.
     nodes: usize,
+    /// Number of terms of u; the others are 0.
+    orders: usize,
     /// u, the coefficients of one power for all nodes together.
     u: Vec<f64>,
     /// The polynomials of the contacts.
@@ -52,7 +72,9 @@ impl Series {
         Series {
             start: 0.0,
             length: 0.0,
+            phase: 0.0,
             nodes,
+            orders: ORDERS,
             u: vec![0.0; ORDERS * nodes],
             contacts: vec![contact; model.structure.contacts.len()],
             loads: vec![[0.0; TERMS]; model.structure.loads.len()],
@@ -60,9 +82,12 @@ impl Series {
         }
     }
 
-    /// Starts a piece: loads, limits, and the terms of order 0 and 1.
-    pub fn begin(&mut self, model: &Model, [start, length]: [f64; 2], u: &[f64], v: &[f64]) {
-        (self.start, self.length) = (start, length);
+    /// Starts a piece at the time `start`: loads, limits, and the terms of order 0 and 1.
+    ///
+    /// `phase` is the bound of the frequencies times the length.
+    pub fn begin(&mut self, model: &Model, [start, length, phase]: [f64; 3], [u, v]: [&[f64]; 2]) {
+        (self.start, self.length, self.phase) = (start, length, phase);
+        self.orders = terms(phase);
         let (first, second) = self.u.split_at_mut(self.nodes);
         first.copy_from_slice(u);
         for (to, v) in second.iter_mut().zip(v) {
@@ -75,6 +100,7 @@ impl Series {
         for (i, contact) in model.structure.contacts.iter().enumerate() {
             let limit = contact.law.limit();
             let series = &mut self.contacts[i];
+            (series.r, series.force) = ([0.0; ORDERS], [0.0; TERMS]);
             series.limit =
                 limit.map_or([0.0; TERMS], |limit| signals::limit(limit, [start, length]));
             series.r[0] = model.relative(i, u) + contact.gap;
@@ -90,7 +116,7 @@ impl Series {
         (constraints, factor): (&[usize], &Cholesky),
     ) {
         let mut forces = vec![0.0; constraints.len()];
-        for k in 0..TERMS {
+        for k in 0..self.orders - 2 {
             self.free_acceleration(k, model, states);
             if !constraints.is_empty() {
                 for (force, i) in forces.iter_mut().zip(constraints) {
@@ -174,7 +200,7 @@ impl Series {
     pub fn motion_at(&self, s: f64, u: &mut [f64], v: &mut [f64]) {
         u.fill(0.0);
         v.fill(0.0);
-        for k in (1..ORDERS).rev() {
+        for k in (1..self.orders).rev() {
             let terms = &self.u[k * self.nodes..(k + 1) * self.nodes];
             let factor = k as f64 / self.length;
             for ((u, v), term) in u.iter_mut().zip(v.iter_mut()).zip(terms) {
@@ -190,6 +216,9 @@ impl Series {
     /// A combination of u.
     pub fn combine(&self, pattern: &[(usize, f64)]) -> Polynomial {
         std::array::from_fn(|k| {
+            if k >= self.orders {
+                return 0.0;
+            }
             let row = &self.u[k * self.nodes..];
             pattern
                 .iter()

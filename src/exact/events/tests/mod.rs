@@ -1,8 +1,11 @@
 //! Motions against closed forms, printed numbers and other methods.
 
+mod bars;
 mod friction;
 mod impact;
 mod random;
+mod restarts;
+mod rigid;
 mod several;
 
 use super::*;
@@ -133,4 +136,21 @@ pub fn first(structure: &Structure, times: &[f64]) -> (Vec<First>, Summary) {
 /// 0, step, .. of `count` steps.
 pub fn steps(step: f64, count: usize) -> Vec<f64> {
     (0..=count).map(|i| i as f64 * step).collect()
+}
+
+/// A limit constant + factor signal.
+pub fn varying(constant: f64, factor: f64, signal: Signal) -> Limit {
+    Limit {
+        constant,
+        varying: Some((factor, Arc::new(signal))),
+    }
+}
+
+/// u, v and all events of a motion up to `end`.
+pub fn last(structure: &Structure, end: f64) -> (Vec<f64>, Summary) {
+    let mut last = Vec::new();
+    let summary = run(structure, &[end], |_, state| {
+        last = [state.u, state.v].concat()
+    });
+    (last, summary.unwrap())
 }

@@ -1,0 +1,83 @@
+//! Rigid contacts that do not move.
+
+use super::model::Model;
+use super::phase::{ContactState, Phase};
+use super::scales::Scales;
+use super::series::Series;
+use crate::system::structure::Relation;
+
+/// A contact that may stick or stay shut.
+pub struct Candidate {
+    /// The contact.
+    pub contact: usize,
+    /// Whether all orders of the force so far are at the lower bound, and at the upper one.
+    pub at: [bool; 2],
+    /// Whether it is a friction contact, or a stop.
+    pub friction: bool,
+}
+
+impl Candidate {
+    /// The contact slides, or is open; its force stays at the upper bound or at the lower one.
+    pub fn leave(&self, upper: bool, states: &mut [ContactState]) {
+        states[self.contact].phase = match self.friction {
+            true => Phase::Sliding(if upper { 1.0 } else { -1.0 }),
+            false => Phase::Open,
+        };
+    }
+}
+
+/// Contacts with rdot = 0, and r = 0 if they are stops, in phase closed; the others slide or are open.
+pub fn candidates(
+    model: &Model,
+    series: &Series,
+    scales: &Scales,
+    states: &mut [ContactState],
+) -> Vec<Candidate> {
+    let tolerance = scales.rate(series.length) * series.length;
+    let mut candidates = Vec::new();
+    for (contact, state) in states.iter_mut().enumerate() {
+        let [r, change] = [0, 1].map(|k| series.contacts[contact].r[k]);
+        match model.structure.contacts[contact].law {
+            Relation::RigidStop { .. } => {
+                if r > scales.r(model, contact) || change > tolerance {
+                    state.phase = Phase::Open;
+                    continue;
+                }
+            }
+            Relation::Coulomb { .. } if state.phase == Phase::Open => continue,
+            Relation::Coulomb { .. } => {
+                if change.abs() > tolerance {
+                    state.phase = Phase::Sliding(1.0_f64.copysign(change));
+                    continue;
+                }
+            }
+            _ => continue,
+        }
+        state.phase = Phase::Closed;
+        let friction = model.structure.contacts[contact].law.limit().is_some();
+        candidates.push(Candidate {
+            contact,
+            at: [friction, true],
+            friction,
+        });
+    }
+    candidates
+}
+
+/// Sets rdot of the candidates to 0, and r of stops. They are round-off, so that two passes over the contacts suffice.
+pub fn stop(model: &Model, candidates: &[Candidate], u: &mut [f64], v: &mut [f64]) {
+    for Candidate {
+        contact, friction, ..
+    } in candidates.iter().chain(candidates)
+    {
+        let flexibility = model.flexibility(&[*contact])[0];
+        if flexibility > 0.0 {
+            let rate = model.relative(*contact, v);
+            model.subtract_force(*contact, rate / flexibility, v);
+            if !friction {
+                let r = model.relative(*contact, u) + model.structure.contacts[*contact].gap;
+                model.subtract_force(*contact, r / flexibility, u);
+            }
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Why there is no exact motion.
+
+use std::fmt;
+
+/// Why there is no exact motion.
+#[derive(Debug, Clone, PartialEq)]
+pub enum EventsFault {
+    /// The motion has too many events.
+    TooManyEvents {
+        /// The largest number of events.
+        most: usize,
+        /// The time reached.
+        time: f64,
+    },
+    /// The motion has too many pieces: it is long compared with the shortest period, or a contact is very stiff or viscous.
+    TooManyPieces {
+        /// The largest number of pieces.
+        most: usize,
+        /// The time reached.
+        time: f64,
+    },
+    /// A rigid contact is between a node, or the ground, and itself.
+    Singular {
+        /// The time.
+        time: f64,
+    },
+    /// Contacts change their phases without end at one time.
+    Unsettled {
+        /// The time.
+        time: f64,
+    },
+    /// A rigid stop starts with r < 0.
+    Overlap {
+        /// Name of the contact.
+        contact: String,
+        /// r at t = 0.
+        r: f64,
+    },
+}
+
+impl fmt::Display for EventsFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EventsFault::TooManyEvents { most, time } => {
+                write!(
+                    f,
+                    "the exact motion has more than {most} events up to t = {time}"
+                )
+            }
+            EventsFault::TooManyPieces { most, time } => write!(
+                f,
+                "the exact motion needs more than {most} pieces up to t = {time}; a contact is too stiff or too viscous for it"
+            ),
+            EventsFault::Singular { time } => write!(
+                f,
+                "a rigid contact has no force at t = {time}; it must be between two nodes, or a node and the ground"
+            ),
+            EventsFault::Unsettled { time } => {
+                write!(
+                    f,
+                    "the contacts do not settle at t = {time}; give a rigid contact that shares its load with others a stiffness"
+                )
+            }
+            EventsFault::Overlap { contact, r } => write!(
+                f,
+                "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for EventsFault {}

@@ -1,0 +1,98 @@
+//! The phases after an event or a point of a table.
+
+use super::decide::decide;
+use super::least::Singular;
+use super::motion::Motion;
+use super::phase::{ContactState, Phase, is_rigid};
+use super::review::Review;
+use super::rigid::{Constraints, impacts};
+use super::watch::{Crossing, Found};
+use super::{Event, EventKind, EventsFault};
+
+impl Motion<'_> {
+    /// What changes the phases of softened contacts.
+    pub fn review(&mut self) -> (Review<'_>, &mut [ContactState]) {
+        let review = Review {
+            model: &self.model,
+            series: &self.series,
+            scales: &self.scales,
+            book: &mut self.book,
+        };
+        (review, &mut self.states)
+    }
+
+    /// The phases from t on.
+    pub fn settle(&mut self, found: Option<Found>) -> Result<(), EventsFault> {
+        let before: Vec<Phase> = self.states.iter().map(|state| state.phase).collect();
+        self.begin();
+        if let Some(found) = found {
+            self.cross(&found);
+        }
+        let (mut review, states) = self.review();
+        review.friction(states);
+        let mut contacts = self.model.structure.contacts.iter();
+        if contacts.any(|contact| is_rigid(&contact.law)) {
+            let time = self.t;
+            self.settle_rigid()
+                .map_err(|Singular| EventsFault::Singular { time })?;
+        }
+        self.length = self.model.piece_length(&self.states);
+        for (contact, before) in before.into_iter().enumerate() {
+            let phase = self.states[contact].phase;
+            if phase != before {
+                self.record(contact, EventKind::Phase(phase));
+            }
+        }
+        Ok(())
+    }
+
+    /// Impulses first: they change who may stick.
+    fn settle_rigid(&mut self) -> Result<(), Singular> {
+        let Motion { model, v, .. } = self;
+        let impacts = impacts(model, &self.series, &self.scales, &mut self.book, v)?;
+        if !impacts.is_empty() {
+            for (contact, rate) in impacts {
+                self.close(rate);
+                self.record(contact, EventKind::Impact { rate });
+            }
+            self.begin();
+            let (mut review, states) = self.review();
+            review.friction(states);
+        }
+        let Motion {
+            model,
+            series,
+            u,
+            v,
+            ..
+        } = self;
+        decide(model, series, &self.scales, &mut self.states, [u, v])?;
+        self.constraints = Constraints::new(&self.model, &self.states)?;
+        Ok(())
+    }
+
+    /// The new phase of the contact of an event, if it is softened.
+    fn cross(&mut self, found: &Found) {
+        let (series, contact) = (&self.series, found.contact);
+        let rigid = is_rigid(&self.model.structure.contacts[contact].law);
+        if found.crossing == Crossing::Touch && !rigid {
+            self.close(series.contacts[contact].r[1] / series.length);
+        }
+        let (review, states) = self.review();
+        review.cross(found, states);
+    }
+
+    /// A contact closes with rdot = `rate`.
+    fn close(&mut self, rate: f64) {
+        let least = self.least_impact_rate.unwrap_or(f64::INFINITY);
+        self.least_impact_rate = Some(least.min(rate.abs()));
+    }
+
+    fn record(&mut self, contact: usize, kind: EventKind) {
+        self.events.push(Event {
+            time: self.t,
+            contact,
+            kind,
+        });
+    }
+}
