@@ -6,9 +6,10 @@ use crate::lane::Lane;
 use crate::system::structure::{Signal, Structure};
 use std::sync::Arc;
 
-/// Signals at the steps 0..=N, each sampled once.
+/// Numbers of signals for the steps 0..=N, each signal sampled once.
 #[derive(Debug)]
 pub(super) struct Samples<'a> {
+    of: fn(&Signal, f64, usize) -> Vec<f64>,
     signals: Vec<&'a Arc<Signal>>,
     series: Vec<Vec<f64>>,
     dt: f64,
@@ -16,8 +17,9 @@ pub(super) struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    pub(super) fn new(dt: f64, steps: usize) -> Self {
+    pub(super) fn new(of: fn(&Signal, f64, usize) -> Vec<f64>, dt: f64, steps: usize) -> Self {
         Samples {
+            of,
             signals: Vec::new(),
             series: Vec::new(),
             dt,
@@ -30,7 +32,7 @@ impl<'a> Samples<'a> {
         let known = self.signals.iter().position(|s| Arc::ptr_eq(s, signal));
         known.unwrap_or_else(|| {
             self.signals.push(signal);
-            self.series.push(signal.at_steps(self.dt, self.steps));
+            self.series.push((self.of)(signal, self.dt, self.steps));
             self.signals.len() - 1
         })
     }
@@ -84,7 +86,10 @@ struct Varying<const L: usize> {
 /// Loads on the nodes and limits of the contacts at the steps.
 #[derive(Debug)]
 pub(super) struct Inputs<const L: usize> {
-    series: Vec<Vec<f64>>,
+    /// Means of loads over the step that ends at each step.
+    means: Vec<Vec<f64>>,
+    /// Values of limits at each step.
+    values: Vec<Vec<f64>>,
     loads: Vec<LaneLoad<L>>,
     limits: Vec<Varying<L>>,
 }
@@ -92,12 +97,13 @@ pub(super) struct Inputs<const L: usize> {
 impl<const L: usize> Inputs<L> {
     /// Inputs of structures with loads on the same nodes.
     pub(super) fn new(cases: &[&Structure; L], prepared: &Prepared, steps: usize) -> Self {
-        let mut samples = Samples::new(prepared.dt, steps);
+        let mut means = Samples::new(Signal::step_means, prepared.dt, steps);
+        let mut values = Samples::new(Signal::at_steps, prepared.dt, steps);
         let mut loads = Vec::new();
         for (number, load) in cases[0].loads.iter().enumerate() {
             let mut of = [0; L];
             for (of, case) in of.iter_mut().zip(cases) {
-                *of = samples.number(&case.loads[number].signal);
+                *of = means.number(&case.loads[number].signal);
             }
             let factors = |(k, (node, _)): (usize, &(usize, f64))| {
                 let mut factors = Lane::splat(0.0);
@@ -112,8 +118,9 @@ impl<const L: usize> Inputs<L> {
             });
         }
         Inputs {
-            limits: limits(cases, prepared, &mut samples),
-            series: samples.series,
+            limits: limits(cases, prepared, &mut values),
+            means: means.series,
+            values: values.series,
             loads,
         }
     }
@@ -122,8 +129,7 @@ impl<const L: usize> Inputs<L> {
     #[inline(always)]
     pub(super) fn add_loads(&self, step: usize, force: &mut [Lane<L>]) {
         for load in &self.loads {
-            let [from, to] = [step - 1, step].map(|step| load.signal.at(&self.series, step));
-            let mean = (from + to) * 0.5;
+            let mean = load.signal.at(&self.means, step);
             for (place, factor) in &load.pattern {
                 force[*place] = force[*place] + *factor * mean;
             }
@@ -142,7 +148,7 @@ impl<const L: usize> Inputs<L> {
         step: usize,
     ) -> impl Iterator<Item = (usize, Lane<L>, [bool; L])> + '_ {
         self.limits.iter().map(move |limit| {
-            let varying = limit.factor * limit.signal.at(&self.series, step);
+            let varying = limit.factor * limit.signal.at(&self.values, step);
             let sum = limit.constant + varying;
             // As in `Limit::at`: f64::max does not compile to one instruction.
             (limit.contact, sum.larger(Lane::splat(0.0)), limit.slides)

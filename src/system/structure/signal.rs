@@ -83,6 +83,28 @@ impl Signal {
         }
     }
 
+    /// Means over the step that ends at 0, dt, .. steps dt, by the values at both ends of the step; the first one has no
+    /// meaning. Where a table jumps at the end of a step, that step has the value before the jump and the next one the value
+    /// after it, so that a jump between steps is exact.
+    pub fn step_means(&self, dt: f64, steps: usize) -> Vec<f64> {
+        let after = self.at_steps(dt, steps);
+        let mut before = after.clone();
+        let mut after = after;
+        if let Signal::Table(table) = self {
+            for (k, pair) in table.times.windows(2).enumerate() {
+                let step = (pair[0] / dt).round();
+                // Round-off of i dt.
+                let at_step = (step * dt - pair[0]).abs() <= 1e-9 * dt;
+                if pair[0] == pair[1] && at_step && step >= 0.0 && step <= steps as f64 {
+                    before[step as usize] = table.values[k];
+                    after[step as usize] = table.values[k + 1];
+                }
+            }
+        }
+        let pairs = std::iter::once(after[0]).chain(after.iter().copied()).zip(before);
+        pairs.map(|(start, end)| 0.5 * (start + end)).collect()
+    }
+
     /// The values at 0, dt, .. steps dt, as [`Signal::at`] gives them.
     pub fn at_steps(&self, dt: f64, steps: usize) -> Vec<f64> {
         let times = (0..=steps).map(|i| i as f64 * dt);
@@ -114,6 +136,22 @@ mod tests {
         let at = |t| table.at(t);
         assert_eq!([at(0.0), at(1.0), at(1.5)], [3.0, 3.0, 4.0]);
         assert_eq!([at(2.0), at(3.0), at(4.0), at(9.0)], [-1.0, -0.5, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn the_means_of_steps_give_the_integral_of_lines_and_jumps_between_steps() {
+        // 0.1 (1 + 2) + 0.1 (2 - 4) ...: steps of 0.1 with jumps at 0.3 and 0.7, which are no multiples in binary numbers.
+        let table = Table::new(
+            vec![0.0, 0.3, 0.3, 0.7, 0.7, 1.0],
+            vec![1.0, 4.0, -2.0, 6.0, 0.5, 0.5],
+        );
+        let signal = Signal::Table(table.unwrap());
+        let means = signal.step_means(0.1, 10);
+        assert_eq!(means.len(), 11);
+        let integral = 0.1 * means[1..].iter().sum::<f64>();
+        let exact = 0.3 * 2.5 + 0.4 * 2.0 + 0.3 * 0.5;
+        assert!((integral - exact).abs() < 1e-14, "{integral} {exact}");
+        assert!((means[3] - 3.5).abs() < 1e-14 && (means[4] + 1.0).abs() < 1e-14);
     }
 
     #[test]
