@@ -28,11 +28,14 @@
 //! [`exact`], [`methods`], [`system`], [`contact`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
 //! iteration, which the fast form is tested against.
 //!
+//! Structures with many contacts ([`system::structure`]) have the same data flow, with the forces of a step as a small convex
+//! problem ([`contact::coupled`]) and the exact motion by events ([`exact::events`]).
+//!
 //! # Principal types
 //!
 //! - [`study::Study`]: a study file, read and validated; [`study::read`] reports every error with its place.
-//! - [`problem::Problem`]: one of the two problems, [`problem::friction::FrictionOscillator`] and
-//!   [`problem::impact::BarImpact`], with the tables of parameters and metrics that everything else reads.
+//! - [`problem::Problem`]: one of the problems, [`problem::friction::FrictionOscillator`] and
+//!   [`problem::impact::BarImpact`] or [`problem::structure::StructureProblem`], with the tables of parameters and metrics that everything else reads.
 //! - [`system::System`]: what a problem makes of a case: the modes, the contact, the start, the step.
 //! - [`problem::Solution`]: a case's [`history::History`], the exact history, and the metrics.
 //! - [`solve::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each has by itself.
