@@ -13,11 +13,21 @@ pub const MOST_NODES: u32 = 100_000;
 
 /// A structure under construction, with all rules that it breaks.
 struct Draft<'a> {
+    /// Whether the structure is built; if not, its numbers are only checked.
+    build: bool,
     template: &'a Template,
     case: &'a Case,
     numbering: Numbering,
     structure: Structure,
     violations: Vec<Violation>,
+}
+
+/// The numbers of the nodes of a case.
+///
+/// # Errors
+/// Every rule that the case breaks.
+pub fn check(template: &Template, case: &Case) -> Result<Numbering, Vec<Violation>> {
+    draft(template, case, 1, false).map(|(_, numbering)| numbering)
 }
 
 /// The structure of a case, without modal damping, and the numbers of its nodes. Each bar has `finer` times its elements;
@@ -29,6 +39,15 @@ pub fn assemble(
     template: &Template,
     case: &Case,
     finer: u32,
+) -> Result<(Structure, Numbering), Vec<Violation>> {
+    draft(template, case, finer, true)
+}
+
+fn draft(
+    template: &Template,
+    case: &Case,
+    finer: u32,
+    build: bool,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
     let mut violations = Vec::new();
     let mut elements = Vec::new();
@@ -51,8 +70,9 @@ pub fn assemble(
         return Err(violations);
     }
     let numbering = Numbering::new(template.masses.len(), elements);
-    let size = numbering.len();
+    let size = if build { numbering.len() } else { 0 };
     let mut draft = Draft {
+        build,
         template,
         case,
         numbering,
@@ -122,7 +142,7 @@ impl Draft<'_> {
             let k = elements * stiffness / length;
             let c = self.optional(&bar.stiffness_damping) * k;
             let first = self.numbering.first(b);
-            for i in 0..=n {
+            for i in if self.build { 0..n + 1 } else { 0..0 } {
                 let (place, mass) = match i {
                     0 => ("left".to_owned(), 0.5 * element),
                     i if i == n => ("right".to_owned(), 0.5 * element),
@@ -131,13 +151,16 @@ impl Draft<'_> {
                 let name = format!("{}.{place}", bar.name);
                 self.structure.nodes.push(Node { name, mass });
             }
-            for i in first..first + n as usize {
+            for i in if self.build { first..first + n as usize } else { 0..0 } {
                 self.add([Some(i), Some(i + 1)], k, c);
             }
         }
     }
 
     fn add(&mut self, between: [Option<usize>; 2], k: f64, c: f64) {
+        if !self.build {
+            return;
+        }
         self.structure.stiffness.add_spring(between, k);
         if c != 0.0 {
             self.structure.damping.add_spring(between, c);
@@ -178,7 +201,7 @@ impl Draft<'_> {
         if stiffness != 0.0 {
             damping.add_matrix(k, stiffness);
         }
-        if mass != 0.0 {
+        if mass != 0.0 && self.build {
             for (i, node) in nodes.iter().enumerate() {
                 damping.add(i, i, mass * node.mass);
             }
@@ -243,7 +266,7 @@ impl Draft<'_> {
                     first..first + self.numbering.elements()[*bar] as usize + 1
                 }
             };
-            for node in nodes {
+            for node in nodes.filter(|_| self.build) {
                 self.structure.displacement[node] = u;
                 self.structure.velocity[node] = v;
             }

@@ -165,11 +165,12 @@ impl Problem for StructureProblem {
         if step.is_finite() && duration.is_finite() {
             violations.extend(time_rules("dt", step, duration));
         }
-        match assemble(&self.template, case, 1) {
+        match assemble::check(&self.template, case) {
             Err(broken) => violations.extend(broken),
-            Ok((structure, numbering)) => {
+            Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering));
-                let numbers = (2 * structure.len() + 3 * structure.contacts.len()) as f64;
+                let contacts = self.template.contacts.len();
+                let numbers = (2 * numbering.len() + 3 * contacts) as f64;
                 let steps = duration / step;
                 if violations.is_empty() && steps * numbers > MOST_NUMBERS {
                     violations.push(Violation {
@@ -186,10 +187,9 @@ impl Problem for StructureProblem {
     }
 
     fn work(&self, case: &Case) -> u64 {
-        let size = assemble(&self.template, case, 1);
-        let size = size.map_or(1, |(structure, _)| {
-            structure.len() + 5 * structure.contacts.len()
-        });
+        let contacts = self.template.contacts.len();
+        let size = assemble::check(&self.template, case);
+        let size = size.map_or(1, |numbering| numbering.len() + 5 * contacts);
         self.steps(case).saturating_mul(size as u64)
     }
 
