@@ -202,7 +202,7 @@ fn difference(cells: [&String; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    
+
     /// Rows of friction with these values of alpha and of two metrics.
     fn table(rows: &[(&str, &str, &str)]) -> Rows {
         let problem = find("friction-oscillator").unwrap();

@@ -48,10 +48,16 @@ fn the_example_of_the_format_is_read() {
     let case = study.case(24).unwrap();
     assert_eq!(case.number("k_I"), Some(4.0 * 10.0 * 1.5e8 / 40.0));
     let names: Vec<&str> = study.problem.metrics().iter().map(|m| &*m.name).collect();
-    assert_eq!(names, ["peak(g1.right - p2)", "impacts(gap12)", "energy_error"]);
+    assert_eq!(
+        names,
+        ["peak(g1.right - p2)", "impacts(gap12)", "energy_error"]
+    );
     let text = study.problem.description(&case).unwrap();
     // Two masses of 100 and two bars of 500 with 11 nodes each.
-    assert!(text.contains("24 nodes, total mass 1200, 2 contacts"), "{text}");
+    assert!(
+        text.contains("24 nodes, total mass 1200, 2 contacts"),
+        "{text}"
+    );
     assert!(text.contains("nothing holds g2.left to g2.right"), "{text}");
     let columns: Vec<String> = study
         .problem
@@ -68,30 +74,145 @@ fn the_example_of_the_format_is_read() {
 fn every_fault_has_its_place_and_says_what_is_allowed() {
     let folder = folder(0.0);
     for (from, to, place, message) in [
-        ("\"gap\": [", "\"unused\": 1, \"gap\": [", "2:58: parameters.unused", "is not used"),
-        ("\"gap\": [", "\"pi\": 1, \"gap\": [", "2:58: parameters.pi", "has a meaning in expressions"),
-        ("\"EA\": \"EA\"", "\"EA\": \"EB\"", "structure.bars.g1|g2.EA", "unknown name \"EB\""),
-        ("\"p1\", \"g1.left\"", "\"p7\", \"g1.left\"", "springs[1].between[0]", "unknown node \"p7\""),
-        ("[\"p2\", \"g1.right\"]", "[\"p2\", \"g1.10\"]", "bearing.between[1]", "inner nodes 1 to 9, got 10"),
-        ("\"p2\": 100", "\"p2\": 0", "5:34: structure.masses.p2", "must be > 0, got 0"),
-        ("\"n\": \"n\"", "\"n\": \"n - 10\"", "structure.bars.g1|g2.n", "must be > 0"),
-        ("\"n\": \"n\"", "\"n\": \"n/4\"", "structure.bars.g1|g2.n", "whole number"),
-        ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.right\"]", "gap12.between", "two different nodes"),
-        ("[\"g1.right\", \"g2.left\"]", "[\"g1.right\", \"g1.10\"]", "gap12.between[1]", "inner nodes 1 to 9"),
-        ("records/name.AT2", "records/none.AT2", "12:27: structure.ground.record", "cannot read"),
-        ("\"unit\": \"g\"", "\"unit\": \"gal\"", "structure.ground.unit", "allowed: g, m/s2, cm/s2"),
-        ("\"unit\": \"g\"", "\"unit\": \"m/s2\"", "structure.ground.record", "the file is in g"),
-        ("\"sine\": { \"amplitude\": 1, \"omega\": 2, \"phase\": 0 }", "\"table\": {\"t\": [1, 0], \"f\": [1, 2]}", "structure.loads[0]", "times must rise"),
-        ("\"law\": \"impact\"", "\"law\": \"coulomb\"", "gap12.k", "has no k"),
-        ("\"rE\": 0.0005", "\"rE\": 0.0005, \"k\": 1", "bearing.rE", "give k or rE, not both"),
-        (", \"rE\": 0.0005", "", "structure.contacts.bearing", "needs k or rE"),
-        ("\"g1\": { \"v\"", "\"g3\": { \"v\"", "structure.start.g3", "unknown node \"g3\""),
-        ("\"t, kN, m, s\"", "\"t, kN, ell, s\"", "structure.units", "unknown unit of length"),
-        ("\"softened\"", "\"soft\"", "contacts_reference", "did you mean \"softened\""),
-        ("impacts(gap12)", "impacts(gap13)", "metrics[1]", "no contact 'gap13'"),
-        ("g1.right - p2)", "g1.right - p5)", "metrics[0]", "no node or contact 'p5'"),
+        (
+            "\"gap\": [",
+            "\"unused\": 1, \"gap\": [",
+            "2:58: parameters.unused",
+            "is not used",
+        ),
+        (
+            "\"gap\": [",
+            "\"pi\": 1, \"gap\": [",
+            "2:58: parameters.pi",
+            "has a meaning in expressions",
+        ),
+        (
+            "\"EA\": \"EA\"",
+            "\"EA\": \"EB\"",
+            "structure.bars.g1|g2.EA",
+            "unknown name \"EB\"",
+        ),
+        (
+            "\"p1\", \"g1.left\"",
+            "\"p7\", \"g1.left\"",
+            "springs[1].between[0]",
+            "unknown node \"p7\"",
+        ),
+        (
+            "[\"p2\", \"g1.right\"]",
+            "[\"p2\", \"g1.10\"]",
+            "bearing.between[1]",
+            "inner nodes 1 to 9, got 10",
+        ),
+        (
+            "\"p2\": 100",
+            "\"p2\": 0",
+            "5:34: structure.masses.p2",
+            "must be > 0, got 0",
+        ),
+        (
+            "\"n\": \"n\"",
+            "\"n\": \"n - 10\"",
+            "structure.bars.g1|g2.n",
+            "must be > 0",
+        ),
+        (
+            "\"n\": \"n\"",
+            "\"n\": \"n/4\"",
+            "structure.bars.g1|g2.n",
+            "whole number",
+        ),
+        (
+            "[\"g1.right\", \"g2.left\"]",
+            "[\"g1.right\", \"g1.right\"]",
+            "gap12.between",
+            "two different nodes",
+        ),
+        (
+            "[\"g1.right\", \"g2.left\"]",
+            "[\"g1.right\", \"g1.10\"]",
+            "gap12.between[1]",
+            "inner nodes 1 to 9",
+        ),
+        (
+            "records/name.AT2",
+            "records/none.AT2",
+            "12:27: structure.ground.record",
+            "cannot read",
+        ),
+        (
+            "\"unit\": \"g\"",
+            "\"unit\": \"gal\"",
+            "structure.ground.unit",
+            "allowed: g, m/s2, cm/s2",
+        ),
+        (
+            "\"unit\": \"g\"",
+            "\"unit\": \"m/s2\"",
+            "structure.ground.record",
+            "the file is in g",
+        ),
+        (
+            "\"sine\": { \"amplitude\": 1, \"omega\": 2, \"phase\": 0 }",
+            "\"table\": {\"t\": [1, 0], \"f\": [1, 2]}",
+            "structure.loads[0]",
+            "times must rise",
+        ),
+        (
+            "\"law\": \"impact\"",
+            "\"law\": \"coulomb\"",
+            "gap12.k",
+            "has no k",
+        ),
+        (
+            "\"rE\": 0.0005",
+            "\"rE\": 0.0005, \"k\": 1",
+            "bearing.rE",
+            "give k or rE, not both",
+        ),
+        (
+            ", \"rE\": 0.0005",
+            "",
+            "structure.contacts.bearing",
+            "needs k or rE",
+        ),
+        (
+            "\"g1\": { \"v\"",
+            "\"g3\": { \"v\"",
+            "structure.start.g3",
+            "unknown node \"g3\"",
+        ),
+        (
+            "\"t, kN, m, s\"",
+            "\"t, kN, ell, s\"",
+            "structure.units",
+            "unknown unit of length",
+        ),
+        (
+            "\"softened\"",
+            "\"soft\"",
+            "contacts_reference",
+            "did you mean \"softened\"",
+        ),
+        (
+            "impacts(gap12)",
+            "impacts(gap13)",
+            "metrics[1]",
+            "no contact 'gap13'",
+        ),
+        (
+            "g1.right - p2)",
+            "g1.right - p5)",
+            "metrics[0]",
+            "no node or contact 'p5'",
+        ),
         ("\"dt\": 0.001, ", "", "parameters.dt", "missing"),
-        ("\"problem\": \"structure\"", "\"problem\": \"structures\"", "1:14: problem", "did you mean \"structure\""),
+        (
+            "\"problem\": \"structure\"",
+            "\"problem\": \"structures\"",
+            "1:14: problem",
+            "did you mean \"structure\"",
+        ),
     ] {
         assert!(EXAMPLE.contains(from), "{from}");
         let text = EXAMPLE.replacen(from, to, 1);

@@ -143,7 +143,12 @@ fn exact_motions_are_those_of_an_independent_integrator() {
         }
         // Every change of a contact of the data is found, and no other.
         let expected = list(&json["events"]).len();
-        assert!(summary.events.len() >= expected, "{}: {} of {expected}", json["name"], summary.events.len());
+        assert!(
+            summary.events.len() >= expected,
+            "{}: {} of {expected}",
+            json["name"],
+            summary.events.len()
+        );
     }
 }
 
@@ -160,7 +165,9 @@ fn stepped(json: &Json, n: usize) -> Vec<[Vec<f64>; 5]> {
             motion.push([
                 nodes.clone().map(|i| state.displacement(i).0[0]).collect(),
                 nodes.map(|i| state.velocity(i).0[0]).collect(),
-                contacts().map(|contact| contact.displacement.0[0]).collect(),
+                contacts()
+                    .map(|contact| contact.displacement.0[0])
+                    .collect(),
                 contacts().map(|contact| contact.velocity.0[0]).collect(),
                 contacts().map(|contact| contact.force.0[0]).collect(),
             ]);

@@ -151,7 +151,11 @@ impl Draft<'_> {
                 let name = format!("{}.{place}", bar.name);
                 self.structure.nodes.push(Node { name, mass });
             }
-            for i in if self.build { first..first + n as usize } else { 0..0 } {
+            for i in if self.build {
+                first..first + n as usize
+            } else {
+                0..0
+            } {
                 self.add([Some(i), Some(i + 1)], k, c);
             }
         }

@@ -1,10 +1,10 @@
 //! The schema of a study of structures: its own parameters, metrics and channels.
 
 use super::channel::Channel;
-use super::metric::StructureMetric;
+use super::metric::{Reduction, StructureMetric};
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
 use crate::problem::schema::{Channel as Column, Metric, Quantity, TimeAxis};
-use crate::problem::{Schema, Text};
+use crate::problem::{Budget, Schema, Text};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::Arc;
 
@@ -80,7 +80,7 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
             .collect::<Vec<_>>()
             .into(),
         profiles: Cow::default(),
-        budgets: Cow::default(),
+        budgets: budgets(metrics).into(),
         time: TimeAxis {
             column: Borrowed("t"),
             title: Borrowed("Time *t*"),
@@ -92,6 +92,42 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
         units: Cow::default(),
         alternatives: Cow::default(),
     })
+}
+
+/// A budget of each channel of which the study has the error and its parts.
+fn budgets(metrics: &[StructureMetric]) -> Vec<Budget> {
+    let row = |reduction: Reduction, channel: &Channel| {
+        let same = |metric: &StructureMetric| {
+            metric.reduction == reduction && metric.channel.as_ref() == Some(channel)
+        };
+        metrics.iter().position(same)
+    };
+    let of = |channel: &Channel| {
+        let total = row(Reduction::RmsError, channel)?;
+        let parts = [
+            ("regularisation", Reduction::RegularisationError),
+            ("mesh", Reduction::MeshError),
+            ("step", Reduction::StepError),
+        ];
+        let parts = parts
+            .into_iter()
+            .filter_map(|(name, part)| Some((Borrowed(name), row(part, channel)?)));
+        let parts: Vec<(Text, usize)> = parts.collect();
+        (!parts.is_empty()).then(|| Budget {
+            name: channel.name.clone().into(),
+            title: format!("rms error of {}", title(&channel.name)).into(),
+            total,
+            parts: parts.into(),
+        })
+    };
+    let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
+    let mut budgets: Vec<Budget> = Vec::new();
+    for budget in channels.filter_map(of) {
+        if !budgets.iter().any(|known| known.name == budget.name) {
+            budgets.push(budget);
+        }
+    }
+    budgets
 }
 
 /// A number with a free name.

@@ -194,8 +194,7 @@ impl Scope {
         let selected = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
         let default = &self.problem.parameters()[parameter].default;
         // A block that does not give a parameter without default has no value of it.
-        let lacks =
-            |block: &Block| !matches!(default, Default::Is(_)) && !block.gives(parameter);
+        let lacks = |block: &Block| !matches!(default, Default::Is(_)) && !block.gives(parameter);
         let mut blocks = self.blocks.iter().filter(selected);
         blocks.all(|block| lacks(block) || block.follows(filter, parameter, from))
     }

@@ -1,6 +1,7 @@
 //! The key `units`.
 
 use crate::problem::Problem;
+use crate::problem::structure::schema::NAME;
 use crate::study::source::faults::Faults;
 use crate::study::source::object::Object;
 use crate::study::source::tree::Node;
@@ -29,10 +30,14 @@ impl Units {
     ) -> Option<Units> {
         let path = "units";
         if let Some(problem) = problem.filter(|problem| problem.schema().units.is_empty()) {
-            let message = format!(
-                "{} has no units: all its parameters and results are dimensionless",
-                problem.name()
-            );
+            let name = problem.name();
+            let message = match name {
+                NAME => "a structure names its units in \"structure\": \"units\": \"t, kN, m, s\""
+                    .to_owned(),
+                _ => {
+                    format!("{name} has no units: all its parameters and results are dimensionless")
+                }
+            };
             faults.add(node.at, path, message);
             return None;
         }

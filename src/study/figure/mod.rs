@@ -101,6 +101,20 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
     (faults.count() == before).then(|| (figure, values.at("name")))
 }
 
+/// Why a problem without laws or budgets of its own has no figures of a kind; `None` if it has.
+fn lacking(kind: &Kind, scope: &Scope) -> Option<&'static str> {
+    let of_structure = scope.problem.name() == crate::problem::structure::schema::NAME;
+    match kind.name {
+        "law" if of_structure => {
+            Some("a structure has no law figure; a curve of a contact's r and S draws its loop")
+        }
+        "budget" if scope.problem.schema().budgets.is_empty() => Some(
+            "a budget needs rms_error and its parts of one channel in \"metrics\", such as rms_error(x), regularisation_error(x) and step_error(x)",
+        ),
+        _ => None,
+    }
+}
+
 /// Reports keys of other kinds, and kinds that the problem does not have.
 fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) {
     for member in &object.members {
@@ -113,6 +127,11 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
                 kinds::takers(&member.key).join(", ")
             );
             faults.add(member.node.at, &object.path(&member.key), message);
+        }
+        if member.key == "kind"
+            && let Some(message) = lacking(kind, scope)
+        {
+            faults.add(member.node.at, &object.path("kind"), message);
         }
         if member.key == "kind" && kind.needs_extent() && scope.once {
             let message = format!(

@@ -101,7 +101,9 @@ impl Signal {
                 }
             }
         }
-        let pairs = std::iter::once(after[0]).chain(after.iter().copied()).zip(before);
+        let pairs = std::iter::once(after[0])
+            .chain(after.iter().copied())
+            .zip(before);
         pairs.map(|(start, end)| 0.5 * (start + end)).collect()
     }
 
