@@ -8,7 +8,7 @@ use crate::solve::structure::{Books, Prepared, State, run};
 use crate::system::structure::{Relation, Structure};
 
 /// Cases side by side.
-pub const LANES: usize = 8;
+pub const LANES: usize = 16;
 
 /// What is recorded of a run.
 #[derive(Debug, Clone, Copy)]
@@ -26,7 +26,7 @@ pub type Run = Result<(Recorded, Option<f64>), Unsolvable>;
 
 /// The linear part of a structure with steps of `dt`.
 pub fn prepare(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
-    Prepared::new(structure, dt).map_err(|_| Unsolvable::SingularMass)
+    Prepared::new(structure, dt)
 }
 
 /// The motion of one structure by time steps.
