@@ -55,7 +55,8 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
     if kind.has_dense_curves() {
         envelope::find(&mut sheet);
     }
-    let mut parts: Vec<String> = Vec::new();
+    let own = Some(std::mem::take(&mut sheet.description));
+    let mut parts: Vec<String> = own.into_iter().filter(|text| !text.is_empty()).collect();
     for entry in &sheet.legend {
         let label = markup::plain(&entry.label);
         match parts.last_mut() {

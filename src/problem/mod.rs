@@ -24,6 +24,7 @@ use crate::solve::{MetricTable, Unsolvable};
 use cases::Cases;
 use parameter::Parameter;
 use std::sync::{Arc, LazyLock};
+use structure::{GroundMotion, Scheme};
 use unit::Dimension;
 
 /// A problem: its schema, and how one of its cases is solved and judged.
@@ -90,6 +91,14 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     }
     /// Lines that describe a completed case, for `explain`.
     fn description(&self, _case: &Case) -> Option<String> {
+        None
+    }
+    /// The structure of a completed case for a picture; `None` for a problem without one.
+    fn scheme(&self, _case: &Case) -> Option<Scheme> {
+        None
+    }
+    /// The acceleration of the ground in a completed case; `None` where there is none.
+    fn ground_motion(&self, _case: &Case) -> Option<GroundMotion> {
         None
     }
     /// The profiles of a completed case at the steps nearest to `times`; none for a problem without extent.

@@ -162,20 +162,31 @@ impl<B: DrawingBackend> Canvas<B> {
         self.area.draw(&PathElement::new(points, style))
     }
 
+    /// A rectangle with an outline, filled with a grey.
+    pub fn box_of(&mut self, rect: &Rect, grey: u8) -> DrawResult<B> {
+        let corners = [at([rect.left, rect.top]), at([rect.right(), rect.bottom()])];
+        let fill = RGBColor(grey, grey, grey).filled();
+        self.area.draw(&Rectangle::new(corners, fill))?;
+        self.frame(rect)
+    }
+
     /// A thin line with a filled head at both ends.
     pub fn arrow(&mut self, a: [f64; 2], b: [f64; 2]) -> DrawResult<B> {
         self.path(&[a, b], style::EXACT_LINE)?;
-        let length = libm::hypot(b[0] - a[0], b[1] - a[1]);
-        let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+        self.head(a, b)?;
+        self.head(b, a)
+    }
+
+    /// The head of an arrow at its end `tip`, from the other end.
+    pub fn head(&mut self, tip: [f64; 2], other: [f64; 2]) -> DrawResult<B> {
+        let length = libm::hypot(other[0] - tip[0], other[1] - tip[1]);
+        let along = [0, 1].map(|k| (other[k] - tip[k]) / length);
         let long = style::ARROW.min(0.45 * length);
-        for (tip, turn) in [(a, 1.0), (b, -1.0)] {
-            let foot = [0, 1].map(|k| tip[k] + turn * long * along[k]);
-            let half = [-0.27 * long * along[1], 0.27 * long * along[0]];
-            let sides = [1.0, -1.0].map(|s| at([foot[0] + s * half[0], foot[1] + s * half[1]]));
-            let head = vec![at(tip), sides[0], sides[1]];
-            self.area.draw(&Polygon::new(head, BLACK.filled()))?;
-        }
-        Ok(())
+        let foot = [0, 1].map(|k| tip[k] + long * along[k]);
+        let half = [-0.27 * long * along[1], 0.27 * long * along[0]];
+        let sides = [1.0, -1.0].map(|s| at([foot[0] + s * half[0], foot[1] + s * half[1]]));
+        let head = vec![at(tip), sides[0], sides[1]];
+        self.area.draw(&Polygon::new(head, BLACK.filled()))
     }
 
     /// A line of markup; `upwards` turned to read from below.

@@ -14,7 +14,7 @@ pub mod vector;
 
 use crate::error::Error;
 use crate::figures::layout::clip;
-use crate::figures::layout::sheet::{Anchor, Entry, PlacedText, Sheet};
+use crate::figures::layout::sheet::{Anchor, Entry, PlacedText, Shape, Sheet};
 use crate::figures::style;
 use canvas::{Canvas, DrawResult};
 use dots::Image;
@@ -41,11 +41,27 @@ impl<B: DrawingBackend> Canvas<B> {
         for (panel, image) in sheet.panels.iter().zip(images) {
             self.panel(panel, image.as_ref())?;
         }
+        for shape in &sheet.picture.shapes {
+            self.shape(shape)?;
+        }
         for entry in &sheet.legend {
             self.entry(entry)?;
         }
-        let mut texts = sheet.heading.iter().chain(&sheet.small_print);
+        let words = sheet.picture.words.iter();
+        let mut texts = words.chain(&sheet.heading).chain(&sheet.small_print);
         texts.try_for_each(|text| self.placed_text(text))
+    }
+
+    fn shape(&mut self, shape: &Shape) -> DrawResult<B> {
+        match shape {
+            Shape::Line(points, width) => self.path(points, *width),
+            Shape::Box(rect, grey) => self.box_of(rect, *grey),
+            Shape::Arrow([from, to]) => {
+                self.path(&[*from, *to], style::EXACT_LINE)?;
+                self.head(*to, *from)
+            }
+            Shape::DoubleArrow([a, b]) => self.arrow(*a, *b),
+        }
     }
 
     fn placed_text(&mut self, text: &PlacedText) -> DrawResult<B> {

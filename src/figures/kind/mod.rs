@@ -2,6 +2,7 @@
 
 mod budget;
 mod convergence;
+mod curve;
 mod history;
 mod law;
 mod map;
@@ -10,7 +11,9 @@ mod over_parameter;
 mod profile;
 mod samples;
 mod scatter;
+mod scheme;
 mod sobol;
+mod spectrum;
 mod wave;
 
 use crate::figures::DrawnCase;
@@ -49,5 +52,8 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Samples(kind) => kind,
         FigureKind::Sobol(kind) => kind,
         FigureKind::Law(kind) => kind,
+        FigureKind::Curve(kind) => kind,
+        FigureKind::Spectrum(kind) => kind,
+        FigureKind::Scheme(kind) => kind,
     }
 }

@@ -15,7 +15,7 @@ pub mod ticks;
 use crate::figures::{style, text};
 use axis::Axis;
 use legend::Key;
-use sheet::{Anchor, Panel, PlacedText, Rect, Sheet};
+use sheet::{Anchor, Panel, PlacedText, Rect, Shape, Sheet};
 
 /// Height of the caption over each frame.
 pub const CAPTION_LINE: f64 = style::TITLE + style::LABEL_GAP;
@@ -116,10 +116,18 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
             entries
         }
     };
+    head(sheet, heading);
+    let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
+    sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+}
+
+/// Places the heading over what is on a sheet; how far all moves down for it.
+pub fn head(sheet: &mut Sheet, heading: Option<&str>) -> f64 {
+    let mut moved = 0.0;
     if let Some(heading) = heading {
         let lines = text::wrap(heading, style::TITLE, sheet.width - 2.0 * style::EDGE);
         for (i, text) in lines.into_iter().enumerate() {
-            move_down(sheet, style::TITLE + if i == 0 { 6.0 } else { 3.0 });
+            moved += move_down(sheet, style::TITLE + if i == 0 { 6.0 } else { 3.0 });
             sheet.heading.push(PlacedText {
                 at: [
                     sheet.width / 2.0,
@@ -131,8 +139,7 @@ pub fn finish(sheet: &mut Sheet, keys: Vec<Vec<Key>>, heading: Option<&str>) {
             });
         }
     }
-    let bottoms = sheet.panels.iter().map(|p| p.frame.bottom() + below(&p.x));
-    sheet.height = (bottoms.fold(0.0, f64::max) + style::EDGE).ceil();
+    moved
 }
 
 /// Height of the numbers and title of a horizontal axis below its frame.
@@ -164,7 +171,8 @@ pub fn small_print(sheet: &mut Sheet, markup: &str) {
     }
 }
 
-fn move_down(sheet: &mut Sheet, by: f64) {
+/// Moves what is on a sheet down by whole points; by how many.
+fn move_down(sheet: &mut Sheet, by: f64) -> f64 {
     let by = by.ceil();
     for panel in &mut sheet.panels {
         panel.frame.top += by;
@@ -183,6 +191,19 @@ fn move_down(sheet: &mut Sheet, by: f64) {
     for entry in &mut sheet.legend {
         entry.at[1] += by;
     }
+    for words in &mut sheet.picture.words {
+        words.at[1] += by;
+    }
+    for shape in &mut sheet.picture.shapes {
+        match shape {
+            Shape::Line(points, _) => points.iter_mut().for_each(|point| point[1] += by),
+            Shape::Box(rect, _) => rect.top += by,
+            Shape::Arrow(ends) | Shape::DoubleArrow(ends) => {
+                ends.iter_mut().for_each(|end| end[1] += by);
+            }
+        }
+    }
+    by
 }
 
 /// Adds to the caption of the first panel that only `some` of `all` curves are shown, if they are fewer.

@@ -61,8 +61,32 @@ pub struct Sheet {
     pub small_print: Vec<PlacedText>,
     /// Panels, from upper left to lower right.
     pub panels: Vec<Panel>,
+    /// What is drawn without axes.
+    pub picture: Picture,
     /// The legend, once for the whole sheet: inside a panel if it covers nothing there, or else above the panels.
     pub legend: Vec<Entry>,
+}
+
+/// Shapes and words without axes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Picture {
+    /// Shapes, drawn in this order.
+    pub shapes: Vec<Shape>,
+    /// Words over the shapes.
+    pub words: Vec<PlacedText>,
+}
+
+/// A shape on the sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A line through points, of this width.
+    Line(Vec<[f64; 2]>, f64),
+    /// A rectangle with an outline, filled with this grey: 0 is black, 255 white.
+    Box(Rect, u8),
+    /// A line with a head at its second end.
+    Arrow([[f64; 2]; 2]),
+    /// A line with a head at both ends.
+    DoubleArrow([[f64; 2]; 2]),
 }
 
 /// A frame with its contents.

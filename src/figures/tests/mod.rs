@@ -5,6 +5,7 @@ mod extent;
 mod guides;
 mod limits;
 mod samples;
+mod structures;
 
 use crate::exact::coulomb::Coulomb;
 use crate::figures::layout::sheet::Sheet;

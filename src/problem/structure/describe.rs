@@ -44,6 +44,7 @@ pub fn describe(structure: &Structure, units: &str) -> String {
     for part in free_parts(structure) {
         text += &format!("nothing holds {part}: without contact and load it moves on freely\n");
     }
+    text += "for a picture of the structure, add {\"name\": \"scheme\", \"kind\": \"scheme\"} to \"figures\"\n";
     text
 }
 

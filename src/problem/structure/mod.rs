@@ -6,15 +6,20 @@ pub mod channel;
 pub mod contacts;
 mod damping;
 mod describe;
+mod ground;
 mod judge;
 pub mod loads;
 pub mod metric;
 mod motion;
 pub mod node;
 pub mod schema;
+pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+
+pub use ground::GroundMotion;
+pub use scheme::Scheme;
 
 use super::cases::Cases;
 use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
@@ -278,6 +283,15 @@ impl Problem for StructureProblem {
                 },
             })
             .collect()
+    }
+
+    fn scheme(&self, case: &Case) -> Option<Scheme> {
+        scheme::scheme(&self.template, case)
+    }
+
+    fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
+        let duration = case.at(self.schema.duration)?;
+        ground::ground_motion(&self.template, case, duration)
     }
 
     fn description(&self, case: &Case) -> Option<String> {

@@ -6,8 +6,8 @@ use serde_json::{Map, Value as Json, json};
 
 use super::structure;
 use super::values::{
-    EXPRESSION, INTERVAL, RULE, expression, interval, names, number, object, parameters, refer,
-    rule, value,
+    EXPRESSION, INTERVAL, RULE, expression, interval, names, number, object, parameters, ratio,
+    refer, rule, value,
 };
 use crate::problem::parameter::{Kind, Parameter, Range};
 use crate::problem::{self, Metric, PROBLEMS, Problem};
@@ -15,7 +15,7 @@ use crate::study::axes::design;
 use crate::study::decode::blocks::BLOCK_KEYS;
 use crate::study::decode::{self, checks, units};
 use crate::study::figure::extent::WIDTHS;
-use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
+use crate::study::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::taken::MARKS;
 use crate::study::units::IN;
@@ -172,10 +172,9 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
             required.push(key.name);
         }
     }
-    let then = if kind.needs_extent() && problem.schema().profiles.is_empty() {
-        json!(false)
-    } else {
-        object(properties, &required)
+    let then = match kind.suits(problem) {
+        true => object(properties, &required),
+        false => json!(false),
     };
     json!({
         "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
@@ -199,6 +198,10 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
                 .map(|p| (&*p.name, &*p.title)),
         )
     };
+    let quantities = || {
+        let all = problem.schema().quantities.iter();
+        names(all.map(|q| (&*q.name, &*q.title)))
+    };
     let defined = |what: &str| refer(&name_of(problem, what));
     match key.takes {
         Takes::FileName => {
@@ -209,13 +212,11 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Filter => defined("where"),
         Takes::Parameter => parameters(false),
         Takes::NumericParameter => parameters(true),
-        Takes::Quantities => several(names(
-            problem
-                .schema()
-                .quantities
-                .iter()
-                .map(|q| (&*q.name, &*q.title)),
-        )),
+        Takes::Quantity => quantities(),
+        Takes::Quantities => several(quantities()),
+        Takes::Ordinates => several(names(ORDINATES.into_iter())),
+        Takes::Ratios => several(ratio()),
+        Takes::Periods => pair(),
         Takes::Column => json!({ "anyOf": [parameters(true), defined("metric")] }),
         Takes::Profile => profiles(),
         Takes::Profiles => several(profiles()),

@@ -1,15 +1,15 @@
 //! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
 
 use super::schema::{block_keys, several, width_and_pair};
-use super::values::{INTERVAL, RULE, expression, names, number, object, refer};
+use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::problem::parameter::{Kind, Range};
 use crate::problem::structure::channel::QUANTITIES;
 use crate::problem::structure::contacts::LawName;
 use crate::problem::structure::metric::REDUCTIONS;
 use crate::problem::structure::schema::{FIXED, MEANING, NAME};
 use crate::study::decode::checks;
-use crate::study::figure::keys::{COMMON, Key, RIDGES, SCALES, Takes};
-use crate::study::figure::kinds::KINDS;
+use crate::study::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
+use crate::study::figure::kinds::{KINDS, Needs};
 use crate::study::structure::keys::{self, Keys};
 use crate::system::loads::Unit;
 use serde_json::{Map, Value as Json, json};
@@ -201,7 +201,7 @@ fn figure(kind: &crate::study::figure::kinds::Kind) -> Json {
             required.push(key.name);
         }
     }
-    let then = match kind.needs_extent() || kind.name == "law" {
+    let then = match kind.needs == Needs::Profiles || kind.name == "law" {
         true => json!(false),
         false => object(properties, &required),
     };
@@ -220,9 +220,11 @@ fn taken(key: &Key) -> Json {
         Takes::Kind => json!({}),
         Takes::Filter => json!({ "type": "object" }),
         Takes::Quantities | Takes::Profiles | Takes::Metrics | Takes::Budgets => several(text),
+        Takes::Ordinates => several(names(ORDINATES.into_iter())),
+        Takes::Ratios => several(ratio()),
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Width => width_and_pair().0,
-        Takes::Range => width_and_pair().1,
+        Takes::Range | Takes::Periods => width_and_pair().1,
         Takes::Marks => json!({ "type": "object" }),
         Takes::InUnits => json!({ "const": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
@@ -231,6 +233,7 @@ fn taken(key: &Key) -> Json {
         | Takes::Parameter
         | Takes::NumericParameter
         | Takes::Column
+        | Takes::Quantity
         | Takes::Profile
         | Takes::Metric => text,
     }
@@ -285,7 +288,7 @@ pub(super) fn reference() -> String {
     text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, the following of a contact, and sums and differences such as \
              `g1.right - p2`:\n";
     text += &table("`CONTACT.` and one of:", &QUANTITIES);
-    text += "\nHistory figures draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \
+    text += "\nHistory figures and curves draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \
              channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`; the study lists them under `metrics`:\n";
     text += &table("Reductions (c computed):", &REDUCTIONS);
     text

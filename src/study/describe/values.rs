@@ -189,6 +189,12 @@ fn one_of(keys: &[(&str, &str)], count: usize, meaning: &str) -> Json {
     schema
 }
 
+/// A damping ratio.
+pub(super) fn ratio() -> Json {
+    let plain = json!({ "type": "number", "minimum": 0, "exclusiveMaximum": 1 });
+    json!({ "anyOf": [plain, refer(EXPRESSION)] })
+}
+
 /// An expression in a string.
 pub(super) fn expression() -> Json {
     json!({

@@ -23,6 +23,8 @@ pub(in crate::study) enum Takes {
     Parameter,
     /// A parameter that is a number.
     NumericParameter,
+    /// One of the problem's quantities over time.
+    Quantity,
     /// One or several of the problem's quantities over time.
     Quantities,
     /// A parameter that is a number, or a metric.
@@ -51,7 +53,23 @@ pub(in crate::study) enum Takes {
     Ridge,
     /// Whether axes are in the units of the study.
     InUnits,
+    /// One or several ordinates of response spectra.
+    Ordinates,
+    /// One or several damping ratios, from 0 to less than 1.
+    Ratios,
+    /// The first and last period of a spectrum.
+    Periods,
 }
+
+/// Names of the ordinates of spectra, as `Ordinate` has them, each with its formula.
+pub(in crate::study) const ORDINATES: [(&str, &str); 3] = [
+    (
+        "displacement",
+        "spectral displacement S_d: largest displacement of an oscillator relative to the ground",
+    ),
+    ("pseudo-velocity", "2 pi/T times S_d"),
+    ("pseudo-acceleration", "(2 pi/T)^2 times S_d"),
+];
 
 /// Names of the scales, as `Scale` has them.
 pub(in crate::study) const SCALES: [&str; 2] = ["linear", "log"];
@@ -116,6 +134,18 @@ pub(super) const BY_OTHERS: Key = key(
     Takes::Parameter,
     false,
     "parameter with one line style for each value; if left out, all other parameters that vary",
+);
+pub(super) const IN_UNITS: Key = key(
+    "in_units",
+    Takes::InUnits,
+    false,
+    "true: axes in the units of the study, which it must give; scaled if left out",
+);
+pub(super) const BY: Key = key(
+    "by",
+    Takes::Parameter,
+    false,
+    "parameter with one line style for each value; if left out, all parameters that vary",
 );
 pub(super) const PANELS: Key = key(
     "panels",

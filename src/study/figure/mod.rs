@@ -19,7 +19,7 @@ use crate::study::tree::Node;
 use crate::study::value::name;
 use checker::Checker;
 use keys::{COMMON, Key, Takes};
-use kinds::{KINDS, Kind};
+use kinds::{KINDS, Kind, Needs};
 use taken::{Taken, Values, take};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
@@ -133,20 +133,21 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
         {
             faults.add(member.node.at, &object.path("kind"), message);
         }
-        if member.key == "kind" && kind.needs_extent() && scope.once {
+        if member.key == "kind" && kind.needs_convergence() && scope.once {
             let message = format!(
                 "a {} figure needs converged steps (\"iteration\": \"converged\")",
                 kind.name
             );
             faults.add(member.node.at, &object.path("kind"), message);
-        } else if member.key == "kind"
-            && kind.needs_extent()
-            && scope.problem.schema().profiles.is_empty()
-        {
+        } else if member.key == "kind" && !kind.suits(&*scope.problem) {
             let problem = scope.problem.name();
-            let others = KINDS.iter().filter(|other| !other.needs_extent());
+            let lacks = match kind.needs {
+                Needs::Structure => "no structure to draw",
+                Needs::Profiles | Needs::Nothing => "no profiles",
+            };
+            let others = KINDS.iter().filter(|other| other.suits(&*scope.problem));
             let others: Vec<&str> = others.map(|other| other.name).collect();
-            let message = format!("{problem} has no profiles; allowed: {}", others.join(", "));
+            let message = format!("{problem} has {lacks}; allowed: {}", others.join(", "));
             faults.add(member.node.at, &object.path("kind"), message);
         }
     }

@@ -1,7 +1,7 @@
 //! The values under the keys of a figure, decoded by the types in the table of `kinds`.
 
 use super::extent;
-use super::keys::{Key, RIDGES, SCALES, Takes};
+use super::keys::{Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::problem::parameter::{self, Range};
 use crate::study::faults::{Faults, join};
 use crate::study::object::Object;
@@ -20,7 +20,7 @@ pub(in crate::study) enum Taken {
     Filter(Filter),
     Rows(Vec<usize>),
     Column(Column),
-    Times(Vec<f64>),
+    Numbers(Vec<f64>),
     Width(f64),
     Range([f64; 2]),
     Scale(Scale),
@@ -87,9 +87,10 @@ impl Values<'_> {
         matches!(self.get(key), Some(Taken::Switch(true)))
     }
 
-    pub fn times(&self, key: &str) -> Vec<f64> {
+    /// Times or ratios; none if the key is not given.
+    pub fn numbers(&self, key: &str) -> Vec<f64> {
         match self.get(key) {
-            Some(Taken::Times(times)) => times.clone(),
+            Some(Taken::Numbers(numbers)) => numbers.clone(),
             _ => Vec::new(),
         }
     }
@@ -166,9 +167,14 @@ pub(in crate::study) fn take(
         }
         Takes::Text | Takes::Kind => return text(node, path, faults).map(Taken::Text),
         Takes::Filter => return scope.filter(node, path, faults).map(Taken::Filter),
-        Takes::Times => return times(node, path, faults).map(Taken::Times),
+        Takes::Times => {
+            let what = "a time or a non-empty list of times";
+            return numbers(node, path, what, faults).map(Taken::Numbers);
+        }
         Takes::Width => return extent::width(node, path, faults).map(Taken::Width),
-        Takes::Range => return extent::range(node, path, faults).map(Taken::Range),
+        Takes::Range | Takes::Periods => {
+            return extent::range(node, path, faults).map(Taken::Range);
+        }
         Takes::Scale => {
             let all = [Scale::Linear, Scale::Log];
             return name(node, path, "scale", &SCALES, faults).map(|row| Taken::Scale(all[row]));
@@ -200,16 +206,15 @@ pub(in crate::study) fn take(
                 None => Column::Metric(place - rows.len()),
             }));
         }
-        Takes::Quantities => {
-            let all: Vec<&str> = scope
-                .problem
-                .schema()
-                .quantities
-                .iter()
-                .map(|q| &*q.name)
-                .collect();
-            names(node, path, "quantity", &all, faults)
+        Takes::Quantity => {
+            name(node, path, "quantity", &quantities(scope), faults).map(|row| vec![row])
         }
+        Takes::Quantities => names(node, path, "quantity", &quantities(scope), faults),
+        Takes::Ordinates => {
+            let all = ORDINATES.map(|ordinate| ordinate.0);
+            names(node, path, "ordinate", &all, faults)
+        }
+        Takes::Ratios => return ratios(node, path, faults).map(Taken::Numbers),
         Takes::Profile => {
             name(node, path, "profile", &scope.profiles(), faults).map(|row| vec![row])
         }
@@ -241,19 +246,41 @@ pub(in crate::study) fn take(
     rows.map(Taken::Rows)
 }
 
-fn times(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
+/// Names of the problem's quantities over time.
+fn quantities(scope: &Scope) -> Vec<&str> {
+    let all = scope.problem.schema().quantities.iter();
+    all.map(|quantity| &*quantity.name).collect()
+}
+
+fn ratios(node: &Node, path: &str, faults: &mut Faults) -> Option<Vec<f64>> {
+    let what = "a damping ratio or a non-empty list of ratios";
+    let ratios = numbers(node, path, what, faults)?;
+    let Some(i) = ratios.iter().position(|ratio| *ratio >= 1.0) else {
+        return Some(ratios);
+    };
+    let (at, path) = match &node.tree {
+        Tree::List(items) => (items[i].at, format!("{path}[{i}]")),
+        _ => (node.at, path.to_owned()),
+    };
+    let ratio = parameter::shortest(ratios[i]);
+    faults.add(at, &path, format!("must be less than 1, got {ratio}"));
+    None
+}
+
+/// One or several numbers that are not negative; `what` is allowed.
+fn numbers(node: &Node, path: &str, what: &str, faults: &mut Faults) -> Option<Vec<f64>> {
     let Tree::List(items) = &node.tree else {
-        return number(node, path, Range::NotNegative, faults).map(|time| vec![time]);
+        return number(node, path, Range::NotNegative, faults).map(|one| vec![one]);
     };
     if items.is_empty() {
-        faults.must_be(node, path, "a time or a non-empty list of times");
+        faults.must_be(node, path, what);
         return None;
     }
     let numbers = items.iter().enumerate().map(|(i, item)| {
         let path = format!("{path}[{i}]");
         number(item, &path, Range::NotNegative, faults)
     });
-    // Collected first, so that every faulty time is reported.
+    // Collected first, so that every faulty number is reported.
     let numbers: Vec<Option<f64>> = numbers.collect();
     numbers.into_iter().collect()
 }

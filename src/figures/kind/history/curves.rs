@@ -32,15 +32,6 @@ pub struct Curves<'a> {
 }
 
 impl Curves<'_> {
-    /// The cases of a panel.
-    pub fn members(&self, group: Option<(usize, Option<Value>)>) -> Vec<usize> {
-        let belongs = |i: &usize| match group {
-            Some((row, value)) => label::same(self.cases[*i].case.values[row], value),
-            None => true,
-        };
-        (0..self.cases.len()).filter(belongs).collect()
-    }
-
     /// The curves of one panel, the exact ones first.
     pub fn of(&self, quantity: &Quantity, members: &[usize]) -> Vec<Series> {
         let mut series: Vec<Series> = Vec::new();
@@ -112,21 +103,31 @@ impl Curves<'_> {
         }
         marked
     }
+}
 
-    /// The legend: exact, then each label once.
-    pub fn keys(&self, sheet: &Sheet) -> Vec<Key> {
-        let mut keys: Vec<Key> = Vec::new();
-        for series in sheet.panels.iter().flat_map(|panel| &panel.series) {
-            if !keys.iter().any(|key| key.label == series.label) {
-                keys.push(Key::of(series));
-            }
+/// The cases of a panel: those with a value of a parameter, or all.
+pub fn members(cases: &[DrawnCase], group: Option<(usize, Option<Value>)>) -> Vec<usize> {
+    let belongs = |i: &usize| match group {
+        Some((row, value)) => label::same(cases[*i].case.values[row], value),
+        None => true,
+    };
+    (0..cases.len()).filter(belongs).collect()
+}
+
+/// The legend: exact, then each label once.
+pub fn keys(sheet: &Sheet) -> Vec<Key> {
+    let mut keys: Vec<Key> = Vec::new();
+    let series = sheet.panels.iter().flat_map(|panel| &panel.series);
+    for series in series.filter(|series| !series.label.is_empty()) {
+        if !keys.iter().any(|key| key.label == series.label) {
+            keys.push(Key::of(series));
         }
-        keys
     }
+    keys
 }
 
 /// Sizes of the units of time and of a quantity in a case; 1 if the axes are scaled.
-fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f64; 2] {
+pub fn sizes(study: &Study, in_units: bool, case: &Case, quantity: &Quantity) -> [f64; 2] {
     let of = |dimension| match in_units {
         true => study.problem.size(case, dimension).unwrap_or(f64::NAN),
         false => 1.0,

@@ -1,7 +1,7 @@
 //! Curves over time: one row of panels for each quantity, the exact solution thin under the cases.
 
-mod arrangement;
-mod curves;
+pub(super) mod arrangement;
+pub(super) mod curves;
 
 use crate::figures::DrawnCase;
 use crate::figures::kind::Draw;
@@ -81,7 +81,7 @@ impl Draw for History {
             .collect();
         let members: Vec<Vec<usize>> = groups
             .iter()
-            .map(|group| curves.members(panels.map(|row| (row, *group))))
+            .map(|group| curves::members(drawn, panels.map(|row| (row, *group))))
             .collect();
         let rows = arranged.rows(quantities.len(), groups.len());
         let series: Vec<Vec<Vec<Series>>> = members
@@ -158,7 +158,7 @@ impl Draw for History {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let mut keys = curves.keys(&sheet);
+        let mut keys = curves::keys(&sheet);
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet

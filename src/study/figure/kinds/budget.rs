@@ -1,6 +1,6 @@
 //! The error and its parts over a parameter.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::{self, Problem};
 use crate::study::Scale;
 use crate::study::figure::checker::Checker;
@@ -9,6 +9,7 @@ use crate::study::figure::{sampled, vary};
 
 pub(super) const KIND: Kind = Kind {
     name: "budget",
+    needs: Needs::Nothing,
     meaning: "the error and its parts over a parameter on logarithmic scales, with the slope where a curve is straight",
     keys: &[
         X,

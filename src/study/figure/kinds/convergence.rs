@@ -1,6 +1,6 @@
 //! Errors over the time step.
 
-use super::{Decoded, FigureKind, Kind, metric};
+use super::{Decoded, FigureKind, Kind, Needs, metric};
 use crate::problem::Problem;
 use crate::study::Scale;
 use crate::study::figure::checker::Checker;
@@ -9,6 +9,7 @@ use crate::study::figure::sampled;
 
 pub(super) const KIND: Kind = Kind {
     name: "convergence",
+    needs: Needs::Nothing,
     meaning: "errors over the time step on logarithmic scales, with the observed order where a curve is straight",
     keys: &[
         key(

@@ -1,10 +1,10 @@
 //! Curves over time.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::parameter::Value;
 use crate::study::Scale;
 use crate::study::figure::checker::{Checker, NARROW};
-use crate::study::figure::keys::{PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::study::figure::keys::{BY, IN_UNITS, PANELS, Takes, X_RANGE, Y_RANGE, key};
 use crate::study::figure::vary;
 use crate::study::scope::Scope;
 use std::collections::HashMap;
@@ -17,6 +17,7 @@ const MOST_DRAWN: u64 = 10_000_000;
 
 pub(super) const KIND: Kind = Kind {
     name: "history",
+    needs: Needs::Nothing,
     meaning: "curves over time, with the exact solution as a thin line; at most 8 cases in a panel",
     keys: &[
         key(
@@ -25,19 +26,9 @@ pub(super) const KIND: Kind = Kind {
             false,
             "quantities, one panel each; if left out, the response and its error",
         ),
-        key(
-            "by",
-            Takes::Parameter,
-            false,
-            "parameter with one line style for each value; if left out, all parameters that vary",
-        ),
+        BY,
         PANELS,
-        key(
-            "in_units",
-            Takes::InUnits,
-            false,
-            "true: axes in the units of the study, which it must give; scaled if left out",
-        ),
+        IN_UNITS,
         X_RANGE,
         Y_RANGE,
     ],
@@ -80,19 +71,7 @@ impl Decoded for History {
     }
 
     fn check_cases(&self, checker: &mut Checker) {
-        let by = self.by.map(|row| ("by", row));
-        let panels = self.panels.map(|row| ("panels", row));
-        for (key, row) in by.into_iter().chain(panels) {
-            checker.has_values(key, row);
-        }
-        if let Some(by) = self.by {
-            let distinguished: Vec<usize> = self.panels.into_iter().chain([by]).collect();
-            let what = "a history figure with \"by\" shows one case for each curve";
-            vary::check(checker, &distinguished, what, vary::OR_WITHOUT_BY);
-        }
-        if self.panels.is_none_or(|row| checker.panels_fit(row, 1)) {
-            self.check_curves(checker);
-        }
+        check(checker, self.by, self.panels, 1, KIND.name);
     }
 
     fn draws_histories(&self) -> bool {
@@ -100,25 +79,47 @@ impl Decoded for History {
     }
 }
 
-impl History {
-    /// Reports more curves in a panel than can be distinguished, or more steps than fit in memory.
-    fn check_curves(&self, checker: &mut Checker) {
-        let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
-        let mut steps = 0u64;
-        for case in checker.cases() {
-            let panel = self.panels.and_then(|row| case.values[row]);
-            let count = counts.entry(panel.map(Value::identity)).or_default();
-            *count += 1;
-            steps = steps.saturating_add(checker.scope.problem.steps(&case));
-            let most = if *count > MOST_CURVES {
-                format!("{MOST_CURVES} cases in one panel")
-            } else if steps > MOST_DRAWN {
-                format!("{MOST_DRAWN} steps to draw")
-            } else {
-                continue;
-            };
-            checker.fault("where", format!("more than {most}; {NARROW}"));
-            return;
+/// Reports cases that the curves of `kind` cannot show, with so many rows of panels for each value of `panels`.
+pub(super) fn check(
+    checker: &mut Checker,
+    by: Option<usize>,
+    panels: Option<usize>,
+    rows: usize,
+    kind: &str,
+) {
+    let keys = [("by", by), ("panels", panels)];
+    for (key, row) in keys {
+        if let Some(row) = row {
+            checker.has_values(key, row);
         }
+    }
+    if let Some(by) = by {
+        let distinguished: Vec<usize> = panels.into_iter().chain([by]).collect();
+        let what = format!("a {kind} figure with \"by\" shows one case for each curve");
+        vary::check(checker, &distinguished, &what, vary::OR_WITHOUT_BY);
+    }
+    if panels.is_none_or(|row| checker.panels_fit(row, rows)) {
+        check_curves(checker, panels);
+    }
+}
+
+/// Reports more curves in a panel than can be distinguished, or more steps than fit in memory.
+fn check_curves(checker: &mut Checker, panels: Option<usize>) {
+    let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
+    let mut steps = 0u64;
+    for case in checker.cases() {
+        let panel = panels.and_then(|row| case.values[row]);
+        let count = counts.entry(panel.map(Value::identity)).or_default();
+        *count += 1;
+        steps = steps.saturating_add(checker.scope.problem.steps(&case));
+        let most = if *count > MOST_CURVES {
+            format!("{MOST_CURVES} cases in one panel")
+        } else if steps > MOST_DRAWN {
+            format!("{MOST_DRAWN} steps to draw")
+        } else {
+            continue;
+        };
+        checker.fault("where", format!("more than {most}; {NARROW}"));
+        return;
     }
 }

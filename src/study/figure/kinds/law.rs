@@ -1,11 +1,12 @@
 //! The laws of the cases.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::study::Scale;
 use crate::study::figure::checker::Checker;
 
 pub(super) const KIND: Kind = Kind {
     name: "law",
+    needs: Needs::Nothing,
     meaning: "the laws of the cases: force over displacement or velocity",
     keys: &[],
     decode: |_, _| Some(FigureKind::Law(Law)),

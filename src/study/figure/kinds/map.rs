@@ -1,6 +1,6 @@
 //! One metric over two parameters.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::Problem;
 use crate::study::figure::checker::Checker;
 use crate::study::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
@@ -9,6 +9,7 @@ use crate::study::{Marks, Ridge, Scale};
 
 pub(super) const KIND: Kind = Kind {
     name: "map",
+    needs: Needs::Nothing,
     meaning: "one metric over two parameters, as filled contours with a colour bar",
     keys: &[
         X,

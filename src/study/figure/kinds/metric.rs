@@ -1,6 +1,6 @@
 //! Metrics over a parameter.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::Problem;
 use crate::study::Scale;
 use crate::study::figure::checker::Checker;
@@ -9,6 +9,7 @@ use crate::study::figure::{sampled, vary};
 
 pub(super) const KIND: Kind = Kind {
     name: "metric",
+    needs: Needs::Nothing,
     meaning: "metrics over a parameter",
     keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE, X_RANGE, Y_RANGE],
     decode: |values, _| {

@@ -3,6 +3,7 @@
 
 mod budget;
 mod convergence;
+mod curve;
 mod history;
 mod law;
 mod map;
@@ -10,24 +11,39 @@ mod metric;
 mod profile;
 mod samples;
 mod scatter;
+mod scheme;
 mod sobol;
+mod spectrum;
 mod wave;
 
 use super::checker::Checker;
-use super::keys::{COMMON, Key, Takes};
+use super::keys::{COMMON, Key};
 use super::taken::Values;
-use crate::problem::{Case, Problem};
+use crate::problem::{Case, Problem, structure};
 use crate::study::Scale;
 use crate::study::scope::Scope;
 
 /// One kind of figure.
 pub(in crate::study) struct Kind {
     pub name: &'static str,
+    /// What it needs of the problem.
+    pub needs: Needs,
     pub meaning: &'static str,
     /// Keys beyond those of every figure.
     pub keys: &'static [Key],
     /// What its values mean; `None` where a required one is missing.
     pub decode: fn(&Values, &Scope) -> Option<FigureKind>,
+}
+
+/// What a kind of figure needs of the problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::study) enum Needs {
+    /// Parameters, metrics or histories, which every problem has.
+    Nothing,
+    /// Quantities along the structure.
+    Profiles,
+    /// A structure that the study describes.
+    Structure,
 }
 
 /// A kind of figure with its values.
@@ -81,8 +97,11 @@ macro_rules! kinds {
     };
 }
 
+pub use spectrum::Ordinate;
+
 kinds! {
     history::History,
+    curve::Curve,
     profile::Profile,
     wave::Wave,
     metric::Metric,
@@ -93,6 +112,8 @@ kinds! {
     samples::Samples,
     sobol::Sobol,
     law::Law,
+    spectrum::Spectrum,
+    scheme::Scheme,
 }
 
 impl FigureKind {
@@ -109,10 +130,18 @@ impl FigureKind {
 }
 
 impl Kind {
-    /// Whether it draws what only a problem with extent has.
-    pub fn needs_extent(&self) -> bool {
-        let along = |key: &Key| matches!(key.takes, Takes::Profile | Takes::Profiles);
-        self.keys.iter().any(along)
+    /// Whether the problem has what it needs.
+    pub fn suits(&self, problem: &dyn Problem) -> bool {
+        match self.needs {
+            Needs::Nothing => true,
+            Needs::Profiles => !problem.schema().profiles.is_empty(),
+            Needs::Structure => problem.name() == structure::schema::NAME,
+        }
+    }
+
+    /// Whether it draws converged steps only.
+    pub fn needs_convergence(&self) -> bool {
+        self.needs == Needs::Profiles
     }
 }
 
@@ -144,12 +173,13 @@ pub(in crate::study) fn takers(key: &str) -> Vec<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::figure::keys::Takes;
     use crate::study::{Study, parse};
     use std::collections::HashSet;
     use std::mem::discriminant;
 
     /// A study of bars with a figure of each kind.
-    fn studies() -> [Study; 2] {
+    fn studies() -> [Study; 3] {
         let study = |parameters: &str, figures: &str| {
             let text = format!(
                 r#"{{"problem": "bar-impact", "parameters": {{"n": 4, "duration": 1, {parameters}, "figures": [{figures}]}}"#
@@ -165,7 +195,8 @@ mod tests {
                    {"name": "e", "kind": "convergence", "y": "peak_force"},
                    {"name": "f", "kind": "budget", "x": "dt", "where": {"gamma": 1}},
                    {"name": "g", "kind": "map", "x": "gamma", "y": "dt", "z": "peak_force"},
-                   {"name": "h", "kind": "scatter", "x": "gamma", "y": "peak_force"}, {"name": "i", "kind": "law"}"#,
+                   {"name": "h", "kind": "scatter", "x": "gamma", "y": "peak_force"}, {"name": "i", "kind": "law"},
+                   {"name": "j", "kind": "curve", "x": "r", "y": "force"}"#,
             ),
             study(
                 r#""gamma": {"uniform": [1, 2]}, "dt": {"uniform": [0.01, 0.02]}},
@@ -173,6 +204,14 @@ mod tests {
                 r#"{"name": "a", "kind": "samples", "y": "peak_force"},
                    {"name": "b", "kind": "sobol", "y": "peak_force"}"#,
             ),
+            parse(
+                "s",
+                r#"{"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "metrics": ["peak(m)"],
+                  "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
+                    "ground": {"synthetic": {"seed": 1}}},
+                  "figures": [{"name": "a", "kind": "scheme"}, {"name": "b", "kind": "spectrum", "y": "displacement"}]}"#,
+            )
+            .unwrap_or_else(|e| panic!("{e}")),
         ]
     }
 

@@ -1,6 +1,6 @@
 //! Quantities along the structure at given times.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::study::Scale;
 use crate::study::figure::checker::{Checker, MOST_PANELS, NARROW};
 use crate::study::figure::keys::{Takes, X_RANGE, Y_RANGE, key};
@@ -10,6 +10,7 @@ const MOST_CASES: usize = 6;
 
 pub(super) const KIND: Kind = Kind {
     name: "profile",
+    needs: Needs::Profiles,
     meaning: "quantities along the structure at given times, with the exact solution as a thin line; at most 6 cases",
     keys: &[
         key(
@@ -32,7 +33,7 @@ pub(super) const KIND: Kind = Kind {
             y: values
                 .rows("y")
                 .unwrap_or_else(|| (0..scope.problem.schema().profiles.len()).collect()),
-            times: values.times("times"),
+            times: values.numbers("times"),
         }))
     },
 };

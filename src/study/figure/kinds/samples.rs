@@ -1,6 +1,6 @@
 //! The parameters that a design samples, in pairs.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::Problem;
 use crate::study::Scale;
 use crate::study::figure::checker::Checker;
@@ -9,6 +9,7 @@ use crate::study::figure::{limits, sampled};
 
 pub(super) const KIND: Kind = Kind {
     name: "samples",
+    needs: Needs::Nothing,
     meaning: "every pair of the parameters that a design samples, one dot for each case; a metric is the colour of the dots and the last row; at most 8 parameters; each axis has the scale of its distribution",
     keys: &[
         key(

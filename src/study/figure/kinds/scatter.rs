@@ -1,6 +1,6 @@
 //! One column of the results over another.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::Problem;
 use crate::study::figure::checker::Checker;
 use crate::study::figure::keys::{Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key};
@@ -8,6 +8,7 @@ use crate::study::{Column, Scale};
 
 pub(super) const KIND: Kind = Kind {
     name: "scatter",
+    needs: Needs::Nothing,
     meaning: "one column of the results over another, one dot for each case; more than 2000 dots become one image in SVG and PDF",
     keys: &[
         key(

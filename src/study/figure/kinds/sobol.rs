@@ -1,6 +1,6 @@
 //! Sobol' indices.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::Problem;
 use crate::study::figure::checker::Checker;
 use crate::study::figure::keys::METRICS;
@@ -8,6 +8,7 @@ use crate::study::{Block, Sampling, Scale};
 
 pub(super) const KIND: Kind = Kind {
     name: "sobol",
+    needs: Needs::Nothing,
     meaning: "Sobol' indices of a saltelli design as bars, with the middle 95 % of bootstrap samples",
     keys: &[METRICS],
     decode: |values, _| {

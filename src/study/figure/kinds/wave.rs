@@ -1,6 +1,6 @@
 //! One case over place and time.
 
-use super::{Decoded, FigureKind, Kind};
+use super::{Decoded, FigureKind, Kind, Needs};
 use crate::study::Scale;
 use crate::study::figure::checker::{Checker, NARROW};
 use crate::study::figure::keys::{Takes, key};
@@ -10,6 +10,7 @@ const MOST_ROWS: u64 = 300;
 
 pub(super) const KIND: Kind = Kind {
     name: "wave",
+    needs: Needs::Profiles,
     meaning: "one case over place and time, as shades with a colour bar: the computed motion and the exact one",
     keys: &[key(
         "y",

@@ -1,0 +1,95 @@
+//! The structure of a case as a picture: ground, masses, bars with their elements, springs, contacts and loads.
+
+mod columns;
+mod links;
+mod paint;
+mod pairs;
+mod relations;
+mod sizes;
+mod symbols;
+
+use super::Draw;
+use crate::figures::DrawnCase;
+use crate::figures::layout;
+use crate::figures::layout::sheet::{Picture, Shape, Sheet};
+use crate::figures::style;
+use crate::problem::structure::Scheme as Structure;
+use crate::study::kinds::Scheme;
+use crate::study::{Figure, Study};
+
+/// Widest picture that keeps the size of its letters if the figure has no width.
+const WIDEST: f64 = style::DOUBLE;
+
+impl Draw for Scheme {
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+        let first = cases.first();
+        let scheme = first.and_then(|shown| study.problem.scheme(shown.case));
+        let Some(scheme) = scheme else {
+            return Sheet {
+                width: figure.width.unwrap_or(style::SINGLE),
+                height: 2.0 * style::EDGE,
+                ..Sheet::default()
+            };
+        };
+        let (mut picture, size) = paint::paint(&scheme);
+        let natural = size[0] + 2.0 * style::EDGE;
+        let width = figure.width.unwrap_or(natural.clamp(style::SINGLE, WIDEST));
+        let factor = ((width - 2.0 * style::EDGE) / size[0]).min(1.0);
+        let left = (width - factor * size[0]) / 2.0;
+        transform(&mut picture, factor, [left, style::EDGE]);
+        let mut sheet = Sheet {
+            width,
+            height: (factor * size[1] + 2.0 * style::EDGE).ceil(),
+            description: describe(&scheme),
+            picture,
+            ..Sheet::default()
+        };
+        sheet.height += layout::head(&mut sheet, figure.title.as_deref());
+        sheet
+    }
+}
+
+/// The picture smaller by a factor, with its corner at a place.
+fn transform(picture: &mut Picture, factor: f64, [left, top]: [f64; 2]) {
+    let moved = |[x, y]: [f64; 2]| [left + factor * x, top + factor * y];
+    for shape in &mut picture.shapes {
+        match shape {
+            Shape::Line(points, width) => {
+                points.iter_mut().for_each(|point| *point = moved(*point));
+                *width *= factor;
+            }
+            Shape::Box(rect, _) => {
+                [rect.left, rect.top] = moved([rect.left, rect.top]);
+                rect.width *= factor;
+                rect.height *= factor;
+            }
+            Shape::Arrow(ends) | Shape::DoubleArrow(ends) => *ends = ends.map(moved),
+        }
+    }
+    for words in &mut picture.words {
+        words.at = moved(words.at);
+        words.size *= factor;
+    }
+}
+
+/// What the picture shows, in plain text.
+fn describe(scheme: &Structure) -> String {
+    let bars = scheme
+        .parts
+        .iter()
+        .filter(|part| part.elements.is_some())
+        .count();
+    let contacts = scheme.links.iter().filter(|link| !link.name.is_empty());
+    let contacts: Vec<&str> = contacts.map(|link| link.name.as_str()).collect();
+    let parts: Vec<&str> = scheme.parts.iter().map(|part| part.name.as_str()).collect();
+    format!(
+        "{} masses and {bars} bars: {}; {} springs; contacts: {}",
+        parts.len() - bars,
+        parts.join(", "),
+        scheme.links.len() - contacts.len(),
+        match contacts.is_empty() {
+            true => "none".to_owned(),
+            false => contacts.join(", "),
+        }
+    )
+}

@@ -1,0 +1,88 @@
+//! The acceleration of the ground in a case, for response spectra.
+
+use super::template::Template;
+use crate::problem::Case;
+use crate::system::structure::{Signal, Table};
+use std::f64::consts::PI;
+
+/// The acceleration of the ground in a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundMotion {
+    /// The acceleration: straight between its points.
+    pub acceleration: Table,
+    /// Units of length and time, as the study writes them; empty if it does not.
+    pub units: [String; 2],
+}
+
+/// Points of a sine in a period: chords are below the curve by at most (2 pi/400)^2/8 = 3e-5 of the amplitude.
+const POINTS: f64 = 400.0;
+
+/// Most points of a sine.
+const MOST: f64 = 1e6;
+
+/// The ground motion of a case; `None` without one, or if a number of it breaks a rule. A sine acts until the end of the case.
+pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<GroundMotion> {
+    let ground = template.ground.as_ref()?;
+    let (signal, scale) = ground.in_case(case, template.metre).ok()?;
+    let acceleration = match &*signal {
+        Signal::Table(table) => table.clone().scaled(scale)?,
+        Signal::Sine { omega, .. } => {
+            let points = (duration * omega.abs() / (2.0 * PI) * POINTS)
+                .ceil()
+                .max(POINTS);
+            if points.is_nan() || points > MOST {
+                return None;
+            }
+            let time = |i: usize| duration * i as f64 / points;
+            let mut times: Vec<f64> = (0..=points as usize).map(time).collect();
+            let mut values: Vec<f64> = times.iter().map(|t| scale * signal.at(*t)).collect();
+            // The ground stops.
+            times.push(duration);
+            values.push(0.0);
+            Table::new(times, values)?
+        }
+    };
+    let mut units = template.units.split(',').map(|unit| unit.trim().to_owned());
+    let [length, time] = [units.nth(2), units.next()].map(Option::unwrap_or_default);
+    Some(GroundMotion {
+        acceleration,
+        units: [length, time],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::study::parse;
+
+    /// The ground motion of the first case of a study with one mass and this ground.
+    fn motion(ground: &str) -> super::GroundMotion {
+        let text = format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 2}}, "metrics": ["peak(m)"],
+              "structure": {{"units": "t, kN, cm, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": 1}}],
+                "ground": {ground}}}}}"#
+        );
+        let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+        study
+            .problem
+            .ground_motion(&study.case(0).unwrap())
+            .unwrap()
+    }
+
+    #[test]
+    fn a_table_is_scaled_and_a_sine_acts_until_the_end() {
+        let table = motion(r#"{"table": {"t": [0, 1], "f": [2, -4]}, "scale": 0.5}"#);
+        assert_eq!(table.units, ["cm", "s"]);
+        let table = table.acceleration;
+        assert_eq!(
+            (table.times(), table.values()),
+            (&[0.0, 1.0][..], &[1.0, -2.0][..])
+        );
+        let sine = motion(r#"{"sine": {"amplitude": 3, "omega": 5, "phase": 0.5}}"#).acceleration;
+        for t in [0.0, 0.123, 0.77, 1.999] {
+            // The error of the chords, see POINTS.
+            let exact = 3.0 * libm::sin(5.0 * t + 0.5);
+            assert!((sine.at(t) - exact).abs() <= 3.0 * 3.1e-5, "{t}");
+        }
+        assert_eq!(sine.at(2.0), 0.0);
+    }
+}

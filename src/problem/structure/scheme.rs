@@ -1,0 +1,158 @@
+//! The structure of a case as a scheme: what is connected to what, as plain data for a picture.
+
+use super::amount::Amount;
+use super::contacts::LawName;
+use super::node::NodeRef;
+use super::template::{Spring, SpringNumbers, Template};
+use crate::problem::Case;
+
+/// The structure of a case, for a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scheme {
+    /// Masses, then bars.
+    pub parts: Vec<Part>,
+    /// Springs, then contacts.
+    pub links: Vec<Link>,
+    /// Ends with a force.
+    pub loads: Vec<End>,
+    /// Whether the ground moves.
+    pub ground_moves: bool,
+}
+
+/// A mass or a bar.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Its name.
+    pub name: String,
+    /// Number of elements of a bar; `None` for a mass.
+    pub elements: Option<u32>,
+}
+
+/// A spring or a contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link {
+    /// What it is.
+    pub kind: LinkKind,
+    /// Name of a contact; empty for a spring.
+    pub name: String,
+    /// Ends I and J.
+    pub between: [End; 2],
+}
+
+/// The kinds of links.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinkKind {
+    /// A spring, a dashpot or both.
+    Spring {
+        /// Whether k > 0.
+        elastic: bool,
+        /// Whether c > 0.
+        viscous: bool,
+    },
+    /// An impact contact.
+    Impact,
+    /// A friction contact.
+    Friction,
+}
+
+/// An end of a link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// The ground.
+    Ground,
+    /// A part, by its place in the list.
+    Part(usize, Place),
+}
+
+/// A place of a part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// A mass as a point.
+    Mass,
+    /// The left end of a bar.
+    Left,
+    /// The right end of a bar.
+    Right,
+    /// A node between the ends of a bar: its distance from the left end over the length.
+    Inner(f64),
+}
+
+/// The scheme of a structure in a case; `None` if a number of it breaks a rule.
+pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
+    let masses = template.masses.iter().map(|mass| Part {
+        name: mass.name.clone(),
+        elements: None,
+    });
+    let mut parts: Vec<Part> = masses.collect();
+    for bar in &template.bars {
+        parts.push(Part {
+            name: bar.name.clone(),
+            elements: Some(
+                bar.elements
+                    .whole(case, 1, super::assemble::MOST_NODES)
+                    .ok()?,
+            ),
+        });
+    }
+    let masses = template.masses.len();
+    let end = |node: NodeRef| match node {
+        NodeRef::Ground => End::Ground,
+        NodeRef::Mass(mass) => End::Part(mass, Place::Mass),
+        NodeRef::Left(bar) => End::Part(masses + bar, Place::Left),
+        NodeRef::Right(bar) => End::Part(masses + bar, Place::Right),
+        NodeRef::Inner(bar, node) => {
+            let elements = parts[masses + bar].elements.unwrap_or(1);
+            let place = f64::from(node) / f64::from(elements);
+            End::Part(masses + bar, Place::Inner(place))
+        }
+    };
+    let mut links = Vec::new();
+    for spring in &template.springs {
+        let [elastic, viscous] = acts(spring, case)?;
+        if elastic || viscous {
+            links.push(Link {
+                kind: LinkKind::Spring { elastic, viscous },
+                name: String::new(),
+                between: [0, 1].map(|i: usize| end(spring.between[i].node)),
+            });
+        }
+    }
+    for contact in &template.contacts {
+        let kind = match LawName::parse(contact.law.name(case))? {
+            LawName::Impact => LinkKind::Impact,
+            LawName::DisplacementControl | LawName::VelocityControl | LawName::Coulomb => {
+                LinkKind::Friction
+            }
+        };
+        links.push(Link {
+            kind,
+            name: contact.name.clone(),
+            between: [0, 1].map(|i: usize| end(contact.between[i].node)),
+        });
+    }
+    // They do nothing.
+    links.retain(|link| link.between[0] != link.between[1]);
+    let loads = template
+        .loads
+        .iter()
+        .map(|load| end(load.at.node))
+        .collect();
+    Some(Scheme {
+        links,
+        loads,
+        parts,
+        ground_moves: template.ground.is_some(),
+    })
+}
+
+/// Whether a spring has a stiffness and a dashpot in a case.
+fn acts(spring: &Spring, case: &Case) -> Option<[bool; 2]> {
+    let positive = |amount: &Option<Amount>| match amount {
+        Some(amount) => Some(amount.value(case).ok()? > 0.0),
+        None => Some(false),
+    };
+    Some(match &spring.numbers {
+        SpringNumbers::Stiffness { k, c } => [k.value(case).ok()? > 0.0, positive(c)?],
+        SpringNumbers::Period { ratio, .. } => [true, positive(ratio)?],
+    })
+}
