@@ -54,7 +54,7 @@ reductions! {
     OpenTime "open_time" Contact "time without contact: for an impact the steps that end with S = 0, for friction those with limit 0",
     Work "work" Contact "work of the contact force on the structure's motion, integral of S dr by trapezoids; positive where the contact takes energy",
     ResidualSlip "residual_slip" Contact "slip at the last step minus slip at t = 0",
-    EnergyError "energy_error" Nothing "largest unbalanced energy over the largest kinetic and strain energy",
+    EnergyError "energy_error" Nothing "largest unbalanced energy at any step, over the largest energy (kinetic, strain, and stored in contacts)",
     RmsError "rms_error" Channel "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",
     PeakError "peak_error" Channel "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
     RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",

@@ -9,7 +9,7 @@ mod reader;
 mod records;
 mod wanted;
 
-use super::source::faults::{Faults, quoted, unknown};
+use super::source::faults::{Faults, quoted};
 use super::source::object::Object;
 use super::source::tree::Node;
 use super::value;
@@ -135,22 +135,14 @@ fn units(object: &Object, faults: &mut Faults) -> (String, f64) {
         return (String::new(), 1.0);
     };
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    let [_, _, length, time] = parts[..] else {
+    const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
+    let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
+    if metre.is_none() || !parts.contains(&"s") {
         let message = format!(
-            "must be the units of mass, force, length and time, such as \"t, kN, m, s\", got {}",
+            "must be the units of mass, force, length and time, such as \"t, kN, m, s\", with m, cm or mm and with s, got {}",
             quoted(&text)
         );
         faults.add(node.at, &path, message);
-        return (text, 1.0);
-    };
-    const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
-    let metre = LENGTHS.iter().find(|known| known.0 == length);
-    if metre.is_none() {
-        let known = LENGTHS.map(|known| known.0);
-        faults.add(node.at, &path, unknown("unit of length", length, &known));
-    }
-    if time != "s" {
-        faults.add(node.at, &path, unknown("unit of time", time, &["s"]));
     }
     let metre = metre.map_or(1.0, |known| known.1);
     (text, metre)
