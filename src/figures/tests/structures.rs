@@ -307,7 +307,7 @@ fn storeys_are_above_one_another_and_buildings_side_by_side() {
         .collect();
     let sheet = scheme(&format!(
         r#""masses": {{"b1|b2|b3": 1, "a1|a2|a3": 1}}, "springs": [{}], "contacts": {{{}}},
-          "loads": [{{"at": "a3", "sine": {{"amplitude": 1, "omega": 1}}}}]"#,
+          "loads": [{{"at": "a3", "sine": {{"amplitude": 1, "omega": 1}}}}, {{"at": "a3", "sine": {{"amplitude": 1, "omega": 1}}}}]"#,
         springs.join(", "),
         gaps.join(", ")
     ));

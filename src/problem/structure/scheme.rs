@@ -13,7 +13,7 @@ pub struct Scheme {
     pub parts: Vec<Part>,
     /// Springs, then contacts.
     pub links: Vec<Link>,
-    /// Ends with a force.
+    /// Ends with a force, each once.
     pub loads: Vec<End>,
     /// Whether the ground moves.
     pub ground_moves: bool,
@@ -132,11 +132,13 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
     }
     // They do nothing.
     links.retain(|link| link.between[0] != link.between[1]);
-    let loads = template
-        .loads
-        .iter()
-        .map(|load| end(load.at.node))
-        .collect();
+    let mut loads: Vec<End> = Vec::new();
+    for load in &template.loads {
+        let loaded = end(load.at.node);
+        if !loads.contains(&loaded) {
+            loads.push(loaded);
+        }
+    }
     Some(Scheme {
         links,
         loads,
