@@ -39,7 +39,7 @@ pub fn candidates(
         let [r, change] = [0, 1].map(|k| series.contacts[contact].r[k]);
         match model.structure.contacts[contact].law {
             Relation::RigidStop { .. } => {
-                if r > scales.r(model, contact) || change > tolerance {
+                if r > scales.r(model, contact, series.length) || change > tolerance {
                     state.phase = Phase::Open;
                     continue;
                 }

@@ -19,8 +19,8 @@ const ORDERS: usize = 6;
 /// comes after a time of the same order.
 const ZERO: f64 = 1e-9;
 
-/// The same part of the largest force on a node.
-const ROUND_OFF: f64 = 1e-14;
+/// The same part of the largest force on a node. It is larger than the tolerance of events.
+const ROUND_OFF: f64 = 1e-11;
 
 /// Decides the phases of rigid contacts; takes the round-off from the motion of those that do not move. `series` has begun.
 pub fn decide(
@@ -103,7 +103,11 @@ fn decide_order(
         series.apply(order, *contact, *force, model);
     }
     let largest = (0..m).map(|i| force[i].abs().max(d[i].abs() / flexibility[i * m + i]));
-    let zero = ZERO * largest.fold(0.0, f64::max) + ROUND_OFF * scales.force();
+    let largest = largest.fold(0.0, f64::max);
+    // A force changes by this part over the round-off of t.
+    let instant = 4.0 * f64::EPSILON * series.start / series.length;
+    let round_off = (ROUND_OFF + instant) * scales.force();
+    let zero = ZERO * largest + round_off;
     let mut i = 0..m;
     candidates.retain_mut(|candidate| {
         let i = i.next().unwrap_or_default();
@@ -117,8 +121,9 @@ fn decide_order(
         candidate.at[0] &= over <= zero;
         candidate.at[1] &= under <= zero;
         let one = candidate.at[0] != candidate.at[1];
-        // The second case is a limit that starts at 0.
-        if !unique && (one || both) {
+        // The second case is a limit that starts at 0. Without any force, the next order decides.
+        let loaded = order > 0 || largest > round_off;
+        if !unique && loaded && (one || both) {
             let upper = if one {
                 candidate.at[1]
             } else {

@@ -120,7 +120,7 @@ impl<'a> Motion<'a> {
         for (i, contact) in self.model.structure.contacts.iter().enumerate() {
             let rigid = matches!(contact.law, Relation::RigidStop { .. });
             let r = self.series.contacts[i].r[0];
-            if rigid && r < -self.scales.r(&self.model, i) {
+            if rigid && r < -self.scales.r(&self.model, i, self.series.length) {
                 return Err(EventsFault::Overlap {
                     contact: contact.name.clone(),
                     r,

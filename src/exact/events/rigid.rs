@@ -57,7 +57,7 @@ pub fn impacts(
         let Relation::RigidStop { restitution } = contact.law else {
             continue;
         };
-        if series.contacts[i].r[0] <= scales.r(model, i) {
+        if series.contacts[i].r[0] <= scales.r(model, i, series.length) {
             let rate = model.relative(i, v);
             let e = if rate < -SHUT * scales.velocity {
                 restitution

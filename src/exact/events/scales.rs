@@ -7,6 +7,9 @@ use crate::system::structure::Relation;
 /// Tolerance over the largest value.
 const TOLERANCE: f64 = 1e-12;
 
+/// Round-off of an acceleration, as of two nodes that the ground moves alike. From rest, nothing else is known of the scales.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+
 /// The largest values so far.
 #[derive(Debug, Clone)]
 pub struct Scales {
@@ -63,15 +66,15 @@ impl Scales {
         }
     }
 
-    /// Tolerance of r of a contact.
-    pub fn r(&self, model: &Model, contact: usize) -> f64 {
+    /// Tolerance of r of a contact on a piece of this length.
+    pub fn r(&self, model: &Model, contact: usize, length: f64) -> f64 {
         let gap = model.structure.contacts[contact].gap.abs();
-        TOLERANCE * self.displacement.max(gap)
+        TOLERANCE * self.displacement.max(gap) + ROUND_OFF * self.acceleration * length * length
     }
 
     /// Tolerance of rdot on a piece of this length.
     pub fn rate(&self, length: f64) -> f64 {
-        TOLERANCE * self.velocity + f64::EPSILON * self.acceleration * length
+        TOLERANCE * self.velocity + ROUND_OFF * self.acceleration * length
     }
 
     /// Tolerance of the limit of a contact.
@@ -88,7 +91,9 @@ impl Scales {
     pub fn contact_force(&self, model: &Model, contact: usize, length: f64) -> f64 {
         let motion = match &model.structure.contacts[contact].law {
             Relation::ImpactSpring { stiffness: k }
-            | Relation::DisplacementControl { stiffness: k, .. } => k * self.r(model, contact),
+            | Relation::DisplacementControl { stiffness: k, .. } => {
+                k * self.r(model, contact, length)
+            }
             Relation::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
             Relation::RigidStop { .. } | Relation::Coulomb { .. } => TOLERANCE * self.force,
         };

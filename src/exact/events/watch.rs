@@ -111,8 +111,8 @@ impl Watched<'_> {
     /// r of an open impact contact; for a rigid stop that just bounced at r = 0, r over s.
     fn touch(&self, law: &Relation, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
         let r = &self.series.contacts[self.contact].r;
-        let tolerance = self.scales.r(self.model, self.contact);
         let length = self.series.length;
+        let tolerance = self.scales.r(self.model, self.contact, length);
         let rate_tolerance = self.scales.rate(length);
         let rigid = matches!(law, Relation::RigidStop { .. });
         if rigid && r[0].abs() <= tolerance && r[1] > rate_tolerance * length {

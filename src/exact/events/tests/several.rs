@@ -172,3 +172,15 @@ fn what_has_no_exact_motion_is_a_fault() {
     let most = MOST_PIECES;
     assert_eq!(fault, EventsFault::TooManyPieces { most, time: 0.0 });
 }
+
+#[test]
+fn nodes_that_the_ground_moves_alike_do_not_touch() {
+    // From rest and with a gap of 0, r is round-off of the accelerations.
+    let ground = [(0, -0.3), (1, -0.7), (2, -1.1)];
+    let law = || Relation::ImpactSpring { stiffness: 1e6 };
+    let s = masses(&[0.3, 0.7, 1.1])
+        .load(&ground, table(&[[0.0, 0.1], [1.0, 0.7], [2.0, -0.9]]))
+        .contact([Some(0), Some(1)], 0.0, law())
+        .contact([Some(1), Some(2)], 0.0, law());
+    assert_eq!(last(&s, 3.0).1.events, []);
+}
