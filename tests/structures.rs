@@ -307,3 +307,105 @@ fn a_sweep_has_the_bits_of_single_cases_whatever_its_order() {
         assert!(energy_error < 1e-13, "case {row}: {energy_error}");
     }
 }
+
+/// The exact channel 0 of the one history figure of a study.
+fn exact(study: &Study, case: u64) -> Vec<f64> {
+    let case = study.case(case).unwrap();
+    let solution = study.problem.solve(&case, &[]).unwrap();
+    solution.exact.channel(0).to_vec()
+}
+
+fn rms(differences: impl Iterator<Item = f64>) -> f64 {
+    let squares: Vec<f64> = differences.map(|x| x * x).collect();
+    (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+}
+
+#[test]
+fn errors_are_the_differences_of_the_motions_they_name() {
+    // A bar that falls on a spring, with the exact motions of the softened and of the rigid laws, and of a finer mesh.
+    let study = |n: u32, reference: &str| {
+        parse(&format!(
+            r#"{{"problem": "structure", "parameters": {{"n": {n}, "dt": 0.01, "duration": 1.5}},
+                "structure": {{"bars": {{"b": {{"L": 1, "EA": 20, "mass": 1, "n": "n", "stiffness_damping": 0.002}}}},
+                "contacts": {{"wall": {{"law": "impact", "between": ["ground", "b.left"], "gap": 0.1, "k": 300}}}},
+                "start": {{"b": {{"v": -0.5}}}}, "contacts_reference": "{reference}"}},
+                "metrics": ["rms_error(b.right)", "step_error(b.right)", "mesh_error(b.right)", "regularisation_error(b.right)",
+                            "peak_error(b.right)"],
+                "figures": [{{"name": "h", "kind": "history", "y": "b.right"}}]}}"#
+        ))
+    };
+    let (softened, rigid, finer) = (
+        study(3, "softened"),
+        study(3, "rigid"),
+        study(12, "softened"),
+    );
+    let case = softened.case(0).unwrap();
+    let solution = softened.problem.solve(&case, &[]).unwrap();
+    let metrics: Vec<f64> = solution.metrics.iter().map(|x| x.unwrap()).collect();
+    let computed = solution.computed.channel(0);
+    let [g, e, f] = [exact(&softened, 0), exact(&rigid, 0), exact(&finer, 0)];
+    let between = |a: &[f64], b: &[f64]| rms(a.iter().zip(b).map(|(a, b)| a - b));
+    let expected = [
+        between(computed, &g),
+        between(computed, &g),
+        between(&g, &f),
+        between(&g, &e),
+    ];
+    for (found, expected) in metrics.iter().zip(expected) {
+        // Round-off of sums in another order, and of motions up to 1.
+        assert!((found - expected).abs() < 1e-13, "{metrics:?} {expected}");
+        assert!(expected > 1e-6);
+    }
+    let peak = |x: &[f64]| x.iter().fold(0.0, |peak: f64, x| peak.max(x.abs()));
+    assert!((metrics[4] - (peak(computed) - peak(&g)).abs()).abs() < 1e-15);
+    let against_rigid = rigid.problem.solve(&rigid.case(0).unwrap(), &[]).unwrap();
+    let found = against_rigid.metrics[0].unwrap();
+    assert!((found - between(computed, &e)).abs() < 1e-13);
+}
+
+#[test]
+fn single_histories_diverge_where_impacts_make_the_motion_chaotic() {
+    // An oscillator with a stiff stop, driven hard, and the same without the stop.
+    let study = |gap: f64| {
+        parse(&format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.005, "duration": 400}},
+                "structure": {{"masses": {{"x": 1}}, "springs": [{{"between": ["ground", "x"], "k": 1, "c": 0.02}}],
+                "contacts": {{"stop": {{"law": "impact", "between": ["x", "ground"], "gap": {gap}, "k": 1000}}}},
+                "loads": [{{"at": "x", "sine": {{"amplitude": 1, "omega": 2.7}}}}], "start": {{"x": {{"u": 0.01}}}}}},
+                "metrics": ["divergence(x, 0.01)"]}}"#
+        ))
+    };
+    let divergence = |gap| {
+        let study = study(gap);
+        study
+            .problem
+            .solve(&study.case(0).unwrap(), &[])
+            .unwrap()
+            .metrics[0]
+    };
+    assert_eq!(divergence(10.0), None);
+    let time = divergence(0.0);
+    assert!(time.is_none_or(|time| time > 1.0), "{time:?}");
+}
+
+#[test]
+fn the_example_of_init_runs_and_meets_its_check() {
+    let text = study::start("structure").unwrap();
+    let study = parse(
+        &text
+            .replace("SCHEMA", "schema.json")
+            .replace("NAME", "frames"),
+    );
+    assert_eq!(study.len(), 26);
+    let row = study
+        .problem
+        .metrics()
+        .iter()
+        .position(|m| m.name == "energy_error");
+    for case in [0, 25] {
+        let case = study.case(case).unwrap();
+        let solution = study.problem.solve(&case, &[]).unwrap();
+        assert!(solution.metrics[row.unwrap()].unwrap() < 1e-12);
+        assert!(solution.metrics[0].unwrap() > 0.0);
+    }
+}
