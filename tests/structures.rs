@@ -186,7 +186,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"t, kN, m, s\"",
             "\"t, kN, ell, s\"",
             "structure.units",
-            "unknown unit of length",
+            "with m, cm or mm",
         ),
         (
             "\"softened\"",

@@ -101,7 +101,7 @@ fn the_schema_is_json_with_the_problems() {
     let problems = &schema["properties"]["problem"]["enum"];
     assert_eq!(
         *problems,
-        serde_json::json!(["friction-oscillator", "bar-impact"])
+        serde_json::json!(["friction-oscillator", "bar-impact", "structure"])
     );
 }
 
