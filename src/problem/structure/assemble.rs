@@ -70,7 +70,7 @@ fn draft(
         return Err(violations);
     }
     let numbering = Numbering::new(template.masses.len(), elements);
-    let size = if build { numbering.len() } else { 0 };
+    let size = if build { numbering.nodes() } else { 0 };
     let mut draft = Draft {
         build,
         template,

@@ -175,7 +175,7 @@ impl Problem for StructureProblem {
             Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering));
                 let contacts = self.template.contacts.len();
-                let numbers = (2 * numbering.len() + 3 * contacts) as f64;
+                let numbers = (2 * numbering.nodes() + 3 * contacts) as f64;
                 let steps = duration / step;
                 if violations.is_empty() && steps * numbers > MOST_NUMBERS {
                     violations.push(Violation {
@@ -194,7 +194,7 @@ impl Problem for StructureProblem {
     fn work(&self, case: &Case) -> u64 {
         let contacts = self.template.contacts.len();
         let size = assemble::check(&self.template, case);
-        let size = size.map_or(1, |numbering| numbering.len() + 5 * contacts);
+        let size = size.map_or(1, |numbering| numbering.nodes() + 5 * contacts);
         self.steps(case).saturating_mul(size as u64)
     }
 

@@ -74,7 +74,7 @@ impl Numbering {
     }
 
     /// Number of nodes.
-    pub fn len(&self) -> usize {
+    pub fn nodes(&self) -> usize {
         self.first(self.elements.len())
     }
 
