@@ -23,7 +23,7 @@ const PEAK: f64 = 0.3;
 /// ```
 ///
 /// (firm ground, `[Clough and Penzien 1975]`; both damping ratios 0.6), times (t/2)^2 until 2 s, 1 until 10 s and
-/// exp(-(t - 10)/4) after (`[Jennings et al. 1968]`), scaled to the peak. u_k is the k-th number of [`SplitMix64`].
+/// exp(-(t - 10)/4) after (`[Jennings et al. 1968]`), scaled to the peak. u_k is the k-th number of SplitMix64.
 pub fn synthetic(seed: u64) -> Table {
     // w t = 2 pi (k i mod 3000)/3000 at step i: all angles are multiples of one.
     let angle = |n: usize| 2.0 * PI * (n as f64 / STEPS as f64);
