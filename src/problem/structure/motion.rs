@@ -3,6 +3,7 @@
 use super::channel::{Number, Quantity};
 use super::judge::Recorded;
 use crate::exact::events;
+use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, run};
 use crate::system::structure::{Relation, Structure};
@@ -48,20 +49,15 @@ pub fn steps<const L: usize>(
         energy,
     } = recording;
     let count = last as usize + 1;
-    let mut series: [Vec<Vec<f64>>; L] =
-        std::array::from_fn(|_| vec![Vec::with_capacity(count); numbers.len()]);
+    // All lanes of a number are next to one another: one store for each number and step.
+    let mut rows: Vec<Lane<L>> = Vec::with_capacity(count * numbers.len());
     let mut books: Option<Books<L>> = None;
     let ends = run(
         structures,
         prepared,
         last as usize,
         |step, state: &State<L>| {
-            for (i, number) in numbers.iter().enumerate() {
-                let value = value(state, *number);
-                for (series, x) in series.iter_mut().zip(value) {
-                    series[i].push(x);
-                }
-            }
+            rows.extend(numbers.iter().map(|number| value(state, *number)));
             match &mut books {
                 Some(books) => books.add(state),
                 None if energy && step == 0 => books = Some(Books::new(state)),
@@ -70,13 +66,17 @@ pub fn steps<const L: usize>(
         },
     );
     let errors = books.map(|books| books.energy_error().0);
-    let mut lanes = ends.into_iter().zip(series).enumerate();
+    let of = |number: usize, lane: usize| -> Vec<f64> {
+        let column = rows.iter().skip(number).step_by(numbers.len());
+        column.map(|row| row.0[lane]).collect()
+    };
+    let mut ends = ends.into_iter().enumerate();
     std::array::from_fn(|_| {
-        let (l, (end, series)) = lanes.next().unwrap_or((0, (Ok(()), Vec::new())));
+        let (l, end) = ends.next().unwrap_or((0, Ok(())));
         end?;
         let recorded = Recorded {
             numbers: numbers.to_vec(),
-            series,
+            series: (0..numbers.len()).map(|number| of(number, l)).collect(),
         };
         // Without any energy there is no error.
         let error = errors.map(|errors| if errors[l].is_nan() { 0.0 } else { errors[l] });
@@ -86,8 +86,8 @@ pub fn steps<const L: usize>(
 
 /// A quantity in all lanes.
 #[inline(always)]
-fn value<const L: usize>(state: &State<L>, number: Number) -> [f64; L] {
-    let lane = match number {
+fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L> {
+    match number {
         Number::Displacement(node) => state.displacement(node),
         Number::Velocity(node) => state.velocity(node),
         Number::Contact(contact, quantity) => {
@@ -100,8 +100,7 @@ fn value<const L: usize>(state: &State<L>, number: Number) -> [f64; L] {
                 Quantity::Limit => contact.limit,
             }
         }
-    };
-    lane.0
+    }
 }
 
 /// The exact motion at these times.
