@@ -82,8 +82,8 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
         ),
         (
             "\"gap\": [",
-            "\"pi\": 1, \"gap\": [",
-            "2:58: parameters.pi",
+            "\"sin\": 1, \"gap\": [",
+            "2:58: parameters.sin",
             "has a meaning in expressions",
         ),
         (
@@ -186,7 +186,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"t, kN, m, s\"",
             "\"t, kN, ell, s\"",
             "structure.units",
-            "with m, cm or mm",
+            "length in m, cm or mm",
         ),
         (
             "\"softened\"",
@@ -212,6 +212,24 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"problem\": \"structures\"",
             "1:14: problem",
             "did you mean \"structure\"",
+        ),
+        (
+            "{ \"at\": \"p1\"",
+            "{ \"at\": \"ground\"",
+            "structure.loads[0].at",
+            "the ground does not move",
+        ),
+        (
+            "\"g1\": { \"v\"",
+            "\"ground\": { \"v\"",
+            "structure.start.ground",
+            "the ground does not move",
+        ),
+        (
+            "\"gap\": \"gap\", \"k\": \"k_I\"",
+            "\"gap\": \"-gap\", \"e\": \"k_I/k_I\"",
+            "structure.contacts.gap12",
+            "must start with r >= 0, got -0.01",
         ),
     ] {
         assert!(EXAMPLE.contains(from), "{from}");
@@ -361,6 +379,57 @@ fn errors_are_the_differences_of_the_motions_they_name() {
     let against_rigid = rigid.problem.solve(&rigid.case(0).unwrap(), &[]).unwrap();
     let found = against_rigid.metrics[0].unwrap();
     assert!((found - between(computed, &e)).abs() < 1e-13);
+}
+
+#[test]
+fn inner_nodes_keep_their_places_on_the_finer_mesh() {
+    // A spring and the channel at node 2 of 4, which is node 8 of 16.
+    let study = |n: u32, node: u32| {
+        parse(&format!(
+            r#"{{"problem": "structure", "parameters": {{"n": {n}, "dt": 0.01, "duration": 1.5}},
+                "structure": {{"bars": {{"b": {{"L": 1, "EA": 20, "mass": 1, "n": "n"}}}},
+                "springs": [{{"between": ["ground", "b.{node}"], "k": 3}}], "start": {{"b": {{"v": -0.5}}, "b.left": {{"u": 0.1}}}},
+                "contacts_reference": "softened"}}, "metrics": ["mesh_error(b.{node})"],
+                "figures": [{{"name": "h", "kind": "history", "y": "b.{node}"}}]}}"#
+        ))
+    };
+    let (coarse, fine) = (study(4, 2), study(16, 8));
+    let found = coarse.problem.solve(&coarse.case(0).unwrap(), &[]).unwrap();
+    let [g, f] = [exact(&coarse, 0), exact(&fine, 0)];
+    let expected = rms(g.iter().zip(&f).map(|(a, b)| a - b));
+    assert!((found.metrics[0].unwrap() - expected).abs() < 1e-13);
+    // The start of one node and that of its bar add up.
+    let columns = coarse.problem.history_columns(&coarse.case(0).unwrap());
+    let at_start = |name: &str| {
+        let column = columns.iter().find(|c| c.column.name == name).unwrap();
+        found.computed.channel(column.index)[0]
+    };
+    assert_eq!([at_start("b.left.u"), at_start("b.left.v")], [0.1, -0.5]);
+}
+
+#[test]
+fn the_names_of_parameters_belong_to_the_key_of_results() {
+    let key = |a: &str, b: &str| {
+        let study = parse(&format!(
+            r#"{{"problem": "structure", "parameters": {{"{a}": 1, "{b}": 4, "dt": 0.1, "duration": 2}},
+                "structure": {{"masses": {{"m": "a"}}, "springs": [{{"between": ["ground", "m"], "k": "b"}}]}}}}"#
+        ));
+        let mut cases = Cases::new(study.problem.schema());
+        study.cases().for_each(|case| cases.push(&case));
+        slipgap::batch::key::Key::new(&study, 0, &cases)
+    };
+    assert_ne!(key("a", "b"), key("b", "a"));
+    assert_eq!(key("a", "b"), key("a", "b"));
+}
+
+#[test]
+fn a_parameter_may_have_the_name_of_a_constant() {
+    let study = parse(
+        r#"{"problem": "structure", "parameters": {"e": [0, 0.5], "dt": 0.1, "duration": 2},
+            "structure": {"masses": {"m": 1}, "contacts": {"stop": {"law": "impact", "between": ["m", "ground"], "gap": 1, "e": "e"}}}}"#,
+    );
+    let text = study.problem.description(&study.case(1).unwrap()).unwrap();
+    assert!(text.contains("restitution 0.5"), "{text}");
 }
 
 #[test]

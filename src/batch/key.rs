@@ -33,8 +33,12 @@ impl Key {
         bytes.extend(cases.len().to_le_bytes());
         let table = study.problem.parameters();
         for row in study.parameter_columns() {
-            if table[row].column == ColumnRule::IfGiven {
+            let free_names = !study.problem.identity().is_empty();
+            if free_names || table[row].column == ColumnRule::IfGiven {
                 bytes.extend(table[row].name.as_bytes());
+            }
+            if free_names {
+                bytes.push(0);
             }
             match &cases.columns()[row] {
                 Column::Same(value) => {

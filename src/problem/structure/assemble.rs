@@ -2,10 +2,11 @@
 
 use super::amount::Amount;
 use super::contacts;
+use super::damping::MOST_MODES;
 use super::node::{NodeName, NodeRef, Numbering};
 use super::template::{Moved, Scaled, SpringNumbers, Template};
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Load, Node, Structure, Symmetric};
+use crate::system::structure::{Load, Node, Relation, Structure, Symmetric};
 use std::f64::consts::PI;
 
 /// Most elements of a bar, and most nodes of a structure.
@@ -53,12 +54,12 @@ fn draft(
     let mut elements = Vec::new();
     for bar in &template.bars {
         match bar.elements.whole(case, 1, MOST_NODES) {
-            Ok(n) => elements.push(n * finer),
+            Ok(n) => elements.push(n),
             Err(violation) => violations.push(violation),
         }
     }
     let nodes = elements.iter().fold(0u64, |sum, n| sum + u64::from(*n) + 1);
-    if violations.is_empty() && nodes > u64::from(MOST_NODES) * u64::from(finer) {
+    if violations.is_empty() && nodes > u64::from(MOST_NODES) {
         let first = template.bars.first();
         violations.extend(first.map(|bar| {
             bar.elements.violation(format!(
@@ -69,8 +70,9 @@ fn draft(
     if !violations.is_empty() {
         return Err(violations);
     }
-    let numbering = Numbering::new(template.masses.len(), elements);
-    let size = if build { numbering.nodes() } else { 0 };
+    let numbering = Numbering::new(template.masses.len(), elements, finer);
+    let nodes = numbering.nodes();
+    let size = if build { nodes } else { 0 };
     let mut draft = Draft {
         build,
         template,
@@ -82,8 +84,9 @@ fn draft(
             damping: Symmetric::zeros(size),
             contacts: Vec::new(),
             loads: Vec::new(),
-            displacement: vec![0.0; size],
-            velocity: vec![0.0; size],
+            // Overlaps are checked also where nothing is built.
+            displacement: vec![0.0; nodes],
+            velocity: vec![0.0; nodes],
         },
         violations,
     };
@@ -94,6 +97,8 @@ fn draft(
     draft.contacts();
     draft.loads();
     draft.start();
+    draft.modal_damping();
+    draft.overlaps();
     match draft.violations.is_empty() {
         true => Ok((draft.structure, draft.numbering)),
         false => Err(draft.violations),
@@ -261,7 +266,9 @@ impl Draft<'_> {
 
     fn start(&mut self) {
         for start in &self.template.start {
-            let (u, v) = (self.optional(&start.u), self.optional(&start.v));
+            let mut given =
+                |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
+            let (u, v) = (given(&start.u), given(&start.v));
             let nodes = match &start.of {
                 Moved::Node(name) if name.node == NodeRef::Ground => 0..0,
                 Moved::Node(name) => self.node(name).map_or(0..0, |node| node..node + 1),
@@ -270,9 +277,42 @@ impl Draft<'_> {
                     first..first + self.numbering.elements()[*bar] as usize + 1
                 }
             };
-            for node in nodes.filter(|_| self.build) {
-                self.structure.displacement[node] = u;
-                self.structure.velocity[node] = v;
+            for node in nodes {
+                let Structure {
+                    displacement,
+                    velocity,
+                    ..
+                } = &mut self.structure;
+                displacement[node] = u.unwrap_or(displacement[node]);
+                velocity[node] = v.unwrap_or(velocity[node]);
+            }
+        }
+    }
+
+    fn modal_damping(&mut self) {
+        let Some(ratio) = &self.template.modal_damping else {
+            return;
+        };
+        self.value(ratio);
+        let nodes = self.numbering.nodes();
+        if nodes > MOST_MODES {
+            let message =
+                format!("modal damping is allowed for at most {MOST_MODES} nodes, got {nodes}");
+            self.violations.push(ratio.violation(message));
+        }
+    }
+
+    /// A rigid contact must not overlap at t = 0: it would part at a speed of overlap over time step.
+    fn overlaps(&mut self) {
+        if !self.violations.is_empty() {
+            return;
+        }
+        for (c, contact) in self.template.contacts.iter().enumerate() {
+            let own = &self.structure.contacts[c];
+            let r = self.structure.relative(c, &self.structure.displacement) + own.gap;
+            if matches!(own.law, Relation::RigidStop { .. }) && r < 0.0 {
+                let message = format!("a rigid contact must start with r >= 0, got {r}");
+                self.violations.push(contacts::violation(contact, message));
             }
         }
     }

@@ -4,7 +4,7 @@ use crate::system::structure::Structure;
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Most nodes of a structure whose modes are computed: the matrices are full.
-const MOST: usize = 1000;
+pub const MOST_MODES: usize = 1000;
 
 /// Adds C = M sum 2 ratio omega_k phi_k phi_k^T M of all modes of M and K; `None` if there are too many nodes.
 pub fn add_modal(structure: &mut Structure, ratio: f64) -> Option<()> {
@@ -25,7 +25,7 @@ pub fn add_modal(structure: &mut Structure, ratio: f64) -> Option<()> {
 /// Squares of the natural frequencies, and the shapes as columns of an orthogonal matrix: sqrt(mass) times the displacement.
 pub fn modes(structure: &Structure) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let size = structure.len();
-    if size > MOST {
+    if size > MOST_MODES {
         return None;
     }
     let root: Vec<f64> = structure.nodes.iter().map(|n| n.mass.sqrt()).collect();

@@ -42,8 +42,12 @@ pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<
             Table::new(times, values)?
         }
     };
-    let mut units = template.units.split(',').map(|unit| unit.trim().to_owned());
-    let [length, time] = [units.nth(2), units.next()].map(Option::unwrap_or_default);
+    // The last two of mass, force, length and time.
+    let units: Vec<&str> = template.units.split(',').map(str::trim).collect();
+    let [length, time] = match units[..] {
+        [.., length, time] => [length, time].map(str::to_owned),
+        _ => Default::default(),
+    };
     Some(GroundMotion {
         acceleration,
         units: [length, time],

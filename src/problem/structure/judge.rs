@@ -13,6 +13,8 @@ pub struct Recorded {
     pub numbers: Vec<Number>,
     /// Their values.
     pub series: Vec<Vec<f64>>,
+    /// Number of values of each, N + 1.
+    pub len: usize,
 }
 
 impl Recorded {
@@ -24,8 +26,7 @@ impl Recorded {
 
     /// The values of a channel of a structure with this numbering.
     pub fn channel(&self, channel: &Channel, numbering: &Numbering) -> Vec<f64> {
-        let len = self.series.first().map_or(0, Vec::len);
-        let mut sum = vec![0.0; len];
+        let mut sum = vec![0.0; self.len];
         for (sign, term) in &channel.terms {
             if let Ok(Some(number)) = term.number(numbering) {
                 for (sum, x) in sum.iter_mut().zip(self.of(number)) {

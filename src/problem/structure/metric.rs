@@ -15,6 +15,8 @@ pub struct StructureMetric {
     pub contact: Option<usize>,
     /// The threshold of `divergence`, over the peak.
     pub threshold: f64,
+    /// Byte offset and path of the text in the study.
+    pub place: (usize, String),
 }
 
 macro_rules! reductions {
@@ -113,6 +115,7 @@ impl StructureMetric {
             channel: None,
             contact: None,
             threshold: 0.0,
+            place: (0, String::new()),
         };
         let inside = inside.map(str::trim);
         match (takes, inside) {

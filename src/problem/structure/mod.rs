@@ -3,6 +3,7 @@
 pub mod amount;
 mod assemble;
 pub mod channel;
+mod columns;
 pub mod contacts;
 mod damping;
 mod describe;
@@ -24,12 +25,11 @@ pub use scheme::Scheme;
 use super::cases::Cases;
 use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
 use crate::history::History;
-use crate::problem::schema::Channel as Column;
-use crate::problem::unit::Dimension;
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::assemble;
-use channel::{Number, Quantity};
+use channel::Number;
+use columns::all_numbers;
 use judge::Recorded;
 use metric::StructureMetric;
 use node::Numbering;
@@ -123,35 +123,26 @@ impl StructureProblem {
         distinct(terms.filter_map(|(_, term)| term.number(numbering).ok().flatten()))
     }
 
-    /// Every channel expression has its nodes in a case.
+    /// Every channel has its nodes in a case.
     fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
-        let of_metrics = self
-            .metrics
-            .iter()
-            .filter_map(|metric| metric.channel.as_ref());
-        let channels = of_metrics.chain(self.drawn.iter().map(|drawn| &drawn.channel));
-        let faults = channels.filter_map(|channel| {
+        let of_metric = |metric: &StructureMetric| {
+            let channel = metric.channel.clone();
+            channel.map(|channel| (channel, metric.place.clone()))
+        };
+        let of_metrics = self.metrics.iter().filter_map(of_metric);
+        let drawn = self.drawn.iter();
+        let drawn = drawn.map(|drawn| (drawn.channel.clone(), drawn.place.clone()));
+        let faults = of_metrics.chain(drawn).filter_map(|(channel, (at, path))| {
             let mut terms = channel.terms.iter();
             let message = terms.find_map(|(_, term)| term.number(numbering).err())?;
             Some(Violation {
-                parameter: channel.name.clone().into(),
-                message,
-                at: None,
+                parameter: path.into(),
+                message: format!("{}: {message}", channel.name),
+                at: Some(at),
             })
         });
         faults.collect()
     }
-}
-
-/// u and v of every node, r, rdot and S of every contact.
-fn all_numbers(structure: &Structure) -> Vec<Number> {
-    let nodes = 0..structure.len();
-    let of_nodes = nodes.flat_map(|i| [Number::Displacement(i), Number::Velocity(i)]);
-    let of_contacts = (0..structure.contacts.len()).flat_map(|c| {
-        [Quantity::Displacement, Quantity::Velocity, Quantity::Force]
-            .map(|quantity| Number::Contact(c, quantity))
-    });
-    of_nodes.chain(of_contacts).collect()
 }
 
 impl Problem for StructureProblem {
@@ -256,33 +247,11 @@ impl Problem for StructureProblem {
     }
 
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
-        let Ok((structure, _)) = assemble(&self.template, case, 1) else {
-            return Vec::new();
-        };
         let exact = self.template.reference.is_some();
-        let nodes = structure.nodes.iter().flat_map(|node| {
-            [("u", Dimension::Length), ("v", Dimension::Velocity)]
-                .map(|(end, dimension)| (format!("{}.{end}", node.name), dimension))
-        });
-        let contacts = structure.contacts.iter().flat_map(|contact| {
-            [
-                ("r", Dimension::Length),
-                ("rdot", Dimension::Velocity),
-                ("S", Dimension::Force),
-            ]
-            .map(|(end, dimension)| (format!("{}.{end}", contact.name), dimension))
-        });
-        let columns = nodes.chain(contacts).enumerate();
-        columns
-            .map(|(i, (name, dimension))| HistoryColumn {
-                index: self.drawn.len() + i,
-                column: Column {
-                    name: name.into(),
-                    dimension,
-                    exact,
-                },
-            })
-            .collect()
+        match assemble(&self.template, case, 1) {
+            Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact),
+            Err(_) => Vec::new(),
+        }
     }
 
     fn scheme(&self, case: &Case) -> Option<Scheme> {

@@ -77,6 +77,7 @@ pub fn steps<const L: usize>(
         let recorded = Recorded {
             numbers: numbers.to_vec(),
             series: (0..numbers.len()).map(|number| of(number, l)).collect(),
+            len: count,
         };
         // Without any energy there is no error.
         let error = errors.map(|errors| if errors[l].is_nan() { 0.0 } else { errors[l] });
@@ -123,6 +124,7 @@ pub fn exact(
     Ok(Recorded {
         numbers: numbers.to_vec(),
         series,
+        len: times.len(),
     })
 }
 

@@ -60,12 +60,20 @@ pub struct Numbering {
     masses: usize,
     /// Number of elements of each bar.
     elements: Vec<u32>,
+    /// How many elements an element of the study is divided into.
+    finer: u32,
 }
 
 impl Numbering {
-    /// The numbering of `masses` masses and bars of so many elements.
-    pub fn new(masses: usize, elements: Vec<u32>) -> Numbering {
-        Numbering { masses, elements }
+    /// The numbering of `masses` masses and bars of so many elements, each divided into `finer` ones. Inner nodes keep their
+    /// places along the bar.
+    pub fn new(masses: usize, elements: Vec<u32>, finer: u32) -> Numbering {
+        let elements = elements.iter().map(|n| n * finer).collect();
+        Numbering {
+            masses,
+            elements,
+            finer,
+        }
     }
 
     /// Number of elements of each bar.
@@ -103,10 +111,10 @@ impl Numbering {
             NodeRef::Mass(mass) => Ok(Some(mass)),
             NodeRef::Left(bar) => Ok(Some(self.first(bar))),
             NodeRef::Right(bar) => Ok(Some(self.first(bar) + self.elements[bar] as usize)),
-            NodeRef::Inner(bar, i) if i >= 1 && i < self.elements[bar] => {
-                Ok(Some(self.first(bar) + i as usize))
+            NodeRef::Inner(bar, i) if i >= 1 && i < self.elements[bar] / self.finer => {
+                Ok(Some(self.first(bar) + (i * self.finer) as usize))
             }
-            NodeRef::Inner(bar, i) => Err(match self.elements[bar] {
+            NodeRef::Inner(bar, i) => Err(match self.elements[bar] / self.finer {
                 1 => format!("the bar has one element and no inner node, got {i}"),
                 n => format!("the bar has inner nodes 1 to {}, got {i}", n - 1),
             }),

@@ -40,6 +40,8 @@ pub struct Drawn {
     pub channel: Channel,
     /// Whether it is the error of the channel.
     pub error: bool,
+    /// Byte offset and path of the text in the study.
+    pub place: (usize, String),
 }
 
 /// The schema of these parameters, metrics and quantities. Channel i is that of quantity i.

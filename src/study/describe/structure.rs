@@ -254,9 +254,8 @@ pub(super) fn reference() -> String {
         Kind::Choice(laws) => laws.to_vec(),
         _ => Vec::new(),
     };
-    let laws = laws
-        .iter()
-        .map(|(law, meaning)| format!("| `{law}` | {meaning} |\n"));
+    let law = |(law, meaning): &(&str, &str)| format!("| `{law}` | {meaning} |\n");
+    let laws = laws.iter().map(law);
     let mut text = format!(
         "## {NAME}\n\n{}{}. The parameters have free names; every number inside `structure` may be an expression of them. \
          `dt` and `duration` are fixed names. `law` of a contact and `record` may be the name of a parameter, whose values are then \
@@ -296,7 +295,6 @@ pub(super) fn reference() -> String {
 
 /// Values of a parameter with a free name.
 fn axis_values() -> Json {
-    let one = json!({ "anyOf": [{ "type": "number" }, { "type": "string" }] });
-    let list = json!({ "type": "array", "minItems": 1, "items": one });
+    let list = json!({ "type": "array", "minItems": 1, "items": { "type": ["number", "string"] } });
     json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL)] })
 }

@@ -19,7 +19,7 @@ pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults
     keys.extend(names(FUNCTION));
     let object = Object::open(node, path, &keys, faults)?;
     let at = object.need(LOAD_AT.0, LOAD_AT.1, faults);
-    let at = at.and_then(|node| reader.node(node, &object.path("at"), faults));
+    let at = at.and_then(|node| reader.moving(node, &object.path("at"), faults));
     let force = function(&object, node.at, path, reader, faults);
     Some(Load {
         at: at?,

@@ -47,7 +47,7 @@ pub(super) fn problem(
     if masses.is_empty() && bars.is_empty() && faults.count() == before {
         object.fault("has no node; give masses or bars", faults);
     }
-    let (units, metre) = units(&object, faults);
+    let (units, metre) = units(&object, node, faults);
     let name = |part: &parts::Part| part.0.clone();
     let reader = Reader {
         table: &first.parameters,
@@ -103,6 +103,7 @@ pub(super) fn problem(
     };
     let metrics = wanted::metrics(root, &known, faults);
     let drawn = wanted::drawn(root, &known, faults);
+    wanted::report_errors_without_reference(root, &drawn, template.reference.is_some(), faults);
     let used = reader.used.borrow();
     let parameters: Vec<Named> = parameters
         .into_iter()
@@ -126,7 +127,7 @@ pub(super) fn problem(
 }
 
 /// The units as the study writes them, and the unit of length in m.
-fn units(object: &Object, faults: &mut Faults) -> (String, f64) {
+fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64) {
     let Some(node) = object.get("units") else {
         return (String::new(), 1.0);
     };
@@ -137,9 +138,11 @@ fn units(object: &Object, faults: &mut Faults) -> (String, f64) {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
     let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
-    if metre.is_none() || !parts.contains(&"s") {
+    // Of other units, g and the accelerations of records are unknown.
+    let needs_metre = ["record", "synthetic", "weight"];
+    if (metre.is_none() || !parts.contains(&"s")) && names::has_key(structure, &needs_metre) {
         let message = format!(
-            "must be the units of mass, force, length and time, such as \"t, kN, m, s\", with m, cm or mm and with s, got {}",
+            "records, synthetic motions and weights need a length in m, cm or mm and a time in s, as in \"t, kN, m, s\", got {}",
             quoted(&text)
         );
         faults.add(node.at, &path, message);

@@ -4,9 +4,10 @@ use super::reader::{Reader, is_name};
 use crate::problem::interned;
 use crate::problem::parameter::{Kind, Parameter};
 use crate::problem::structure::contacts::LawName;
+use crate::problem::structure::metric::Reduction;
 use crate::problem::structure::schema::{FIXED, Named};
 use crate::study::expression::Formula;
-use crate::study::expression::tokens::{CONSTANTS, FUNCTIONS};
+use crate::study::expression::tokens::FUNCTIONS;
 use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
@@ -82,6 +83,17 @@ fn under<'a>(node: &'a Node, key: &str, found: &mut Vec<&'a str>) {
     }
 }
 
+/// Whether one of these keys is anywhere in a tree.
+pub(super) fn has_key(node: &Node, keys: &[&str]) -> bool {
+    match &node.tree {
+        Tree::Object(members) => members
+            .iter()
+            .any(|member| keys.contains(&member.key.as_str()) || has_key(&member.node, keys)),
+        Tree::List(items) => items.iter().any(|item| has_key(item, keys)),
+        _ => false,
+    }
+}
+
 /// The parameters that choose a law or a record, with what they choose from.
 pub(super) fn choices(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
     let given = given(root);
@@ -143,11 +155,16 @@ pub(super) fn parameters(
         if parameters.iter().any(|known| known.name == *name) {
             continue;
         }
-        let reserved = CONSTANTS.contains(&name.as_str())
-            || FUNCTIONS.iter().any(|function| function.0 == name)
+        let reserved = FUNCTIONS.iter().any(|function| function.0 == name)
             || ["and", "or", "not"].contains(&name.as_str());
-        if reserved || !is_name(name) {
-            let message = match reserved {
+        // Columns of results that are not parameters.
+        let column = ["case", Reduction::EnergyError.name()].contains(&name.as_str());
+        if reserved || column || !is_name(name) {
+            let message = match reserved || column {
+                true if column => format!(
+                    "{} is a column of results.csv; choose another name",
+                    quoted(name)
+                ),
                 true => format!(
                     "{} has a meaning in expressions; choose another name",
                     quoted(name)

@@ -128,7 +128,7 @@ pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Ve
                     at: member.at,
                     tree: Tree::Text(member.key.clone()),
                 };
-                Moved::Node(reader.node(&name, &path, faults)?)
+                Moved::Node(reader.moving(&name, &path, faults)?)
             }
         };
         let object = open(&member.node, &path, START, faults)?;

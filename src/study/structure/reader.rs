@@ -135,6 +135,17 @@ impl Reader<'_> {
         None
     }
 
+    /// A node other than the ground.
+    pub fn moving(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<NodeName> {
+        let name = self.node(node, path, faults)?;
+        if name.node == NodeRef::Ground {
+            let message = "the ground does not move; give its acceleration under \"ground\"";
+            faults.add(node.at, path, message);
+            return None;
+        }
+        Some(name)
+    }
+
     /// Two different nodes.
     pub fn between(
         &self,

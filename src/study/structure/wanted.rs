@@ -15,7 +15,10 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
             return;
         }
         match StructureMetric::parse(text, names) {
-            Ok(metric) => metrics.push(metric),
+            Ok(metric) => metrics.push(StructureMetric {
+                place: (at, path.to_owned()),
+                ..metric
+            }),
             Err(why) => {
                 faults.add(at, path, format!("{}: {why}", quoted(text)));
                 // The name is known from here on, so that it is reported once.
@@ -25,6 +28,7 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
                     channel: None,
                     contact: None,
                     threshold: 0.0,
+                    place: (at, path.to_owned()),
                 });
             }
         }
@@ -86,11 +90,33 @@ pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Dr
                     name: text.to_owned(),
                     channel,
                     error: inside.is_some(),
+                    place: (at, path.to_owned()),
                 });
             });
         }
     }
     all
+}
+
+/// Reports `error(CHANNEL)` of figures in a study without exact motions.
+pub(super) fn report_errors_without_reference(
+    root: &Object,
+    drawn: &[Drawn],
+    has_reference: bool,
+    faults: &mut Faults,
+) {
+    let (Some(node), false) = (root.get("figures"), has_reference) else {
+        return;
+    };
+    each_text(node, "figures", &mut |text, at, path| {
+        if drawn.iter().any(|drawn| drawn.error && drawn.name == text) {
+            let message = format!(
+                "{} needs \"contacts_reference\" in \"structure\": softened or rigid",
+                quoted(text)
+            );
+            faults.add(at, path, message);
+        }
+    });
 }
 
 /// Every text in a tree, with its place.

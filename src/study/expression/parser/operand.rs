@@ -100,8 +100,9 @@ impl Parser<'_> {
         }
         let row = self.table.iter().position(|p| p.name == name);
         let constant = match name {
-            "pi" => PI,
-            "e" => E,
+            // A parameter of a study may have the name of a constant.
+            "pi" if row.is_none() => PI,
+            "e" if row.is_none() => E,
             _ => {
                 let Some(row) = row else {
                     let known = CONSTANTS.into_iter().chain(FUNCTIONS.iter().map(|f| f.0));

@@ -46,7 +46,8 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Record, RecordFault> {
     let record = if knet::is_format(&lines) {
         knet::parse(&lines)
     } else if let Some(header) = at2::header(&lines) {
-        at2::parse(&lines, header)
+        // The header of two columns may name NPTS and DT, too.
+        at2::parse(&lines, header).or_else(|fault| columns::parse(&lines).map_err(|_| fault))
     } else {
         columns::parse(&lines)
     };
