@@ -59,6 +59,9 @@ fn the_example_of_the_format_is_read() {
         "{text}"
     );
     assert!(text.contains("nothing holds g2.left to g2.right"), "{text}");
+    // Two nodes of 25 on k = 1.5e8: pi sqrt(12.5/1.5e8) = 9.069e-4, 0.9 of a step of 1e-3.
+    let touch = "its nodes touch for 9.069e-4 = 0.9 steps; too few for its force";
+    assert!(text.contains(touch), "{text}");
     let columns: Vec<String> = study
         .problem
         .history_columns(&case)

@@ -2,25 +2,25 @@
 
 use super::damping::modes;
 use crate::problem::parameter::shortest;
-use crate::system::structure::{Limit, Relation, Structure};
+use crate::system::structure::{Contact, Limit, Relation, Structure};
 use std::f64::consts::PI;
 
 /// Most lines of a list.
 const MOST_LINES: usize = 12;
 
 /// Nodes and masses, natural periods without contacts, contacts, and parts that nothing holds.
-pub fn describe(structure: &Structure, units: &str) -> String {
+pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
     let mass: f64 = structure.nodes.iter().map(|node| node.mass).sum();
     let units = match units {
         "" => String::new(),
         units => format!(" (units: {units})"),
     };
     let mut text = format!(
-        "structure: {} nodes, total mass {}, {} contacts, {} loads{units}\n",
-        structure.len(),
+        "structure: {}, total mass {}, {}, {}{units}\n",
+        count(structure.len(), "node"),
         short(mass),
-        structure.contacts.len(),
-        structure.loads.len(),
+        count(structure.contacts.len(), "contact"),
+        count(structure.loads.len(), "load"),
     );
     let nodes = structure
         .nodes
@@ -38,7 +38,13 @@ pub fn describe(structure: &Structure, units: &str) -> String {
             0.0 => String::new(),
             gap => format!(", gap {}", short(gap)),
         };
-        format!("{}: {} to {}{gap}, {law}", contact.name, end(i), end(j))
+        let touch = touch(structure, contact, dt);
+        format!(
+            "{}: {} to {}{gap}, {law}{touch}",
+            contact.name,
+            end(i),
+            end(j)
+        )
     });
     text += &lines("contacts", contacts.collect());
     for part in free_parts(structure) {
@@ -70,7 +76,10 @@ fn law(law: &Relation) -> String {
     match law {
         Relation::ImpactSpring { stiffness } => format!("impact spring k = {}", short(*stiffness)),
         Relation::RigidStop { restitution } => {
-            format!("rigid impact, restitution {}", short(*restitution))
+            format!(
+                "rigid impact, restitution {} in the exact motion; the time steps ignore it",
+                short(*restitution)
+            )
         }
         Relation::DisplacementControl {
             stiffness,
@@ -85,6 +94,36 @@ fn law(law: &Relation) -> String {
             limit: own,
         } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
         Relation::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
+    }
+}
+
+/// Fewest steps in a contact of two masses on a spring that give its force within some percent.
+const FEWEST_STEPS: f64 = 6.0;
+
+/// How long the nodes of an impact spring touch, as two free masses, and whether the step resolves it.
+fn touch(structure: &Structure, contact: &Contact, dt: f64) -> String {
+    let Relation::ImpactSpring { stiffness } = contact.law else {
+        return String::new();
+    };
+    let nodes = contact.between.iter().flatten();
+    let inverse: f64 = nodes.map(|node| 1.0 / structure.nodes[*node].mass).sum();
+    let time = PI / (stiffness * inverse).sqrt();
+    let steps = time / dt;
+    let warning = match steps < FEWEST_STEPS {
+        true => "; too few for its force, take a smaller dt",
+        false => "",
+    };
+    format!(
+        ", its nodes touch for {} = {steps:.1} steps{warning}",
+        short(time)
+    )
+}
+
+/// A number of things, such as `1 node` or `2 nodes`.
+fn count(number: usize, what: &str) -> String {
+    match number {
+        1 => format!("1 {what}"),
+        _ => format!("{number} {what}s"),
     }
 }
 

@@ -265,6 +265,7 @@ impl Problem for StructureProblem {
 
     fn description(&self, case: &Case) -> Option<String> {
         let (structure, _) = self.structure(case, 1).ok()?;
-        Some(describe::describe(&structure, &self.template.units))
+        let dt = case.at(self.schema.step)?;
+        Some(describe::describe(&structure, dt, &self.template.units))
     }
 }

@@ -157,7 +157,11 @@ fn parameter(named: &Named) -> Parameter {
     Parameter {
         name: named.name.clone().into(),
         symbol: symbol.into(),
-        unit: Borrowed("1"),
+        unit: Borrowed(match fixed {
+            Some(_) => "the study's time",
+            None if named.choices.is_some() => "1",
+            None => "the study's units",
+        }),
         kind,
         default: match named.required {
             true => Default::Required,
