@@ -360,7 +360,7 @@ fn any_links_are_drawn_in_a_narrow_sheet_too() {
               "contacts": {{"i12": {{{IMPACT}, "between": ["m1", "m2"]}}, "i23": {{{IMPACT}, "between": ["m2", "m3"]}},
                 "i31": {{{IMPACT}, "between": ["m3", "m1"]}}, "key": {{{IMPACT}, "between": ["m2", "deck.20"]}},
                 "slide": {{{FRICTION}, "between": ["deck.20", "m2"]}}}},
-              "loads": [{{"at": "deck.10", "sine": {{"amplitude": 1, "omega": 1}}}}, {{"at": "ground", "sine": {{"amplitude": 1, "omega": 1}}}}]"#
+              "loads": [{{"at": "deck.10", "sine": {{"amplitude": 1, "omega": 1}}}}, {{"at": "m2", "sine": {{"amplitude": 1, "omega": 1}}}}]"#
         ),
         r#"{"name": "f", "kind": "scheme", "width": 70}"#,
     );
