@@ -15,7 +15,7 @@ pub mod unit;
 pub use case::{Case, Violation};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
 pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
-pub use text::{Text, interned};
+pub use text::{Text, escape, interned};
 
 use crate::history::History;
 use crate::metrics::steps;

@@ -1,6 +1,8 @@
 //! The markup of titles and symbols: `*italic*`, `_subscript_`, `^superscript^`, a backslash before a
 //! character that is meant literally. Marks do not nest; a mark without its partner is literal too.
 
+pub use crate::problem::escape;
+
 /// A piece of text set in one way.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece {
@@ -58,18 +60,6 @@ pub fn parse(markup: &str) -> Vec<Piece> {
 /// The characters alone, for readers of plain text.
 pub fn plain(markup: &str) -> String {
     parse(markup).into_iter().map(|piece| piece.text).collect()
-}
-
-/// Plain text as markup that shows it unchanged.
-pub fn escape(plain: &str) -> String {
-    let mut markup = String::new();
-    for c in plain.chars() {
-        if c == '\\' || opened_by(c).is_some() {
-            markup.push('\\');
-        }
-        markup.push(c);
-    }
-    markup
 }
 
 fn push(pieces: &mut Vec<Piece>, text: String, set: Set) {

@@ -4,7 +4,7 @@ use super::channel::Channel;
 use super::metric::{Reduction, StructureMetric};
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
 use crate::problem::schema::{Channel as Column, Metric, Quantity, TimeAxis};
-use crate::problem::{Budget, Schema, Text};
+use crate::problem::{Budget, Schema, Text, escape};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::Arc;
 
@@ -214,18 +214,6 @@ fn symbol(name: &str) -> String {
 /// A metric or channel as an axis title.
 fn title(name: &str) -> String {
     escape(name).replace(" - ", " − ")
-}
-
-/// Plain text in the markup of figures.
-fn escape(plain: &str) -> String {
-    let mut markup = String::new();
-    for c in plain.chars() {
-        if "\\*_^".contains(c) {
-            markup.push('\\');
-        }
-        markup.push(c);
-    }
-    markup
 }
 
 #[cfg(test)]
