@@ -15,9 +15,12 @@ macro_rules! choice {
         }
 
         impl $choice {
+            /// The names, each with its meaning.
+            pub const NAMES: &'static [(&'static str, &'static str)] = &[$(($name, $meaning)),+];
+
             /// The kind of the parameter.
             pub const KIND: $crate::problem::parameter::Kind =
-                $crate::problem::parameter::Kind::Choice(&[$(($name, $meaning)),+]);
+                $crate::problem::parameter::Kind::Choice($choice::NAMES);
 
             /// The choice with this name; `None` if there is none, as for a parameter that does not apply.
             pub fn parse(name: &str) -> Option<$choice> {

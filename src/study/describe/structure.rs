@@ -2,7 +2,7 @@
 
 use super::schema::{block_keys, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
-use crate::problem::parameter::{Kind, Range};
+use crate::problem::parameter::Range;
 use crate::problem::structure::channel::QUANTITIES;
 use crate::problem::structure::contacts::LawName;
 use crate::problem::structure::metric::REDUCTIONS;
@@ -121,12 +121,12 @@ fn function_value(key: &str) -> Json {
 }
 
 fn contact_value(key: &str, function: &Json) -> Json {
-    match (key, LawName::KIND) {
-        ("law", Kind::Choice(laws)) => {
-            json!({ "anyOf": [names(laws.iter().copied()), { "type": "string" }] })
+    match key {
+        "law" => {
+            json!({ "anyOf": [names(LawName::NAMES.iter().copied()), { "type": "string" }] })
         }
-        ("between", _) => between(),
-        ("N", _) => {
+        "between" => between(),
+        "N" => {
             let table = described(keys::NORMAL_TABLE, |_| numbers(), &["t", "N"]);
             let value = |key: &str| match key {
                 "vertical" => function.clone(),
@@ -250,12 +250,8 @@ pub(super) fn reference() -> String {
             rows.collect::<String>()
         )
     };
-    let laws: Vec<(&str, &str)> = match LawName::KIND {
-        Kind::Choice(laws) => laws.to_vec(),
-        _ => Vec::new(),
-    };
     let law = |(law, meaning): &(&str, &str)| format!("| `{law}` | {meaning} |\n");
-    let laws = laws.iter().map(law);
+    let laws = LawName::NAMES.iter().map(law);
     let mut text = format!(
         "## {NAME}\n\n{}{}. The parameters have free names; every number inside `structure` may be an expression of them. \
          `dt` and `duration` are fixed names. `law` of a contact and `record` may be the name of a parameter, whose values are then \

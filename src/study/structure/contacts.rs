@@ -4,7 +4,7 @@ use super::keys::{CONTACT, NORMAL_TABLE, WEIGHT};
 use super::loads::{scaled, table};
 use super::parts::Part;
 use super::reader::{Reader, open};
-use crate::problem::parameter::{Kind as ParameterKind, Range};
+use crate::problem::parameter::Range;
 use crate::problem::structure::contacts::LawName;
 use crate::problem::structure::loads::{Kind, Source};
 use crate::problem::structure::template::{Chosen, Contact, Normal};
@@ -71,9 +71,7 @@ fn contact(
 
 /// The law by its name, or the parameter that chooses it.
 fn law(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Chosen> {
-    let ParameterKind::Choice(laws) = LawName::KIND else {
-        return None;
-    };
+    let laws = LawName::NAMES;
     let names: Vec<&str> = laws.iter().map(|law| law.0).collect();
     let node = object.need("law", &format!("one of {}", names.join(", ")), faults)?;
     if let Tree::Text(text) = &node.tree

@@ -110,8 +110,8 @@ pub(super) fn choices(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
             if !is_given || found.iter().any(|known| known.0 == name) {
                 continue;
             }
-            let choices = match (key, LawName::KIND) {
-                ("law", Kind::Choice(laws)) => laws,
+            let choices = match key {
+                "law" => LawName::NAMES,
                 _ => {
                     let mut files: Vec<(&str, &str)> = Vec::new();
                     for file in values(name) {
