@@ -3,7 +3,7 @@
 use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
-use super::node::{NodeName, NodeRef, Numbering};
+use super::node::{NodeName, Numbering};
 use super::template::{Moved, Scaled, SpringNumbers, Template};
 use crate::problem::{Case, Violation};
 use crate::system::structure::{Load, Node, Relation, Structure, Symmetric};
@@ -270,7 +270,6 @@ impl Draft<'_> {
                 |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
             let (u, v) = (given(&start.u), given(&start.v));
             let nodes = match &start.of {
-                Moved::Node(name) if name.node == NodeRef::Ground => 0..0,
                 Moved::Node(name) => self.node(name).map_or(0..0, |node| node..node + 1),
                 Moved::Bar(bar) => {
                     let first = self.numbering.first(*bar);

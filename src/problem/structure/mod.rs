@@ -125,20 +125,18 @@ impl StructureProblem {
 
     /// Every channel has its nodes in a case.
     fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
-        let of_metric = |metric: &StructureMetric| {
-            let channel = metric.channel.clone();
-            channel.map(|channel| (channel, metric.place.clone()))
-        };
-        let of_metrics = self.metrics.iter().filter_map(of_metric);
+        let metrics = self.metrics.iter();
+        let of_metrics =
+            metrics.filter_map(|metric| Some((metric.channel.as_ref()?, &metric.place)));
         let drawn = self.drawn.iter();
-        let drawn = drawn.map(|drawn| (drawn.channel.clone(), drawn.place.clone()));
+        let drawn = drawn.map(|drawn| (&drawn.channel, &drawn.place));
         let faults = of_metrics.chain(drawn).filter_map(|(channel, (at, path))| {
             let mut terms = channel.terms.iter();
             let message = terms.find_map(|(_, term)| term.number(numbering).err())?;
             Some(Violation {
-                parameter: path.into(),
+                parameter: path.clone().into(),
                 message: format!("{}: {message}", channel.name),
-                at: Some(at),
+                at: Some(*at),
             })
         });
         faults.collect()
@@ -196,13 +194,13 @@ impl Problem for StructureProblem {
         let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
         let (motions, metrics) = self.solve_ready(&ready, &recorded)?;
         let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
-        let exact = match self.template.reference {
-            None => Vec::new(),
-            Some(_) => {
-                let exact = self.reference(&ready.structure, &time, &recorded)?;
-                self.history(&exact, &ready.numbering, &all)
-            }
+        let exact = match (self.template.reference, self.against_rigid()) {
+            (None, _) => &None,
+            (Some(_), true) => &motions.rigid,
+            (Some(_), false) => &motions.softened,
         };
+        let exact = exact.as_ref();
+        let exact = exact.map(|exact| self.history(exact, &ready.numbering, &all));
         let computed = self.history(&motions.computed, &ready.numbering, &all);
         let history = |channels| History {
             time: time.clone(),
@@ -210,7 +208,7 @@ impl Problem for StructureProblem {
         };
         let solution = Solution {
             computed: history(computed),
-            exact: history(exact),
+            exact: history(exact.unwrap_or_default()),
             metrics,
         };
         match solution.computed.is_finite() {

@@ -65,7 +65,8 @@ impl StructureProblem {
         self.template.reference == Some(Reference::Rigid)
     }
 
-    /// The metrics of a case, with these quantities of the computed motion recorded too.
+    /// The metrics of a case, with these quantities recorded too: of the computed motion and, if the study asks for a reference, of
+    /// the reference.
     pub(super) fn solve_ready(
         &self,
         ready: &Ready,
@@ -75,7 +76,7 @@ impl StructureProblem {
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);
         let run = motion::computed(&ready.structure, ready.dt, recording);
-        self.judge(ready, run)
+        self.judge(ready, run, more)
     }
 
     pub(super) fn recording<'a>(&self, ready: &Ready, numbers: &'a [Number]) -> Recording<'a> {
@@ -86,11 +87,12 @@ impl StructureProblem {
         }
     }
 
-    /// The metrics of a case from its run, with the other motions that they need.
+    /// The metrics of a case from its run, with the other motions that they need; the reference has these quantities more.
     pub(super) fn judge(
         &self,
         ready: &Ready,
         run: Run,
+        more: &[Number],
     ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
         let (computed, energy_error) = run?;
         let Ready {
@@ -118,12 +120,15 @@ impl StructureProblem {
             motions.perturbed = Some(motion::computed(&other, *dt, recording)?.0);
         }
         let numbers = self.numbers(numbering, |metric| ERRORS.contains(&metric.reduction));
+        let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
+        let referred =
+            self.has(&AGAINST_REFERENCE) || self.template.reference.is_some() && !more.is_empty();
         let times: Vec<f64> = (0..=*last).map(|i| i as f64 * dt).collect();
         let rigid = self.against_rigid();
-        if self.has(&SOFTENED) || self.has(&AGAINST_REFERENCE) && !rigid {
+        if self.has(&SOFTENED) || referred && !rigid {
             motions.softened = Some(motion::exact(structure, &times, &numbers)?);
         }
-        if self.has(&[Reduction::RegularisationError]) || self.has(&AGAINST_REFERENCE) && rigid {
+        if self.has(&[Reduction::RegularisationError]) || referred && rigid {
             motions.rigid = Some(motion::exact(&motion::rigid(structure), &times, &numbers)?);
         }
         if self.has(&[Reduction::MeshError]) {

@@ -134,7 +134,7 @@ fn solve_lanes<const L: usize>(
     for (ready, run) in cases.iter().zip(runs) {
         table.put(
             ready.place,
-            problem.judge(ready, run).map(|judged| judged.1),
+            problem.judge(ready, run, &[]).map(|judged| judged.1),
         );
     }
 }
