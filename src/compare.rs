@@ -175,9 +175,9 @@ fn default_of(
     key: &[Cow<str>],
     table: &[(&Parameter, Option<usize>)],
 ) -> String {
-    let applies = parameter.applies.as_ref().is_none_or(|(governor, name)| {
+    let applies = parameter.applies.as_ref().is_none_or(|on| {
         let mut known = key.iter().zip(table);
-        known.any(|(value, (other, _))| other.name == *governor && value == name)
+        known.any(|(value, (other, _))| other.name == on.governor && on.allows(value))
     });
     match &parameter.default {
         parameter::Default::Is(value) if applies => value.to_string(),

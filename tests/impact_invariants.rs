@@ -50,7 +50,7 @@ fn energy_by_the_work_of_the_contact_is_that_of_all_modes() {
             let (Lane([r]), Lane([s])) = (contact.displacement, contact.force);
             let modes = (0..).zip(stepper.modes());
             let energy: f64 = modes
-                .map(|(j, (x, v))| case.scaled.pair.mode(j).energy(x.0[0], v.0[0]))
+                .map(|(j, [x, v])| case.scaled.pair.mode(j).energy(x, v))
                 .sum();
             sums.push(energy + 0.5 * s * r);
             touching.push(r < 0.0);

@@ -8,10 +8,11 @@ mod common;
 use common::case;
 use serde_json::json;
 use slipgap::lane::Lane;
+use slipgap::methods::Method;
 use slipgap::problem::impact::case::system;
 use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Solution, find};
-use slipgap::solve::start;
+use slipgap::solve::{Stepper, start};
 
 /// sqrt(1 + 4 gamma^2), amplitude of rdot/(2 V0), Omega.
 fn mode(gamma: f64) -> [f64; 3] {
@@ -54,10 +55,10 @@ fn projection_has_the_modes_amplitude_and_frequency() {
                 .collect();
             // The shape is not quite zero at the free end; also round-off of sums over n modes and the steps.
             let tolerance = libm::pow(x, f64::from(n)) + 1e-11;
-            let (mut stepper, law) = start::<1, Vec<_>, _>(&[system(&scaled, dt, 0)]).unwrap();
+            let (mut stepper, mut law) = start::<1, Stepper, _>(&[system(&scaled, dt, 0)]).unwrap();
             let mut worst: f64 = 0.0;
             for step in 1..=4500 {
-                stepper.step(&law);
+                stepper.step(&mut law);
                 let rate: f64 = stepper
                     .modes()
                     .zip(&shares)

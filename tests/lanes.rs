@@ -1,9 +1,9 @@
 //! Cases in lanes have the same bits as single cases, for every number of lanes.
 
-use slipgap::contact::{DisplacementControl, ImpactSpring, Law, StepLaw, VelocityControl};
+use slipgap::contact::{Answer, DisplacementControl, ImpactSpring, RunningLaw, VelocityControl};
 use slipgap::lane::Lane;
-use slipgap::methods::ContactState;
-use slipgap::methods::average_acceleration::{AverageAcceleration, ModeStart, ModeState, Modes};
+use slipgap::methods::average_acceleration::{AverageAcceleration, ModeState, Modes};
+use slipgap::methods::{ContactState, Method, MethodChoice, ModeStart, Start};
 use slipgap::system::Mode;
 use slipgap::system::bar::{Bar, Mass};
 use std::array;
@@ -25,7 +25,7 @@ const STEPS: usize = 500;
 /// The bits of r, rdot and S over the steps, one list a lane.
 fn bits<const L: usize, M: Modes<L>>(
     mut stepper: AverageAcceleration<L, M>,
-    law: impl StepLaw<L>,
+    mut law: impl Answer<L>,
 ) -> [Vec<[u64; 3]>; L] {
     let mut lists = array::from_fn(|_| Vec::new());
     for _ in 0..STEPS {
@@ -33,7 +33,7 @@ fn bits<const L: usize, M: Modes<L>>(
             displacement,
             velocity,
             force,
-        } = stepper.step(&law);
+        } = stepper.step(&mut law);
         for (l, list) in lists.iter_mut().enumerate() {
             list.push([displacement, velocity, force].map(|lane| lane.0[l].to_bits()));
         }
@@ -51,6 +51,16 @@ fn numbers<const L: usize>(first: usize) -> [f64; L] {
     lane::<L>(first, 1).0
 }
 
+fn at<const L: usize>(dt: Lane<L>, gap: Lane<L>) -> Start<L> {
+    Start {
+        choice: [MethodChoice::AverageAcceleration; L],
+        rigid: [false; L],
+        dt,
+        gap,
+        force: Lane::splat(0.0),
+    }
+}
+
 fn oscillators<const L: usize>(first: usize) -> AverageAcceleration<L, [ModeState<L>; 1]> {
     let unit = Mode::new(1.0, 1.0);
     let start = ModeStart {
@@ -58,8 +68,8 @@ fn oscillators<const L: usize>(first: usize) -> AverageAcceleration<L, [ModeStat
         displacement: lane(first, 2),
         velocity: Lane::splat(0.0),
     };
-    let zero = Lane::splat(0.0);
-    AverageAcceleration::new(lane(first, 0), [start].into_iter(), zero, zero).unwrap()
+    let at = at(lane(first, 0), Lane::splat(0.0));
+    AverageAcceleration::new(&at, [start].into_iter()).unwrap()
 }
 
 fn displacement<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
@@ -68,7 +78,7 @@ fn displacement<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
         compliance,
         limit: 1.0,
     });
-    let law = DisplacementControl::step(&laws, &stepper.flexibility());
+    let law = RunningLaw::of(&laws, &stepper.flexibilities());
     bits(stepper, law)
 }
 
@@ -78,7 +88,7 @@ fn velocity<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
         compliance,
         limit: 1.0,
     });
-    let law = VelocityControl::step(&laws, &stepper.flexibility());
+    let law = RunningLaw::of(&laws, &stepper.flexibilities());
     bits(stepper, law)
 }
 
@@ -97,11 +107,11 @@ fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
         velocity: Lane::splat(if j == 0 { -2.0 } else { 0.0 }),
     });
     let (dt, gap) = (lane(first, 0) * 0.02, lane(first, 0) * 0.07);
-    let stepper = AverageAcceleration::<L>::new(dt, start, gap, Lane::splat(0.0)).unwrap();
+    let stepper = AverageAcceleration::<L>::new(&at(dt, gap), start).unwrap();
     let laws = numbers(first).map(|compliance| ImpactSpring {
         stiffness: 1.0 / compliance,
     });
-    let law = ImpactSpring::step(&laws, &stepper.flexibility());
+    let law = RunningLaw::of(&laws, &stepper.flexibilities());
     bits(stepper, law)
 }
 

@@ -2,9 +2,11 @@
 
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 use slipgap::contact::element::{DisplacementFriction, Element, VelocityFriction};
-use slipgap::contact::{DisplacementControl, Law, StepLaw, VelocityControl, friction_limit};
+use slipgap::contact::{
+    DisplacementControl, Law, RunningLaw, StepLaw, VelocityControl, friction_limit,
+};
 use slipgap::lane::Lane;
-use slipgap::methods::average_acceleration::ModeStart;
+use slipgap::methods::{Method, MethodChoice, ModeStart, Start};
 use slipgap::solve::Stepper;
 use slipgap::system::Modal;
 use slipgap::textbook::{Assembly, Cycle, Iteration, Newmark};
@@ -70,17 +72,25 @@ impl Set {
                 displacement: Lane([x[k]]),
                 velocity: Lane([v[k]]),
             });
-        Stepper::new(Lane([self.dt]), start, Lane([0.0]), Lane([force])).unwrap()
+        let at = Start {
+            choice: [MethodChoice::AverageAcceleration],
+            rigid: [false],
+            dt: Lane([self.dt]),
+            gap: Lane([0.0]),
+            force: Lane([force]),
+        };
+        Stepper::new(&at, start).unwrap()
     }
 
     /// Largest difference of r, rdot and S over all steps, `change` preparing both laws for a step.
     fn difference<W: StepLaw<1>, E: Element>(
         &self,
-        mut law: W,
+        law: W,
         element: E,
         change: impl Fn(usize, &mut W, &mut E),
     ) -> Result<f64, Cycle> {
         let mut modal = self.modal(element.state().force);
+        let mut law = RunningLaw::new(law);
         let mut textbook = Newmark::new(
             self.assembly.clone(),
             element,
@@ -91,8 +101,8 @@ impl Set {
         .unwrap();
         let mut largest: f64 = 0.0;
         for step in 1..=self.steps {
-            change(step, &mut law, &mut textbook.element);
-            let contact = modal.step(&law);
+            change(step, &mut law.parts[0], &mut textbook.element);
+            let contact = modal.step(&mut law);
             textbook.step(Iteration::Converged)?;
             let [r, rdot, s] = textbook.contact();
             for (a, b) in [
@@ -118,7 +128,7 @@ fn displacement(
         limit: friction_limit(0.5, -2.0),
     };
     (
-        Law::step(&[law], &set.modal(0.0).flexibility()),
+        Law::step(&[law], &set.modal(0.0).flexibilities()[0]),
         DisplacementFriction::new(1.0 / alpha, 0.5, -2.0, slip, 0.0),
     )
 }
@@ -130,7 +140,7 @@ fn velocity(set: &Set, beta: f64) -> (<VelocityControl as Law>::Step<1>, Velocit
         limit: friction_limit(0.5, -2.0),
     };
     (
-        Law::step(&[law], &set.modal(0.0).flexibility()),
+        Law::step(&[law], &set.modal(0.0).flexibilities()[0]),
         VelocityFriction::new(1.0 / beta, 0.5, -2.0),
     )
 }
@@ -188,7 +198,7 @@ fn normal_force(step: usize) -> f64 {
 #[test]
 fn friction_vanishes_and_slip_follows_in_an_open_contact() {
     let set = Set::frame(0.1, 400);
-    let (mut law, element) = displacement(&set, 0.3, -6.0);
+    let (law, element) = displacement(&set, 0.3, -6.0);
     let difference = set.difference(law, element, |step, law, element| {
         law.limit = Lane([friction_limit(0.5, normal_force(step))]);
         element.normal_force = normal_force(step);
@@ -198,14 +208,16 @@ fn friction_vanishes_and_slip_follows_in_an_open_contact() {
 
     let mut modal = set.modal(0.0);
     let mut lifted = 0;
+    let mut law = RunningLaw::new(law);
     for step in 1..=set.steps {
-        law.limit = Lane([friction_limit(0.5, normal_force(step))]);
-        let contact = modal.step(&law);
+        let limit = friction_limit(0.5, normal_force(step));
+        law.parts[0].limit = Lane([limit]);
+        let contact = modal.step(&mut law);
         if normal_force(step) >= 0.0 {
             lifted += 1;
             assert_eq!(contact.force, Lane([0.0]));
         }
-        assert!(contact.force.0[0].abs() <= law.limit.0[0]);
+        assert!(contact.force.0[0].abs() <= limit);
     }
     assert!(lifted > 100, "the test must lift the contact");
 
@@ -240,10 +252,11 @@ fn the_papers_dimensional_data_are_gravitational_units() {
     let (mut a, mut b) = (dimensional.modal(0.0), scaled.modal(0.0));
     let compliance = elastic / limit;
     let law = DisplacementControl { compliance, limit };
-    let law = DisplacementControl::step(&[law], &a.flexibility());
+    let law = DisplacementControl::step(&[law], &a.flexibilities()[0]);
     let (scaled_law, _) = displacement(&scaled, alpha, 12.0);
+    let [mut law, mut scaled_law] = [law, scaled_law].map(RunningLaw::new);
     for _ in 0..80 {
-        let (x, y) = (a.step(&law), b.step(&scaled_law));
+        let (x, y) = (a.step(&mut law), b.step(&mut scaled_law));
         assert!((x.displacement.0[0] / delta - y.displacement.0[0]).abs() < ROUND_OFF);
         assert!((x.velocity.0[0] / (omega * delta) - y.velocity.0[0]).abs() < ROUND_OFF);
         assert!((x.force.0[0] / limit - y.force.0[0]).abs() < ROUND_OFF);

@@ -5,9 +5,10 @@ use slipgap::contact::element::ImpactElement;
 use slipgap::contact::{ContactLaw, ImpactSpring};
 use slipgap::exact::wave::Bars;
 use slipgap::lane::Lane;
+use slipgap::methods::{Method, MethodChoice};
 use slipgap::problem::impact::case::system;
 use slipgap::problem::impact::scaled::{CLOSING, Scaled};
-use slipgap::solve::start;
+use slipgap::solve::{Stepper, start};
 use slipgap::system::BarPair;
 use slipgap::system::bar::{Bar, Mass};
 use slipgap::textbook::{Assembly, Iteration, Newmark, assemble_bars};
@@ -35,6 +36,7 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
         law: ContactLaw::ImpactSpring(ImpactSpring {
             stiffness: 2.0 * gamma * f64::from(n),
         }),
+        method: MethodChoice::AverageAcceleration,
         length_ratio: 1.0,
     }
 }
@@ -55,15 +57,15 @@ fn textbook(scaled: &Scaled, dt: f64) -> Newmark<ImpactElement> {
 /// The last time of the comparison in T_I, and the largest difference over the round-off allowed at that time.
 fn compare(scaled: &Scaled, dt: f64, duration: f64) -> (f64, f64) {
     let steps = (duration / dt).round() as usize;
-    let (mut modal, law) = start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]).unwrap();
+    let (mut modal, mut law) = start::<1, Stepper, _>(&[system(scaled, dt, 0)]).unwrap();
     // The same with a gap that is 1e-13 larger: the amplification of a disturbance by the problem.
     let mut moved = *scaled;
     moved.bars.gap += 1e-13;
-    let (mut disturbed, other_law) = start::<1, Vec<_>, _>(&[system(&moved, dt, 0)]).unwrap();
+    let (mut disturbed, mut other_law) = start::<1, Stepper, _>(&[system(&moved, dt, 0)]).unwrap();
     let mut book = textbook(scaled, dt);
     let (mut growth, mut largest): (f64, f64) = (1.0, 0.0);
     for step in 1..=steps {
-        let (a, b) = (modal.step(&law), disturbed.step(&other_law));
+        let (a, b) = (modal.step(&mut law), disturbed.step(&mut other_law));
         book.step(Iteration::Converged).unwrap();
         let rows = |c: slipgap::methods::ContactState<1>| [c.displacement, c.velocity, c.force];
         for ((Lane([x]), Lane([y])), z) in rows(a).into_iter().zip(rows(b)).zip(book.contact()) {

@@ -1,7 +1,7 @@
 //! The displacement-control model of friction.
 
 use super::element::{DisplacementFriction, Element};
-use super::{Cycle, Law, StepFlexibility, StepLaw, Trial, lanes};
+use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
 use crate::lane::Lane;
 
 /// Displacement-control model [F (9)]: elastic up to r^E = nu |N|/k^C about the slip, then sliding at the friction limit.
@@ -23,6 +23,12 @@ pub struct Step<const L: usize> {
     by_force: Lane<L>,
 }
 
+impl StoredEnergy for DisplacementControl {
+    fn stored_energy(&self, _: f64, s: f64) -> f64 {
+        0.5 * self.compliance * s * s
+    }
+}
+
 impl Law for DisplacementControl {
     type Step<const L: usize> = Step<L>;
 
@@ -35,10 +41,6 @@ impl Law for DisplacementControl {
             by_change,
             by_force: (compliance - on.start.h) * by_change,
         }
-    }
-
-    fn stored_energy(&self, _: f64, s: f64) -> f64 {
-        0.5 * self.compliance * s * s
     }
 
     /// In the papers the normal force of a closed contact is negative.
@@ -72,8 +74,10 @@ impl Law for DisplacementControl {
 }
 
 impl<const L: usize> StepLaw<L> for Step<L> {
+    type Memory = ();
+
     #[inline(always)]
-    fn force(&self, trial: &Trial<L>) -> Lane<L> {
+    fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         // Stick: S = k^C (r - r^S) [F (9)] at both ends of the step, so S(i+1) = S(i) + k^C (r(i+1) - r(i)). The limit is the
         // return mapping that [F] does not print: beyond it the slip r^S = r - S/k^C follows the contact. For N >= 0 the limit
         // is zero, so that an open contact has no slip.

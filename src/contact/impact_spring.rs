@@ -1,7 +1,7 @@
 //! The impact spring.
 
 use super::element::{Element, ImpactElement};
-use super::{Cycle, Law, StepFlexibility, StepLaw, Trial, lanes};
+use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
 use crate::lane::Lane;
 
 /// Impact spring `[I (7), (8)]`, `S = k_I <r> r`: it pushes while r < 0 and never pulls (the paper does not print the last r).
@@ -20,6 +20,12 @@ pub struct Step<const L: usize> {
     stiffness: Lane<L>,
 }
 
+impl StoredEnergy for ImpactSpring {
+    fn stored_energy(&self, r: f64, s: f64) -> f64 {
+        s * r * 0.5
+    }
+}
+
 impl Law for ImpactSpring {
     type Step<const L: usize> = Step<L>;
 
@@ -30,10 +36,6 @@ impl Law for ImpactSpring {
             h: on.start.h,
             stiffness: (compliance + on.end.h).map(|c| 1.0 / c),
         }
-    }
-
-    fn stored_energy(&self, r: f64, s: f64) -> f64 {
-        s * r * 0.5
     }
 
     fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
@@ -48,8 +50,10 @@ impl Law for ImpactSpring {
 }
 
 impl<const L: usize> StepLaw<L> for Step<L> {
+    type Memory = ();
+
     #[inline(always)]
-    fn force(&self, trial: &Trial<L>) -> Lane<L> {
+    fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         // h > 0, so r has the same sign with and without S(i+1).
         let predictor = trial.displacement + (trial.change - trial.force * self.h);
         (predictor * self.stiffness).smaller(Lane::splat(0.0))

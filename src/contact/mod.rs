@@ -14,12 +14,14 @@
 //! both equations in closed form. Newton's iteration of the papers has the same root if it converges; on clipped laws it can
 //! cycle.
 
+mod any;
 pub mod coupled;
 mod displacement_control;
 pub mod element;
 mod impact_spring;
 mod velocity_control;
 
+pub use any::{AnyLaw, ContactLaw, LawKind};
 pub use coupled::{CoupledForces, Unsolved};
 pub use displacement_control::DisplacementControl;
 pub use impact_spring::ImpactSpring;
@@ -33,6 +35,8 @@ use element::Element;
 pub struct Trial<const L: usize> {
     /// r(i).
     pub displacement: Lane<L>,
+    /// rdot(i).
+    pub velocity: Lane<L>,
     /// S(i).
     pub force: Lane<L>,
     /// r(i+1) - r(i) without the contact forces that are still to be applied.
@@ -55,11 +59,15 @@ pub struct Flexibility<const L: usize> {
 pub struct StepFlexibility<const L: usize> {
     /// For the part of S(i) that the trial does not contain.
     pub start: Flexibility<L>,
-    /// For S(i+1); `h` > 0.
+    /// For S(i+1); `h_rate` > 0, and `h` > 0 unless the method is explicit.
     pub end: Flexibility<L>,
+    /// Length of the step, or of the sub-step.
+    pub dt: Lane<L>,
+    /// Whether the force acts as an impulse on the velocities of the step (Moreau-Jean).
+    pub by_impulse: bool,
 }
 
-/// A contact law with the numbers of one case. S is its only state variable: a slip is r - S/k^C.
+/// A contact law with the numbers of one case. For most laws S is the only state variable: a slip is r - S/k^C.
 ///
 /// A step of an elastic contact satisfies r' = r* - h S', S' = k_I r' for r' < 0 [I (7)], so that S' = r*/(1/k_I + h):
 ///
@@ -68,24 +76,22 @@ pub struct StepFlexibility<const L: usize> {
 /// use slipgap::lane::Lane;
 ///
 /// let end = Flexibility { h: Lane([0.5]), h_rate: Lane([10.0]) };
-/// let law = ImpactSpring::step(&[ImpactSpring { stiffness: 2.0 }], &StepFlexibility { start: end, end });
+/// let on = StepFlexibility { start: end, end, dt: Lane([0.1]), by_impulse: false };
+/// let law = ImpactSpring::step(&[ImpactSpring { stiffness: 2.0 }], &on);
 /// // r* = 0.25 - 0.75 without the force of this step.
 /// let [zero, r] = [Lane([0.0]), Lane([0.25])];
-/// let trial = Trial { displacement: r, force: zero, change: Lane([-0.75]), rate: zero };
-/// let Lane([force]) = law.force(&trial);
+/// let trial = Trial { displacement: r, velocity: zero, force: zero, change: Lane([-0.75]), rate: zero };
+/// let Lane([force]) = law.force(&trial, &mut ());
 /// assert_eq!(force, -0.5 / (1.0 / 2.0 + 0.5));
 /// // The root: r' = r* - h S' and S' = k_I r'.
 /// assert_eq!(force, 2.0 * (-0.5 - 0.5 * force));
 /// ```
-pub trait Law: Copy {
+pub trait Law: StoredEnergy {
     /// The law over a step, for L cases.
     type Step<const L: usize>: StepLaw<L>;
 
     /// The law over a step, for cases on structures of this flexibility.
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Self::Step<L>;
-
-    /// Energy that the contact stores at r under S.
-    fn stored_energy(&self, r: f64, s: f64) -> f64;
 
     /// Energy that the contact dissipates over a step between two states (r, S), the force being the mean of both as in the
     /// constant average acceleration method.
@@ -104,19 +110,74 @@ pub trait Law: Copy {
     fn cycle(&self, reach: f64) -> Cycle;
 }
 
+/// What a contact stores.
+pub trait StoredEnergy: Copy {
+    /// Energy that the contact stores at r under S.
+    fn stored_energy(&self, r: f64, s: f64) -> f64;
+
+    /// The part of S that does its work on the stored energy: S itself for a law without damping.
+    fn conservative_force(&self, _r: f64, s: f64) -> f64 {
+        s
+    }
+}
+
 /// A curve of a law, and the points of it that carry a marker.
 pub type Cycle = (Vec<[f64; 2]>, Vec<usize>);
 
 /// A law whose coefficients for a step are known.
 pub trait StepLaw<const L: usize>: Copy {
-    /// S(i+1).
-    fn force(&self, trial: &Trial<L>) -> Lane<L>;
+    /// What the law remembers from step to step besides S, such as the closing speed of an impact; `()` for most laws.
+    type Memory: Copy + Default + std::fmt::Debug;
+
+    /// S(i+1), and the memory after the step.
+    fn force(&self, trial: &Trial<L>, memory: &mut Self::Memory) -> Lane<L>;
+}
+
+/// What answers the trials of a run, step by step: a law with its memory.
+pub trait Answer<const L: usize> {
+    /// S at the end of the sub-step `part`, 0 or 1; 0 in a method without sub-steps.
+    fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L>;
+}
+
+/// A law over the steps of a run: its coefficients for each sub-step, and its memory.
+#[derive(Debug, Clone, Copy)]
+pub struct RunningLaw<S: StepLaw<L>, const L: usize> {
+    /// The law over both sub-steps.
+    pub parts: [S; 2],
+    /// Its memory after the last step.
+    pub memory: S::Memory,
+}
+
+impl<S: StepLaw<L>, const L: usize> RunningLaw<S, L> {
+    /// The law at the start of a run, for a method without sub-steps.
+    pub fn new(step: S) -> Self {
+        RunningLaw {
+            parts: [step; 2],
+            memory: S::Memory::default(),
+        }
+    }
+
+    /// The laws of L cases at the start of a run with a method of these flexibilities.
+    #[inline(always)]
+    pub fn of<W: Law<Step<L> = S>>(laws: &[W; L], on: &[StepFlexibility<L>; 2]) -> Self {
+        RunningLaw {
+            parts: [W::step(laws, &on[0]), W::step(laws, &on[1])],
+            memory: S::Memory::default(),
+        }
+    }
+}
+
+impl<S: StepLaw<L>, const L: usize> Answer<L> for RunningLaw<S, L> {
+    #[inline(always)]
+    fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
+        self.parts[part].force(trial, &mut self.memory)
+    }
 }
 
 /// Code that is compiled for each law separately.
 pub trait Visitor<const L: usize> {
     /// Runs with the law.
-    fn visit(self, law: &impl StepLaw<L>);
+    fn visit(self, law: &mut (impl Answer<L> + Copy));
 }
 
 /// Code that is compiled for each law separately, with the laws of L cases.
@@ -124,17 +185,22 @@ pub trait LawsVisitor<const L: usize> {
     /// The result.
     type Output;
     /// Runs with the laws.
-    fn visit<W: Law>(self, laws: &[W; L]) -> Self::Output;
+    fn visit<W: StoredEnergy>(self, laws: &[W; L]) -> Self::Output;
 }
 
-/// Energies that L contacts store at r under S.
+/// Energies that L contacts store at r under S, and the parts of S that do their work on them.
 #[inline(always)]
-pub fn stored_energies<W: Law, const L: usize>(laws: &[W; L], r: Lane<L>, s: Lane<L>) -> Lane<L> {
-    let mut energies = r;
+pub fn energies<W: StoredEnergy, const L: usize>(
+    laws: &[W; L],
+    r: Lane<L>,
+    s: Lane<L>,
+) -> [Lane<L>; 2] {
+    let (mut stored, mut force) = (r, s);
     for (l, law) in laws.iter().enumerate() {
-        energies.0[l] = law.stored_energy(r.0[l], s.0[l]);
+        let [r, s] = [r.0[l], s.0[l]];
+        (stored.0[l], force.0[l]) = (law.stored_energy(r, s), law.conservative_force(r, s));
     }
-    energies
+    [stored, force]
 }
 
 /// Friction limit `nu |N| <N>`: zero for an open contact, N >= 0 [F (1), (3)].
@@ -144,126 +210,6 @@ pub fn friction_limit(nu: f64, normal_force: f64) -> f64 {
     } else {
         0.0
     }
-}
-
-macro_rules! laws {
-    ($($law:ident),+ $(,)?) => {
-        /// The law of a contact.
-        ///
-        /// A sliding contact dissipates S times the distance, and its elastic part stores S^2/(2 k^C):
-        ///
-        /// ```
-        /// use slipgap::contact::{ContactLaw, DisplacementControl, LawKind};
-        ///
-        /// let friction = DisplacementControl { compliance: 0.1, limit: 1.0 };
-        /// let law = ContactLaw::DisplacementControl(friction);
-        /// assert_eq!(law.kind(), LawKind::DisplacementControl);
-        /// assert_eq!(law.stored_energy(3.0, 1.0), 0.05);
-        /// ```
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub enum ContactLaw {
-            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law)),+
-        }
-
-        /// The laws.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum LawKind {
-            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
-        }
-
-        /// A law over a step, for L cases.
-        #[derive(Debug, Clone, Copy)]
-        pub enum AnyStep<const L: usize> {
-            $(#[doc = concat!("Of [`", stringify!($law), "`].")] $law(<$law as Law>::Step<L>)),+
-        }
-
-        $(impl $law {
-            fn of(law: &ContactLaw) -> Option<$law> {
-                match law {
-                    ContactLaw::$law(law) => Some(*law),
-                    _ => None,
-                }
-            }
-        })+
-
-        impl ContactLaw {
-            /// Which law it is.
-            pub fn kind(&self) -> LawKind {
-                match self {
-                    $(ContactLaw::$law(_) => LawKind::$law),+
-                }
-            }
-
-            /// Runs the visitor with the laws themselves; all cases have a law of the first one's kind.
-            pub fn accept<const L: usize, V: LawsVisitor<L>>(laws: &[ContactLaw; L], visitor: V) -> V::Output {
-                match laws[0] {
-                    $(ContactLaw::$law(first) => {
-                        visitor.visit(&own_laws(laws, first, $law::of))
-                    }),+
-                }
-            }
-
-            /// The law over a step; all cases have a law of the first one's kind.
-            pub fn step<const L: usize>(laws: &[ContactLaw; L], on: &StepFlexibility<L>) -> AnyStep<L> {
-                match laws[0] {
-                    $(ContactLaw::$law(first) => {
-                        AnyStep::$law($law::step(&own_laws(laws, first, $law::of), on))
-                    }),+
-                }
-            }
-
-            /// Energy that the contact stores at r under S.
-            pub fn stored_energy(&self, r: f64, s: f64) -> f64 {
-                match self {
-                    $(ContactLaw::$law(law) => law.stored_energy(r, s)),+
-                }
-            }
-
-            /// The law as the papers print it, at r under S; `None` if they do not.
-            pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
-                match self {
-                    $(ContactLaw::$law(law) => law.element(r, s)),+
-                }
-            }
-        }
-
-        impl<const L: usize> AnyStep<L> {
-            /// Runs the visitor with the law itself, so that loops over steps contain no match on the law.
-            pub fn accept(&self, visitor: impl Visitor<L>) {
-                match self {
-                    $(AnyStep::$law(law) => visitor.visit(law)),+
-                }
-            }
-        }
-
-        impl<const L: usize> StepLaw<L> for AnyStep<L> {
-            #[inline(always)]
-            fn force(&self, trial: &Trial<L>) -> Lane<L> {
-                match self {
-                    $(AnyStep::$law(law) => law.force(trial)),+
-                }
-            }
-        }
-    };
-}
-
-laws!(DisplacementControl, VelocityControl, ImpactSpring);
-
-/// The laws themselves, which all have the kind of the first.
-// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
-#[inline(always)]
-fn own_laws<W: Copy, const L: usize>(
-    laws: &[ContactLaw; L],
-    first: W,
-    own: impl Fn(&ContactLaw) -> Option<W>,
-) -> [W; L] {
-    let mut all = [first; L];
-    for (slot, law) in all.iter_mut().zip(laws) {
-        if let Some(law) = own(law) {
-            *slot = law;
-        }
-    }
-    all
 }
 
 /// One number of each law.
@@ -300,20 +246,26 @@ mod tests {
             h: Lane([h]),
             h_rate: Lane([2.0 * h / dt]),
         };
-        StepFlexibility { start: end, end }
+        StepFlexibility {
+            start: end,
+            end,
+            dt: Lane([dt]),
+            by_impulse: false,
+        }
     }
 
     fn trial(displacement: f64, force: f64, change: f64, rate: f64) -> Trial<1> {
         Trial {
             displacement: Lane([displacement]),
+            velocity: Lane([0.0]),
             force: Lane([force]),
             change: Lane([change]),
             rate: Lane([rate]),
         }
     }
 
-    fn answer(law: impl StepLaw<1>, trial: &Trial<1>) -> f64 {
-        law.force(trial).0[0]
+    fn answer(law: impl StepLaw<1, Memory = ()>, trial: &Trial<1>) -> f64 {
+        law.force(trial, &mut ()).0[0]
     }
 
     fn displacement_control(

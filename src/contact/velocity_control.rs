@@ -1,7 +1,7 @@
 //! The velocity-control model of friction.
 
 use super::element::{Element, VelocityFriction};
-use super::{Cycle, Law, StepFlexibility, StepLaw, Trial, lanes};
+use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
 use crate::lane::Lane;
 
 /// Velocity-control model [F (16)]: viscous up to rdot^E = nu |N|/c^C, then sliding at the friction limit.
@@ -23,6 +23,12 @@ pub struct Step<const L: usize> {
     by_force: Lane<L>,
 }
 
+impl StoredEnergy for VelocityControl {
+    fn stored_energy(&self, _: f64, _: f64) -> f64 {
+        0.0
+    }
+}
+
 impl Law for VelocityControl {
     type Step<const L: usize> = Step<L>;
 
@@ -34,10 +40,6 @@ impl Law for VelocityControl {
             by_rate,
             by_force: on.start.h_rate * by_rate,
         }
-    }
-
-    fn stored_energy(&self, _: f64, _: f64) -> f64 {
-        0.0
     }
 
     /// In the papers the normal force of a closed contact is negative.
@@ -62,8 +64,10 @@ impl Law for VelocityControl {
 }
 
 impl<const L: usize> StepLaw<L> for Step<L> {
+    type Memory = ();
+
     #[inline(always)]
-    fn force(&self, trial: &Trial<L>) -> Lane<L> {
+    fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         (trial.rate * self.by_rate - trial.force * self.by_force).cut(self.limit)
     }
 }

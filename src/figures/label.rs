@@ -134,7 +134,7 @@ pub fn named(
                 table[*other]
                     .applies
                     .as_ref()
-                    .is_some_and(|(on, _)| *on == table[row].name)
+                    .is_some_and(|on| on.governor == table[row].name)
                     && shown.case.values[*other].is_some()
             };
             rows.iter().any(depends)

@@ -13,10 +13,9 @@
 //! each mode (`predictor`) and in their sum. The sum is the contact's motion without its forces. The law gives the root
 //! S(i+1). One pass then moves all modes: three additions for each mode and step.
 
-use super::{ContactState, EndingLanes};
-use crate::contact::{Flexibility, StepFlexibility, StepLaw, Trial};
+use super::{ContactState, Method, ModeStart, Start};
+use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
-use crate::system::Mode;
 
 /// Modes of L structures with one contact each; `M` stores the modes, in an array if their number is known.
 ///
@@ -24,9 +23,10 @@ use crate::system::Mode;
 /// phase of a step is 2 atan(1) = pi/2, so the mode is at -1 after two steps:
 ///
 /// ```
-/// use slipgap::contact::{ImpactSpring, Law};
+/// use slipgap::contact::{ImpactSpring, RunningLaw};
 /// use slipgap::lane::Lane;
-/// use slipgap::methods::average_acceleration::{AverageAcceleration, ModeStart};
+/// use slipgap::methods::{Method, MethodChoice, ModeStart, Start};
+/// use slipgap::methods::average_acceleration::AverageAcceleration;
 /// use slipgap::system::Mode;
 ///
 /// let start = ModeStart {
@@ -34,11 +34,17 @@ use crate::system::Mode;
 ///     displacement: Lane([1.0]),
 ///     velocity: Lane([0.0]),
 /// };
-/// let (dt, gap, force) = (Lane([1.0]), Lane([10.0]), Lane([0.0]));
-/// let mut method = AverageAcceleration::<1>::new(dt, [start].into_iter(), gap, force).expect("one mode");
+/// let at = Start {
+///     choice: [MethodChoice::AverageAcceleration],
+///     rigid: [false],
+///     dt: Lane([1.0]),
+///     gap: Lane([10.0]),
+///     force: Lane([0.0]),
+/// };
+/// let mut method = AverageAcceleration::<1>::new(&at, [start].into_iter()).expect("one mode");
 /// // The gap keeps the contact open.
-/// let law = ImpactSpring::step(&[ImpactSpring { stiffness: 1.0 }], &method.flexibility());
-/// let r: Vec<f64> = (0..4).map(|_| method.step(&law).displacement.0[0] - 10.0).collect();
+/// let mut law = RunningLaw::of(&[ImpactSpring { stiffness: 1.0 }], &method.flexibilities());
+/// let r: Vec<f64> = (0..4).map(|_| method.step(&mut law).displacement.0[0] - 10.0).collect();
 /// for (r, expected) in r.iter().zip([0.0, -1.0, 0.0, 1.0]) {
 ///     assert!((r - expected).abs() < 1e-14);
 /// }
@@ -69,17 +75,6 @@ pub struct ModeState<const L: usize> {
     p: Lane<L>,
     /// W - K P: the next W without the contact forces.
     predictor: Lane<L>,
-}
-
-/// A mode at t = 0, the same mode of each structure.
-#[derive(Debug, Clone, Copy)]
-pub struct ModeStart<const L: usize> {
-    /// The mode of each structure.
-    pub mode: [Mode; L],
-    /// Coordinate x.
-    pub displacement: Lane<L>,
-    /// Its velocity.
-    pub velocity: Lane<L>,
 }
 
 /// Storage of modes: a list, or an array of one.
@@ -161,17 +156,13 @@ fn sum<const L: usize>(modes: &[ModeState<L>], of: impl Fn(&ModeState<L>) -> Lan
     sum
 }
 
-impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
-    /// Modes at t = 0 with steps `dt`, the contact's `gap` and the force S(0); equilibrium with it gives a(0). `None` without
-    /// a mode.
+impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
+    const CONSERVES: bool = true;
+
     #[inline(always)]
-    pub fn new(
-        dt: Lane<L>,
-        start: impl Iterator<Item = ModeStart<L>>,
-        gap: Lane<L>,
-        force: Lane<L>,
-    ) -> Option<Self> {
-        let modes = M::collect(start.map(|start| ModeState::new(dt, &start)))?;
+    fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
+        let dt = start.dt;
+        let modes = M::collect(modes.map(|start| ModeState::new(dt, &start)))?;
         let all = modes.as_ref();
         let rate = dt.map(|dt| 1.0 / dt);
         let increment = sum(all, |mode| mode.state()[0]);
@@ -180,55 +171,50 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
             compliance: sum(all, |mode| mode.compliance),
             predictor: sum(all, |mode| mode.predictor),
             contact: ContactState {
-                displacement: gap + sum(all, |mode| mode.state()[1]),
+                displacement: start.gap + sum(all, |mode| mode.state()[1]),
                 velocity: increment * rate,
-                force,
+                force: start.force,
             },
             increment,
             modes,
         })
     }
 
-    /// Moves the state out. A loop over steps works on a local state: the compiler keeps it in registers, since what the loop
-    /// writes elsewhere cannot change it.
     #[inline(always)]
-    pub fn take(&mut self) -> Self {
-        AverageAcceleration {
-            modes: self.modes.take(),
-            rate: self.rate,
-            compliance: self.compliance,
-            predictor: self.predictor,
-            contact: self.contact,
-            increment: self.increment,
-        }
-    }
-
-    /// The contact after the last step.
-    #[inline(always)]
-    pub fn contact(&self) -> ContactState<L> {
+    fn contact(&self) -> ContactState<L> {
         self.contact
     }
 
-    /// Reduction of the motion of the contact over a step by a unit of contact force.
     #[inline(always)]
-    pub fn flexibility(&self) -> StepFlexibility<L> {
+    fn flexibilities(&self) -> [StepFlexibility<L>; 2] {
         let end = Flexibility {
             h: self.compliance * 0.5,
             h_rate: self.compliance * self.rate,
         };
-        StepFlexibility { start: end, end }
+        let on = StepFlexibility {
+            start: end,
+            end,
+            dt: self.rate.map(|rate| 1.0 / rate),
+            by_impulse: false,
+        };
+        [on; 2]
     }
 
-    /// One step; `law` gives the force at its end.
+    fn work_weights(&self) -> [Lane<L>; 2] {
+        [Lane::splat(0.5); 2]
+    }
+
     #[inline(always)]
-    pub fn step(&mut self, law: &impl StepLaw<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
         let before = self.contact;
-        let force = law.force(&Trial {
+        let trial = Trial {
             displacement: before.displacement,
+            velocity: before.velocity,
             force: before.force,
             change: (self.increment + self.predictor) * 0.5,
             rate: self.predictor * self.rate,
-        });
+        };
+        let force = law.force(0, &trial);
         let force_sum = before.force + force;
         let increment = self.predictor - self.compliance * force_sum;
         // From the first mode on, not from zero, so that a structure of one mode needs no sum.
@@ -248,36 +234,24 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
         self.contact
     }
 
-    /// Steps 0..=`last` of each lane. `advance` moves by a number of steps. `end` gets the first mode's velocity whenever lanes
-    /// end, and which of them end. Gives the contact of each lane at its own last step.
-    ///
-    /// A lane that has ended moves on with the others and changes none of them.
-    pub fn run(
-        &mut self,
-        last: &[u64; L],
-        mut advance: impl FnMut(&mut Self, usize),
-        mut end: impl FnMut(Lane<L>, &EndingLanes<L>),
-    ) -> ContactState<L> {
-        let mut ends = self.contact;
-        let (mut at, mut from) = (0, 0);
-        while let Some(next) = last.iter().copied().filter(|n| *n >= from).min() {
-            advance(self, (next - at) as usize);
-            let ending = EndingLanes::new(last, next);
-            ends = ContactState {
-                displacement: ending.select(self.contact.displacement, ends.displacement),
-                velocity: ending.select(self.contact.velocity, ends.velocity),
-                force: ending.select(self.contact.force, ends.force),
-            };
-            if let Some(first) = self.modes.as_ref().first() {
-                end(first.state()[0] * self.rate, &ending);
-            }
-            (at, from) = (next, next + 1);
+    #[inline(always)]
+    fn take(&mut self) -> Self {
+        AverageAcceleration {
+            modes: self.modes.take(),
+            rate: self.rate,
+            compliance: self.compliance,
+            predictor: self.predictor,
+            contact: self.contact,
+            increment: self.increment,
         }
-        ends
     }
 
-    /// Coordinates and velocities of the modes.
-    pub fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_ {
+    fn first_velocity(&self) -> Option<Lane<L>> {
+        let first = self.modes.as_ref().first()?;
+        Some(first.state()[0] * self.rate)
+    }
+
+    fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_ {
         let states = self.modes.as_ref().iter().map(ModeState::state);
         states.map(|[w, x]| (x, w * self.rate))
     }
@@ -286,16 +260,27 @@ impl<const L: usize, M: Modes<L>> AverageAcceleration<L, M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::system::Modal;
+    use crate::methods::MethodChoice;
+    use crate::system::{Modal, Mode};
     use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
     /// A prescribed force.
     #[derive(Clone, Copy)]
     struct Prescribed(f64);
 
-    impl StepLaw<1> for Prescribed {
-        fn force(&self, _: &Trial<1>) -> Lane<1> {
+    impl Answer<1> for Prescribed {
+        fn force(&mut self, _: usize, _: &Trial<1>) -> Lane<1> {
             Lane([self.0])
+        }
+    }
+
+    fn at(dt: f64, gap: f64, force: f64) -> Start<1> {
+        Start {
+            choice: [MethodChoice::AverageAcceleration],
+            rigid: [false],
+            dt: Lane([dt]),
+            gap: Lane([gap]),
+            force: Lane([force]),
         }
     }
 
@@ -309,17 +294,15 @@ mod tests {
                 displacement: Lane([1.0]),
                 velocity: Lane([0.4 * omega]),
             };
-            let zero = Lane([0.0]);
-            let mut stepper =
-                AverageAcceleration::<1>::new(Lane([w / omega]), [start].into_iter(), zero, zero)
-                    .unwrap();
+            let at = at(w / omega, 0.0, 0.0);
+            let mut stepper = AverageAcceleration::<1>::new(&at, [start].into_iter()).unwrap();
             let energy = |stepper: &AverageAcceleration<1>| {
                 let (x, v) = stepper.modes().next().unwrap();
                 start.mode[0].energy(x.0[0], v.0[0])
             };
             let first = energy(&stepper);
             for step in 1..=1000 {
-                let contact = stepper.step(&Prescribed(0.0));
+                let contact = stepper.step(&mut Prescribed(0.0));
                 let (sin, cos) = libm::sincos(f64::from(step) * 2.0 * libm::atan(0.5 * w));
                 let (x, v) = (cos + 0.4 * sin, omega * (0.4 * cos - sin));
                 // Each step rounds p and w once; for large W, v is a small difference times W/2.
@@ -359,9 +342,7 @@ mod tests {
                     displacement: Lane([x]),
                     velocity: Lane([v]),
                 });
-            let mut stepper =
-                AverageAcceleration::<1>::new(Lane([dt]), start, Lane([gap]), Lane([force]))
-                    .unwrap();
+            let mut stepper = AverageAcceleration::<1>::new(&at(dt, gap, force), start).unwrap();
             let solve = |f: DVector<f64>| m.clone().lu().solve(&f).unwrap();
             let mut a = solve(-(&k * &u + &b * force));
             let effective = (&m * (4.0 / (dt * dt)) + &k).lu();
@@ -372,7 +353,7 @@ mod tests {
                 v = &change - &v;
                 u = next;
                 a = solve(-(&k * &u + &b * s));
-                let contact = stepper.step(&Prescribed(s));
+                let contact = stepper.step(&mut Prescribed(s));
                 let (r, rdot) = (b.dot(&u) + gap, b.dot(&v));
                 // The recursion takes v from displacements over dt/2 in each of 100 steps.
                 let tolerance = 1e-14 * 100.0 * (1.0 + 1.0 / dt);
@@ -396,7 +377,7 @@ mod tests {
             let Flexibility {
                 h: h_method,
                 h_rate,
-            } = stepper.flexibility().end;
+            } = stepper.flexibilities()[0].end;
             assert!((h_method.0[0] / h - 1.0).abs() < 1e-13, "dt = {dt}");
             assert!(
                 (h_rate.0[0] / (2.0 * h / dt) - 1.0).abs() < 1e-13,

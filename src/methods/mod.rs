@@ -1,8 +1,98 @@
 //! Methods of integration, one file each: how a structure moves over a step, and how the force at the end of a step enters.
 
 pub mod average_acceleration;
+mod choice;
 
+pub use choice::{Coefficients, MethodChoice, MethodKind};
+
+use crate::contact::{Answer, StepFlexibility};
 use crate::lane::Lane;
+use crate::system::Mode;
+
+/// Structures at t = 0, from which a method starts.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<const L: usize> {
+    /// The method of each case; all have the kind of the first one.
+    pub choice: [MethodChoice; L],
+    /// Whether the contact of a case is without compliance, so that r >= 0.
+    pub rigid: [bool; L],
+    /// Time step.
+    pub dt: Lane<L>,
+    /// r at rest.
+    pub gap: Lane<L>,
+    /// S(0).
+    pub force: Lane<L>,
+}
+
+/// A mode at t = 0, the same mode of each structure.
+#[derive(Debug, Clone, Copy)]
+pub struct ModeStart<const L: usize> {
+    /// The mode of each structure.
+    pub mode: [Mode; L],
+    /// Coordinate x.
+    pub displacement: Lane<L>,
+    /// Its velocity.
+    pub velocity: Lane<L>,
+}
+
+/// A method for the modes of L structures with one contact each. For a mode x'' + omega2 x = -phi2 S, and r = gap + sum x.
+pub trait Method<const L: usize>: Clone {
+    /// Whether the work of the contact is always the energy that the modes lose.
+    const CONSERVES: bool;
+
+    /// Modes at t = 0; equilibrium with S(0) gives a(0). `None` without a mode.
+    fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self>;
+
+    /// The contact after the last step.
+    fn contact(&self) -> ContactState<L>;
+
+    /// Reduction of the motion of the contact by contact forces, for each of the sub-steps; the same twice in a method without
+    /// sub-steps.
+    fn flexibilities(&self) -> [StepFlexibility<L>; 2];
+
+    /// The work of the contact over a step is (w0 S(i) + w1 S(i+1)) (r(i+1) - r(i)) with these w0, w1.
+    fn work_weights(&self) -> [Lane<L>; 2];
+
+    /// One step; `law` gives the force at the end of each sub-step.
+    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L>;
+
+    /// Moves the state out. A loop over steps works on a local state: the compiler keeps it in registers, since what the loop
+    /// writes elsewhere cannot change it.
+    fn take(&mut self) -> Self;
+
+    /// Velocity of the first mode.
+    fn first_velocity(&self) -> Option<Lane<L>>;
+
+    /// Coordinates and velocities of the modes.
+    fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_;
+
+    /// Steps 0..=`last` of each lane. `advance` moves by a number of steps. `end` gets the state whenever lanes end, and which of
+    /// them end. Gives the contact of each lane at its own last step.
+    ///
+    /// A lane that has ended moves on with the others and changes none of them.
+    fn run(
+        &mut self,
+        last: &[u64; L],
+        mut advance: impl FnMut(&mut Self, usize),
+        mut end: impl FnMut(&Self, &EndingLanes<L>),
+    ) -> ContactState<L> {
+        let mut ends = self.contact();
+        let (mut at, mut from) = (0, 0);
+        while let Some(next) = last.iter().copied().filter(|n| *n >= from).min() {
+            advance(self, (next - at) as usize);
+            let ending = EndingLanes::new(last, next);
+            let now = self.contact();
+            ends = ContactState {
+                displacement: ending.select(now.displacement, ends.displacement),
+                velocity: ending.select(now.velocity, ends.velocity),
+                force: ending.select(now.force, ends.force),
+            };
+            end(self, &ending);
+            (at, from) = (next, next + 1);
+        }
+        ends
+    }
+}
 
 /// The contact at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]

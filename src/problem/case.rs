@@ -56,7 +56,7 @@ impl Case {
         let applies = parameter
             .applies
             .as_ref()
-            .is_none_or(|(governor, name)| self.choice(governor) == name);
+            .is_none_or(|on| on.allows(self.choice(on.governor)));
         match parameter.default {
             parameter::Default::Is(value) => Some(value).filter(|_| applies),
             parameter::Default::Required | parameter::Default::Follows(_) => None,

@@ -16,8 +16,8 @@ pub struct Parameter {
     pub kind: Kind,
     /// Its value if the study does not give it.
     pub default: Default,
-    /// The parameter and name that must be chosen for this one to apply, as `("law", "velocity-control")`.
-    pub applies: Option<(Text, Text)>,
+    /// The choice that must be made for this one to apply; `None` for a parameter that always applies.
+    pub applies: Option<Condition>,
     /// Which tables have a column of it.
     pub column: ColumnRule,
     /// One sentence for schema and documentation.
@@ -35,15 +35,18 @@ impl Parameter {
         Parameter::row(names, kind, default, None, meaning)
     }
 
-    /// A parameter that applies only if another parameter has this name.
+    /// A parameter that applies only if another parameter has one of these names.
     pub const fn only_for(
         names: [&'static str; 3],
         kind: Kind,
         default: Default,
-        (governor, chosen): (&'static str, &'static str),
+        (governor, chosen): (&'static str, &'static [&'static str]),
         meaning: &'static str,
     ) -> Parameter {
-        let applies = (Text::Borrowed(governor), Text::Borrowed(chosen));
+        let applies = Condition {
+            governor,
+            names: chosen,
+        };
         Parameter::row(names, kind, default, Some(applies), meaning)
     }
 
@@ -51,7 +54,7 @@ impl Parameter {
         [name, symbol, unit]: [&'static str; 3],
         kind: Kind,
         default: Default,
-        applies: Option<(Text, Text)>,
+        applies: Option<Condition>,
         meaning: &'static str,
     ) -> Parameter {
         Parameter {
@@ -71,6 +74,31 @@ impl Parameter {
     pub const fn with_column_if_given(mut self) -> Parameter {
         self.column = ColumnRule::IfGiven;
         self
+    }
+}
+
+/// A choice that must be made for a parameter to apply: `law` is `velocity-control` or `tanh`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Condition {
+    /// The parameter with the choice.
+    pub governor: &'static str,
+    /// Its names with which the parameter applies.
+    pub names: &'static [&'static str],
+}
+
+impl Condition {
+    /// Whether the parameter applies with this name of the governor.
+    pub fn allows(&self, name: &str) -> bool {
+        self.names.contains(&name)
+    }
+
+    /// The names in a sentence: "velocity-control or tanh".
+    pub fn choices(&self) -> String {
+        match self.names {
+            [] => String::new(),
+            [one] => (*one).into(),
+            [first @ .., last] => format!("{} or {last}", first.join(", ")),
+        }
     }
 }
 
@@ -126,6 +154,16 @@ pub enum Kind {
 pub enum Range {
     /// x > 0
     Positive,
+    /// 0 < x <= 1
+    Fraction,
+    /// 0 <= x <= 1
+    UpToOne,
+    /// x >= 1
+    AtLeastOne,
+    /// 1/2 <= x <= 1
+    FromHalfToOne,
+    /// -1/3 <= x <= 0
+    HilberHughesTaylor,
     /// x >= 0
     NotNegative,
     /// x != 0
@@ -139,6 +177,11 @@ impl Range {
     pub fn contains(self, x: f64) -> bool {
         match self {
             Range::Positive => x > 0.0,
+            Range::Fraction => x > 0.0 && x <= 1.0,
+            Range::UpToOne => (0.0..=1.0).contains(&x),
+            Range::AtLeastOne => x >= 1.0,
+            Range::FromHalfToOne => (0.5..=1.0).contains(&x),
+            Range::HilberHughesTaylor => (-1.0 / 3.0..=0.0).contains(&x),
             Range::NotNegative => x >= 0.0,
             Range::NotZero => x != 0.0,
             Range::Any => true,
@@ -150,6 +193,11 @@ impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Range::Positive => "> 0",
+            Range::Fraction => "> 0 and <= 1",
+            Range::UpToOne => "from 0 to 1",
+            Range::AtLeastOne => ">= 1",
+            Range::FromHalfToOne => "from 1/2 to 1",
+            Range::HilberHughesTaylor => "from -1/3 to 0",
             Range::NotNegative => ">= 0",
             Range::NotZero => "not 0",
             Range::Any => "a finite number",

@@ -11,11 +11,13 @@ pub use table::MetricTable;
 pub use track::{ContactTrack, Displacements, Track};
 pub use unsolvable::Unsolvable;
 
-use crate::contact::{AnyStep, ContactLaw, StepLaw, Visitor};
+use crate::contact::{Answer, AnyLaw, ContactLaw, Visitor};
 use crate::lane::Lane;
-use crate::methods::average_acceleration::{AverageAcceleration, ModeStart, Modes};
+use crate::methods::average_acceleration::{AverageAcceleration, Modes};
+use crate::methods::{ContactState, Method, MethodKind, ModeStart, Start};
 use crate::system::System;
 use multiversion::multiversion;
+use std::cell::Cell;
 
 /// The motion of L cases.
 #[derive(Debug, Clone)]
@@ -26,6 +28,17 @@ pub struct Motion<const L: usize, T> {
     pub end: [Lane<L>; 3],
     /// Velocity of the first mode at the last step of each case.
     pub first_mode: Lane<L>,
+    /// What the contact and the method took from the energy of the modes; `None` for a method in which the contact takes all.
+    pub taken: Option<Taken<L>>,
+}
+
+/// What a run took from the energy of the modes, up to the last step of each case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taken<const L: usize> {
+    /// Work on the contact.
+    pub by_contact: Lane<L>,
+    /// Numerical dissipation of the method; below 0 where it adds energy.
+    pub by_method: Lane<L>,
 }
 
 impl<const L: usize, T: Default> Default for Motion<L, T> {
@@ -34,6 +47,7 @@ impl<const L: usize, T: Default> Default for Motion<L, T> {
             track: T::default(),
             end: [Lane::splat(0.0); 3],
             first_mode: Lane::splat(0.0),
+            taken: None,
         }
     }
 }
@@ -50,12 +64,10 @@ impl ToSystem for System {
     }
 }
 
-/// L systems at t = 0 with equal numbers of modes, and their laws over a step; `None` without a mode. All laws have the kind of
-/// the first one.
+/// L systems at t = 0 with equal numbers of modes, and their laws over the run; `None` without a mode. All laws and all methods have
+/// the kind of the first one.
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
-pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
-    cases: &[S; L],
-) -> Option<(AverageAcceleration<L, M>, AnyStep<L>)> {
+pub fn start<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<(N, AnyLaw<L>)> {
     let of = |number: fn(&System) -> f64| {
         let mut lane = Lane::splat(0.0);
         for (x, case) in lane.0.iter_mut().zip(cases) {
@@ -86,22 +98,44 @@ pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
         }
         start
     });
-    let stepper = AverageAcceleration::new(of(|s| s.step), modes, of(|s| s.gap), of(|s| s.force))?;
-    let mut laws = [first.law; L];
-    for (law, case) in laws.iter_mut().zip(cases) {
-        *law = case.system().law;
+    let (mut laws, mut choice) = ([first.law; L], [first.method; L]);
+    let mut rigid = [false; L];
+    for (l, case) in cases.iter().enumerate() {
+        let system = case.system();
+        (laws[l], choice[l], rigid[l]) = (system.law, system.method, system.law.rigid());
     }
-    let law = ContactLaw::step(&laws, &stepper.flexibility());
+    let start = Start {
+        choice,
+        rigid,
+        dt: of(|s| s.step),
+        gap: of(|s| s.gap),
+        force: of(|s| s.force),
+    };
+    let stepper = N::new(&start, modes)?;
+    let law = ContactLaw::running(&laws, &stepper.flexibilities());
     Some((stepper, law))
 }
 
-/// Integrates L systems with equal numbers of modes and laws of one kind to their last steps. Returns for each whether its motion
-/// is finite.
+/// Integrates L systems with equal numbers of modes, and laws and methods of one kind, to their last steps. Returns for each
+/// whether its motion is finite.
 pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
-    let Some((mut stepper, law)) = start::<L, M, S>(cases) else {
+    match cases[0].system().method.kind() {
+        MethodKind::AverageAcceleration => {
+            advance_by::<L, AverageAcceleration<L, M>, T, S>(cases, motion)
+        }
+        MethodKind::Family | MethodKind::Bathe | MethodKind::MoreauJean => [false; L],
+    }
+}
+
+/// The same with one method.
+fn advance_by<const L: usize, N: Method<L>, T: Track<L>, S: ToSystem>(
+    cases: &[S; L],
+    motion: &mut Motion<L, T>,
+) -> [bool; L] {
+    let Some((mut stepper, mut law)) = start::<L, N, S>(cases) else {
         return [false; L];
     };
     let mut last = [0; L];
@@ -114,23 +148,58 @@ pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
     if let Some(row) = track.rows(0, 1).next() {
         T::write(row, &stepper.contact());
     }
-    let (mut first_mode, mut from) = (Lane::splat(0.0), 1);
+    let zero = Lane::splat(0.0);
+    let (mut first_mode, mut from) = (zero, 1);
+    let work = Cell::new(zero);
+    let (mut by_contact, mut energy) = (zero, zero);
     let end = stepper.run(
         &last,
         |stepper, steps| {
+            let mut sum = work.get();
             law.accept(Steps {
                 stepper,
                 track,
+                work: &mut sum,
                 from,
                 steps,
             });
+            work.set(sum);
             from += steps;
         },
-        |velocity, ending| first_mode = ending.select(velocity, first_mode),
+        |stepper, ending| {
+            let velocity = stepper.first_velocity().unwrap_or(zero);
+            first_mode = ending.select(velocity, first_mode);
+            if !N::CONSERVES {
+                by_contact = ending.select(work.get(), by_contact);
+                energy = ending.select(modal_energy(cases, stepper), energy);
+            }
+        },
     );
     motion.first_mode = first_mode;
     motion.end = [end.displacement, end.velocity, end.force];
+    motion.taken = (!N::CONSERVES).then(|| {
+        let mut by_method = -energy - by_contact;
+        for (taken, case) in by_method.0.iter_mut().zip(cases) {
+            *taken += case.system().linear.energy();
+        }
+        Taken {
+            by_contact,
+            by_method,
+        }
+    });
     end.finite()
+}
+
+/// Kinetic and strain energy of the modes.
+fn modal_energy<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L], stepper: &N) -> Lane<L> {
+    let mut energy = Lane::splat(0.0);
+    for (j, (x, v)) in stepper.modes().enumerate() {
+        for (l, case) in cases.iter().enumerate() {
+            let mode = case.system().linear.mode(j).mode;
+            energy.0[l] += mode.energy(x.0[l], v.0[l]);
+        }
+    }
+    energy
 }
 
 /// Integrates one system to its last step.
@@ -148,44 +217,82 @@ pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
 /// The constant average acceleration method for one system.
 pub type Stepper = AverageAcceleration<1>;
 
+/// The state of a structure after a step.
+pub trait State {
+    /// The contact.
+    fn contact(&self) -> ContactState<1>;
+    /// Coordinates and velocities of the modes.
+    fn modes(&self) -> Vec<[f64; 2]>;
+}
+
+impl<N: Method<1>> State for N {
+    fn contact(&self) -> ContactState<1> {
+        Method::contact(self)
+    }
+
+    fn modes(&self) -> Vec<[f64; 2]> {
+        Method::modes(self).map(|(x, v)| [x.0[0], v.0[0]]).collect()
+    }
+}
+
 /// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
-pub fn visit(system: &System, mut visit: impl FnMut(u64, &Stepper)) {
-    let Some((mut stepper, law)) = start::<1, Vec<_>, _>(&[*system]) else {
+pub fn visit(system: &System, visit: impl FnMut(u64, &dyn State)) {
+    match system.method.kind() {
+        MethodKind::AverageAcceleration => visit_by::<Stepper>(system, visit),
+        MethodKind::Family | MethodKind::Bathe | MethodKind::MoreauJean => {}
+    }
+}
+
+/// The same with one method.
+fn visit_by<N: Method<1>>(system: &System, mut visit: impl FnMut(u64, &dyn State)) {
+    let Some((mut stepper, mut law)) = start::<1, N, _>(&[*system]) else {
         return;
     };
     visit(0, &stepper);
     for step in 1..=system.last {
-        stepper.step(&law);
+        stepper.step(&mut law);
         visit(step, &stepper);
     }
 }
 
 /// Some steps, recorded from row `from` on.
-struct Steps<'a, const L: usize, M, T> {
-    stepper: &'a mut AverageAcceleration<L, M>,
+struct Steps<'a, const L: usize, N, T> {
+    stepper: &'a mut N,
     track: &'a mut T,
+    work: &'a mut Lane<L>,
     from: usize,
     steps: usize,
 }
 
-impl<const L: usize, M: Modes<L>, T: Track<L>> Visitor<L> for Steps<'_, L, M, T> {
-    fn visit(self, law: &impl StepLaw<L>) {
-        step_all::<L, M, T, _>(self.stepper, *law, self.track, self.from, self.steps);
+impl<const L: usize, N: Method<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N, T> {
+    fn visit(self, law: &mut (impl Answer<L> + Copy)) {
+        let sum = step_all::<L, N, T, _>(self.stepper, law, self.track, self.from, self.steps);
+        *self.work = *self.work + sum;
     }
 }
 
-// A separate small function: with other code around it, its loop compiles to slower instructions.
+// A separate small function: with other code around it, its loop compiles to slower instructions. Returns the work on the contact,
+// or zero in a method in which it is the energy that the modes lose.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn step_all<const L: usize, M: Modes<L>, T: Track<L>, W: StepLaw<L>>(
-    stepper: &mut AverageAcceleration<L, M>,
-    law: W,
+fn step_all<const L: usize, N: Method<L>, T: Track<L>, W: Answer<L> + Copy>(
+    stepper: &mut N,
+    law: &mut W,
     track: &mut T,
     from: usize,
     steps: usize,
-) {
-    let mut own = stepper.take();
+) -> Lane<L> {
+    let (mut own, mut own_law) = (stepper.take(), *law);
+    let mut work = Lane::splat(0.0);
+    let weights = own.work_weights();
     for row in track.rows(from, steps) {
-        T::write(row, &own.step(&law));
+        let before = own.contact();
+        let after = own.step(&mut own_law);
+        T::write(row, &after);
+        if !N::CONSERVES {
+            let force = before.force * weights[0] + after.force * weights[1];
+            work = work + force * (after.displacement - before.displacement);
+        }
     }
-    *stepper = own;
+    (*stepper, *law) = (own, own_law);
+    work
 }

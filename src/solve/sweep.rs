@@ -67,7 +67,7 @@ pub fn sweep<const L: usize, C: LaneCase<L>>(cases: &[(usize, C)], table: &mut M
 /// Bits of a rank below those of a case's kind.
 const KIND: u32 = 80;
 
-/// The order of cases: first by law and number of modes; then by number of steps, so that lanes end at similar times; then by a
+/// The order of cases: first by method, law and number of modes; then by number of steps, so that lanes end at similar times; then by a
 /// checksum of the exact solution, so that cases with one exact solution are together.
 fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     let mixed = |sum: u64, x: f64| {
@@ -76,7 +76,8 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     };
     let sum = case.reference_key().into_iter().fold(0, mixed) >> 32;
     let system = case.system();
-    let kind = (system.law.kind() as u128) << 40 | system.linear.len() as u128;
+    let kinds = (system.method.kind() as u128) << 5 | system.law.kind() as u128;
+    let kind = kinds << 40 | system.linear.len() as u128;
     kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
 }
 

@@ -53,7 +53,7 @@ static TABLE: [Parameter; 6] = [
         ["right.L", "right.L", "1"],
         Kind::Number(Range::Positive),
         Default::Is(Value::Number(10.0)),
-        ("right", "bar"),
+        ("right", &["bar"]),
         "a test",
     ),
 ];

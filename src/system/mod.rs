@@ -11,6 +11,7 @@ pub use bar_pair::BarPair;
 pub use modes::{Modal, Mode};
 
 use crate::contact::ContactLaw;
+use crate::methods::MethodChoice;
 
 /// A structure with a contact, from t = 0 on.
 ///
@@ -19,6 +20,7 @@ use crate::contact::ContactLaw;
 ///
 /// ```
 /// use slipgap::contact::{ContactLaw, DisplacementControl};
+/// use slipgap::methods::MethodChoice;
 /// use slipgap::solve::{self, ContactTrack};
 /// use slipgap::system::{Linear, Mode, System};
 /// use std::f64::consts::PI;
@@ -30,6 +32,7 @@ use crate::contact::ContactLaw;
 ///     force: 0.0,
 ///     step: PI / 1000.0,
 ///     last: 1000,
+///     method: MethodChoice::AverageAcceleration,
 /// };
 /// let motion = solve::run::<ContactTrack>(&system)?;
 /// let [x, v, _] = motion.track.0[1000];
@@ -50,6 +53,8 @@ pub struct System {
     pub step: f64,
     /// Number of steps N.
     pub last: u64,
+    /// The method of integration.
+    pub method: MethodChoice,
 }
 
 /// The linear part of a system and its state at t = 0.

@@ -1,6 +1,7 @@
 //! The energy of bars and spring over a run.
 
 use super::Track;
+use crate::contact::StoredEnergy;
 use crate::lane::Lane;
 use crate::system::System;
 
@@ -39,9 +40,12 @@ impl Energy<1> {
     /// From the work of the contact of a case, see [`energy_of_books`].
     pub fn of_case(track: &Track<1>, system: &System, count: usize) -> Energy<1> {
         let start = Lane([system.linear.energy()]);
-        let stored =
-            |Lane([r]): Lane<1>, Lane([s]): Lane<1>| Lane([system.law.stored_energy(r, s)]);
-        energy_of_books(track, start, stored, count)
+        let law = &system.law;
+        let books = |Lane([r]): Lane<1>, Lane([s]): Lane<1>| {
+            let [stored, force] = [law.stored_energy(r, s), law.conservative_force(r, s)];
+            [Lane([stored]), Lane([force])]
+        };
+        energy_of_books(track, start, books, count)
     }
 
     /// From the energies at the steps; there must be at least one.
@@ -55,29 +59,31 @@ impl Energy<1> {
 }
 
 /// The energy over the first `count` steps from the force and the displacement of the contact alone; `start` is the energy of
-/// the bars at t = 0.
+/// the bars at t = 0. What a damped contact or a method dissipates is left in it, so that it changes by errors only.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// section 5). `stored` is the energy that the contacts store at r under S; S = -F. The sum changes only in steps in which the
-/// contact opens or closes, and in a damped contact.
+/// section 5). `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
+/// The sum changes only in steps in which the contact opens or closes, and with a spring that is not linear.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
     start: Lane<L>,
-    stored: impl Fn(Lane<L>, Lane<L>) -> Lane<L>,
+    books: impl Fn(Lane<L>, Lane<L>) -> [Lane<L>; 2],
     count: usize,
 ) -> Energy<L> {
     let (r, force) = (&track.displacement[..count], &track.force[..count]);
     let (Some(r0), Some(f0)) = (r.first(), force.first()) else {
         return Energy::new(start);
     };
-    let (mut r_before, mut f_before) = (*r0, *f0);
+    let mut r_before = *r0;
+    let [stored, mut s_before] = books(*r0, -*f0);
     let mut bars = start;
-    let mut energy = Energy::new(start + stored(r_before, -f_before));
+    let mut energy = Energy::new(start + stored);
     for (r, f) in r.iter().zip(force).skip(1) {
-        bars = bars + (f_before + *f) * (*r - r_before) * 0.5;
-        energy.update(bars + stored(*r, -*f));
-        (r_before, f_before) = (*r, *f);
+        let [stored, s] = books(*r, -*f);
+        bars = bars - (s_before + s) * (*r - r_before) * 0.5;
+        energy.update(bars + stored);
+        (r_before, s_before) = (*r, s);
     }
     energy
 }

@@ -3,10 +3,11 @@
 use super::tables::{InitialSlip, LawName, rows};
 use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
 use crate::lane::Lane;
+use crate::methods::MethodChoice;
 use crate::methods::average_acceleration::ModeState;
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
 use crate::metrics::steps;
-use crate::problem::Case;
+use crate::problem::{Case, method};
 use crate::solve::sweep::{LaneCase, ReferenceKey};
 use crate::solve::{Displacements, Motion, ToSystem};
 use crate::system::{Linear, Mode, System};
@@ -18,19 +19,11 @@ const UNIT: Mode = Mode::new(1.0, 1.0);
 /// Cases in lanes: enough to fill the pipelines of the processor, because each step of a case waits for the one before it.
 pub const LANES: usize = 16;
 
-/// The friction law of a case.
-#[derive(Debug, Clone, Copy)]
-pub enum FrictionLaw {
-    /// See [`DisplacementControl`].
-    Displacement(DisplacementControl),
-    /// See [`VelocityControl`].
-    Velocity(VelocityControl),
-}
-
 /// The parameters of a case.
 #[derive(Debug, Clone, Copy)]
 pub struct OscillatorCase {
-    pub law: FrictionLaw,
+    pub law: ContactLaw,
+    pub method: MethodChoice,
     /// S(0).
     pub force: f64,
     pub x0: f64,
@@ -49,23 +42,39 @@ impl OscillatorCase {
                 let compliance = case.at(rows::ALPHA)?;
                 let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
                 let law = DisplacementControl { compliance, limit };
-                (FrictionLaw::Displacement(law), release_force(slip, x0))
+                (
+                    ContactLaw::DisplacementControl(law),
+                    release_force(slip, x0),
+                )
             }
             LawName::VelocityControl => {
                 let compliance = case.at(rows::BETA)?;
                 let law = VelocityControl { compliance, limit };
-                (FrictionLaw::Velocity(law), 0.0)
+                (ContactLaw::VelocityControl(law), 0.0)
             }
         };
         let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(OscillatorCase {
             law,
+            method: method::of_case(case, rows::METHOD)?,
             force,
             x0,
             step,
             duration,
             last: steps(duration, step),
         })
+    }
+
+    /// Work of the friction force over |x0|.
+    #[inline(always)]
+    pub fn work<const L: usize, T>(&self, motion: &Motion<L, T>, lane: usize) -> f64 {
+        match &motion.taken {
+            None => {
+                let [x, v, _] = motion.end.map(|x| x.0[lane]);
+                work_by_energy(self.x0, [x, v])
+            }
+            Some(taken) => taken.by_contact.0[lane] / self.x0.abs(),
+        }
     }
 
     /// The exact solution at the case's steps.
@@ -91,14 +100,12 @@ impl ToSystem for OscillatorCase {
                 mode: UNIT,
                 displacement: self.x0,
             },
-            law: match self.law {
-                FrictionLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
-                FrictionLaw::Velocity(law) => ContactLaw::VelocityControl(law),
-            },
+            law: self.law,
             gap: 0.0,
             force: self.force,
             step: self.step,
             last: self.last,
+            method: self.method,
         }
     }
 }
@@ -125,8 +132,7 @@ impl LaneCase<LANES> for OscillatorCase {
     ) -> Self::Metrics {
         let mut work = Lane::splat(0.0);
         for (l, case) in cases.iter().enumerate() {
-            let [x, v, _] = motion.end.map(|lane| lane.0[l]);
-            work.0[l] = work_by_energy(case.x0, [x, v]);
+            work.0[l] = case.work(motion, l);
         }
         evaluate_all(&motion.track.0[..exact.count()], work, exact)
     }
@@ -139,9 +145,7 @@ impl LaneCase<LANES> for OscillatorCase {
     ) -> Self::OneMetrics {
         let steps = motion.track.0[..exact.count()].iter();
         let steps: Vec<_> = steps.map(|x| Lane([x.0[lane]])).collect();
-        let [x, v, _] = motion.end.map(|x| x.0[lane]);
-        let work = work_by_energy(self.x0, [x, v]);
-        evaluate(&steps, Lane([work]), exact)
+        evaluate(&steps, Lane([self.work(motion, lane)]), exact)
     }
 }
 

@@ -5,15 +5,16 @@ mod tables;
 
 use super::cases::Cases;
 use super::{Case, Problem, Schema, Solution, Violation, sweep_cases, time_rules};
+use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::metrics::friction::{work_by_energy, work_by_trapezoids};
+use crate::metrics::friction::work_by_trapezoids;
 use crate::metrics::{self, cells};
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
-use case::{FrictionLaw, LANES, OscillatorCase};
+use case::{LANES, OscillatorCase};
 use std::sync::Arc;
 use tables::{METRICS, SCHEMA, rows};
 
@@ -36,9 +37,7 @@ impl Problem for FrictionOscillator {
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let motion = solve::run::<ContactTrack>(&own.system())?;
-        let [Lane([x]), Lane([v]), _] = motion.end;
-        let work = work_by_energy(own.x0, [x, v]);
-        self.judge(&own, &motion.track, work, wanted)
+        self.judge(&own, &motion.track, own.work(&motion, 0), wanted)
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
@@ -115,10 +114,11 @@ fn coulomb(x0: f64, times: &[f64]) -> History {
 fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
     let (x0, force, end) = (case.x0, case.force, *times.last()?);
     let mut motion = match case.law {
-        FrictionLaw::Displacement(law) => regularised::holds(x0, law.compliance, force, end)
+        ContactLaw::DisplacementControl(law) => regularised::holds(x0, law.compliance, force, end)
             .then(|| Regularised::displacement(x0, law.compliance, force)),
-        FrictionLaw::Velocity(law) => regularised::holds(x0, law.compliance, 0.0, end)
+        ContactLaw::VelocityControl(law) => regularised::holds(x0, law.compliance, 0.0, end)
             .then(|| Regularised::velocity(x0, law.compliance)),
+        _ => None,
     }?;
     Some(History::sample(times, |time| motion.at(time).values()))
 }

@@ -1,6 +1,7 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
 use crate::problem::choice::choice;
+use crate::problem::method;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::Dimension;
@@ -40,14 +41,14 @@ static PARAMETERS: [Parameter; 7] = [
         ["alpha", "*α*", "1"],
         Kind::Number(Range::Positive),
         Default::Required,
-        ("law", "displacement-control"),
+        ("law", &["displacement-control"]),
         "elastic displacement before sliding, alpha = r^E/Delta [F (22)]",
     ),
     Parameter::only_for(
         ["beta", "*β*", "1"],
         Kind::Number(Range::Positive),
         Default::Required,
-        ("law", "velocity-control"),
+        ("law", &["velocity-control"]),
         "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]",
     ),
     Parameter::new(
@@ -72,7 +73,7 @@ static PARAMETERS: [Parameter; 7] = [
         ["initial_slip", "initial slip", "1"],
         InitialSlip::KIND,
         Default::Is(Value::Name("unloaded")),
-        ("law", "displacement-control"),
+        ("law", &["displacement-control"]),
         "slip of the friction element at release",
     ),
 ];
@@ -89,6 +90,8 @@ pub(super) mod rows {
     pub const DURATION: usize = row_of(&PARAMETERS, "duration");
     pub const X0: usize = row_of(&PARAMETERS, "x0");
     pub const INITIAL_SLIP: usize = row_of(&PARAMETERS, "initial_slip");
+    /// First row of the parameters of the method.
+    pub const METHOD: usize = PARAMETERS.len();
 }
 
 /// The scales of friction in [F].
@@ -186,7 +189,11 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "free vibration of a mass on a spring with Coulomb friction, released at rest from x0 [F]",
         ),
-        parameters: Borrowed(&PARAMETERS),
+        parameters: PARAMETERS
+            .iter()
+            .chain(&method::PARAMETERS)
+            .cloned()
+            .collect(),
         metrics: Borrowed(&METRICS),
         contact_metric: None,
         channels: Borrowed(&CHANNELS),

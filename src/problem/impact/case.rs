@@ -2,7 +2,7 @@
 
 use super::scaled::Scaled;
 use super::tables::rows;
-use crate::contact::{ContactLaw, Law, LawsVisitor, stored_energies};
+use crate::contact::{ContactLaw, LawsVisitor, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeState;
@@ -59,6 +59,7 @@ pub fn system(scaled: &Scaled, step: f64, last: u64) -> System {
         force: 0.0,
         step,
         last,
+        method: scaled.method,
     }
 }
 
@@ -132,7 +133,7 @@ struct Evaluate<'a> {
 impl LawsVisitor<LANES> for Evaluate<'_> {
     type Output = [Lane<LANES>; COUNT];
 
-    fn visit<W: Law>(self, laws: &[W; LANES]) -> Self::Output {
+    fn visit<W: StoredEnergy>(self, laws: &[W; LANES]) -> Self::Output {
         evaluate_all(self, laws)
     }
 }
@@ -140,14 +141,14 @@ impl LawsVisitor<LANES> for Evaluate<'_> {
 /// All metrics of a group.
 #[allow(unused_braces, reason = "the macro puts them")]
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn evaluate_all<W: Law>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
+fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES>; COUNT] {
     let Evaluate {
         track,
         start,
         restitution,
         exact,
     } = of;
-    let stored = |r, s| stored_energies(laws, r, s);
-    let energy: Energy<LANES> = energy_of_books(track, start, stored, exact.count());
+    let books = |r, s| energies(laws, r, s);
+    let energy: Energy<LANES> = energy_of_books(track, start, books, exact.count());
     evaluate(track, &energy, restitution, exact)
 }

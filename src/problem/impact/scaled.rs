@@ -6,10 +6,11 @@
 //! scaled results.
 
 use super::law::law;
-use super::tables::{MassMatrix, Opposite, rows};
+use super::tables::{METHOD, MassMatrix, Opposite, rows};
 use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
-use crate::problem::Case;
+use crate::methods::MethodChoice;
+use crate::problem::{Case, method};
 use crate::system::BarPair;
 use crate::system::bar::{Bar, Mass};
 
@@ -27,6 +28,8 @@ pub struct Scaled {
     pub spring: f64,
     /// The contact law.
     pub law: ContactLaw,
+    /// The method of integration.
+    pub method: MethodChoice,
     /// L_R/L, for drawings; zero for a wall.
     pub length_ratio: f64,
 }
@@ -82,6 +85,7 @@ impl Scaled {
             },
             spring,
             law: law(case, spring)?,
+            method: method::of_case(case, METHOD)?,
             length_ratio: length,
         })
     }

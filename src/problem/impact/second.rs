@@ -8,7 +8,7 @@
 use super::case::system;
 use super::scaled::Scaled;
 use crate::lane::Lane;
-use crate::methods::average_acceleration::ModeStart;
+use crate::methods::{Method, MethodKind, ModeStart, Start};
 use crate::solve::{self, Stepper};
 
 /// T_I, the exact contact's duration in both impacts.
@@ -19,19 +19,23 @@ const REST: f64 = 0.25;
 
 /// The speed over c at which the ends meet in the second impact, and the mass centres' speed over c after it.
 ///
-/// `flight` is the time in T_I between the exact contacts. Undefined for bars that are not mirror images, and if the far ends meet
+/// `flight` is the time in T_I between the exact contacts. Undefined for bars that are not mirror images, for other methods than
+/// constant average acceleration, and if the far ends meet
 /// before half of the flight, do not meet, meet while the first contact is closed, or touch at the end.
 pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
-    if scaled.pair.right.is_some() && !scaled.pair.equal() {
+    if scaled.pair.right.is_some() && !scaled.pair.equal()
+        || scaled.method.kind() != MethodKind::AverageAcceleration
+    {
         return [None; 2];
     }
-    let Some((mut stepper, law)) = solve::start::<1, Vec<_>, _>(&[system(scaled, dt, 0)]) else {
+    let Some((mut stepper, mut law)) = solve::start::<1, Stepper, _>(&[system(scaled, dt, 0)])
+    else {
         return [None; 2];
     };
     let separation = 0.5 * scaled.bars.gap + CONTACT;
     let first = ((separation + 0.5 * flight) / dt).round() as u64;
     for _ in 0..first {
-        stepper.step(&law);
+        stepper.step(&mut law);
     }
     if stepper.contact().displacement.0[0] < 0.0 {
         return [None; 2];
@@ -46,7 +50,7 @@ pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
         if closing.is_none() && (before.displacement.0[0] < 0.0 || first_gap(&stepper) < 0.0) {
             return [None; 2];
         }
-        let now = stepper.step(&law);
+        let now = stepper.step(&mut law);
         let [r, next] = [before.displacement.0[0], now.displacement.0[0]];
         if closing.is_none() && next < 0.0 {
             // rdot at r = 0, both linear between the steps; in c/2, and negative in closing.
@@ -77,8 +81,14 @@ fn far_ends(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<
     if let Some(rigid) = start.first_mut() {
         rigid.displacement.0[0] -= scaled.bars.gap;
     }
-    let gap = Lane([2.0 * flight]);
-    Stepper::new(Lane([dt]), start.into_iter(), gap, Lane::splat(0.0))
+    let at = Start {
+        choice: [scaled.method],
+        rigid: [false],
+        dt: Lane([dt]),
+        gap: Lane([2.0 * flight]),
+        force: Lane([0.0]),
+    };
+    Stepper::new(&at, start.into_iter())
 }
 
 /// Distance of the ends that met first, in coordinates of the far ends.
@@ -96,6 +106,7 @@ mod tests {
     use super::*;
     use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
+    use crate::methods::MethodChoice;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
     use crate::system::bar::{Bar, Mass};
@@ -124,6 +135,7 @@ mod tests {
             law: ContactLaw::ImpactSpring(ImpactSpring {
                 stiffness: gamma * f64::from(n) * 4.0 * mass,
             }),
+            method: MethodChoice::AverageAcceleration,
             length_ratio: 1.0,
         }
     }

@@ -33,7 +33,7 @@ pub fn snapshots(system: &System, scaled: &Scaled, times: &[f64]) -> Vec<Snapsho
                 .zip(&steps)
                 .filter(|(_, s)| **s == step)
             {
-                let modes: Vec<[f64; 2]> = stepper.modes().map(|(x, v)| [x.0[0], v.0[0]]).collect();
+                let modes = stepper.modes();
                 let time = step as f64 * system.step;
                 let separate = scaled.pair.separate(time, &modes);
                 *slot = Some(snapshot(scaled, &wave, time, &separate));

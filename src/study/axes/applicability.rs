@@ -16,17 +16,18 @@ pub(super) fn check_applicability(
     let required = matches!(parameter.default, Default::Required);
     let missing = format!("missing: {}", described(parameter));
     let missing_path = join(&draft.path, &parameter.name);
-    let Some((governor, wanted)) = &parameter.applies else {
+    let Some(on) = &parameter.applies else {
         if given.is_none() && required {
             faults.add(draft.at, &missing_path, missing);
         }
         return;
     };
     // A governor without a name is faulty or missing itself.
-    let Some(chosen) = names(draft, governor, table) else {
+    let Some(chosen) = names(draft, on.governor, table) else {
         return;
     };
-    let others: Vec<&str> = chosen.iter().copied().filter(|c| *c != wanted).collect();
+    let others: Vec<&str> = chosen.iter().copied().filter(|c| !on.allows(c)).collect();
+    let (governor, wanted) = (on.governor, on.choices());
     let applies = others.len() < chosen.len();
     let separate = || {
         format!(
@@ -38,7 +39,9 @@ pub(super) fn check_applicability(
     match given {
         Some(given) if !applies => {
             let allowed = table.iter().filter(|p| match &p.applies {
-                Some((other, name)) => other == governor && chosen.iter().any(|own| own == name),
+                Some(other) => {
+                    other.governor == governor && chosen.iter().any(|own| other.allows(own))
+                }
                 None => true,
             });
             let allowed: Vec<&str> = allowed.map(|p| &*p.name).collect();

@@ -103,7 +103,7 @@ impl Block {
         let governs = |axis: &Axis| {
             let name = &table[axis.parameter].name;
             let mut conditions = table.iter().filter_map(|p| p.applies.as_ref());
-            conditions.any(|(governor, _)| governor == name)
+            conditions.any(|on| on.governor == name)
         };
         let axes = |group: &usize| self.groups[*group].axes.iter();
         if !self.derived.is_empty() || varying.iter().flat_map(axes).any(governs) {

@@ -137,7 +137,7 @@ fn left_out(parameter: &Parameter) -> String {
         Default::Follows(from) => from.to_string(),
     };
     match &parameter.applies {
-        Some((governor, name)) => format!("{default}; only for {governor} {name}"),
+        Some(on) => format!("{default}; only for {} {}", on.governor, on.choices()),
         None => default,
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use crate::problem::parameter::{Condition, Default, Kind, Parameter, Range, Value};
 use crate::study::axes::axis_rule::RULES;
 use crate::study::axes::interval::INTERVALS;
 
@@ -37,8 +37,8 @@ pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
         let needed = matches!(parameter.default, Default::Required);
         match &parameter.applies {
             None if needed => required.push(rest),
-            Some((governor, name)) if prefix.is_empty() => {
-                conditions.extend(condition(rest, governor, name, needed, table));
+            Some(on) if prefix.is_empty() => {
+                conditions.extend(condition(rest, on, needed, table));
             }
             None | Some(_) => {}
         }
@@ -50,29 +50,29 @@ pub(super) fn parameters(table: &[Parameter], prefix: &str) -> Json {
     schema
 }
 
-/// The rule that a parameter is required or allowed only with one name of its governor.
-fn condition(
-    key: &str,
-    governor: &str,
-    name: &str,
-    needed: bool,
-    table: &[Parameter],
-) -> Vec<Json> {
-    let when = |choice: Json| json!({ "properties": { governor: choice }, "required": [governor] });
-    let others = table.iter().find(|p| p.name == governor).map(|p| p.kind);
-    let others: Vec<&str> = match others {
+/// The rule that a parameter is required or allowed only with some names of its governor.
+fn condition(key: &str, on: &Condition, needed: bool, table: &[Parameter]) -> Vec<Json> {
+    let governor = on.governor;
+    let of_governor = table.iter().find(|p| p.name == governor);
+    let names: Vec<&str> = match of_governor.map(|p| p.kind) {
         Some(Kind::Choice(choices)) => choices.iter().map(|c| c.0).collect(),
         Some(Kind::Number(_) | Kind::Whole { .. }) | None => Vec::new(),
     };
-    let others: Vec<&str> = others.into_iter().filter(|other| *other != name).collect();
-    let refused = json!({
-        "if": when(json!({ "enum": others })),
-        "then": { "properties": { key: false } },
-    });
-    let required = json!({
-        "if": when(json!({ "const": name })),
-        "then": { "required": [key] },
-    });
+    let others: Vec<&str> = names.into_iter().filter(|name| !on.allows(name)).collect();
+    let when = |choice: Json| json!({ "properties": { governor: choice }, "required": [governor] });
+    let mut refuse = when(json!({ "enum": others }));
+    // A governor that is left out has its default.
+    if let Some(Default::Is(value)) = of_governor.map(|p| &p.default)
+        && !on.allows(value.name())
+    {
+        refuse = json!({ "properties": { governor: { "enum": others } } });
+    }
+    let refused = json!({ "if": refuse, "then": { "properties": { key: false } } });
+    let chosen = match on.names {
+        [one] => json!({ "const": one }),
+        names => json!({ "enum": names }),
+    };
+    let required = json!({ "if": when(chosen), "then": { "required": [key] } });
     match needed {
         true => vec![required, refused],
         false => vec![refused],
@@ -93,8 +93,8 @@ fn axis(parameter: &Parameter) -> Json {
         unit => format!(", in {unit}"),
     };
     let mut description = format!("{}{unit}; {}", parameter.meaning, allowed(parameter));
-    if let Some((governor, name)) = &parameter.applies {
-        description += &format!("; for {governor} {name}");
+    if let Some(on) = &parameter.applies {
+        description += &format!("; for {} {}", on.governor, on.choices());
     }
     let mut schema = json!({ "anyOf": forms });
     match &parameter.default {
@@ -143,6 +143,13 @@ pub(super) fn value(parameter: &Parameter) -> Json {
 pub(super) fn number(range: Range) -> Json {
     let plain = match range {
         Range::Positive => json!({ "type": "number", "exclusiveMinimum": 0 }),
+        Range::Fraction => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }),
+        Range::UpToOne => json!({ "type": "number", "minimum": 0, "maximum": 1 }),
+        Range::AtLeastOne => json!({ "type": "number", "minimum": 1 }),
+        Range::FromHalfToOne => json!({ "type": "number", "minimum": 0.5, "maximum": 1 }),
+        Range::HilberHughesTaylor => {
+            json!({ "type": "number", "minimum": -1.0 / 3.0, "maximum": 0 })
+        }
         Range::NotNegative => json!({ "type": "number", "minimum": 0 }),
         Range::NotZero => json!({ "type": "number", "not": { "const": 0 } }),
         Range::Any => json!({ "type": "number" }),

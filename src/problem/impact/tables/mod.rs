@@ -7,6 +7,8 @@ pub(super) use metrics::{BUDGET, REFERENCE};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use super::law;
+use crate::problem::method;
+use crate::problem::parameter::Parameter;
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::{Dimension, Unit};
 use crate::problem::{Channel, Profile, Quantity, Schema};
@@ -82,13 +84,21 @@ static PROFILES: [Profile; 2] = [
     },
 ];
 
+/// The parameters of the bars and of the contact laws.
+fn own() -> impl Iterator<Item = &'static Parameter> {
+    PARAMETERS.iter().chain(&law::PARAMETERS)
+}
+
+/// First row of the parameters of the method.
+pub(in crate::problem::impact) const METHOD: usize = PARAMETERS.len() + law::PARAMETERS.len();
+
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {
         name: Borrowed("bar-impact"),
         meaning: Borrowed(
             "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
         ),
-        parameters: Owned(PARAMETERS.iter().chain(&law::PARAMETERS).cloned().collect()),
+        parameters: Owned(own().chain(&method::PARAMETERS).cloned().collect()),
         metrics: Borrowed(&METRICS),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),

@@ -1,0 +1,105 @@
+//! The parameters of the method of integration, which all problems have.
+
+use super::Case;
+use super::choice::choice;
+use super::parameter::{Default, Kind, Parameter, Range, Value, row_of};
+use crate::methods::{Coefficients, MethodChoice};
+
+choice! {
+    /// Method of integration.
+    pub enum MethodName {
+        AverageAcceleration = "average-acceleration":
+            "constant average acceleration, Newmark's method with beta = 1/4, gamma = 1/2 [F section 4, I section 3]",
+        LinearAcceleration = "linear-acceleration":
+            "linear acceleration, Newmark's method with beta = 1/6, gamma = 1/2",
+        Newmark = "newmark": "Newmark's method with newmark_beta and newmark_gamma (Newmark 1959)",
+        Hht = "hht":
+            "alpha method of Hilber, Hughes and Taylor (1977): equilibrium within the step, numerical damping by hht_alpha",
+        GeneralizedAlpha = "generalized-alpha":
+            "generalized-alpha method of Chung and Hulbert (1993), numerical damping by rho_inf",
+        Bathe = "bathe":
+            "two sub-steps: trapezoidal rule, then three-point backward difference (Bathe and Baig 2005)",
+        CentralDifference = "central-difference":
+            "central differences, explicit; stable up to the critical step 2/omega_max",
+        MoreauJean = "moreau-jean":
+            "velocities and impulses with the theta rule; rigid impacts with restitution (Moreau 1988, Jean 1999)",
+    }
+}
+
+/// Their parameters, for the table of each problem.
+pub static PARAMETERS: [Parameter; 6] = [
+    Parameter::new(
+        ["method", "method", "1"],
+        MethodName::KIND,
+        Default::Is(Value::Name("average-acceleration")),
+        "method of integration",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["newmark_beta", "*β*_N_", "1"],
+        Kind::Number(Range::NotNegative),
+        Default::Is(Value::Number(0.25)),
+        ("method", &["newmark"]),
+        "Newmark's beta; the method is stable at every step if 2 beta >= gamma >= 1/2",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["newmark_gamma", "*γ*_N_", "1"],
+        Kind::Number(Range::NotNegative),
+        Default::Is(Value::Number(0.5)),
+        ("method", &["newmark"]),
+        "Newmark's gamma; numerical damping above 1/2",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["hht_alpha", "*α*_H_", "1"],
+        Kind::Number(Range::HilberHughesTaylor),
+        Default::Is(Value::Number(-0.1)),
+        ("method", &["hht"]),
+        "alpha of Hilber, Hughes and Taylor; beta = (1 - alpha)^2/4, gamma = 1/2 - alpha; no numerical damping at 0",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["rho_inf", "*ρ*_∞_", "1"],
+        Kind::Number(Range::UpToOne),
+        Default::Is(Value::Number(0.8)),
+        ("method", &["generalized-alpha"]),
+        "spectral radius of a mode of infinite frequency; no numerical damping at 1",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["theta", "*θ*", "1"],
+        Kind::Number(Range::FromHalfToOne),
+        Default::Is(Value::Number(0.5)),
+        ("method", &["moreau-jean"]),
+        "theta of the Moreau-Jean method; no numerical damping at 1/2",
+    )
+    .with_column_if_given(),
+];
+
+/// The method of a completed case, whose parameters are in the table from row `first` on; `None` for a parameter that is not given.
+pub fn of_case(case: &Case, first: usize) -> Option<MethodChoice> {
+    let number = |name: usize| case.at(first + name);
+    Some(match MethodName::parse(case.name_at(first))? {
+        MethodName::AverageAcceleration => MethodChoice::AverageAcceleration,
+        MethodName::LinearAcceleration => MethodChoice::Family(Coefficients::linear_acceleration()),
+        MethodName::Newmark => {
+            MethodChoice::Family(Coefficients::newmark(number(BETA)?, number(GAMMA)?))
+        }
+        MethodName::Hht => MethodChoice::Family(Coefficients::hht(number(HHT_ALPHA)?)),
+        MethodName::GeneralizedAlpha => {
+            MethodChoice::Family(Coefficients::generalized_alpha(number(RHO_INF)?))
+        }
+        MethodName::Bathe => MethodChoice::Bathe,
+        MethodName::CentralDifference => MethodChoice::Family(Coefficients::central_difference()),
+        MethodName::MoreauJean => MethodChoice::MoreauJean {
+            theta: number(THETA)?,
+        },
+    })
+}
+
+const BETA: usize = row_of(&PARAMETERS, "newmark_beta");
+const GAMMA: usize = row_of(&PARAMETERS, "newmark_gamma");
+const HHT_ALPHA: usize = row_of(&PARAMETERS, "hht_alpha");
+const RHO_INF: usize = row_of(&PARAMETERS, "rho_inf");
+const THETA: usize = row_of(&PARAMETERS, "theta");
