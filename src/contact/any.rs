@@ -2,8 +2,9 @@
 
 use super::element::Element;
 use super::{
-    Answer, DisplacementControl, ImpactSpring, Law, LawsVisitor, RunningLaw, StepFlexibility,
-    StoredEnergy, Trial, VelocityControl, Visitor,
+    Answer, Bearing, BoucWen, Dahl, DisplacementControl, Hertz, HertzDamp, HuntCrossley,
+    ImpactSpring, Jankowski, KelvinVoigt, Law, LawsVisitor, Lugre, Rigid, RunningLaw,
+    StepFlexibility, StoredEnergy, Stribeck, Tanh, Trial, VelocityControl, Visitor, Ye,
 };
 use crate::lane::Lane;
 use multiversion::multiversion;
@@ -21,7 +22,6 @@ macro_rules! laws {
                     $(ContactLaw::$direct(first) => {
                         visitor.visit(&own_laws(laws, first, $direct::of))
                     })+
-                    #[allow(unreachable_patterns, reason = "there may be no other law")]
                     _ => visitor.visit(laws),
                 }
             }
@@ -32,7 +32,6 @@ macro_rules! laws {
             pub fn accept(&mut self, visitor: impl Visitor<L>) {
                 match self {
                     $(AnyLaw::$direct(law) => visitor.visit(law),)+
-                    #[allow(unreachable_patterns, reason = "there may be no other law")]
                     _ => visitor.visit(self),
                 }
             }
@@ -105,7 +104,7 @@ macro_rules! laws {
         impl ContactLaw {
             /// Whether r >= 0 holds without compliance.
             pub fn rigid(&self) -> bool {
-                false
+                self.kind() == LawKind::Rigid
             }
         }
 
@@ -133,7 +132,11 @@ macro_rules! laws {
     };
 }
 
-laws!(direct: DisplacementControl, VelocityControl, ImpactSpring; others: );
+laws!(
+    direct: DisplacementControl, VelocityControl, ImpactSpring;
+    others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
+        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre
+);
 
 impl<const L: usize> Answer<L> for AnyLaw<L> {
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {

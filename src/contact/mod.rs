@@ -15,16 +15,33 @@
 //! cycle.
 
 mod any;
+mod bearing;
+mod bouc_wen;
 pub mod coupled;
+mod curve;
+mod dahl;
 mod displacement_control;
 pub mod element;
+pub mod impact;
 mod impact_spring;
+mod lugre;
+mod roots;
+mod saturation;
+mod stribeck;
+mod tanh;
 mod velocity_control;
 
 pub use any::{AnyLaw, ContactLaw, LawKind};
+pub use bearing::Bearing;
+pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, Unsolved};
+pub use dahl::Dahl;
 pub use displacement_control::DisplacementControl;
+pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 pub use impact_spring::ImpactSpring;
+pub use lugre::Lugre;
+pub use stribeck::Stribeck;
+pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
 
 use crate::lane::Lane;

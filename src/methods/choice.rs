@@ -48,6 +48,23 @@ pub struct Coefficients {
 }
 
 impl MethodChoice {
+    /// The work of the contact over a step is (w0 S(i) + w1 S(i+1)) (r(i+1) - r(i)) with these w0, w1.
+    pub fn work_weights(&self) -> [f64; 2] {
+        match self {
+            MethodChoice::AverageAcceleration | MethodChoice::Bathe => [0.5, 0.5],
+            MethodChoice::Family(own) => [own.alpha_f, 1.0 - own.alpha_f],
+            MethodChoice::MoreauJean { .. } => [0.0, 1.0],
+        }
+    }
+
+    /// Number of sub-steps of a step.
+    pub fn sub_steps(&self) -> u64 {
+        match self {
+            MethodChoice::Bathe => 2,
+            _ => 1,
+        }
+    }
+
     /// Its kind.
     pub fn kind(&self) -> MethodKind {
         match self {

@@ -8,7 +8,7 @@ mod work;
 
 pub use budget::budget;
 pub use sampled::Sampled;
-pub use work::{work_by_energy, work_by_trapezoids};
+pub use work::{work_by_energy, work_by_steps};
 
 use super::norm::rms_over_steps;
 use super::or_undefined;
@@ -123,7 +123,11 @@ mod tests {
         let rows: Vec<_> = (0..c.len())
             .map(|i| [c.displacement()[i], c.velocity()[i], c.force()[i]])
             .collect();
-        cells(evaluate(&x, Lane([work_by_trapezoids(&rows, x0)]), &exact))
+        cells(evaluate(
+            &x,
+            Lane([work_by_steps(&rows, x0, [0.5; 2])]),
+            &exact,
+        ))
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //! | Run | Formula | Reason |
 //! | --- | --- | --- |
 //! | converged | loss of energy until the last step | the method satisfies it to round-off, and it needs only the end of the motion |
-//! | without iteration | sum of trapezoids over the steps | a step solved once is not in equilibrium at its end, so the energy does not give the work |
+//! | without iteration, or by another method than constant average acceleration | sum over the steps | a step solved once is not in equilibrium at its end, and a method may take energy itself, so the energy does not give the work |
 
 /// Work in a converged run, from x0 at rest to [X, V] at its end: (x0^2 - X^2 - V^2)/2 over |x0|.
 ///
@@ -13,11 +13,11 @@ pub fn work_by_energy(x0: f64, [x, v]: [f64; 2]) -> f64 {
     0.5 * ((x0 - x) / scale * (x0 + x) - v / scale * v)
 }
 
-/// Work by trapezoids, sum (S_i + S_{i+1}) (X_{i+1} - X_i)/2 over |x0|, from rows [X, V, S].
-pub fn work_by_trapezoids(rows: &[[f64; 3]], x0: f64) -> f64 {
+/// Work step by step, sum (w0 S_i + w1 S_{i+1}) (X_{i+1} - X_i) over |x0|, from rows [X, V, S]; w0 = w1 = 1/2 are trapezoids.
+pub fn work_by_steps(rows: &[[f64; 3]], x0: f64, [before, after]: [f64; 2]) -> f64 {
     let scale = x0.abs();
     rows.windows(2)
-        .map(|row| (row[0][2] + row[1][2]) * ((row[1][0] - row[0][0]) / scale) * 0.5)
+        .map(|row| (before * row[0][2] + after * row[1][2]) * ((row[1][0] - row[0][0]) / scale))
         .sum()
 }
 
@@ -31,7 +31,7 @@ mod tests {
         let (x0, dt, s) = (3.0, 0.5, -1.0);
         let x = (x0 * (4.0 - dt * dt) - 2.0 * s * dt * dt) / (4.0 + dt * dt);
         let v = 2.0 * (x - x0) / dt;
-        let by_trapezoids = work_by_trapezoids(&[[x0, 0.0, s], [x, v, s]], x0);
+        let by_trapezoids = work_by_steps(&[[x0, 0.0, s], [x, v, s]], x0, [0.5; 2]);
         assert!((by_trapezoids - work_by_energy(x0, [x, v])).abs() < 1e-15);
         assert!((by_trapezoids - (x0 - x) / x0).abs() < 1e-15);
     }

@@ -45,7 +45,8 @@ impl Energy<1> {
             let [stored, force] = [law.stored_energy(r, s), law.conservative_force(r, s)];
             [Lane([stored]), Lane([force])]
         };
-        energy_of_books(track, start, books, count)
+        let weights = system.method.work_weights().map(|w| Lane([w]));
+        energy_of_books(track, start, weights, books, count)
     }
 
     /// From the energies at the steps; there must be at least one.
@@ -62,12 +63,13 @@ impl Energy<1> {
 /// the bars at t = 0. What a damped contact or a method dissipates is left in it, so that it changes by errors only.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// section 5). `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
+/// section 5); other methods have other `weights` of both forces. `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
 /// The sum changes only in steps in which the contact opens or closes, and with a spring that is not linear.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
     start: Lane<L>,
+    weights: [Lane<L>; 2],
     books: impl Fn(Lane<L>, Lane<L>) -> [Lane<L>; 2],
     count: usize,
 ) -> Energy<L> {
@@ -81,9 +83,21 @@ pub fn energy_of_books<const L: usize>(
     let mut energy = Energy::new(start + stored);
     for (r, f) in r.iter().zip(force).skip(1) {
         let [stored, s] = books(*r, -*f);
-        bars = bars - (s_before + s) * (*r - r_before) * 0.5;
+        bars = bars - (s_before * weights[0] + s * weights[1]) * (*r - r_before);
         energy.update(bars + stored);
         (r_before, s_before) = (*r, s);
     }
     energy
+}
+
+/// Energy that the damping of the contact of a case takes: the work of the part of S that does none on the stored energy.
+pub fn damping_work(track: &Track<1>, system: &System) -> f64 {
+    let [before, after] = system.method.work_weights();
+    let force = |Lane([r]): Lane<1>, Lane([f]): Lane<1>| -f - system.law.conservative_force(r, -f);
+    let states = track.displacement.iter().zip(&track.force);
+    let states: Vec<[f64; 2]> = states.map(|(r, f)| [r.0[0], force(*r, *f)]).collect();
+    let steps = states.windows(2);
+    steps
+        .map(|step| (before * step[0][1] + after * step[1][1]) * (step[1][0] - step[0][0]))
+        .sum()
 }

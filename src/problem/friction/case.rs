@@ -1,7 +1,8 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::tables::{InitialSlip, LawName, rows};
-use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
+use super::law::law;
+use super::tables::rows;
+use crate::contact::ContactLaw;
 use crate::lane::Lane;
 use crate::methods::MethodChoice;
 use crate::methods::average_acceleration::ModeState;
@@ -36,23 +37,7 @@ impl OscillatorCase {
     /// The parameters; `None` if one is not given.
     pub fn new(case: &Case) -> Option<OscillatorCase> {
         let x0 = case.at(rows::X0)?;
-        let limit = 1.0;
-        let (law, force) = match LawName::parse(case.name_at(rows::LAW))? {
-            LawName::DisplacementControl => {
-                let compliance = case.at(rows::ALPHA)?;
-                let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
-                let law = DisplacementControl { compliance, limit };
-                (
-                    ContactLaw::DisplacementControl(law),
-                    release_force(slip, x0),
-                )
-            }
-            LawName::VelocityControl => {
-                let compliance = case.at(rows::BETA)?;
-                let law = VelocityControl { compliance, limit };
-                (ContactLaw::VelocityControl(law), 0.0)
-            }
-        };
+        let (law, force) = law(case)?;
         let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(OscillatorCase {
             law,
@@ -80,15 +65,6 @@ impl OscillatorCase {
     /// The exact solution at the case's steps.
     pub fn exact_at_steps(&self) -> Sampled {
         Sampled::new(self.x0, self.step, self.last, self.duration)
-    }
-}
-
-/// Force S(0) at release.
-fn release_force(initial_slip: InitialSlip, x0: f64) -> f64 {
-    match initial_slip {
-        InitialSlip::Unloaded => 0.0,
-        InitialSlip::Pulled => x0.signum(),
-        InitialSlip::Sliding => -x0.signum(),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The friction oscillator of [F (19)], dimensionless (reference: X'' + X + S = 0, X(0) = x0, X'(0) = 0).
 
 mod case;
+mod law;
 mod tables;
 
 use super::cases::Cases;
@@ -10,13 +11,13 @@ use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
-use crate::metrics::friction::work_by_trapezoids;
+use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
 use case::{LANES, OscillatorCase};
 use std::sync::Arc;
-use tables::{METRICS, SCHEMA, rows};
+use tables::{BUDGET, SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -49,7 +50,7 @@ impl Problem for FrictionOscillator {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
         solve::once::run(&own.system(), |structure| track.0.push(structure.contact()))?;
-        let work = work_by_trapezoids(&track.0, own.x0);
+        let work = work_by_steps(&track.0, own.x0, [0.5; 2]);
         self.judge(&own, &track, work, wanted)
     }
 
@@ -88,13 +89,14 @@ impl FrictionOscillator {
         let exact = coulomb(case.x0, &computed.time);
         let budget = wanted
             .iter()
-            .any(|&row| !METRICS[row].default)
+            .any(|row| BUDGET.contains(row))
             .then(|| softened(case, &computed.time))
             .flatten()
             .map(|softened| metrics::friction::budget(case.x0, &computed, &exact, &softened));
         let metrics = cells(own)
             .into_iter()
-            .chain(budget.unwrap_or([None; 4]))
+            .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
+            .chain(taken(case, track))
             .collect();
         Ok(Solution {
             computed,
@@ -102,6 +104,17 @@ impl FrictionOscillator {
             metrics,
         })
     }
+}
+
+/// Numerical dissipation over the energy at t = 0, and the cost.
+fn taken(case: &OscillatorCase, track: &ContactTrack) -> [Option<f64>; 2] {
+    let end = track.0.last().map(|[x, v, _]| [*x, *v]);
+    let work = work_by_steps(&track.0, case.x0, case.method.work_weights());
+    let by_method = end.map(|end| work_by_energy(case.x0, end) - work);
+    [
+        by_method.map(|energy| 2.0 * energy / case.x0.abs()),
+        Some((case.last * case.method.sub_steps()) as f64),
+    ]
 }
 
 /// The exact motion at these times.

@@ -5,8 +5,9 @@ use crate::problem::method;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
 use crate::problem::unit::Dimension;
-use crate::problem::{Budget, Channel, Metric, Quantity, Schema};
+use crate::problem::{Budget, Channel, Metric, Quantity, Schema, metric_of};
 use std::borrow::Cow::{self, Borrowed};
+use std::ops::Range as Rows;
 use std::sync::{Arc, LazyLock};
 
 choice! {
@@ -16,6 +17,15 @@ choice! {
             "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
         VelocityControl = "velocity-control":
             "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
+        Coulomb = "coulomb": "without compliance: sticks below the friction limit, slides at it",
+        Tanh = "tanh":
+            "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",
+        Stribeck = "stribeck":
+            "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
+        BoucWen = "bouc-wen": "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+        Dahl = "dahl": "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
+        Lugre = "lugre":
+            "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
     }
 }
 
@@ -30,7 +40,7 @@ choice! {
     }
 }
 
-static PARAMETERS: [Parameter; 7] = [
+static PARAMETERS: [Parameter; 15] = [
     Parameter::new(
         ["law", "law", "1"],
         LawName::KIND,
@@ -41,15 +51,15 @@ static PARAMETERS: [Parameter; 7] = [
         ["alpha", "*α*", "1"],
         Kind::Number(Range::Positive),
         Default::Required,
-        ("law", &["displacement-control"]),
-        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]",
+        ("law", &["displacement-control", "bouc-wen", "dahl"]),
+        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]; of bouc-wen and dahl that of the stiffness at S = 0",
     ),
     Parameter::only_for(
         ["beta", "*β*", "1"],
         Kind::Number(Range::Positive),
         Default::Required,
-        ("law", &["velocity-control"]),
-        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]",
+        ("law", &["velocity-control", "tanh", "stribeck"]),
+        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]; of tanh that of its slope at rdot = 0",
     ),
     Parameter::new(
         ["dT", "Δ*T*", "1"],
@@ -73,9 +83,73 @@ static PARAMETERS: [Parameter; 7] = [
         ["initial_slip", "initial slip", "1"],
         InitialSlip::KIND,
         Default::Is(Value::Name("unloaded")),
-        ("law", &["displacement-control"]),
+        ("law", &["displacement-control", "bouc-wen", "dahl", "lugre"]),
         "slip of the friction element at release",
     ),
+    Parameter::only_for(
+        ["exponent", "*n*", "1"],
+        Kind::Number(Range::AtLeastOne),
+        Default::Is(Value::Number(1.0)),
+        ("law", &["bouc-wen", "dahl"]),
+        "exponent of the hysteretic laws",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["sigma0", "*σ*_0_", "1"],
+        Kind::Number(Range::Positive),
+        Default::Required,
+        ("law", &["lugre"]),
+        "stiffness of the bristles, over k; 1/alpha",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["sigma1", "*σ*_1_", "1"],
+        Kind::Number(Range::NotNegative),
+        Default::Is(Value::Number(0.0)),
+        ("law", &["lugre"]),
+        "damping of the bristles, over k/omega_n",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["sigma2", "*σ*_2_", "1"],
+        Kind::Number(Range::NotNegative),
+        Default::Is(Value::Number(0.0)),
+        ("law", &["lugre"]),
+        "viscous damping of the sliding contact, over k/omega_n",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["static_ratio", "*ν*_s_/*ν*", "1"],
+        Kind::Number(Range::AtLeastOne),
+        Default::Is(Value::Number(1.0)),
+        ("law", &["stribeck", "lugre"]),
+        "static friction limit over the kinetic one",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["stribeck_velocity", "*v*_S_/(*ω*_n_Δ)", "1"],
+        Kind::Number(Range::Positive),
+        Default::Is(Value::Number(1.0)),
+        ("law", &["stribeck", "lugre"]),
+        "velocity over which the limit falls from the static to the kinetic one, over omega_n Delta",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["nu_ratio", "*ν*_min_/*ν*", "1"],
+        Kind::Number(Range::Fraction),
+        Default::Is(Value::Number(1.0)),
+        ("law", &["velocity-control", "tanh"]),
+        "coefficient of friction at rest over that at high velocity, nu = nu_max - (nu_max - nu_min) exp(-nu_rate abs(rdot)) (Constantinou et al. 1990)",
+    )
+    .with_column_if_given(),
+    Parameter::only_for(
+        ["nu_rate", "*a* *ω*_n_Δ", "1"],
+        Kind::Number(Range::NotNegative),
+        Default::Is(Value::Number(1.0)),
+        ("law", &["velocity-control", "tanh"]),
+        "rate a of the coefficient of friction over velocity, times omega_n Delta",
+    )
+    .with_column_if_given(),
 ];
 
 /// Rows of the parameters.
@@ -90,6 +164,14 @@ pub(super) mod rows {
     pub const DURATION: usize = row_of(&PARAMETERS, "duration");
     pub const X0: usize = row_of(&PARAMETERS, "x0");
     pub const INITIAL_SLIP: usize = row_of(&PARAMETERS, "initial_slip");
+    pub const EXPONENT: usize = row_of(&PARAMETERS, "exponent");
+    pub const SIGMA0: usize = row_of(&PARAMETERS, "sigma0");
+    pub const SIGMA1: usize = row_of(&PARAMETERS, "sigma1");
+    pub const SIGMA2: usize = row_of(&PARAMETERS, "sigma2");
+    pub const STATIC_RATIO: usize = row_of(&PARAMETERS, "static_ratio");
+    pub const STRIBECK_VELOCITY: usize = row_of(&PARAMETERS, "stribeck_velocity");
+    pub const NU_RATIO: usize = row_of(&PARAMETERS, "nu_ratio");
+    pub const NU_RATE: usize = row_of(&PARAMETERS, "nu_rate");
     /// First row of the parameters of the method.
     pub const METHOD: usize = PARAMETERS.len();
 }
@@ -110,7 +192,7 @@ static SCALES: [[Text; 2]; 3] = [
     ],
 ];
 
-pub(super) static METRICS: [Metric; 13] = [
+pub(super) static METRICS: [Metric; 15] = [
     Metric::new(
         ["rms_error", "rms error", "1"],
         "sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X",
@@ -160,7 +242,16 @@ pub(super) static METRICS: [Metric; 13] = [
         ["step_share", "step share", "1"],
         "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
     ),
+    Metric::selected(
+        ["numerical_dissipation", "numerical dissipation", "1"],
+        "energy that the method takes from the motion up to the last step, over the energy at t = 0; below 0 where it adds energy; 0 to round-off for average-acceleration",
+    ),
+    Metric::selected(["cost", "cost", "1"], "steps times sub-steps of the method"),
 ];
+
+/// Rows of the parts of the error.
+pub(super) const BUDGET: Rows<usize> =
+    metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
 
 static CHANNELS: [Channel; 3] = [
     Channel::with_exact("X", Dimension::Length),

@@ -93,15 +93,19 @@ impl LaneCase<LANES> for ImpactCase {
         exact: &Sampled,
     ) -> Self::Metrics {
         let mut start = Lane::splat(0.0);
+        let mut weights = [Lane::splat(0.5); 2];
         let mut laws = [cases[0].system().law; LANES];
         for (l, case) in cases.iter().enumerate() {
             start.0[l] = case.system().linear.energy();
             laws[l] = case.system().law;
+            let [before, after] = case.system().method.work_weights();
+            (weights[0].0[l], weights[1].0[l]) = (before, after);
         }
         let restitution = motion.first_mode * 0.5;
         let evaluate = Evaluate {
             track: &motion.track,
             start,
+            weights,
             restitution,
             exact,
         };
@@ -126,6 +130,7 @@ impl LaneCase<LANES> for ImpactCase {
 struct Evaluate<'a> {
     track: &'a Track<LANES>,
     start: Lane<LANES>,
+    weights: [Lane<LANES>; 2],
     restitution: Lane<LANES>,
     exact: &'a Sampled,
 }
@@ -145,10 +150,11 @@ fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES
     let Evaluate {
         track,
         start,
+        weights,
         restitution,
         exact,
     } = of;
     let books = |r, s| energies(laws, r, s);
-    let energy: Energy<LANES> = energy_of_books(track, start, books, exact.count());
+    let energy: Energy<LANES> = energy_of_books(track, start, weights, books, exact.count());
     evaluate(track, &energy, restitution, exact)
 }

@@ -12,6 +12,7 @@ mod snapshot;
 mod tables;
 
 use super::cases::Cases;
+use super::method;
 use super::unit::Dimension;
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, sweep_cases};
 use crate::history::History;
@@ -25,7 +26,7 @@ use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
 use std::sync::Arc;
-use tables::{BUDGET, REFERENCE, SCHEMA, rows};
+use tables::{BUDGET, METHOD, REFERENCE, SCHEMA, TAKEN, rows};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -55,7 +56,8 @@ impl Problem for BarImpact {
     fn work(&self, case: &Case) -> u64 {
         let modes = |row| case.at(row).map_or(0, |n| n as u64 + 1);
         let all = modes(rows::N) + modes(rows::RIGHT_N);
-        self.steps(case).saturating_mul(all)
+        let parts = method::of_case(case, METHOD).map_or(1, |method| method.sub_steps());
+        self.steps(case).saturating_mul(all * parts)
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
@@ -73,7 +75,13 @@ impl Problem for BarImpact {
         let track = motion.track;
         let energy = Energy::of_case(&track, &system, track.displacement.len());
         let Lane([first_mode]) = motion.first_mode;
-        judge(&own, &track, &energy, 0.5 * first_mode, wanted)
+        let run = Judged {
+            track: &track,
+            energy: &energy,
+            restitution: 0.5 * first_mode,
+            by_method: motion.taken.map(|taken| taken.by_method.0[0]),
+        };
+        judge(&own, &run, wanted)
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
@@ -88,7 +96,13 @@ impl Problem for BarImpact {
             energy,
             restitution,
         } = once::run(&own.system(), &own.scaled)?;
-        judge(&own, &track, &energy, restitution, wanted)
+        let run = Judged {
+            track: &track,
+            energy: &energy,
+            restitution,
+            by_method: None,
+        };
+        judge(&own, &run, wanted)
     }
 
     fn snapshots(&self, case: &Case, times: &[f64]) -> Vec<Snapshot> {
@@ -114,21 +128,25 @@ impl Problem for BarImpact {
     }
 }
 
-/// The computed and the exact history, with the metrics.
-fn judge(
-    case: &ImpactCase,
-    track: &Track<1>,
-    energy: &Energy<1>,
+/// A run to be judged.
+struct Judged<'a> {
+    track: &'a Track<1>,
+    energy: &'a Energy<1>,
     restitution: f64,
-    wanted: &[usize],
-) -> Result<Solution, Unsolvable> {
+    /// Numerical dissipation; `None` if the method has none.
+    by_method: Option<f64>,
+}
+
+/// The computed and the exact history, with the metrics.
+fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, Unsolvable> {
+    let Judged { track, energy, .. } = run;
     let computed = track.history(case.dt);
     if !computed.is_finite() {
         return Err(Unsolvable::OutOfRange);
     }
     let (wave, sampled) = case.exact_at_steps();
     let exact = wave.history(&computed.time);
-    let own = metrics::impact::evaluate(track, energy, Lane([restitution]), &sampled);
+    let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
     let budget = wants(BUDGET)
         .then(|| budget::references(&case.scaled, &computed.time))
@@ -139,10 +157,24 @@ fn judge(
         .into_iter()
         .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
         .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
+        .chain(taken(case, run))
         .collect();
     Ok(Solution {
         computed,
         exact,
         metrics,
     })
+}
+
+/// What damping of the contact and of the method took, over the energy at t = 0, and the cost.
+fn taken(case: &ImpactCase, run: &Judged) -> [Option<f64>; TAKEN.end - TAKEN.start] {
+    let system = case.system();
+    let Lane([start]) = run.energy.start;
+    let by_contact = metrics::impact::damping_work(run.track, &system);
+    let work = case.last * system.linear.len() as u64 * system.method.sub_steps();
+    [
+        Some(by_contact / start),
+        Some(run.by_method.unwrap_or(0.0) / start),
+        Some(work as f64),
+    ]
 }

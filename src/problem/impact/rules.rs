@@ -1,9 +1,12 @@
 //! Parameters that follow from others, and the rules across parameters.
 
+use super::law::{self, LawName};
 use super::scaled::Scaled;
-use super::tables::{Opposite, rows};
+use super::scales::Scales;
+use super::tables::{LAW, Opposite, rows};
 use crate::exact::wave::Bars;
 use crate::problem::parameter::{Default, Value, shortest};
+use crate::problem::unit::Dimension;
 use crate::problem::{Case, Violation, time_rules};
 
 /// Most fronts of the exact solution that fit in memory: travel times there and back within the run.
@@ -40,43 +43,85 @@ fn follow_left(case: &mut Case) {
     }
 }
 
-/// gamma and k_I, each from the other.
+/// gamma, k_I and k_h, each from the one that is given. Rigid contact has none.
 fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
-    let (gamma, k_i) = (case.at(rows::GAMMA), case.at(rows::K_I));
-    let violation = |parameter, message: &str| Violation {
-        parameter,
-        message: message.into(),
-        at: None,
+    let Some(law) = LawName::of(case) else {
+        return;
     };
-    let element = || {
-        let (n, e) = (case.at(rows::N)?, case.at(rows::E)?);
-        let (a, l) = (case.at(rows::A)?, case.at(rows::L)?);
-        Some(n * e * a / l)
+    let all: &[(&'static str, usize)] = match law.curved() {
+        true => &[("gamma", rows::GAMMA), ("k_I", rows::K_I), ("k_h", K_H)],
+        false => &[("gamma", rows::GAMMA), ("k_I", rows::K_I)],
     };
-    let (parameter, name, row, value) = match (gamma, k_i) {
-        (Some(_), Some(_)) => {
-            let message = "cannot be given together with gamma; give exactly one of gamma, k_I";
-            return violations.push(violation("k_I".into(), message));
+    let mut violation = |parameter: &'static str, message: String| {
+        violations.push(Violation {
+            parameter: parameter.into(),
+            message,
+            at: None,
+        });
+    };
+    let names: Vec<&str> = all.iter().map(|row| row.0).collect();
+    let names = names.join(", ");
+    let given = |row: &&(&str, usize)| case.at(row.1).is_some();
+    let given: Vec<(&'static str, usize)> = all.iter().filter(given).copied().collect();
+    let (name, row) = match given[..] {
+        [one] if law != LawName::Rigid => one,
+        [] if law == LawName::Rigid => return,
+        [] => return violation("gamma", format!("missing: give exactly one of {names}")),
+        [(name, _), ..] if law == LawName::Rigid => {
+            return violation(
+                name,
+                "does not apply to law rigid, which has no stiffness".into(),
+            );
         }
-        (None, None) => {
-            let message = "missing: give exactly one of gamma, k_I";
-            return violations.push(violation("gamma".into(), message));
+        [(first, _), (second, _), ..] => {
+            let message =
+                format!("cannot be given together with {first}; give exactly one of {names}");
+            return violation(second, message);
         }
-        (Some(gamma), None) => {
-            let Some(element) = element() else { return };
-            ("gamma", "k_I", rows::K_I, gamma * element)
-        }
-        (None, Some(k_i)) => {
-            let Some(element) = element() else { return };
-            ("k_I", "gamma", rows::GAMMA, k_i / element)
+        [_] => return,
+    };
+    let (Some(value), Some(element)) = (case.at(row), element_stiffness(case)) else {
+        return;
+    };
+    // k_I is the secant stiffness of k_h delta^1.5 at the force F0.
+    let k_i = match name {
+        "gamma" => value * element,
+        "k_I" => value,
+        _ => {
+            let Some(scales) = Scales::new(case) else {
+                return;
+            };
+            libm::cbrt(value) * libm::cbrt(value) * libm::cbrt(scales.size(Dimension::Force))
         }
     };
-    if !(value.is_finite() && value > 0.0) {
-        let message = format!("gives {name} = {value}, outside the range of double precision");
-        return violations.push(violation(parameter.into(), &message));
+    let k_h = || {
+        let force = Scales::new(case)?.size(Dimension::Force);
+        Some(k_i / force.sqrt() * k_i.sqrt())
+    };
+    let gamma = match name {
+        "gamma" => value,
+        _ => k_i / element,
+    };
+    let mut filled = vec![("gamma", rows::GAMMA, gamma), ("k_I", rows::K_I, k_i)];
+    filled.extend(k_h().filter(|_| law.curved()).map(|k_h| ("k_h", K_H, k_h)));
+    for (other, row, value) in filled.into_iter().filter(|other| other.0 != name) {
+        if !(value.is_finite() && value > 0.0) {
+            let message = format!("gives {other} = {value}, outside the range of double precision");
+            return violation(name, message);
+        }
+        case.values[row] = Some(Value::Number(value));
     }
-    case.values[row] = Some(Value::Number(value));
 }
+
+/// E A n/L of the left bar.
+fn element_stiffness(case: &Case) -> Option<f64> {
+    let (n, e) = (case.at(rows::N)?, case.at(rows::E)?);
+    let (a, l) = (case.at(rows::A)?, case.at(rows::L)?);
+    Some(n * e * a / l)
+}
+
+/// Row of k_h.
+const K_H: usize = LAW + law::rows::K_H;
 
 /// The bars must close: c = V_left - V_right > 0.
 fn closing(case: &Case, violations: &mut Vec<Violation>) {
@@ -135,7 +180,7 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
                        L sqrt(rho/E) is outside the range of double precision";
         return violation("right".into(), message.into());
     }
-    if !scaled.spring.is_finite() {
+    if !scaled.spring.is_finite() && LawName::of(case) != Some(LawName::Rigid) {
         let message = "the spring is too stiff: the ratio of its stiffness to that of the bars is outside the range of double precision";
         return violation("gamma".into(), message.into());
     }

@@ -5,7 +5,7 @@
 //! stiffness of the spring is gamma n (1 + z). For equal bars z = theta = 1 exactly, so that density and speed have no effect on
 //! scaled results.
 
-use super::law::law;
+use super::law::{LawName, law};
 use super::tables::{METHOD, MassMatrix, Opposite, rows};
 use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
@@ -24,7 +24,7 @@ pub struct Scaled {
     pub pair: BarPair,
     /// Impedance and time ratio, gap.
     pub bars: Bars,
-    /// Stiffness of the impact spring.
+    /// Stiffness of the impact spring, or the secant stiffness of another law; infinite for rigid contact.
     pub spring: f64,
     /// The contact law.
     pub law: ContactLaw,
@@ -71,7 +71,11 @@ impl Scaled {
         } else {
             None
         };
-        let spring = case.at(rows::GAMMA)? * n * (1.0 + z);
+        let spring = match LawName::of(case)? {
+            LawName::Rigid => f64::INFINITY,
+            _ => case.at(rows::GAMMA)? * n * (1.0 + z),
+        };
+        let masses = right.map_or(mass, |right| mass * right.mass / (mass + right.mass));
         Some(Scaled {
             pair: BarPair {
                 left,
@@ -84,7 +88,7 @@ impl Scaled {
                 gap: case.at(rows::GAP)?,
             },
             spring,
-            law: law(case, spring)?,
+            law: law(case, spring, masses)?,
             method: method::of_case(case, METHOD)?,
             length_ratio: length,
         })

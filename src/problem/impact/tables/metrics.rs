@@ -4,7 +4,7 @@ use crate::problem::{self, Budget, Metric};
 use std::borrow::Cow::Borrowed;
 use std::ops::Range as Rows;
 
-pub(super) static METRICS: [Metric; 27] = [
+pub(super) static METRICS: [Metric; 30] = [
     Metric::new(
         ["contact_duration", "contact duration/*T*_I_", "T_I"],
         "time from the first zero of r (falling) to the last zero of r (rising), with r interpolated linearly between steps; undefined without contact, and if the bars still touch at the end",
@@ -39,7 +39,7 @@ pub(super) static METRICS: [Metric; 27] = [
     ),
     Metric::new(
         ["energy_drift_max", "max. energy drift", "1"],
-        "(E - E_0)/E_0 of the largest magnitude; E is the energy of bars and spring in the frame of the common mass centre",
+        "(E - E_0)/E_0 of the largest magnitude; E is the energy of bars and spring in the frame of the common mass centre, with what the damping of the contact and of the method has taken",
     ),
     Metric::new(
         ["energy_drift_final", "final energy drift", "1"],
@@ -129,6 +129,18 @@ pub(super) static METRICS: [Metric; 27] = [
         ["restitution_exact", "exact restitution", "1"],
         "restitution of the exact motion, from its impulse until the last step; undefined without contact",
     ),
+    Metric::selected(
+        ["contact_dissipation", "contact dissipation", "1"],
+        "energy that the damping of the contact takes up to the last step, over E_0",
+    ),
+    Metric::selected(
+        ["numerical_dissipation", "numerical dissipation", "1"],
+        "energy that the method takes from the bars up to the last step, over E_0; below 0 where it adds energy; 0 to round-off for average-acceleration",
+    ),
+    Metric::selected(
+        ["cost", "cost", "1"],
+        "steps times modes times sub-steps of the method",
+    ),
 ];
 
 const fn metric_of(name: &str) -> usize {
@@ -142,6 +154,9 @@ pub const BUDGET: Rows<usize> =
 /// Rows of the metrics of the exact motion.
 pub const REFERENCE: Rows<usize> =
     metric_of("contact_duration_exact")..metric_of("restitution_exact") + 1;
+
+/// Rows of the energies that contact and method take, and of the cost.
+pub const TAKEN: Rows<usize> = metric_of("contact_dissipation")..metric_of("cost") + 1;
 
 /// Empty if and only if there is no contact.
 pub const MAX_OVERLAP: usize = metric_of("max_overlap");

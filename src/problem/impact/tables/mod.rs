@@ -3,7 +3,7 @@
 mod metrics;
 mod parameters;
 
-pub(super) use metrics::{BUDGET, REFERENCE};
+pub(super) use metrics::{BUDGET, REFERENCE, TAKEN};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use super::law;
@@ -89,8 +89,11 @@ fn own() -> impl Iterator<Item = &'static Parameter> {
     PARAMETERS.iter().chain(&law::PARAMETERS)
 }
 
+/// First row of the parameters of the contact laws.
+pub(in crate::problem::impact) const LAW: usize = PARAMETERS.len();
+
 /// First row of the parameters of the method.
-pub(in crate::problem::impact) const METHOD: usize = PARAMETERS.len() + law::PARAMETERS.len();
+pub(in crate::problem::impact) const METHOD: usize = LAW + law::PARAMETERS.len();
 
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {

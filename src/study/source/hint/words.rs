@@ -50,6 +50,25 @@ pub(in crate::study) const SYNONYMS: &[(&[&str], &[&str])] = &[
         &["structures", "mdof", "frame", "bridge", "building"],
         &["structure"],
     ),
+    (
+        &["integrator", "integration", "scheme", "timeintegration"],
+        &["method"],
+    ),
+    (
+        &[
+            "trapezoidal",
+            "trapezoidalrule",
+            "constantaverageacceleration",
+        ],
+        &["average-acceleration"],
+    ),
+    (&["hilberhughestaylor", "hhtalpha"], &["hht", "hht_alpha"]),
+    (&["explicit", "verlet", "leapfrog"], &["central-difference"]),
+    (&["spectralradius"], &["rho_inf"]),
+    (&["coefficientofrestitution"], &["restitution"]),
+    (&["linearspring", "penaltyspring"], &["impact-spring"]),
+    (&["viscoelastic", "linearviscoelastic"], &["kelvin-voigt"]),
+    (&["lankaraninikravesh", "hertzdamped"], &["hertz-damp"]),
     (&["timehistory"], &["history"]),
     (&["contour", "heatmap"], &["map"]),
     (&["filter", "select"], &["where", "when"]),
@@ -89,10 +108,6 @@ pub(in crate::study) const OF_STRUCTURES: &[(&[&str], &str)] = &[
             "basemotion",
         ],
         "ground motion",
-    ),
-    (
-        &["restitution", "coefficientofrestitution"],
-        "a coefficient of restitution",
     ),
     (
         &[

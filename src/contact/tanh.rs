@@ -1,0 +1,125 @@
+//! Friction with a hyperbolic tangent of the velocity.
+
+use super::saturation::{self, rise};
+use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use crate::lane::Lane;
+
+/// S = nu(rdot) N tanh(rdot/rdot^E), rdot^E = compliance limit: the velocity-control model without corners [Andersson, Soderberg
+/// and Bjorklund 2007].
+///
+/// The coefficient rises from `ratio` nu_max at rest to nu_max: nu = nu_max - (nu_max - nu_min) exp(-a |rdot|) [Constantinou, Mokha
+/// and Reinhorn 1990]. With `ratio` = 1 it is constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tanh {
+    /// rdot^E over the limit, > 0; 1/(dS/drdot) at rest if `ratio` = 1; beta in dimensionless units.
+    pub compliance: f64,
+    /// `nu_max |N| <N>`, >= 0.
+    pub limit: f64,
+    /// nu_min/nu_max, in (0, 1].
+    pub ratio: f64,
+    /// a, >= 0, in 1/velocity.
+    pub rate: f64,
+}
+
+/// The model over a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Step<const L: usize> {
+    /// `nu_max |N| <N>`, >= 0; may change from step to step.
+    pub limit: Lane<L>,
+    compliance: Lane<L>,
+    ratio: Lane<L>,
+    rate: Lane<L>,
+    /// Flexibilities for S(i) and S(i+1).
+    h_rate: [Lane<L>; 2],
+    /// Whether no coefficient depends on velocity.
+    constant: bool,
+}
+
+impl Tanh {
+    /// S at a velocity >= 0, and dS/drdot.
+    #[inline(always)]
+    fn force(&self, velocity: f64) -> [f64; 2] {
+        if self.limit <= 0.0 {
+            return [0.0; 2];
+        }
+        let width = self.compliance * self.limit;
+        let [m, low] = [rise(2.0 * velocity / width), 1.0 - self.ratio];
+        let t = m / (2.0 - m);
+        let less = low * (1.0 - rise(self.rate * velocity));
+        let slope = (1.0 - less) * (1.0 - t * t) / width + self.rate * less * t;
+        [self.limit * (1.0 - less) * t, self.limit * slope]
+    }
+}
+
+impl StoredEnergy for Tanh {
+    /// None: all work is dissipated.
+    fn stored_energy(&self, _: f64, _: f64) -> f64 {
+        0.0
+    }
+}
+
+impl Law for Tanh {
+    type Step<const L: usize> = Step<L>;
+
+    #[inline(always)]
+    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
+        Step {
+            limit: lanes(laws, |law| law.limit),
+            compliance: lanes(laws, |law| law.compliance),
+            ratio: lanes(laws, |law| law.ratio),
+            rate: lanes(laws, |law| law.rate),
+            h_rate: [on.start.h_rate, on.end.h_rate],
+            constant: laws.iter().all(|law| law.ratio == 1.0),
+        }
+    }
+
+    /// From -1.1 `reach` to 1.1 `reach`.
+    fn cycle(&self, reach: f64) -> Cycle {
+        curve::over_velocity(reach, |v| self.force(v.abs())[0].copysign(v))
+    }
+}
+
+impl<const L: usize> StepLaw<L> for Step<L> {
+    type Memory = ();
+
+    #[inline(always)]
+    fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
+        // With z = 2 rdot/rdot^E: z + C tanh(z/2) = w. S is odd, so |w| is enough.
+        let [start, end] = self.h_rate;
+        let free = trial.rate - trial.force * start;
+        let two = self.compliance.map(|compliance| 2.0 / compliance);
+        let w = (free * two).zip(self.limit, |w, limit| {
+            if limit > 0.0 { (w / limit).abs() } else { 0.0 }
+        });
+        let m = saturation::root(end * two, Lane::splat(1.0), w);
+        let mut force = self.limit * m.map(|m| m / (2.0 - m));
+        if !self.constant {
+            for l in 0..L {
+                force.0[l] = self.bearing(l, free.0[l].abs(), force.0[l]);
+            }
+        }
+        force.zip(free, f64::copysign)
+    }
+}
+
+impl<const L: usize> Step<L> {
+    /// S of one lane from its value for `ratio` = 1, which is larger, so that the velocity is at least the one with it.
+    fn bearing(&self, l: usize, free: f64, above: f64) -> f64 {
+        let law = Tanh {
+            compliance: self.compliance.0[l],
+            limit: self.limit.0[l],
+            ratio: self.ratio.0[l],
+            rate: self.rate.0[l],
+        };
+        if law.ratio == 1.0 {
+            return above;
+        }
+        let h = self.h_rate[1].0[l];
+        let least = free - h * above;
+        let velocity = roots::rising(0.0, free, least, |velocity| {
+            let [force, slope] = law.force(velocity);
+            [velocity + h * force - free, 1.0 + h * slope]
+        });
+        law.force(velocity)[0]
+    }
+}
