@@ -1,9 +1,18 @@
 //! Methods of integration, one file each: how a structure moves over a step, and how the force at the end of a step enters.
 
 pub mod average_acceleration;
+pub mod bathe;
 mod choice;
+mod coefficients;
+mod critical_step;
+pub mod family;
+pub mod moreau_jean;
+mod storage;
 
-pub use choice::{Coefficients, MethodChoice, MethodKind};
+pub use choice::{MethodChoice, MethodKind};
+pub use coefficients::Coefficients;
+pub use critical_step::highest_frequency;
+pub use storage::Storage;
 
 use crate::contact::{Answer, StepFlexibility};
 use crate::lane::Lane;

@@ -1,0 +1,234 @@
+//! The composite method of Bathe for the modes of a structure with one contact.
+//!
+//! A step has two sub-steps of h = dt/2: the trapezoidal rule, then the three-point backward difference (Bathe and Baig 2005,
+//! Bathe 2007). The contact has a force at the end of both. For a mode x'' + omega2 x = -phi2 S, with W2 = (omega dt)^2,
+//! w = h v and p = x + w/2 as in the average acceleration method, K = 4 W2/(16 + W2), G = 2 phi2 dt^2/(16 + W2) and
+//! E = 9 + W2, the method is exactly
+//!
+//! ```text
+//! n = K p + G (S0 + S1),   w1 = w - n,   t = p + 3/2 w1,   e = (n/2 + W2 t + phi2 dt^2 S2)/E
+//! w2 = w1 - n/4 - 3/2 e,   x2 = t - e,   p2 = x2 + w2/2
+//! ```
+//!
+//! with x1 = x + w - n/2. Only increments are added, which keeps the round-off small however small the step is. Each sub-step
+//! is one pass over the modes.
+
+use super::storage::{Storage, sums};
+use super::{ContactState, Method, ModeStart, Start};
+use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::lane::Lane;
+
+/// Modes of L structures with one contact each; `M` stores the modes.
+#[derive(Debug, Clone)]
+pub struct Bathe<const L: usize, M = Vec<ModeState<L>>> {
+    modes: M,
+    /// dt/2
+    dt: Lane<L>,
+    /// 2/dt
+    rate: Lane<L>,
+    /// Sums of the modes' G and of phi2 dt^2/E.
+    compliance: [Lane<L>; 2],
+    /// Sums of the modes' K p and w.
+    predictor: Lane<L>,
+    increment: Lane<L>,
+    contact: ContactState<L>,
+    /// Work of the contact in the last step.
+    work: Lane<L>,
+}
+
+/// Coefficients and the state of one mode. The alignment puts it at the start of a cache line.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub struct ModeState<const L: usize> {
+    /// K
+    stiffness: Lane<L>,
+    /// G
+    compliance: Lane<L>,
+    /// 1/(2 E), W2/E, phi2 dt^2/E
+    back: [Lane<L>; 3],
+    /// w; between the sub-steps w1 - n/4.
+    w: Lane<L>,
+    /// p; between the sub-steps t.
+    p: Lane<L>,
+    /// Between the sub-steps e without S2.
+    e: Lane<L>,
+}
+
+impl<const L: usize> ModeState<L> {
+    #[inline(always)]
+    fn new(dt: Lane<L>, start: &ModeStart<L>) -> Self {
+        let omega2 = Lane(start.mode.map(|m| m.omega2)) * dt * dt;
+        let phi2 = Lane(start.mode.map(|m| m.phi2)) * dt * dt;
+        let trapezoidal = omega2.map(|w2| 1.0 / (16.0 + w2));
+        let backward = omega2.map(|w2| 1.0 / (9.0 + w2));
+        let w = dt * start.velocity * 0.5;
+        ModeState {
+            stiffness: omega2 * trapezoidal * 4.0,
+            compliance: phi2 * trapezoidal * 2.0,
+            back: [backward * 0.5, omega2 * backward, phi2 * backward],
+            w,
+            p: start.displacement + w * 0.5,
+            e: Lane::splat(0.0),
+        }
+    }
+
+    /// The first sub-step under S0 + S1; returns e.
+    #[inline(always)]
+    fn trapezoidal(&mut self, force_sum: Lane<L>) -> Lane<L> {
+        let n = self.stiffness * self.p + self.compliance * force_sum;
+        let w = self.w - n;
+        self.p = self.p + w * 1.5;
+        self.e = self.back[0] * n + self.back[1] * self.p;
+        self.w = w - n * 0.25;
+        self.e
+    }
+
+    /// The second sub-step under S2; returns K p and w.
+    #[inline(always)]
+    fn backward(&mut self, force: Lane<L>) -> [Lane<L>; 2] {
+        let e = self.e + self.back[2] * force;
+        self.w = self.w - e * 1.5;
+        self.p = (self.p - e) + self.w * 0.5;
+        [self.stiffness * self.p, self.w]
+    }
+
+    /// x
+    #[inline(always)]
+    fn displacement(&self) -> Lane<L> {
+        self.p - self.w * 0.5
+    }
+}
+
+impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
+    /// Work of the contact in the last step: the mean of the forces at both ends of a sub-step times its change of r, for both.
+    #[inline(always)]
+    pub fn work(&self) -> Lane<L> {
+        self.work
+    }
+
+    /// The first sub-step; returns the contact at its end, and the sums of w1 - n/4 and of e without S2.
+    #[inline(always)]
+    fn trapezoidal(&mut self, law: &mut impl Answer<L>) -> (ContactState<L>, [Lane<L>; 2]) {
+        let before = self.contact;
+        let trial = Trial {
+            displacement: before.displacement,
+            velocity: before.velocity,
+            force: before.force,
+            change: self.increment - self.predictor * 0.5,
+            rate: (self.increment - self.predictor) * self.rate,
+        };
+        let end = law.force(0, &trial);
+        let force_sum = before.force + end;
+        let n = self.predictor + self.compliance[0] * force_sum;
+        let w = self.increment - n;
+        let [e] = sums(self.modes.as_mut(), |mode| [mode.trapezoidal(force_sum)]);
+        let change = self.increment - n * 0.5;
+        self.work = force_sum * change * 0.5;
+        let middle = ContactState {
+            displacement: before.displacement + change,
+            velocity: w * self.rate,
+            force: end,
+        };
+        // x2 - x1 = w1 - e
+        self.increment = w;
+        (middle, [w - n * 0.25, e])
+    }
+}
+
+impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
+    const CONSERVES: bool = false;
+
+    #[inline(always)]
+    fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
+        let dt = start.dt;
+        let mut modes = M::collect(modes.map(|mode| ModeState::new(dt, &mode)))?;
+        let compliance = sums(modes.as_mut(), |mode| [mode.compliance, mode.back[2]]);
+        let [predictor, increment, displacement] = sums(modes.as_mut(), |mode| {
+            [mode.stiffness * mode.p, mode.w, mode.displacement()]
+        });
+        let rate = dt.map(|dt| 2.0 / dt);
+        Some(Bathe {
+            modes,
+            dt: dt * 0.5,
+            rate,
+            compliance,
+            predictor,
+            increment,
+            contact: ContactState {
+                displacement: start.gap + displacement,
+                velocity: increment * rate,
+                force: start.force,
+            },
+            work: Lane::splat(0.0),
+        })
+    }
+
+    #[inline(always)]
+    fn contact(&self) -> ContactState<L> {
+        self.contact
+    }
+
+    #[inline(always)]
+    fn flexibilities(&self) -> [StepFlexibility<L>; 2] {
+        let [trapezoidal, backward] = self.compliance;
+        let of = |h: Lane<L>, moved: Lane<L>| Flexibility {
+            h,
+            h_rate: moved * self.rate,
+        };
+        let zero = Lane::splat(0.0);
+        let both = of(trapezoidal * 0.5, trapezoidal);
+        let ends = [[both, both], [of(zero, zero), of(backward, backward * 1.5)]];
+        ends.map(|[start, end]| StepFlexibility {
+            start,
+            end,
+            dt: self.dt,
+            by_impulse: false,
+        })
+    }
+
+    /// Of a sub-step; the sum over both is [`Bathe::work`].
+    #[inline(always)]
+    fn work_weights(&self) -> [Lane<L>; 2] {
+        [Lane::splat(0.5); 2]
+    }
+
+    #[inline(always)]
+    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+        let (middle, [w, e]) = self.trapezoidal(law);
+        let trial = Trial {
+            displacement: middle.displacement,
+            velocity: middle.velocity,
+            force: middle.force,
+            change: self.increment - e,
+            rate: (w - e * 1.5) * self.rate,
+        };
+        let end = law.force(1, &trial);
+        let change = self.increment - (e + self.compliance[1] * end);
+        self.work = self.work + (middle.force + end) * change * 0.5;
+        [self.predictor, self.increment] = sums(self.modes.as_mut(), |mode| mode.backward(end));
+        self.contact = ContactState {
+            displacement: middle.displacement + change,
+            velocity: self.increment * self.rate,
+            force: end,
+        };
+        self.contact
+    }
+
+    #[inline(always)]
+    fn take(&mut self) -> Self {
+        Bathe {
+            modes: self.modes.take(),
+            ..*self
+        }
+    }
+
+    fn first_velocity(&self) -> Option<Lane<L>> {
+        let first = self.modes.as_ref().first()?;
+        Some(first.w * self.rate)
+    }
+
+    fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_ {
+        let modes = self.modes.as_ref().iter();
+        modes.map(|mode| (mode.displacement(), mode.w * self.rate))
+    }
+}

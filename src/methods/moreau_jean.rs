@@ -1,0 +1,209 @@
+//! The method of Moreau and Jean for the modes of a structure with one contact: the theta method with impulses.
+//!
+//! M (v' - v) + dt K (u + theta dt v_theta) + dt B S' = 0, u' = u + dt v_theta, v_theta = theta v' + (1 - theta) v
+//! (Moreau 1988, Jean 1999): dt S' is the impulse of the step, and S' its mean force. For a mode x'' + omega2 x = -phi2 S, with
+//! V = dt v, W2 = (omega dt)^2, D = 1 + theta^2 W2 and p = x + theta V, the method is exactly
+//!
+//! ```text
+//! n = (W2 p + phi2 dt^2 S')/D,   V' = V - n,   p' = p + V' - (2 theta - 1) n
+//! ```
+//!
+//! The constraint of a rigid contact acts on velocities, so that r' can be slightly below zero, after an impact by up to dt
+//! times the velocity before it. The positions are then projected with the inverse mass, x += phi2 mu, to r' = 0 (the combined
+//! projection of Acary 2013 for one contact: velocity and position hold together at the end of the step).
+
+use super::storage::{Storage, sums};
+use super::{ContactState, Method, MethodChoice, ModeStart, Start};
+use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::lane::Lane;
+
+/// Modes of L structures with one contact each; `M` stores the modes.
+#[derive(Debug, Clone)]
+pub struct MoreauJean<const L: usize, M = Vec<ModeState<L>>> {
+    modes: M,
+    theta: Lane<L>,
+    /// 2 theta - 1
+    excess: Lane<L>,
+    /// One for a lane with a rigid stop, else zero.
+    rigid: Lane<L>,
+    dt: Lane<L>,
+    /// 1/dt
+    rate: Lane<L>,
+    /// Sums of the modes' phi2 dt^2/D and phi2 dt^2.
+    compliance: Lane<L>,
+    mobility: Lane<L>,
+    /// Sums of the modes' W2 p/D and V.
+    predictor: Lane<L>,
+    increment: Lane<L>,
+    contact: ContactState<L>,
+}
+
+/// Coefficients and the state of one mode. The alignment puts it at the start of a cache line.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub struct ModeState<const L: usize> {
+    /// W2/D
+    stiffness: Lane<L>,
+    /// phi2 dt^2/D
+    compliance: Lane<L>,
+    /// V
+    v: Lane<L>,
+    p: Lane<L>,
+    /// phi2 dt^2
+    mobility: Lane<L>,
+}
+
+impl<const L: usize> ModeState<L> {
+    #[inline(always)]
+    fn new(theta: Lane<L>, dt: Lane<L>, start: &ModeStart<L>) -> Self {
+        let omega2 = Lane(start.mode.map(|m| m.omega2)) * dt * dt;
+        let mobility = Lane(start.mode.map(|m| m.phi2)) * dt * dt;
+        let shrink = (theta * theta * omega2).map(|d| 1.0 / (1.0 + d));
+        let v = dt * start.velocity;
+        ModeState {
+            stiffness: omega2 * shrink,
+            compliance: mobility * shrink,
+            v,
+            p: start.displacement + theta * v,
+            mobility,
+        }
+    }
+
+    /// One step under a force; returns W2 p/D and V.
+    #[inline(always)]
+    fn step(&mut self, force: Lane<L>, excess: Lane<L>) -> [Lane<L>; 2] {
+        let n = self.stiffness * self.p + self.compliance * force;
+        self.v = self.v - n;
+        self.p = self.p + (self.v - excess * n);
+        [self.stiffness * self.p, self.v]
+    }
+}
+
+impl<const L: usize, M: Storage<ModeState<L>>> MoreauJean<L, M> {
+    /// Moves the positions of the lanes with an `overlap` > 0 by that much in r; nothing in the others.
+    #[cold]
+    fn project(&mut self, overlap: Lane<L>) {
+        let share = overlap.zip(self.mobility, |r, sum| if r > 0.0 { r / sum } else { 0.0 });
+        [self.predictor] = sums(self.modes.as_mut(), |mode| {
+            mode.p = mode.p + mode.mobility * share;
+            [mode.stiffness * mode.p]
+        });
+        // r' + overlap is zero.
+        self.contact.displacement = self.contact.displacement + overlap;
+    }
+}
+
+impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
+    const CONSERVES: bool = false;
+
+    /// The method does not use S(0).
+    // A loop: with more than 16 lanes, maps of arrays are not inlined.
+    #[inline(always)]
+    fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
+        let (mut theta, mut rigid) = (Lane::splat(0.5), Lane::splat(0.0));
+        for l in 0..L {
+            let MethodChoice::MoreauJean { theta: own } = start.choice[l] else {
+                return None;
+            };
+            theta.0[l] = own;
+            rigid.0[l] = f64::from(u8::from(start.rigid[l]));
+        }
+        let dt = start.dt;
+        let mut modes = M::collect(modes.map(|mode| ModeState::new(theta, dt, &mode)))?;
+        let [compliance, mobility] = sums(modes.as_mut(), |mode| [mode.compliance, mode.mobility]);
+        let [predictor, increment, displacement] = sums(modes.as_mut(), |mode| {
+            [mode.stiffness * mode.p, mode.v, mode.p - theta * mode.v]
+        });
+        let rate = dt.map(|dt| 1.0 / dt);
+        Some(MoreauJean {
+            modes,
+            theta,
+            excess: theta * 2.0 - Lane::splat(1.0),
+            rigid,
+            dt,
+            rate,
+            compliance,
+            mobility,
+            predictor,
+            increment,
+            contact: ContactState {
+                displacement: start.gap + displacement,
+                velocity: increment * rate,
+                force: start.force,
+            },
+        })
+    }
+
+    #[inline(always)]
+    fn contact(&self) -> ContactState<L> {
+        self.contact
+    }
+
+    #[inline(always)]
+    fn flexibilities(&self) -> [StepFlexibility<L>; 2] {
+        let zero = Lane::splat(0.0);
+        let flexibility = StepFlexibility {
+            start: Flexibility {
+                h: zero,
+                h_rate: zero,
+            },
+            end: Flexibility {
+                h: self.theta * self.compliance,
+                h_rate: self.compliance * self.rate,
+            },
+            dt: self.dt,
+            by_impulse: true,
+        };
+        [flexibility; 2]
+    }
+
+    #[inline(always)]
+    fn work_weights(&self) -> [Lane<L>; 2] {
+        [Lane::splat(0.0), Lane::splat(1.0)]
+    }
+
+    #[inline(always)]
+    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+        let before = self.contact;
+        let trial = Trial {
+            displacement: before.displacement,
+            velocity: before.velocity,
+            force: before.force,
+            change: self.increment - self.theta * self.predictor,
+            rate: (self.increment - self.predictor) * self.rate,
+        };
+        let end = law.force(0, &trial);
+        let n = self.predictor + self.compliance * end;
+        let change = self.increment - self.theta * n;
+        let excess = self.excess;
+        [self.predictor, self.increment] = sums(self.modes.as_mut(), |mode| mode.step(end, excess));
+        self.contact = ContactState {
+            displacement: before.displacement + change,
+            velocity: self.increment * self.rate,
+            force: end,
+        };
+        let overlap = (-self.contact.displacement * self.rigid).larger(Lane::splat(0.0));
+        if overlap.0.iter().any(|r| *r > 0.0) {
+            self.project(overlap);
+        }
+        self.contact
+    }
+
+    #[inline(always)]
+    fn take(&mut self) -> Self {
+        MoreauJean {
+            modes: self.modes.take(),
+            ..*self
+        }
+    }
+
+    fn first_velocity(&self) -> Option<Lane<L>> {
+        let first = self.modes.as_ref().first()?;
+        Some(first.v * self.rate)
+    }
+
+    fn modes(&self) -> impl Iterator<Item = (Lane<L>, Lane<L>)> + '_ {
+        let modes = self.modes.as_ref().iter();
+        modes.map(|mode| (mode.p - self.theta * mode.v, mode.v * self.rate))
+    }
+}
