@@ -27,6 +27,7 @@ mod impact_spring;
 mod lugre;
 mod roots;
 mod saturation;
+mod stiffness;
 mod stribeck;
 mod tanh;
 mod velocity_control;

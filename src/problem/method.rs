@@ -1,9 +1,11 @@
 //! The parameters of the method of integration, which all problems have.
 
-use super::Case;
 use super::choice::choice;
-use super::parameter::{Default, Kind, Parameter, Range, Value, row_of};
+use super::parameter::{Default, Kind, Parameter, Range, Value, row_of, shortest};
+use super::{Case, Violation};
 use crate::methods::{Coefficients, MethodChoice};
+use crate::solve;
+use crate::system::System;
 
 choice! {
     /// Method of integration.
@@ -103,3 +105,61 @@ const GAMMA: usize = row_of(&PARAMETERS, "newmark_gamma");
 const HHT_ALPHA: usize = row_of(&PARAMETERS, "hht_alpha");
 const RHO_INF: usize = row_of(&PARAMETERS, "rho_inf");
 const THETA: usize = row_of(&PARAMETERS, "theta");
+
+/// Whether the method of a case may have rules for the step; the parameters of the method are in the table from row `first` on.
+pub fn has_rules(case: &Case, first: usize) -> bool {
+    MethodName::parse(case.name_at(first)) != Some(MethodName::AverageAcceleration)
+}
+
+/// The rules for the step of a system: below the critical step of a method that has one, with the contact closed up to this `overlap`,
+/// and one root of the contact's law in every step. `name` is the parameter of the step.
+pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Violation> {
+    let violation = |message: String| {
+        vec![Violation {
+            parameter: name.into(),
+            message,
+            at: None,
+        }]
+    };
+    if let MethodChoice::Family(own) = system.method
+        && own.stability_limit() < f64::INFINITY
+    {
+        let modes = (0..system.linear.len()).map(|j| system.linear.mode(j).mode);
+        let stiffness = system.law.largest_stiffness(overlap);
+        if stiffness == f64::INFINITY {
+            return vec![Violation {
+                parameter: "method".into(),
+                message: "has no stable step with rigid contact; allowed: a law with compliance, or moreau-jean".into(),
+                at: None,
+            }];
+        }
+        let critical = own.critical_step(modes, stiffness);
+        if system.step > critical {
+            return violation(format!(
+                "must be at most {critical:.6}, the critical step of this method with the contact closed, got {}",
+                shortest(system.step)
+            ));
+        }
+    }
+    if !system.law.falls() || one_root(system, system.step) {
+        return Vec::new();
+    }
+    let (mut low, mut high) = (0.0, system.step);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        match one_root(system, middle) {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    violation(format!(
+        "must be below {high:.6}, got {}: the friction falls with velocity, and a longer step may have several solutions",
+        shortest(system.step)
+    ))
+}
+
+/// Whether all steps of this length have one root.
+fn one_root(system: &System, step: f64) -> bool {
+    let flexibilities = solve::flexibilities(&System { step, ..*system });
+    flexibilities.is_some_and(|both| both.iter().all(|on| system.law.has_one_root(on)))
+}

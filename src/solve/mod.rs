@@ -11,9 +11,12 @@ pub use table::MetricTable;
 pub use track::{ContactTrack, Displacements, Track};
 pub use unsolvable::Unsolvable;
 
-use crate::contact::{Answer, AnyLaw, ContactLaw, Visitor};
+use crate::contact::{Answer, AnyLaw, ContactLaw, StepFlexibility, Visitor};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::{AverageAcceleration, Modes};
+use crate::methods::bathe::Bathe;
+use crate::methods::family::Family;
+use crate::methods::moreau_jean::MoreauJean;
 use crate::methods::{ContactState, Method, MethodKind, ModeStart, Start};
 use crate::system::System;
 use multiversion::multiversion;
@@ -126,7 +129,9 @@ pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
         MethodKind::AverageAcceleration => {
             advance_by::<L, AverageAcceleration<L, M>, T, S>(cases, motion)
         }
-        MethodKind::Family | MethodKind::Bathe | MethodKind::MoreauJean => [false; L],
+        MethodKind::Family => advance_by::<L, Family<L>, T, S>(cases, motion),
+        MethodKind::Bathe => advance_by::<L, Bathe<L>, T, S>(cases, motion),
+        MethodKind::MoreauJean => advance_by::<L, MoreauJean<L>, T, S>(cases, motion),
     }
 }
 
@@ -235,11 +240,27 @@ impl<N: Method<1>> State for N {
     }
 }
 
+/// The flexibilities of a system for its contact in both sub-steps of its method; `None` without a mode.
+pub fn flexibilities(system: &System) -> Option<[StepFlexibility<1>; 2]> {
+    fn of<N: Method<1>>(system: &System) -> Option<[StepFlexibility<1>; 2]> {
+        let (stepper, _) = start::<1, N, _>(&[*system])?;
+        Some(stepper.flexibilities())
+    }
+    match system.method.kind() {
+        MethodKind::AverageAcceleration => of::<Stepper>(system),
+        MethodKind::Family => of::<Family<1>>(system),
+        MethodKind::Bathe => of::<Bathe<1>>(system),
+        MethodKind::MoreauJean => of::<MoreauJean<1>>(system),
+    }
+}
+
 /// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
 pub fn visit(system: &System, visit: impl FnMut(u64, &dyn State)) {
     match system.method.kind() {
         MethodKind::AverageAcceleration => visit_by::<Stepper>(system, visit),
-        MethodKind::Family | MethodKind::Bathe | MethodKind::MoreauJean => {}
+        MethodKind::Family => visit_by::<Family<1>>(system, visit),
+        MethodKind::Bathe => visit_by::<Bathe<1>>(system, visit),
+        MethodKind::MoreauJean => visit_by::<MoreauJean<1>>(system, visit),
     }
 }
 

@@ -5,6 +5,7 @@ mod law;
 mod tables;
 
 use super::cases::Cases;
+use super::method::{self, step_rules};
 use super::{Case, Problem, Schema, Solution, Violation, sweep_cases, time_rules};
 use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
@@ -32,7 +33,12 @@ impl Problem for FrictionOscillator {
         let (Some(step), Some(duration)) = (case.at(rows::DT), case.at(rows::DURATION)) else {
             return Vec::new();
         };
-        time_rules("dT", step, duration)
+        let rules = time_rules("dT", step, duration);
+        let falls = case.at(rows::STATIC_RATIO).is_some_and(|ratio| ratio > 1.0);
+        if !rules.is_empty() || !(falls || method::has_rules(case, rows::METHOD)) {
+            return rules;
+        }
+        OscillatorCase::new(case).map_or(rules, |own| step_rules("dT", &own.system(), 0.0))
     }
 
     fn solve(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {

@@ -1,13 +1,16 @@
 //! Parameters that follow from others, and the rules across parameters.
 
+use super::case::ImpactCase;
 use super::law::{self, LawName};
 use super::scaled::Scaled;
 use super::scales::Scales;
-use super::tables::{LAW, Opposite, rows};
+use super::tables::{LAW, METHOD, Opposite, rows};
 use crate::exact::wave::Bars;
+use crate::problem::method::{self, step_rules};
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::unit::Dimension;
 use crate::problem::{Case, Violation, time_rules};
+use crate::solve::ToSystem;
 
 /// Most fronts of the exact solution that fit in memory: travel times there and back within the run.
 const MOST_FRONTS: f64 = 1e5;
@@ -23,6 +26,14 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     closing(case, &mut violations);
     if violations.is_empty() {
         scales(case, &mut violations);
+    }
+    if violations.is_empty()
+        && method::has_rules(case, METHOD)
+        && let Some(own) = ImpactCase::new(case)
+    {
+        // Twice the overlap of the linear spring under the force F0 of the exact impact.
+        let overlap = 2.0 / own.scaled.spring;
+        violations = step_rules("dt", &own.system(), overlap);
     }
     violations
 }
