@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::{
-    Answer, Bearing, BoucWen, Dahl, DisplacementControl, Hertz, HertzDamp, HuntCrossley,
+    Answer, Bearing, BoucWen, Cycle, Dahl, DisplacementControl, Hertz, HertzDamp, HuntCrossley,
     ImpactSpring, Jankowski, KelvinVoigt, Law, LawsVisitor, Lugre, Rigid, RunningLaw,
     StepFlexibility, StoredEnergy, Stribeck, Tanh, Trial, VelocityControl, Visitor, Ye,
 };
@@ -90,6 +90,13 @@ macro_rules! laws {
                     $(ContactLaw::$law(first) => {
                         AnyLaw::$law(RunningLaw::of(&own_laws(laws, first, $law::of), on))
                     }),+
+                }
+            }
+
+            /// The law's curve, see [`Law::cycle`].
+            pub fn cycle(&self, reach: f64) -> Cycle {
+                match self {
+                    $(ContactLaw::$law(law) => law.cycle(reach)),+
                 }
             }
 

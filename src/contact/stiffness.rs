@@ -1,4 +1,4 @@
-//! The largest stiffness of a contact, for the critical step of a method.
+//! Numbers of any law: its largest stiffness, for the critical step of a method; whether it falls; its reach in figures.
 
 use super::{ContactLaw, StepFlexibility};
 
@@ -26,6 +26,43 @@ impl ContactLaw {
         }
     }
 
+    /// Whether the force depends on the velocity alone.
+    pub fn viscous(&self) -> bool {
+        matches!(
+            self,
+            ContactLaw::VelocityControl(_)
+                | ContactLaw::Bearing(_)
+                | ContactLaw::Tanh(_)
+                | ContactLaw::Stribeck(_)
+        )
+    }
+
+    /// A displacement or velocity that shows the law in a figure: some widths of a friction law, the overlap of an impact law under
+    /// a force of 1.
+    pub fn reach(&self) -> f64 {
+        match self {
+            ContactLaw::DisplacementControl(law) => 4.0 * law.compliance * law.limit,
+            ContactLaw::BoucWen(law) => 4.0 * law.compliance * law.limit,
+            ContactLaw::Dahl(law) => 4.0 * law.compliance * law.limit,
+            ContactLaw::Lugre(law) => 4.0 * law.static_limit / law.sigma0,
+            ContactLaw::VelocityControl(law) if law.compliance == 0.0 => 1.0,
+            ContactLaw::VelocityControl(law) => 4.0 * law.compliance * law.limit,
+            ContactLaw::Bearing(law) => 4.0 * (law.compliance * law.limit + 1.0 / law.rate),
+            ContactLaw::Tanh(law) => 4.0 * law.compliance * law.limit,
+            ContactLaw::Stribeck(law) => {
+                2.0 * law.compliance * law.static_limit + 3.0 * law.stribeck_velocity
+            }
+            ContactLaw::ImpactSpring(law) => 1.0 / law.stiffness,
+            ContactLaw::KelvinVoigt(law) => 1.0 / law.stiffness,
+            ContactLaw::Hertz(law) => overlap(law.stiffness),
+            ContactLaw::HertzDamp(law) => overlap(law.stiffness),
+            ContactLaw::HuntCrossley(law) => overlap(law.stiffness),
+            ContactLaw::Ye(law) => overlap(law.stiffness),
+            ContactLaw::Jankowski(law) => overlap(law.stiffness),
+            ContactLaw::Rigid(_) => 1.0,
+        }
+    }
+
     /// Whether every step with these flexibilities has one root; false for a law that falls, where a step may have several.
     pub fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         match self {
@@ -43,4 +80,9 @@ impl ContactLaw {
             _ => false,
         }
     }
+}
+
+/// The overlap of k_h delta^1.5 under a force of 1.
+fn overlap(k_h: f64) -> f64 {
+    1.0 / (libm::cbrt(k_h) * libm::cbrt(k_h))
 }

@@ -18,6 +18,7 @@ pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
 pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
 pub use text::{Text, escape, interned};
 
+use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::metrics::steps;
 use crate::solve::sweep::{LONGEST, LaneCase};
@@ -92,6 +93,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     }
     /// Lines that describe a completed case, for `explain`.
     fn description(&self, _case: &Case) -> Option<String> {
+        None
+    }
+    /// The law of the one contact of a completed case, in the problem's scales; `None` for a problem with several contacts.
+    fn contact_law(&self, _case: &Case) -> Option<ContactLaw> {
         None
     }
     /// The structure of a completed case for a picture; `None` for a problem without one.

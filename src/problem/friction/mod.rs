@@ -47,6 +47,10 @@ impl Problem for FrictionOscillator {
         self.judge(&own, &motion.track, own.work(&motion, 0), wanted)
     }
 
+    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
+        OscillatorCase::new(case).map(|own| own.law)
+    }
+
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         let own = |case: &Case| self.lane_case(case);
         sweep_cases::<LANES, _>(self, cases, rows, own)

@@ -15,6 +15,7 @@ use super::cases::Cases;
 use super::method;
 use super::unit::Dimension;
 use super::{Case, Problem, Schema, Snapshot, Solution, Violation, sweep_cases};
+use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::impact::{Energy, Track};
@@ -82,6 +83,10 @@ impl Problem for BarImpact {
             by_method: motion.taken.map(|taken| taken.by_method.0[0]),
         };
         judge(&own, &run, wanted)
+    }
+
+    fn contact_law(&self, case: &Case) -> Option<ContactLaw> {
+        ImpactCase::new(case).map(|own| own.scaled.law)
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {

@@ -143,6 +143,7 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
             let problem = scope.problem.name();
             let lacks = match kind.needs {
                 Needs::Structure => "no structure to draw",
+                Needs::OneContact => "no single contact",
                 Needs::Profiles | Needs::Nothing => "no profiles",
             };
             let others = KINDS.iter().filter(|other| other.suits(&*scope.problem));

@@ -6,7 +6,7 @@ use crate::study::figure::checker::Checker;
 
 pub(super) const KIND: Kind = Kind {
     name: "law",
-    needs: Needs::Nothing,
+    needs: Needs::OneContact,
     meaning: "the laws of the cases: force over displacement or velocity",
     keys: &[],
     decode: |_, _| Some(FigureKind::Law(Law)),

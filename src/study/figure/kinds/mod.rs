@@ -44,6 +44,8 @@ pub(in crate::study) enum Needs {
     Profiles,
     /// A structure that the study describes.
     Structure,
+    /// One contact, whose law is among the parameters.
+    OneContact,
 }
 
 /// A kind of figure with its values.
@@ -136,6 +138,7 @@ impl Kind {
             Needs::Nothing => true,
             Needs::Profiles => !problem.schema().profiles.is_empty(),
             Needs::Structure => problem.name() == structure::schema::NAME,
+            Needs::OneContact => problem.name() != structure::schema::NAME,
         }
     }
 

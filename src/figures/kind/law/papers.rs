@@ -1,6 +1,5 @@
 //! The friction laws as [F] Fig. 3 draws them, over the rigid law of [F] Fig. 2: force over slip and over velocity.
 
-use super::Draw;
 use crate::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use crate::figures::DrawnCase;
 use crate::figures::label;
@@ -12,93 +11,91 @@ use crate::figures::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
 use crate::figures::layout::ticks;
 use crate::figures::style::{self, Marker, Stroke};
 use crate::problem::parameter::Value;
-use crate::study::kinds::Law;
 use crate::study::{Figure, Study};
 
 const HEIGHT: f64 = 150.0;
 
-impl Draw for Law {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
-        let panels = MODELS.map(|model| (model, widths(model, study, cases)));
-        let models: Vec<_> = panels.into_iter().filter(|p| !p.1.is_empty()).collect();
-        let columns = layout::side_by_side(models.len().max(1), figure.width);
-        let width = figure.width.unwrap_or(match columns > 1 {
-            true => style::DOUBLE,
-            false => style::SINGLE,
+/// A panel for each of both models.
+pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    let panels = MODELS.map(|model| (model, widths(model, study, cases)));
+    let models: Vec<_> = panels.into_iter().filter(|p| !p.1.is_empty()).collect();
+    let columns = layout::side_by_side(models.len().max(1), figure.width);
+    let width = figure.width.unwrap_or(match columns > 1 {
+        true => style::DOUBLE,
+        false => style::SINGLE,
+    });
+    let force = Axis {
+        range: [-1.65, 1.65],
+        ..ticks::linear("*S*/*νN*", [-1.0, 1.0], 2.0)
+    };
+    let grid = layout::grid(
+        width,
+        columns,
+        &vec![HEIGHT; models.len().max(1).div_ceil(columns)],
+        std::slice::from_ref(&force),
+        4.0,
+    );
+    let mut sheet = Sheet {
+        width,
+        ..Sheet::default()
+    };
+    let mut keys = Vec::new();
+    for (k, (model, widths)) in models.into_iter().enumerate() {
+        let widest = widths.iter().fold(0.0, |a: f64, b| a.max(b.0));
+        let reach = 1.6 * widest;
+        let most = grid.width / 32.0;
+        let x = ticks::linear(model.title(), [-1.2 * reach, 1.2 * reach], most);
+        let mut y = force.clone();
+        if k % columns > 0 {
+            y.title.clear();
+            y.numbered = false;
+        }
+        let mut frame = grid.frames[k / columns][k % columns];
+        // Each row has a horizontal axis.
+        frame.top += (k / columns) as f64 * layout::below(&x).ceil();
+        let mut panel = Panel::new(frame, grid.margin, x, y);
+        panel.zero = true;
+        panel.series.push(Series {
+            label: "rigid (Coulomb)".into(),
+            points: model.curve(0.0, reach).0,
+            stroke: Stroke::Solid,
+            width: style::EXACT_LINE,
+            marker: None,
+            marked: Vec::new(),
         });
-        let force = Axis {
-            range: [-1.65, 1.65],
-            ..ticks::linear("*S*/*νN*", [-1.0, 1.0], 2.0)
-        };
-        let grid = layout::grid(
-            width,
-            columns,
-            &vec![HEIGHT; models.len().max(1).div_ceil(columns)],
-            std::slice::from_ref(&force),
-            4.0,
-        );
-        let mut sheet = Sheet {
-            width,
-            ..Sheet::default()
-        };
-        let mut keys = Vec::new();
-        for (k, (model, widths)) in models.into_iter().enumerate() {
-            let widest = widths.iter().fold(0.0, |a: f64, b| a.max(b.0));
-            let reach = 1.6 * widest;
-            let most = grid.width / 32.0;
-            let x = ticks::linear(model.title(), [-1.2 * reach, 1.2 * reach], most);
-            let mut y = force.clone();
-            if k % columns > 0 {
-                y.title.clear();
-                y.numbered = false;
-            }
-            let mut frame = grid.frames[k / columns][k % columns];
-            // Each row has a horizontal axis.
-            frame.top += (k / columns) as f64 * layout::below(&x).ceil();
-            let mut panel = Panel::new(frame, grid.margin, x, y);
-            panel.zero = true;
+        for (index, (width, label)) in widths.into_iter().enumerate() {
+            let (points, marked) = model.curve(width, reach);
             panel.series.push(Series {
-                label: "rigid (Coulomb)".into(),
-                points: model.curve(0.0, reach).0,
-                stroke: Stroke::Solid,
-                width: style::EXACT_LINE,
-                marker: None,
-                marked: Vec::new(),
+                label,
+                points,
+                stroke: Stroke::of_case(index),
+                width: style::CASE_LINE,
+                marker: Some(Marker::of_case(index)),
+                marked,
             });
-            for (index, (width, label)) in widths.into_iter().enumerate() {
-                let (points, marked) = model.curve(width, reach);
-                panel.series.push(Series {
-                    label,
-                    points,
-                    stroke: Stroke::of_case(index),
-                    width: style::CASE_LINE,
-                    marker: Some(Marker::of_case(index)),
-                    marked,
-                });
-            }
-            let curves = panel.series.iter().map(Key::of);
-            keys.push(
-                curves
-                    .chain(guides::key(std::slice::from_ref(&panel), None))
-                    .collect::<Vec<Key>>(),
-            );
-            model.write_dimensions(&mut panel, widest, reach);
-            sheet.panels.push(panel);
         }
-        layout::letter_panels(&mut sheet.panels);
-        // Panels below one another share a legend.
-        if columns == 1 {
-            let mut all: Vec<Key> = Vec::new();
-            for key in std::mem::take(&mut keys).into_iter().flatten() {
-                if !all.iter().any(|other| other.label == key.label) {
-                    all.push(key);
-                }
-            }
-            keys = vec![all];
-        }
-        layout::finish(&mut sheet, keys, figure.title.as_deref());
-        sheet
+        let curves = panel.series.iter().map(Key::of);
+        keys.push(
+            curves
+                .chain(guides::key(std::slice::from_ref(&panel), None))
+                .collect::<Vec<Key>>(),
+        );
+        model.write_dimensions(&mut panel, widest, reach);
+        sheet.panels.push(panel);
     }
+    layout::letter_panels(&mut sheet.panels);
+    // Panels below one another share a legend.
+    if columns == 1 {
+        let mut all: Vec<Key> = Vec::new();
+        for key in std::mem::take(&mut keys).into_iter().flatten() {
+            if !all.iter().any(|other| other.label == key.label) {
+                all.push(key);
+            }
+        }
+        keys = vec![all];
+    }
+    layout::finish(&mut sheet, keys, figure.title.as_deref());
+    sheet
 }
 
 /// The softened laws of friction.

@@ -1,0 +1,29 @@
+//! The laws of the cases: force over displacement or velocity.
+
+mod loops;
+mod papers;
+
+use super::Draw;
+use crate::contact::{ContactLaw, LawKind};
+use crate::figures::DrawnCase;
+use crate::figures::layout::sheet::Sheet;
+use crate::study::kinds::Law;
+use crate::study::{Figure, Study};
+
+impl Draw for Law {
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+        let laws: Vec<Option<ContactLaw>> = cases
+            .iter()
+            .map(|shown| study.problem.contact_law(shown.case))
+            .collect();
+        let softened = |law: &Option<ContactLaw>| match law {
+            Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,
+            Some(law) => law.kind() == LawKind::DisplacementControl,
+            None => false,
+        };
+        match laws.iter().all(softened) {
+            true => papers::sheet(study, figure, cases),
+            false => loops::sheet(study, figure, cases, &laws),
+        }
+    }
+}
