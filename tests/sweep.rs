@@ -18,7 +18,7 @@ const FRICTION: &str = r#"{"problem": "friction-oscillator", "blocks": [
 /// Equal and different bars, walls, both mass matrices, various gaps, steps and durations.
 const IMPACT: &str = r#"{"problem": "bar-impact", "blocks": [
   {"parameters": {"gamma": {"geomspace": [0.1, 10, 20]}, "n": [1, 10], "dt": 0.01, "duration": 1.5, "gap": [0, 0.25],
-                  "mass": ["lumped", "consistent"]}},
+                  "mass": ["lumped", "consistent", "massless-contact"]}},
   {"parameters": {"gamma": 0.5, "n": 7, "dt": {"loguniform": [0.001, 0.1]}, "duration": {"uniform": [0.2, 3]},
                   "gap": {"uniform": [0, 0.5]}}, "design": {"kind": "latin-hypercube", "n": 100, "seed": 2}},
   {"parameters": {"gamma": {"linspace": [0.2, 4, 9]}, "n": 5, "dt": 0.02, "duration": 3, "right": {"L": 14, "A": 2, "n": 8}}},

@@ -36,6 +36,11 @@ impl Law for ImpactSpring {
         s * r * 0.5
     }
 
+    #[inline(always)]
+    fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+        Some([s / self.stiffness, 1.0 / self.stiffness])
+    }
+
     fn element(&self, _: f64, _: f64) -> Option<Box<dyn Element>> {
         Some(Box::new(ImpactElement::new(self.stiffness)))
     }

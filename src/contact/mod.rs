@@ -18,11 +18,13 @@ pub mod coupled;
 mod displacement_control;
 pub mod element;
 mod impact_spring;
+mod series;
 mod velocity_control;
 
 pub use coupled::{CoupledForces, Unsolved};
 pub use displacement_control::DisplacementControl;
 pub use impact_spring::ImpactSpring;
+pub use series::in_series;
 pub use velocity_control::VelocityControl;
 
 use crate::lane::Lane;
@@ -86,6 +88,11 @@ pub trait Law: Copy {
 
     /// Energy that the contact stores at r under S.
     fn stored_energy(&self, r: f64, s: f64) -> f64;
+
+    /// r of the closed contact under S, and dr/dS there; `None` for a law whose r does not follow from S alone.
+    fn deflection(&self, _s: f64) -> Option<[f64; 2]> {
+        None
+    }
 
     /// Energy that the contact dissipates over a step between two states (r, S), the force being the mean of both as in the
     /// constant average acceleration method.
@@ -216,6 +223,13 @@ macro_rules! laws {
             pub fn stored_energy(&self, r: f64, s: f64) -> f64 {
                 match self {
                     $(ContactLaw::$law(law) => law.stored_energy(r, s)),+
+                }
+            }
+
+            /// r of the closed contact under S, and dr/dS there; `None` for a law whose r does not follow from S alone.
+            pub fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+                match self {
+                    $(ContactLaw::$law(law) => law.deflection(s)),+
                 }
             }
 

@@ -52,6 +52,8 @@ impl ToSystem for System {
 
 /// L systems at t = 0 with equal numbers of modes, and their laws over a step; `None` without a mode. All laws have the kind of
 /// the first one.
+///
+/// The motion is that of the modes. That of a contact without mass follows from it, see [`System::at_contact`].
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
     cases: &[S; L],
@@ -91,7 +93,10 @@ pub fn start<const L: usize, M: Modes<L>, S: ToSystem>(
     for (law, case) in laws.iter_mut().zip(cases) {
         *law = case.system().law;
     }
-    let law = ContactLaw::step(&laws, &stepper.flexibility());
+    // Without the compliance c0 the modes move to r(i+1) + c0 S(i+1).
+    let mut on = stepper.flexibility();
+    on.end.h = on.end.h + of(|s| s.linear.contact_compliance());
+    let law = ContactLaw::step(&laws, &on);
     Some((stepper, law))
 }
 

@@ -25,7 +25,7 @@ use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
 use std::sync::Arc;
-use tables::{BUDGET, REFERENCE, SCHEMA, rows};
+use tables::{BUDGET, MassMatrix, REFERENCE, SCHEMA, rows};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -53,7 +53,9 @@ impl Problem for BarImpact {
     }
 
     fn work(&self, case: &Case) -> u64 {
-        let modes = |row| case.at(row).map_or(0, |n| n as u64 + 1);
+        // A node without mass has no mode.
+        let own = u64::from(MassMatrix::of(case) != Some(MassMatrix::MasslessContact));
+        let modes = |row| case.at(row).map_or(0, |n| n as u64 + own);
         let all = modes(rows::N) + modes(rows::RIGHT_N);
         self.steps(case).saturating_mul(all)
     }
@@ -70,7 +72,8 @@ impl Problem for BarImpact {
         let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
         let system = own.system();
         let motion = solve::run::<Track<1>>(&system)?;
-        let track = motion.track;
+        let mut track = motion.track;
+        case::condense(&[own], &mut track);
         let energy = Energy::of_case(&track, &system, track.displacement.len());
         let Lane([first_mode]) = motion.first_mode;
         judge(&own, &track, &energy, 0.5 * first_mode, wanted)

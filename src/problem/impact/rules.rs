@@ -20,8 +20,20 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     closing(case, &mut violations);
     if violations.is_empty() {
         scales(case, &mut violations);
+        violations.extend(Scaled::new(case).and_then(|scaled| no_condensation(&scaled)));
     }
     violations
+}
+
+/// A contact node without mass follows the law, which must then give r for a force.
+fn no_condensation(scaled: &Scaled) -> Option<Violation> {
+    let needs = scaled.pair.contact_compliance() > 0.0;
+    let gives = scaled.law.deflection(-1.0).is_some();
+    (needs && !gives).then(|| Violation {
+        parameter: "mass".into(),
+        message: "massless-contact needs a law without damping; allowed: impact-spring".into(),
+        at: None,
+    })
 }
 
 /// Parameters of the right bar that are not given are equal to those of the left one; the velocity has the opposite sign. A wall
@@ -146,5 +158,37 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
              give bars with more similar travel times, or a shorter duration"
         );
         violation("duration".into(), message);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactLaw, ImpactSpring, VelocityControl};
+    use crate::problem::impact::BarImpact;
+
+    #[test]
+    fn a_node_without_mass_needs_a_law_without_damping() {
+        let refused = |mass: &'static str, law: ContactLaw| {
+            let given = [
+                ("gamma", Value::Number(1.0)),
+                ("n", Value::Whole(4)),
+                ("dt", Value::Number(0.1)),
+                ("duration", Value::Number(1.0)),
+                ("mass", Value::Name(mass)),
+            ];
+            let (case, broken) = Case::given(&BarImpact, &given);
+            assert_eq!(broken, []);
+            let mut scaled = Scaled::new(&case).unwrap();
+            scaled.law = law;
+            no_condensation(&scaled).is_some()
+        };
+        let spring = ContactLaw::ImpactSpring(ImpactSpring { stiffness: 1.0 });
+        let damper = ContactLaw::VelocityControl(VelocityControl {
+            compliance: 1.0,
+            limit: 1.0,
+        });
+        assert!(!refused("massless-contact", spring) && refused("massless-contact", damper));
+        assert!(!refused("lumped", damper) && !refused("consistent", damper));
     }
 }
