@@ -1,4 +1,8 @@
-//! A bar whose contact node has no mass: its mass is moved to its neighbour (Khenous, Laborde and Renard 2008).
+//! A bar whose contact node has no mass: its mass is moved to its neighbour.
+//!
+//! After H. B. Khenous, P. Laborde and Y. Renard, Mass redistribution method for finite element contact problems in elastodynamics, European
+//! Journal of Mechanics A/Solids 27 (2008) 918-932. Their redistribution also keeps the centre of mass, which is here L/(2 n^2) farther
+//! from the contact.
 //!
 //! The bar has n elements with the mass m and the stiffness k each. Node 0 is at the contact, and node n is free. Node 0 has no
 //! mass, so it follows its neighbour: u_0 = u_1 - S/k, where a displacement is positive if it opens the gap. This element is a
@@ -65,7 +69,7 @@ impl MasslessMode {
         let half = start + d;
         let t = tan(half);
         // N theta = j pi - phi, so the cosine has the sign of (-1)^j.
-        let sign = if mode % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
         MasslessMode {
             elements,
             mode,
