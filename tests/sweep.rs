@@ -15,10 +15,10 @@ const FRICTION: &str = r#"{"problem": "friction-oscillator", "blocks": [
   {"parameters": {"law": "velocity-control", "x0": [0.4, 12, -1e6], "dT": 0.1, "duration": [3, 40, 60],
                   "beta": {"geomspace": [0.001, 10, 30]}}}]}"#;
 
-/// Equal and different bars, walls, both mass matrices, various gaps, steps and durations.
+/// Equal and different bars, walls, all mass matrices (with 9 and 10 modes of different ones together), various gaps, steps and durations.
 const IMPACT: &str = r#"{"problem": "bar-impact", "blocks": [
-  {"parameters": {"gamma": {"geomspace": [0.1, 10, 20]}, "n": [1, 10], "dt": 0.01, "duration": 1.5, "gap": [0, 0.25],
-                  "mass": ["lumped", "consistent"]}},
+  {"parameters": {"gamma": {"geomspace": [0.1, 10, 20]}, "n": [1, 9, 10], "dt": 0.01, "duration": 1.5, "gap": [0, 0.25],
+                  "mass": ["lumped", "consistent", "massless-contact"]}},
   {"parameters": {"gamma": 0.5, "n": 7, "dt": {"loguniform": [0.001, 0.1]}, "duration": {"uniform": [0.2, 3]},
                   "gap": {"uniform": [0, 0.5]}}, "design": {"kind": "latin-hypercube", "n": 100, "seed": 2}},
   {"parameters": {"gamma": {"linspace": [0.2, 4, 9]}, "n": 5, "dt": 0.02, "duration": 3, "right": {"L": 14, "A": 2, "n": 8}}},

@@ -122,6 +122,12 @@ macro_rules! laws {
                 }
             }
 
+            fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+                match self {
+                    $(ContactLaw::$law(law) => law.deflection(s)),+
+                }
+            }
+
             fn conservative_force(&self, r: f64, s: f64) -> f64 {
                 match self {
                     $(ContactLaw::$law(law) => law.conservative_force(r, s)),+

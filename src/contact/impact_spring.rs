@@ -24,6 +24,11 @@ impl StoredEnergy for ImpactSpring {
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
         s * r * 0.5
     }
+
+    #[inline(always)]
+    fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+        Some([s / self.stiffness, 1.0 / self.stiffness])
+    }
 }
 
 impl Law for ImpactSpring {

@@ -27,6 +27,7 @@ mod impact_spring;
 mod lugre;
 mod roots;
 mod saturation;
+mod series;
 mod stiffness;
 mod stribeck;
 mod tanh;
@@ -41,6 +42,7 @@ pub use displacement_control::DisplacementControl;
 pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 pub use impact_spring::ImpactSpring;
 pub use lugre::Lugre;
+pub use series::in_series;
 pub use stribeck::Stribeck;
 pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
@@ -132,6 +134,11 @@ pub trait Law: StoredEnergy {
 pub trait StoredEnergy: Copy {
     /// Energy that the contact stores at r under S.
     fn stored_energy(&self, r: f64, s: f64) -> f64;
+
+    /// r of the closed contact under S, and dr/dS there; `None` for a law whose r does not follow from S alone.
+    fn deflection(&self, _s: f64) -> Option<[f64; 2]> {
+        None
+    }
 
     /// The part of S that does its work on the stored energy: S itself for a law without damping.
     fn conservative_force(&self, _r: f64, s: f64) -> f64 {

@@ -35,8 +35,9 @@ impl MethodChoice {
     /// The work of the contact over a step is (w0 S(i) + w1 S(i+1)) (r(i+1) - r(i)) with these w0, w1.
     pub fn work_weights(&self) -> [f64; 2] {
         match self {
-            MethodChoice::AverageAcceleration | MethodChoice::Bathe => [0.5, 0.5],
-            MethodChoice::Family(own) => [own.alpha_f, 1.0 - own.alpha_f],
+            MethodChoice::AverageAcceleration | MethodChoice::Family(_) | MethodChoice::Bathe => {
+                [0.5, 0.5]
+            }
             MethodChoice::MoreauJean { .. } => [0.0, 1.0],
         }
     }

@@ -126,6 +126,8 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
     {
         let modes = (0..system.linear.len()).map(|j| system.linear.mode(j).mode);
         let stiffness = system.law.largest_stiffness(overlap);
+        // An element without mass is in series with the contact.
+        let stiffness = 1.0 / (1.0 / stiffness + system.linear.contact_compliance());
         if stiffness == f64::INFINITY {
             return vec![Violation {
                 parameter: "method".into(),

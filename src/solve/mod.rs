@@ -69,6 +69,8 @@ impl ToSystem for System {
 
 /// L systems at t = 0 with equal numbers of modes, and their laws over the run; `None` without a mode. All laws and all methods have
 /// the kind of the first one.
+///
+/// The motion is that of the modes. That of a contact without mass follows from it, see [`System::at_contact`].
 // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 pub fn start<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<(N, AnyLaw<L>)> {
     let of = |number: fn(&System) -> f64| {
@@ -115,7 +117,12 @@ pub fn start<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Optio
         force: of(|s| s.force),
     };
     let stepper = N::new(&start, modes)?;
-    let law = ContactLaw::running(&laws, &stepper.flexibilities());
+    let mut on = stepper.flexibilities();
+    for part in &mut on {
+        // Without the compliance c0 the modes move to r(i+1) + c0 S(i+1).
+        part.end.h = part.end.h + of(|s| s.linear.contact_compliance());
+    }
+    let law = ContactLaw::running(&laws, &on);
     Some((stepper, law))
 }
 

@@ -20,6 +20,10 @@ pub fn run(system: &System, mut record: impl FnMut(&Assembled)) -> Result<(), Un
             elements,
         });
     }
+    if system.linear.contact_compliance() > 0.0 {
+        // Nodes without mass have no acceleration that equilibrium gives.
+        return Err(Unsolvable::SingularMass);
+    }
     let (assembly, u, v) = assemble(&system.linear, system.gap);
     let r = assembly.relative(&u) + system.gap;
     let element = system

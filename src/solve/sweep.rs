@@ -23,6 +23,8 @@ pub trait LaneCase<const L: usize>: ToSystem {
     fn reference_key(&self) -> ReferenceKey;
     /// The exact solution at the case's steps.
     fn reference(&self) -> Self::Reference;
+    /// Changes the motion of the modes to that of the contacts, where they differ.
+    fn condense(_cases: &[Self; L], _motion: &mut Motion<L, Self::Track>) {}
     /// The metrics of all lanes, for cases that have this exact solution.
     fn metrics(
         cases: &[Self; L],
@@ -117,6 +119,7 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
             (rows[l], lanes[l]) = (row, case);
         }
         let finite = advance::<L, C::Modes, T, C>(&lanes, &mut self.motion);
+        C::condense(&lanes, &mut self.motion);
         for range in runs(&lanes[..count]) {
             let first = &lanes[range.start];
             let reference = match &mut self.reference {

@@ -27,11 +27,16 @@ impl BarPair {
 
     /// Number of modes, see [`BarPair::mode`].
     pub fn len(&self) -> usize {
-        let own = self.left.elements as usize + 1;
+        let own = self.left.mode_count() as usize;
         match self.right {
-            Some(right) if right != self.left => own + right.elements as usize,
+            Some(right) if right != self.left => own + right.mode_count() as usize - 1,
             Some(_) | None => own,
         }
+    }
+
+    /// Compliance between the modes and the contact, see [`Bar::contact_compliance`].
+    pub fn contact_compliance(&self) -> f64 {
+        self.each().map(|bar| bar.contact_compliance()).sum()
     }
 
     /// Whether there is no mode; always false.
@@ -43,7 +48,7 @@ impl BarPair {
     /// the sum of their shares: the rigid-body modes of both bars, and all pairs of modes of equal bars.
     #[inline(always)]
     pub fn mode(&self, j: usize) -> Mode {
-        let first = self.left.elements as usize + 1;
+        let first = self.left.mode_count() as usize;
         match self.right {
             Some(right) if right == self.left => {
                 let mut mode = self.left.mode(j as u32);
@@ -97,7 +102,7 @@ impl BarPair {
             let share = if self.equal() { 0.5 } else { 1.0 };
             modes.iter().map(|mode| mode.map(|x| share * x)).collect()
         };
-        let first = self.left.elements as usize + 1;
+        let first = self.left.mode_count() as usize;
         let (own, rest) = together.split_at(first);
         let rest = if self.equal() { &own[1..] } else { rest };
         let mut modes = vec![rigid(other / (left + other))];

@@ -4,13 +4,14 @@
 pub mod bar;
 mod bar_pair;
 pub mod loads;
+pub mod massless;
 mod modes;
 pub mod structure;
 
 pub use bar_pair::BarPair;
 pub use modes::{Modal, Mode};
 
-use crate::contact::ContactLaw;
+use crate::contact::{ContactLaw, StoredEnergy, in_series};
 use crate::methods::MethodChoice;
 
 /// A structure with a contact, from t = 0 on.
@@ -57,6 +58,17 @@ pub struct System {
     pub method: MethodChoice,
 }
 
+impl System {
+    /// r, rdot and S of the contact itself, from those of the modes. They differ if contact nodes have no mass.
+    pub fn at_contact(&self, modes: [f64; 3]) -> [f64; 3] {
+        in_series(
+            |s| self.law.deflection(s),
+            self.linear.contact_compliance(),
+            modes,
+        )
+    }
+}
+
 /// The linear part of a system and its state at t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Linear {
@@ -96,6 +108,14 @@ impl Linear {
         match self {
             Linear::Oscillator { .. } => 1,
             Linear::Bars(bars) => bars.each().map(|bar| bar.elements).sum(),
+        }
+    }
+
+    /// Compliance between the modes and the contact, c0: the modes move by c0 S more than r. Zero if all nodes have mass.
+    pub fn contact_compliance(&self) -> f64 {
+        match self {
+            Linear::Oscillator { .. } => 0.0,
+            Linear::Bars(bars) => bars.contact_compliance(),
         }
     }
 

@@ -52,7 +52,7 @@ pub fn assemble_bars(left: Bar, right: Option<Bar>, gap: f64) -> Assembly {
         let rate = 2.0 * n / bar.travel_time; // C0/h
         let k = m * rate * rate; // EA/h
         let (own, other) = match bar.kind {
-            Mass::Lumped => (m / 2.0, 0.0),
+            Mass::Lumped | Mass::MasslessContact => (m / 2.0, 0.0),
             Mass::Consistent => (m / 3.0, m / 6.0),
         };
         for i in start..start + bar.elements as usize {
@@ -65,6 +65,13 @@ pub fn assemble_bars(left: Bar, right: Option<Bar>, gap: f64) -> Assembly {
                 mass[(row, column)] += m;
                 stiffness[(row, column)] += k;
             }
+        }
+        if bar.kind == Mass::MasslessContact {
+            // The contact node is the last one of the left bar and the first one of the right bar.
+            let contact = if start == 0 { first - 1 } else { first };
+            let neighbour = if start == 0 { first - 2 } else { first + 1 };
+            mass[(neighbour, neighbour)] += own;
+            mass[(contact, contact)] = 0.0;
         }
     }
     Assembly {

@@ -93,7 +93,7 @@ fn mass_and_right_bar() {
     bad_with_required(
         "\"mass\": ¶\"lumpd\"",
         &[
-            "parameters.mass: unknown mass \"lumpd\", did you mean \"lumped\"?; allowed: lumped, consistent",
+            "parameters.mass: unknown mass \"lumpd\", did you mean \"lumped\"?; allowed: lumped, consistent, massless-contact",
         ],
     );
     bad_with_required(

@@ -1,5 +1,6 @@
 //! The contact of bars over time, for cases side by side.
 
+use crate::contact::{StoredEnergy, in_series};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::methods::ContactState;
@@ -20,6 +21,20 @@ impl<const L: usize> Track<L> {
     #[inline(always)]
     fn columns(&mut self) -> [&mut Vec<Lane<L>>; 3] {
         [&mut self.displacement, &mut self.velocity, &mut self.force]
+    }
+
+    /// Changes the motion of the modes to that of the contact, the contact of each lane being in series with its `compliance`, see
+    /// [`in_series`].
+    #[inline(always)]
+    pub fn condense<W: StoredEnergy>(&mut self, laws: &[W; L], compliance: &Lane<L>) {
+        let [rows_r, rows_rdot, rows_force] = self.columns();
+        for ((r, rdot), force) in rows_r.iter_mut().zip(rows_rdot).zip(rows_force) {
+            for (l, law) in laws.iter().enumerate() {
+                let modes = [r.0[l], rdot.0[l], -force.0[l]];
+                let contact = in_series(|s| law.deflection(s), compliance.0[l], modes);
+                [r.0[l], rdot.0[l], _] = contact;
+            }
+        }
     }
 
     /// The first `len` steps of one lane.

@@ -87,6 +87,10 @@ impl LaneCase<LANES> for ImpactCase {
         self.exact_at_steps().1
     }
 
+    fn condense(cases: &[Self; LANES], motion: &mut Motion<LANES, Self::Track>) {
+        condense(cases, &mut motion.track);
+    }
+
     fn metrics(
         cases: &[Self; LANES],
         motion: &Motion<LANES, Self::Track>,
@@ -123,6 +127,46 @@ impl LaneCase<LANES> for ImpactCase {
         let energy = Energy::of_case(&track, &self.system(), exact.count());
         evaluate(&track, &energy, restitution, exact)
     }
+}
+
+/// Changes the motion of the modes to that of the contacts. They differ only if contact nodes have no mass.
+pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
+    let mut compliance = Lane::splat(0.0);
+    for (c0, case) in compliance.0.iter_mut().zip(cases) {
+        *c0 = case.scaled.pair.contact_compliance();
+    }
+    if compliance.0.iter().all(|c0| *c0 == 0.0) {
+        return;
+    }
+    let mut laws = [cases[0].scaled.law; L];
+    for (law, case) in laws.iter_mut().zip(cases) {
+        *law = case.scaled.law;
+    }
+    ContactLaw::accept(&laws, Condense { track, compliance });
+}
+
+/// The motion of the modes of a group.
+struct Condense<'a, const L: usize> {
+    track: &'a mut Track<L>,
+    compliance: Lane<L>,
+}
+
+impl<const L: usize> LawsVisitor<L> for Condense<'_, L> {
+    type Output = ();
+
+    fn visit<W: StoredEnergy>(self, laws: &[W; L]) {
+        condense_all(self.track, laws, &self.compliance);
+    }
+}
+
+/// The motion of all contacts.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn condense_all<const L: usize, W: StoredEnergy>(
+    track: &mut Track<L>,
+    laws: &[W; L],
+    c0: &Lane<L>,
+) {
+    track.condense(laws, c0);
 }
 
 /// What the metrics of a group are computed from.

@@ -27,7 +27,7 @@ use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
 use std::sync::Arc;
-use tables::{BUDGET, METHOD, REFERENCE, SCHEMA, TAKEN, rows};
+use tables::{BUDGET, METHOD, MassMatrix, REFERENCE, SCHEMA, TAKEN, rows};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -55,7 +55,9 @@ impl Problem for BarImpact {
     }
 
     fn work(&self, case: &Case) -> u64 {
-        let modes = |row| case.at(row).map_or(0, |n| n as u64 + 1);
+        // A node without mass has no mode.
+        let own = u64::from(MassMatrix::of(case) != Some(MassMatrix::MasslessContact));
+        let modes = |row| case.at(row).map_or(0, |n| n as u64 + own);
         let all = modes(rows::N) + modes(rows::RIGHT_N);
         let parts = method::of_case(case, METHOD).map_or(1, |method| method.sub_steps());
         self.steps(case).saturating_mul(all * parts)
@@ -73,7 +75,8 @@ impl Problem for BarImpact {
         let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
         let system = own.system();
         let motion = solve::run::<Track<1>>(&system)?;
-        let track = motion.track;
+        let mut track = motion.track;
+        case::condense(&[own], &mut track);
         let energy = Energy::of_case(&track, &system, track.displacement.len());
         let Lane([first_mode]) = motion.first_mode;
         let run = Judged {

@@ -5,7 +5,9 @@ use super::law::{self, LawName};
 use super::scaled::Scaled;
 use super::scales::Scales;
 use super::tables::{LAW, METHOD, Opposite, rows};
+use crate::contact::StoredEnergy;
 use crate::exact::wave::Bars;
+use crate::methods::MethodKind;
 use crate::problem::method::{self, step_rules};
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::unit::Dimension;
@@ -26,6 +28,9 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     closing(case, &mut violations);
     if violations.is_empty() {
         scales(case, &mut violations);
+        let scaled = Scaled::new(case);
+        violations.extend(scaled.as_ref().and_then(no_condensation));
+        violations.extend(scaled.as_ref().and_then(no_impulse));
     }
     if violations.is_empty()
         && method::has_rules(case, METHOD)
@@ -36,6 +41,29 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
         violations = step_rules("dt", &own.system(), overlap);
     }
     violations
+}
+
+/// A contact node without mass follows the law, which must then give r for a force.
+fn no_condensation(scaled: &Scaled) -> Option<Violation> {
+    let needs = scaled.pair.contact_compliance() > 0.0;
+    let gives = scaled.law.deflection(-1.0).is_some();
+    (needs && !gives).then(|| Violation {
+        parameter: "mass".into(),
+        message: "massless-contact needs a law without damping; allowed: impact-spring, rigid"
+            .into(),
+        at: None,
+    })
+}
+
+/// Impulses act on nodes with mass.
+fn no_impulse(scaled: &Scaled) -> Option<Violation> {
+    let massless = scaled.pair.contact_compliance() > 0.0;
+    let refused = massless && scaled.method.kind() == MethodKind::MoreauJean;
+    refused.then(|| Violation {
+        parameter: "method".into(),
+        message: "moreau-jean acts by impulses on contact nodes with mass; allowed: another mass matrix, or another method".into(),
+        at: None,
+    })
 }
 
 /// Parameters of the right bar that are not given are equal to those of the left one; the velocity has the opposite sign. A wall
@@ -202,5 +230,37 @@ fn scales(case: &Case, violations: &mut Vec<Violation>) {
              give bars with more similar travel times, or a shorter duration"
         );
         violation("duration".into(), message);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{ContactLaw, ImpactSpring, VelocityControl};
+    use crate::problem::impact::BarImpact;
+
+    #[test]
+    fn a_node_without_mass_needs_a_law_without_damping() {
+        let refused = |mass: &'static str, law: ContactLaw| {
+            let given = [
+                ("gamma", Value::Number(1.0)),
+                ("n", Value::Whole(4)),
+                ("dt", Value::Number(0.1)),
+                ("duration", Value::Number(1.0)),
+                ("mass", Value::Name(mass)),
+            ];
+            let (case, broken) = Case::given(&BarImpact, &given);
+            assert_eq!(broken, []);
+            let mut scaled = Scaled::new(&case).unwrap();
+            scaled.law = law;
+            no_condensation(&scaled).is_some()
+        };
+        let spring = ContactLaw::ImpactSpring(ImpactSpring { stiffness: 1.0 });
+        let damper = ContactLaw::VelocityControl(VelocityControl {
+            compliance: 1.0,
+            limit: 1.0,
+        });
+        assert!(!refused("massless-contact", spring) && refused("massless-contact", damper));
+        assert!(!refused("lumped", damper) && !refused("consistent", damper));
     }
 }

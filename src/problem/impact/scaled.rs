@@ -37,9 +37,10 @@ pub struct Scaled {
 impl Scaled {
     /// Scales a completed case; `None` if a parameter is not given.
     pub fn new(case: &Case) -> Option<Scaled> {
-        let kind = match MassMatrix::parse(case.name_at(rows::MASS))? {
+        let kind = match MassMatrix::of(case)? {
             MassMatrix::Lumped => Mass::Lumped,
             MassMatrix::Consistent => Mass::Consistent,
+            MassMatrix::MasslessContact => Mass::MasslessContact,
         };
         let n = case.at(rows::N)?;
         let ratio = |left: usize, right: usize| Some(case.at(left)? / case.at(right)?);

@@ -10,6 +10,7 @@ use super::scaled::Scaled;
 use crate::lane::Lane;
 use crate::methods::{Method, MethodKind, ModeStart, Start};
 use crate::solve::{self, Stepper};
+use crate::system::bar::Mass;
 
 /// T_I, the exact contact's duration in both impacts.
 const CONTACT: f64 = 1.0;
@@ -20,12 +21,15 @@ const REST: f64 = 0.25;
 /// The speed over c at which the ends meet in the second impact, and the mass centres' speed over c after it.
 ///
 /// `flight` is the time in T_I between the exact contacts. Undefined for bars that are not mirror images, for other methods than
-/// constant average acceleration, and if the far ends meet
-/// before half of the flight, do not meet, meet while the first contact is closed, or touch at the end.
+/// constant average acceleration, and if the far ends meet before half of the flight, do not meet, meet while the first contact is
+/// closed, or touch at the end. Also undefined if contact nodes have no mass, because then both ends of a bar differ.
 pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if scaled.pair.right.is_some() && !scaled.pair.equal()
         || scaled.method.kind() != MethodKind::AverageAcceleration
     {
+        return [None; 2];
+    }
+    if scaled.pair.left.kind == Mass::MasslessContact {
         return [None; 2];
     }
     let Some((mut stepper, mut law)) = solve::start::<1, Stepper, _>(&[system(scaled, dt, 0)])
@@ -109,7 +113,7 @@ mod tests {
     use crate::methods::MethodChoice;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
-    use crate::system::bar::{Bar, Mass};
+    use crate::system::bar::Bar;
 
     /// Two equal bars, or a bar and a wall.
     fn scaled(n: u32, gamma: f64, gap: f64, kind: Mass, wall: bool) -> Scaled {
@@ -206,6 +210,9 @@ mod tests {
             ..equal
         };
         assert_eq!(second(&different, 0.01, 0.8), [None; 2]);
+        // Only one end of a bar has a node without mass.
+        let massless = scaled(10, 1.0, 0.0, Mass::MasslessContact, false);
+        assert_eq!(second(&massless, 0.01, 0.8), [None; 2]);
         // k_I = 10: contact lasts 1.42 T_I, longer than half of a flight of 0.5 T_I.
         assert_eq!(
             second(&scaled(10, 0.1, 0.0, Mass::Lumped, false), 0.001, 0.5),

@@ -3,9 +3,10 @@
 use super::scaled::Scaled;
 use crate::exact::wave::Wave;
 use crate::problem::{Lines, Snapshot};
-use crate::solve;
+use crate::solve::{self, State};
 use crate::system::System;
-use crate::system::bar::Bar;
+use crate::system::bar::{Bar, Mass};
+use crate::system::massless::MasslessMode;
 
 /// Most elements of a bar that are drawn; of more elements, only every second, third, ... is drawn.
 const DRAWN: u32 = 1000;
@@ -36,14 +37,34 @@ pub fn snapshots(system: &System, scaled: &Scaled, times: &[f64]) -> Vec<Snapsho
                 let modes = stepper.modes();
                 let time = step as f64 * system.step;
                 let separate = scaled.pair.separate(time, &modes);
-                *slot = Some(snapshot(scaled, &wave, time, &separate));
+                let force = contact_force(system, stepper);
+                *slot = Some(snapshot(scaled, &wave, time, &separate, force));
             }
         },
     );
     snapshots.into_iter().flatten().collect()
 }
 
-fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snapshot {
+/// The force of the contact on an end, and its rate; only ends without mass need it.
+fn contact_force(system: &System, stepper: &dyn State) -> [f64; 2] {
+    let compliance = system.linear.contact_compliance();
+    if compliance == 0.0 {
+        return [0.0; 2];
+    }
+    let state = stepper.contact();
+    let modes = [state.displacement, state.velocity, state.force].map(|lane| lane.0[0]);
+    let [_, rate, s] = system.at_contact(modes);
+    // The elements without mass have the part of the motion that the contact does not have.
+    [-s, (rate - modes[1]) / compliance]
+}
+
+fn snapshot(
+    scaled: &Scaled,
+    wave: &Wave,
+    time: f64,
+    modes: &[[f64; 2]],
+    force: [f64; 2],
+) -> Snapshot {
     let mut velocity = Lines::default();
     let mut stress = Lines::default();
     let mut fronts = Vec::new();
@@ -55,10 +76,10 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
         1.0
     };
     for (i, bar) in scaled.pair.each().enumerate() {
-        let (own, rest) = modes.split_at(bar.elements as usize + 1);
+        let (own, rest) = modes.split_at(bar.mode_count() as usize);
         modes = rest;
         let (sign, length) = [(-1.0, 1.0), (1.0, scaled.length_ratio)][i];
-        let field = Field::new(&bar, own);
+        let field = Field::new(&bar, own, force);
         let n = bar.elements;
         let stride = n.div_ceil(DRAWN);
         let place = |s: f64| sign * length * s / f64::from(n);
@@ -74,7 +95,7 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
             elements
                 .map(|k| {
                     let stretch = field.at(k + 1)[0] - field.at(k)[0];
-                    [place(f64::from(k) + 0.5), element_stiffness(&bar) * stretch]
+                    [place(f64::from(k) + 0.5), bar.element_stiffness() * stretch]
                 })
                 .collect(),
         );
@@ -97,34 +118,57 @@ fn snapshot(scaled: &Scaled, wave: &Wave, time: f64, modes: &[[f64; 2]]) -> Snap
     }
 }
 
-/// EA/h, scaled.
-fn element_stiffness(bar: &Bar) -> f64 {
-    let n = f64::from(bar.elements);
-    bar.mass / n * (2.0 * n / bar.travel_time) * (2.0 * n / bar.travel_time)
-}
-
 /// Displacements and velocities at the nodes from those of the modes.
 struct Field<'a> {
     modes: &'a [[f64; 2]],
+    shapes: Shapes,
+    /// Displacement and velocity of the contact node relative to its neighbour due to the contact force, if it has no mass.
+    end: [f64; 2],
+}
+
+/// What the shapes of the modes are computed from.
+enum Shapes {
     /// cos(k pi/n), k = 0..2n, which contain the shape of every mode at every node.
-    cosines: Vec<f64>,
+    Cosines(Vec<f64>),
+    /// The modes of a bar whose contact node has no mass.
+    Massless(Vec<MasslessMode>),
 }
 
 impl<'a> Field<'a> {
-    fn new(bar: &Bar, modes: &'a [[f64; 2]]) -> Field<'a> {
-        let cosines = (0..2 * bar.elements).map(|k| bar.shape(1, k)).collect();
-        Field { modes, cosines }
+    fn new(bar: &Bar, modes: &'a [[f64; 2]], force: [f64; 2]) -> Field<'a> {
+        let n = bar.elements;
+        let shapes = match bar.kind {
+            Mass::Lumped | Mass::Consistent => {
+                Shapes::Cosines((0..2 * n).map(|k| bar.shape(1, k)).collect())
+            }
+            Mass::MasslessContact => {
+                Shapes::Massless((0..n).map(|j| MasslessMode::new(j, n)).collect())
+            }
+        };
+        let end = force.map(|f| f * bar.contact_compliance());
+        Field { modes, shapes, end }
     }
 
     /// Displacement and velocity of node `i`, counted from the contact.
     fn at(&self, i: u32) -> [f64; 2] {
-        let mut sum = [0.0; 2];
-        let mut turn = 0;
-        for mode in self.modes {
-            let shape = self.cosines[turn];
+        let mut sum = if i == 0 { self.end } else { [0.0; 2] };
+        let mut add = |shape: f64, mode: &[f64; 2]| {
             sum[0] += shape * mode[0];
             sum[1] += shape * mode[1];
-            turn = (turn + i as usize) % self.cosines.len();
+        };
+        match &self.shapes {
+            Shapes::Cosines(cosines) => {
+                let mut turn = 0;
+                for mode in self.modes {
+                    add(cosines[turn], mode);
+                    turn = (turn + i as usize) % cosines.len();
+                }
+            }
+            Shapes::Massless(shapes) => {
+                for (shape, mode) in shapes.iter().zip(self.modes) {
+                    add(shape.shape(i), mode);
+                }
+            }
         }
         sum
     }

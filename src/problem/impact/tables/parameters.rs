@@ -10,6 +10,14 @@ choice! {
     pub enum MassMatrix {
         Lumped = "lumped": "half of the mass of an element at each of its nodes",
         Consistent = "consistent": "from the shape functions of the displacement",
+        MasslessContact = "massless-contact": "lumped, but the mass of a contact node is at its neighbour",
+    }
+}
+
+impl MassMatrix {
+    /// The choice of a case.
+    pub fn of(case: &Case) -> Option<MassMatrix> {
+        MassMatrix::parse(case.name_at(rows::MASS))
     }
 }
 
