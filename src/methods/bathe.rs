@@ -32,8 +32,6 @@ pub struct Bathe<const L: usize, M = Vec<ModeState<L>>> {
     predictor: Lane<L>,
     increment: Lane<L>,
     contact: ContactState<L>,
-    /// Work of the contact in the last step.
-    work: Lane<L>,
 }
 
 /// Coefficients and the state of one mode. The alignment puts it at the start of a cache line.
@@ -112,12 +110,6 @@ impl<const L: usize> ModeState<L> {
 }
 
 impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
-    /// Work of the contact in the last step: the mean of the forces at both ends of a sub-step times its change of r, for both.
-    #[inline(always)]
-    pub fn work(&self) -> Lane<L> {
-        self.work
-    }
-
     /// The first sub-step; returns the contact at its end, and the sums of w1 - n/4 and of e without S2.
     #[inline(always)]
     fn trapezoidal(&mut self, law: &mut impl Answer<L>) -> (ContactState<L>, [Lane<L>; 2]) {
@@ -138,7 +130,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
             mode.trapezoidal(&force_sum, &mut e);
         }
         let change = self.increment - n * 0.5;
-        self.work = force_sum * change * 0.5;
         let middle = ContactState {
             displacement: before.displacement + change,
             velocity: w * self.rate,
@@ -174,7 +165,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
                 velocity: increment * rate,
                 force: start.force,
             },
-            work: Lane::splat(0.0),
         })
     }
 
@@ -201,7 +191,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
         })
     }
 
-    /// Of a sub-step; the sum over both is [`Bathe::work`].
+    /// Of the ends of the step, as for all methods; the force between them enters the motion only.
     #[inline(always)]
     fn work_weights(&self) -> [Lane<L>; 2] {
         [Lane::splat(0.5); 2]
@@ -219,7 +209,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
         };
         let end = law.force(1, &trial);
         let change = self.increment - (e + self.compliance[1] * end);
-        self.work = self.work + (middle.force + end) * change * 0.5;
         let mut sums = [Lane::splat(0.0); 2];
         for mode in self.modes.as_mut() {
             mode.backward(&end, &mut sums);

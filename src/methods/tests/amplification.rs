@@ -264,11 +264,11 @@ fn free_modes_follow_the_powers_of_the_matrices() {
 
 #[test]
 fn round_off_stays_small_for_small_steps() {
-    // 2^17 steps of omega dt = 1e-4. A^(2n) - I = 2 N + N^2 with N = A^n - I, which keeps small changes exact.
-    let w = 1e-4;
+    // 2^15 steps of omega dt = 4e-4. A^(2n) - I = 2 N + N^2 with N = A^n - I, which keeps small changes exact.
+    let w = 4e-4;
     for (choice, _) in all() {
         let mut power = change(choice, w);
-        for _ in 0..17 {
+        for _ in 0..15 {
             power = &power * 2.0 + &power * &power;
         }
         let whole = Vector4::new(0.8, 0.6 * w, -w * w * 0.8, 0.0);
@@ -277,11 +277,11 @@ fn round_off_stays_small_for_small_steps() {
         let steps = with(
             &start(choice, 1.0, 0.0, 0.0),
             &[mode(w * w, 0.7, 0.8, 0.6 * w)],
-            Steps(1 << 17),
+            Steps(1 << 15),
         );
         let computed = steps[steps.len() - 1];
         let error = Vector2::new(computed[0] - last[0], (computed[1] - last[1]) / w);
-        // Each step rounds u and v once: 1e-16 sqrt(2^17) if the signs are random. Recursions without increments lose 1/w more.
-        assert!(error.amax() < 1e-12, "{choice:?}: {error}");
+        // Each step rounds u and v once: 1e-16 sqrt(2^15) if the signs are random. Recursions without increments lose 1/w more.
+        assert!(error.amax() < 5e-13, "{choice:?}: {error}");
     }
 }

@@ -159,24 +159,3 @@ fn without_dissipation_the_modes_lose_the_work_of_the_contact() {
         with(&start(choice, 0.1, 0.0, 0.0), &modes, Work(&modes));
     }
 }
-
-#[test]
-fn the_work_of_bathes_method_is_that_of_both_sub_steps() {
-    // A heavy free mass and a constant force: r is known in the middle, too, and the work is S (r' - r).
-    let modes = [mode(0.0, 0.5, 0.0, 1.0)];
-    let at = start(MethodChoice::Bathe, 0.2, 0.0, 0.3);
-    let mut method = Bathe::<1>::new(&at, modes.into_iter()).unwrap();
-    for _ in 0..10 {
-        let was = method.contact().displacement.0[0];
-        let now = method.step(&mut Prescribed([0.3, 0.3])).displacement.0[0];
-        assert!((method.work().0[0] - 0.3 * (now - was)).abs() < 1e-15);
-    }
-    // A force in the middle only: half of it over each sub-step. u1 = h v - phi2 S h^2/4.
-    let mut method = Bathe::<1>::new(
-        &start(MethodChoice::Bathe, 0.2, 0.0, 0.0),
-        modes.into_iter(),
-    )
-    .unwrap();
-    let now = method.step(&mut Prescribed([0.8, 0.0])).displacement.0[0];
-    assert!((method.work().0[0] - 0.4 * now).abs() < 1e-15);
-}
