@@ -13,7 +13,7 @@
 //! each mode (`predictor`) and in their sum. The sum is the contact's motion without its forces. The law gives the root
 //! S(i+1). One pass then moves all modes: three additions for each mode and step.
 
-use super::{ContactState, Method, ModeStart, Start};
+use super::{ContactState, Method, ModeStart, Start, Storage};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
@@ -79,6 +79,9 @@ pub struct ModeState<const L: usize> {
 
 /// Storage of modes: a list, or an array of one.
 pub trait Modes<const L: usize>: AsRef<[ModeState<L>]> + AsMut<[ModeState<L>]> + Clone {
+    /// The same storage for the modes of another method.
+    type Of<T: Copy>: Storage<T>;
+
     /// Stores the modes, at least one.
     fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self>;
 
@@ -87,6 +90,8 @@ pub trait Modes<const L: usize>: AsRef<[ModeState<L>]> + AsMut<[ModeState<L>]> +
 }
 
 impl<const L: usize> Modes<L> for Vec<ModeState<L>> {
+    type Of<T: Copy> = Vec<T>;
+
     fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
         Some(Iterator::collect(modes))
     }
@@ -97,6 +102,8 @@ impl<const L: usize> Modes<L> for Vec<ModeState<L>> {
 }
 
 impl<const L: usize> Modes<L> for [ModeState<L>; 1] {
+    type Of<T: Copy> = [T; 1];
+
     #[inline(always)]
     fn collect(mut modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
         modes.next().map(|mode| [mode])

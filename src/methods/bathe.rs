@@ -32,8 +32,6 @@ pub struct Bathe<const L: usize, M = Vec<ModeState<L>>> {
     predictor: Lane<L>,
     increment: Lane<L>,
     contact: ContactState<L>,
-    /// Work of the contact in the last step.
-    work: Lane<L>,
 }
 
 /// Coefficients and the state of one mode. The alignment puts it at the start of a cache line.
@@ -72,24 +70,36 @@ impl<const L: usize> ModeState<L> {
         }
     }
 
-    /// The first sub-step under S0 + S1; returns e.
+    /// The first sub-step under S0 + S1; adds e without S2 to its sum.
+    // One loop over the lanes keeps the numbers between in registers.
     #[inline(always)]
-    fn trapezoidal(&mut self, force_sum: Lane<L>) -> Lane<L> {
-        let n = self.stiffness * self.p + self.compliance * force_sum;
-        let w = self.w - n;
-        self.p = self.p + w * 1.5;
-        self.e = self.back[0] * n + self.back[1] * self.p;
-        self.w = w - n * 0.25;
-        self.e
+    fn trapezoidal(&mut self, force_sum: &Lane<L>, sum: &mut Lane<L>) {
+        let [by_n, by_t, _] = &self.back;
+        for l in 0..L {
+            let n = self.stiffness.0[l] * self.p.0[l] + self.compliance.0[l] * force_sum.0[l];
+            let w = self.w.0[l] - n;
+            let t = self.p.0[l] + 1.5 * w;
+            let e = by_n.0[l] * n + by_t.0[l] * t;
+            self.p.0[l] = t;
+            self.w.0[l] = w - 0.25 * n;
+            self.e.0[l] = e;
+            sum.0[l] += e;
+        }
     }
 
-    /// The second sub-step under S2; returns K p and w.
+    /// The second sub-step under S2; adds K p and w to their sums.
     #[inline(always)]
-    fn backward(&mut self, force: Lane<L>) -> [Lane<L>; 2] {
-        let e = self.e + self.back[2] * force;
-        self.w = self.w - e * 1.5;
-        self.p = (self.p - e) + self.w * 0.5;
-        [self.stiffness * self.p, self.w]
+    fn backward(&mut self, force: &Lane<L>, sums: &mut [Lane<L>; 2]) {
+        let [predictors, increments] = sums;
+        for l in 0..L {
+            let e = self.e.0[l] + self.back[2].0[l] * force.0[l];
+            let w = self.w.0[l] - 1.5 * e;
+            let p = (self.p.0[l] - e) + 0.5 * w;
+            self.w.0[l] = w;
+            self.p.0[l] = p;
+            predictors.0[l] += self.stiffness.0[l] * p;
+            increments.0[l] += w;
+        }
     }
 
     /// x
@@ -100,12 +110,6 @@ impl<const L: usize> ModeState<L> {
 }
 
 impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
-    /// Work of the contact in the last step: the mean of the forces at both ends of a sub-step times its change of r, for both.
-    #[inline(always)]
-    pub fn work(&self) -> Lane<L> {
-        self.work
-    }
-
     /// The first sub-step; returns the contact at its end, and the sums of w1 - n/4 and of e without S2.
     #[inline(always)]
     fn trapezoidal(&mut self, law: &mut impl Answer<L>) -> (ContactState<L>, [Lane<L>; 2]) {
@@ -121,9 +125,11 @@ impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
         let force_sum = before.force + end;
         let n = self.predictor + self.compliance[0] * force_sum;
         let w = self.increment - n;
-        let [e] = sums(self.modes.as_mut(), |mode| [mode.trapezoidal(force_sum)]);
+        let mut e = Lane::splat(0.0);
+        for mode in self.modes.as_mut() {
+            mode.trapezoidal(&force_sum, &mut e);
+        }
         let change = self.increment - n * 0.5;
-        self.work = force_sum * change * 0.5;
         let middle = ContactState {
             displacement: before.displacement + change,
             velocity: w * self.rate,
@@ -159,7 +165,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
                 velocity: increment * rate,
                 force: start.force,
             },
-            work: Lane::splat(0.0),
         })
     }
 
@@ -186,7 +191,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
         })
     }
 
-    /// Of a sub-step; the sum over both is [`Bathe::work`].
+    /// Of the ends of the step, as for all methods; the force between them enters the motion only.
     #[inline(always)]
     fn work_weights(&self) -> [Lane<L>; 2] {
         [Lane::splat(0.5); 2]
@@ -204,8 +209,11 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
         };
         let end = law.force(1, &trial);
         let change = self.increment - (e + self.compliance[1] * end);
-        self.work = self.work + (middle.force + end) * change * 0.5;
-        [self.predictor, self.increment] = sums(self.modes.as_mut(), |mode| mode.backward(end));
+        let mut sums = [Lane::splat(0.0); 2];
+        for mode in self.modes.as_mut() {
+            mode.backward(&end, &mut sums);
+        }
+        [self.predictor, self.increment] = sums;
         self.contact = ContactState {
             displacement: middle.displacement + change,
             velocity: self.increment * self.rate,

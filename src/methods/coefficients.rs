@@ -83,8 +83,8 @@ impl Coefficients {
     /// never are (gamma < 1/2 of Newmark's).
     ///
     /// With z = (1 + s)/(1 - s), W2 = (omega dt)^2 and kappa = 3/2 + gamma - alpha_f the characteristic polynomial of a step is
-    /// c3 s^3 + c2 s^2 + W2 (2 kappa - 3) s + W2, c3 and c2 being linear in W2. Routh and Hurwitz ask that all
-    /// coefficients are >= 0 and that c2 (2 kappa - 3) >= c3: each is linear in W2.
+    /// c3 s^3 + c2 s^2 + W2 (2 kappa - 3) s + W2, c3 and c2 being linear in W2. Routh and Hurwitz ask for
+    /// 2 kappa - 3 >= 0, c3 >= 0 and c2 (2 kappa - 3) >= c3: each is linear in W2.
     pub fn stability_limit(&self) -> f64 {
         let Coefficients {
             alpha_m,
@@ -102,7 +102,6 @@ impl Coefficients {
         ];
         let least = [
             [damping, 0.0],
-            c2,
             c3,
             [damping * c2[0] - c3[0], damping * c2[1] - c3[1]],
         ];
@@ -112,7 +111,11 @@ impl Coefficients {
             if constant < -noise {
                 0.0
             } else if slope < -noise {
-                constant.max(0.0) / -slope
+                if constant > noise {
+                    constant / -slope
+                } else {
+                    0.0
+                }
             } else {
                 f64::INFINITY
             }
@@ -124,6 +127,7 @@ impl Coefficients {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::methods::MethodChoice;
 
     #[test]
     fn newmarks_limit_is_that_of_the_textbook() {
@@ -164,5 +168,38 @@ mod tests {
         }
         // Beyond its range HHT has alpha_f > 1/2 and is not.
         assert!(Coefficients::hht(-0.6).stability_limit() < f64::INFINITY);
+    }
+
+    #[test]
+    fn the_limit_is_where_the_spectral_radius_passes_one() {
+        let mut finite = 0;
+        for alpha_m in [-0.5, 0.0, 0.3] {
+            for alpha_f in [0.0, 0.2, 0.45, 0.6] {
+                for beta in [0.0, 0.1, 0.3, 0.7] {
+                    for gamma in [0.35, 0.55, 0.8, 1.3] {
+                        let own = Coefficients {
+                            alpha_m,
+                            alpha_f,
+                            beta,
+                            gamma,
+                        };
+                        let radius = |w| MethodChoice::Family(own).amplification(w).spectral_radius;
+                        let limit = own.stability_limit();
+                        let largest = limit.min(1e3);
+                        // Near the limit roots can be double: round-off of 1e-8.
+                        for share in [0.001, 0.01, 0.1, 0.5, 0.9, 0.999] {
+                            assert!(radius(share * largest) < 1.0 + 1e-7, "{own:?} {share}");
+                        }
+                        if limit == 0.0 {
+                            assert!([1e-3, 0.1, 1.0].iter().any(|w| radius(*w) > 1.0), "{own:?}");
+                        } else if limit < f64::INFINITY {
+                            finite += 1;
+                            assert!(radius(1.001 * limit) > 1.0 + 1e-7, "{own:?} {limit}");
+                        }
+                    }
+                }
+            }
+        }
+        assert!(finite > 20, "{finite}");
     }
 }

@@ -146,15 +146,23 @@ impl<const L: usize> ModeState<L> {
         }
     }
 
-    /// One step under the weighted force; returns the predictor and Q.
+    /// One step under a `push`, the weighted force with the other sign; adds the predictor and Q to their sums.
+    // One loop over the lanes keeps the numbers between in registers, and a sum with the other sign needs one load less.
     #[inline(always)]
-    fn step(&mut self, force: Lane<L>, shift: Lane<L>) -> [Lane<L>; 2] {
-        self.acceleration = self.predictor - self.compliance * force;
-        self.q = self.q + self.acceleration;
-        self.p = self.p + self.q;
-        self.predictor =
-            self.inertia * self.acceleration - self.stiffness * (self.p - shift * self.q);
-        [self.predictor, self.q]
+    fn step(&mut self, push: &Lane<L>, shift: &Lane<L>, sums: &mut [Lane<L>; 2]) {
+        let [predictors, increments] = sums;
+        for l in 0..L {
+            let a = self.predictor.0[l] + self.compliance.0[l] * push.0[l];
+            let q = self.q.0[l] + a;
+            let p = self.p.0[l] + q;
+            let next = self.inertia.0[l] * a - self.stiffness.0[l] * (p - shift.0[l] * q);
+            self.acceleration.0[l] = a;
+            self.q.0[l] = q;
+            self.p.0[l] = p;
+            self.predictor.0[l] = next;
+            predictors.0[l] += next;
+            increments.0[l] += q;
+        }
     }
 
     /// x and V.
@@ -224,9 +232,10 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
         [flexibility; 2]
     }
 
+    /// The trapezoidal rule: of second order for each method, and exact in a method without dissipation.
     #[inline(always)]
     fn work_weights(&self) -> [Lane<L>; 2] {
-        self.weights.force()
+        [Lane::splat(0.5); 2]
     }
 
     #[inline(always)]
@@ -245,9 +254,11 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
         let acceleration = self.predictor - self.compliance * weighted;
         let velocity = self.increment + weights.gamma * acceleration;
         let change = self.drift + weights.beta * acceleration;
-        [self.predictor, self.increment] = sums(self.modes.as_mut(), |mode| {
-            mode.step(weighted, weights.shift)
-        });
+        let (push, mut sums) = (-weighted, [Lane::splat(0.0); 2]);
+        for mode in self.modes.as_mut() {
+            mode.step(&push, &weights.shift, &mut sums);
+        }
+        [self.predictor, self.increment] = sums;
         self.drift = velocity + weights.first() * acceleration;
         self.contact = ContactState {
             displacement: before.displacement + change,

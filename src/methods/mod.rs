@@ -1,5 +1,6 @@
 //! Methods of integration, one file each: how a structure moves over a step, and how the force at the end of a step enters.
 
+pub mod amplification;
 pub mod average_acceleration;
 pub mod bathe;
 mod choice;
@@ -145,3 +146,6 @@ impl<const L: usize> EndingLanes<L> {
         before
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -69,13 +69,20 @@ impl<const L: usize> ModeState<L> {
         }
     }
 
-    /// One step under a force; returns W2 p/D and V.
+    /// One step under a force; adds W2 p/D and V to their sums.
+    // One loop over the lanes keeps the numbers between in registers.
     #[inline(always)]
-    fn step(&mut self, force: Lane<L>, excess: Lane<L>) -> [Lane<L>; 2] {
-        let n = self.stiffness * self.p + self.compliance * force;
-        self.v = self.v - n;
-        self.p = self.p + (self.v - excess * n);
-        [self.stiffness * self.p, self.v]
+    fn step(&mut self, force: &Lane<L>, excess: &Lane<L>, sums: &mut [Lane<L>; 2]) {
+        let [predictors, increments] = sums;
+        for l in 0..L {
+            let n = self.stiffness.0[l] * self.p.0[l] + self.compliance.0[l] * force.0[l];
+            let v = self.v.0[l] - n;
+            let p = self.p.0[l] + (v - excess.0[l] * n);
+            self.v.0[l] = v;
+            self.p.0[l] = p;
+            predictors.0[l] += self.stiffness.0[l] * p;
+            increments.0[l] += v;
+        }
     }
 }
 
@@ -175,8 +182,11 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
         let end = law.force(0, &trial);
         let n = self.predictor + self.compliance * end;
         let change = self.increment - self.theta * n;
-        let excess = self.excess;
-        [self.predictor, self.increment] = sums(self.modes.as_mut(), |mode| mode.step(end, excess));
+        let (excess, mut sums) = (self.excess, [Lane::splat(0.0); 2]);
+        for mode in self.modes.as_mut() {
+            mode.step(&end, &excess, &mut sums);
+        }
+        [self.predictor, self.increment] = sums;
         self.contact = ContactState {
             displacement: before.displacement + change,
             velocity: self.increment * self.rate,

@@ -14,9 +14,9 @@ pub use unsolvable::Unsolvable;
 use crate::contact::{Answer, AnyLaw, ContactLaw, StepFlexibility, Visitor};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::{AverageAcceleration, Modes};
-use crate::methods::bathe::Bathe;
-use crate::methods::family::Family;
-use crate::methods::moreau_jean::MoreauJean;
+use crate::methods::bathe::{self, Bathe};
+use crate::methods::family::{self, Family};
+use crate::methods::moreau_jean::{self, MoreauJean};
 use crate::methods::{ContactState, Method, MethodKind, ModeStart, Start};
 use crate::system::System;
 use multiversion::multiversion;
@@ -136,9 +136,15 @@ pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
         MethodKind::AverageAcceleration => {
             advance_by::<L, AverageAcceleration<L, M>, T, S>(cases, motion)
         }
-        MethodKind::Family => advance_by::<L, Family<L>, T, S>(cases, motion),
-        MethodKind::Bathe => advance_by::<L, Bathe<L>, T, S>(cases, motion),
-        MethodKind::MoreauJean => advance_by::<L, MoreauJean<L>, T, S>(cases, motion),
+        MethodKind::Family => {
+            advance_by::<L, Family<L, M::Of<family::ModeState<L>>>, T, S>(cases, motion)
+        }
+        MethodKind::Bathe => {
+            advance_by::<L, Bathe<L, M::Of<bathe::ModeState<L>>>, T, S>(cases, motion)
+        }
+        MethodKind::MoreauJean => {
+            advance_by::<L, MoreauJean<L, M::Of<moreau_jean::ModeState<L>>>, T, S>(cases, motion)
+        }
     }
 }
 

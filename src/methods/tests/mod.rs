@@ -1,0 +1,198 @@
+//! Tests of all methods together: against closed forms, the equations of the papers, exact motions and identities.
+
+mod amplification;
+mod bar;
+mod energy;
+mod impact;
+mod order;
+mod recursion;
+mod step;
+
+use super::bathe::Bathe;
+use super::family::Family;
+use super::moreau_jean::MoreauJean;
+use super::{Coefficients, Method, MethodChoice, ModeStart, Start};
+use crate::contact::{Answer, StepFlexibility, Trial};
+use crate::lane::Lane;
+use crate::system::Mode;
+
+/// Methods of the family, each with its largest omega dt.
+fn family() -> Vec<(Coefficients, f64)> {
+    let mut all = vec![
+        (Coefficients::linear_acceleration(), f64::sqrt(12.0)),
+        (Coefficients::central_difference(), 2.0),
+        (Coefficients::newmark(0.25, 0.5), f64::INFINITY),
+        (Coefficients::newmark(0.3025, 0.6), f64::INFINITY),
+    ];
+    for alpha in [-0.05, -0.1, -0.2, -1.0 / 3.0] {
+        all.push((Coefficients::hht(alpha), f64::INFINITY));
+    }
+    for rho in [0.0, 0.3, 0.8, 1.0] {
+        all.push((Coefficients::generalized_alpha(rho), f64::INFINITY));
+    }
+    all
+}
+
+/// All methods with a file here, each with its largest omega dt.
+fn all() -> Vec<(MethodChoice, f64)> {
+    let family = family().into_iter();
+    let mut all: Vec<_> = family
+        .map(|(own, limit)| (MethodChoice::Family(own), limit))
+        .collect();
+    all.push((MethodChoice::Bathe, f64::INFINITY));
+    for theta in [0.5, 0.7, 1.0] {
+        all.push((MethodChoice::MoreauJean { theta }, f64::INFINITY));
+    }
+    all
+}
+
+/// A mode at t = 0.
+fn mode(omega2: f64, phi2: f64, x: f64, v: f64) -> ModeStart<1> {
+    ModeStart {
+        mode: [Mode::new(omega2, phi2)],
+        displacement: Lane([x]),
+        velocity: Lane([v]),
+    }
+}
+
+fn start(choice: MethodChoice, dt: f64, gap: f64, force: f64) -> Start<1> {
+    Start {
+        choice: [choice],
+        rigid: [false],
+        dt: Lane([dt]),
+        gap: Lane([gap]),
+        force: Lane([force]),
+    }
+}
+
+/// Runs code with a method whatever its type is.
+trait WithMethod {
+    type Output;
+    fn run<N: Method<1>>(self, method: N) -> Self::Output;
+}
+
+fn with<W: WithMethod>(start: &Start<1>, modes: &[ModeStart<1>], work: W) -> W::Output {
+    let modes = modes.iter().copied();
+    match start.choice[0] {
+        MethodChoice::Family(_) | MethodChoice::AverageAcceleration => {
+            work.run(Family::<1>::new(start, modes).unwrap())
+        }
+        MethodChoice::Bathe => work.run(Bathe::<1>::new(start, modes).unwrap()),
+        MethodChoice::MoreauJean { .. } => work.run(MoreauJean::<1>::new(start, modes).unwrap()),
+    }
+}
+
+/// A force that is known beforehand, at the ends of both sub-steps.
+#[derive(Clone, Copy)]
+struct Prescribed([f64; 2]);
+
+impl Answer<1> for Prescribed {
+    fn force(&mut self, part: usize, _: &Trial<1>) -> Lane<1> {
+        Lane([self.0[part]])
+    }
+}
+
+/// S = f(r) for a function that does not fall, by bisection.
+struct Elastic<F> {
+    on: [StepFlexibility<1>; 2],
+    law: F,
+}
+
+impl<F: Fn(f64) -> f64> Answer<1> for Elastic<F> {
+    fn force(&mut self, part: usize, trial: &Trial<1>) -> Lane<1> {
+        let on = &self.on[part];
+        let h = on.end.h.0[0];
+        let r = trial.displacement.0[0] + (trial.change.0[0] - on.start.h.0[0] * trial.force.0[0]);
+        // S(r - h S) - S falls in S.
+        let excess = |s: f64| (self.law)(r - h * s) - s;
+        let bound = (self.law)(r).abs() * (1.0 + f64::EPSILON) + f64::MIN_POSITIVE;
+        let (mut low, mut high) = (-bound, bound);
+        loop {
+            let middle = 0.5 * (low + high);
+            if !(low < middle && middle < high) {
+                return Lane([middle]);
+            }
+            if excess(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    }
+}
+
+#[test]
+fn lanes_are_the_same_alone_and_together() {
+    // Different coefficients, steps and modes in each lane; only one of them hits its rigid stop.
+    let (choices, limit) = (family(), 4);
+    let force = |l: usize, i: u32| libm::sin(f64::from(i) * 0.3 + l as f64);
+    let dt = [0.01, 0.1, 0.02, 0.3];
+    let starts: Vec<Vec<ModeStart<1>>> = (0..limit)
+        .map(|l| {
+            let l = l as f64;
+            vec![
+                mode(1.0 + l, 0.7, 0.1 * l, 1.0),
+                mode(9.0 + l, 0.2 + l, -0.3, 0.2),
+            ]
+        })
+        .collect();
+    struct Own<'a>(&'a dyn Fn(usize, u32) -> f64, u32);
+    impl<const L: usize> Answer<L> for Own<'_> {
+        fn force(&mut self, _: usize, _: &Trial<L>) -> Lane<L> {
+            let mut lane = Lane::splat(0.0);
+            for l in 0..L {
+                lane.0[l] = (self.0)(l, self.1);
+            }
+            lane
+        }
+    }
+    fn check<A: Method<1>, B: Method<4>>(
+        choice: [MethodChoice; 4],
+        dt: [f64; 4],
+        starts: &[Vec<ModeStart<1>>],
+        force: &dyn Fn(usize, u32) -> f64,
+    ) {
+        let of = |l: usize| Start::<1> {
+            choice: [choice[l]],
+            rigid: [l == 1],
+            dt: Lane([dt[l]]),
+            gap: Lane([0.05]),
+            force: Lane([0.2]),
+        };
+        let together = Start::<4> {
+            choice,
+            rigid: [false, true, false, false],
+            dt: Lane(dt),
+            gap: Lane::splat(0.05),
+            force: Lane::splat(0.2),
+        };
+        let modes = (0..starts[0].len()).map(|j| ModeStart::<4> {
+            mode: std::array::from_fn(|l| starts[l][j].mode[0]),
+            displacement: Lane(std::array::from_fn(|l| starts[l][j].displacement.0[0])),
+            velocity: Lane(std::array::from_fn(|l| starts[l][j].velocity.0[0])),
+        });
+        let mut four = B::new(&together, modes).unwrap();
+        let mut alone: Vec<A> = (0..4)
+            .map(|l| A::new(&of(l), starts[l].iter().copied()).unwrap())
+            .collect();
+        for i in 0..200 {
+            let all = four.step(&mut Own(force, i));
+            for (l, one) in alone.iter_mut().enumerate() {
+                let shifted = |_: usize, i: u32| force(l, i);
+                let own = one.step(&mut Own(&shifted, i));
+                assert_eq!(
+                    own.displacement.0[0].to_bits(),
+                    all.displacement.0[l].to_bits()
+                );
+                assert_eq!(own.velocity.0[0].to_bits(), all.velocity.0[l].to_bits());
+            }
+        }
+    }
+    let family = std::array::from_fn(|l| MethodChoice::Family(choices[l + 3].0));
+    check::<Family<1>, Family<4>>(family, dt, &starts, &force);
+    check::<Bathe<1>, Bathe<4>>([MethodChoice::Bathe; 4], dt, &starts, &force);
+    let theta = std::array::from_fn(|l| MethodChoice::MoreauJean {
+        theta: 0.5 + 0.1 * l as f64,
+    });
+    check::<MoreauJean<1>, MoreauJean<4>>(theta, dt, &starts, &force);
+}
