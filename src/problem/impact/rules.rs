@@ -26,11 +26,12 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
         violations.extend(time_rules("dt", step, duration));
     }
     closing(case, &mut violations);
-    if violations.is_empty() {
-        scales(case, &mut violations);
-        let scaled = Scaled::new(case);
-        violations.extend(scaled.as_ref().and_then(no_condensation));
-        violations.extend(scaled.as_ref().and_then(no_impulse));
+    if violations.is_empty()
+        && let Some(scaled) = Scaled::new(case)
+    {
+        scales(case, &scaled, &mut violations);
+        violations.extend(no_condensation(&scaled));
+        violations.extend(no_impulse(&scaled));
     }
     if violations.is_empty()
         && method::has_rules(case, METHOD)
@@ -194,8 +195,8 @@ fn closing(case: &Case, violations: &mut Vec<Violation>) {
 
 /// The scaled data must be in the range of double precision. The exact solution follows every front, so there must not be too many:
 /// they come from a bar much shorter than the other, or from a very long run.
-fn scales(case: &Case, violations: &mut Vec<Violation>) {
-    let (Some(scaled), Some(duration)) = (Scaled::new(case), case.at(rows::DURATION)) else {
+fn scales(case: &Case, scaled: &Scaled, violations: &mut Vec<Violation>) {
+    let Some(duration) = case.at(rows::DURATION) else {
         return;
     };
     let Bars {
