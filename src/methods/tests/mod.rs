@@ -196,3 +196,17 @@ fn lanes_are_the_same_alone_and_together() {
     });
     check::<MoreauJean<1>, MoreauJean<4>>(theta, dt, &starts, &force);
 }
+
+#[test]
+fn methods_need_a_mode_and_their_own_choice() {
+    let none = || std::iter::empty::<ModeStart<1>>();
+    let family = MethodChoice::Family(Coefficients::hht(-0.1));
+    let theta = MethodChoice::MoreauJean { theta: 0.5 };
+    let at = |choice| start(choice, 0.1, 0.0, 0.0);
+    assert!(Family::<1>::new(&at(family), none()).is_none());
+    assert!(Bathe::<1>::new(&at(MethodChoice::Bathe), none()).is_none());
+    assert!(MoreauJean::<1>::new(&at(theta), none()).is_none());
+    let one = || [mode(1.0, 1.0, 0.0, 0.0)].into_iter();
+    assert!(Family::<1>::new(&at(theta), one()).is_none());
+    assert!(MoreauJean::<1>::new(&at(family), one()).is_none());
+}
