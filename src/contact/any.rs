@@ -1,6 +1,7 @@
 //! The law of a contact, any of the list at the end of this file.
 
 use super::element::Element;
+use super::impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 use super::{
     Answer, DisplacementControl, ImpactSpring, Law, LawsVisitor, RunningLaw, StepFlexibility,
     StoredEnergy, Trial, VelocityControl, Visitor,
@@ -105,7 +106,7 @@ macro_rules! laws {
         impl ContactLaw {
             /// Whether r >= 0 holds without compliance.
             pub fn rigid(&self) -> bool {
-                false
+                matches!(self, ContactLaw::Rigid(_))
             }
         }
 
@@ -133,7 +134,10 @@ macro_rules! laws {
     };
 }
 
-laws!(direct: DisplacementControl, VelocityControl, ImpactSpring; others: );
+laws!(
+    direct: DisplacementControl, VelocityControl, ImpactSpring;
+    others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
+);
 
 impl<const L: usize> Answer<L> for AnyLaw<L> {
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {

@@ -18,6 +18,7 @@ mod any;
 pub mod coupled;
 mod displacement_control;
 pub mod element;
+pub mod impact;
 mod impact_spring;
 mod velocity_control;
 
