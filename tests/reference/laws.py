@@ -1,6 +1,6 @@
 """Two rigid masses that collide with each law of impact, by Runge-Kutta steps; writes ../data/laws.json.
 
-m dv/dt = -F(delta, v), ddelta/dt = v, from delta = 0, v = v0, m = m1 m2/(m1 + m2). The force of each law is written from the papers:
+m dv/dt = -F(delta, v), ddelta/dt = v, from delta = 0, v = v0, m = m1 m2/(m1 + m2). The forces are those of the papers:
 
     kelvin-voigt   max(0, k delta + c v), c = 2 xi sqrt(k m), xi = -ln e/sqrt(pi^2 + ln^2 e)         Anagnostopoulos 1988
     hertz          k delta^1.5                                                                     Goldsmith 1960
@@ -10,8 +10,8 @@ m dv/dt = -F(delta, v), ddelta/dt = v, from delta = 0, v = v0, m = m1 m2/(m1 + m
     jankowski      k delta^1.5 + c v for v > 0, k delta^1.5 for v < 0; c = 2 xi sqrt(k sqrt(delta) m),
                    xi = (9 sqrt 5/2) (1 - e^2)/(e (e (9 pi - 16) + 16))                             Jankowski 2005, 2006
 
-The approach ends where v = 0, the parting where the force is 0: for kelvin-voigt k delta + c v = 0, else delta = 0. No closed form
-of a collision is used. The powers are not smooth at delta = 0; the steps are as short there as the tolerance asks.
+The approach ends where v = 0, the parting where the force is 0: for kelvin-voigt k delta + c v = 0, else delta = 0. No closed
+form of a collision is used. The powers are not smooth at delta = 0; the steps are as short there as the tolerance asks.
 `difference` is that between the tolerances 1e-13 and 1e-11, relative.
 
 Run:  python3 laws.py     (needs numpy and scipy)

@@ -216,7 +216,9 @@ proptest! {
 
     #[test]
     fn lanes_have_the_bits_of_single_contacts(
-        n in numbers(), on in [compliances(), compliances(), compliances()], motions in prop::collection::vec([steps(), steps(), steps()], 4),
+        n in numbers(),
+        on in [compliances(), compliances(), compliances()],
+        motions in prop::collection::vec([steps(), steps(), steps()], 4),
     ) {
         let join = |numbers: [f64; 3]| Lane(numbers);
         let end = Flexibility { h: join(on.map(|on| on[0])), h_rate: join(on.map(|on| on[1])) };
