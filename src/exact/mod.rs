@@ -5,6 +5,7 @@ pub mod coulomb;
 pub mod events;
 pub mod mesh;
 pub mod regularised;
+pub mod rigid_impact;
 pub mod spring;
 mod state;
 pub mod wave;

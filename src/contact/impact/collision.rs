@@ -49,7 +49,7 @@ impl Linear {
         2.0 * peak_time(self.ratio)
     }
 
-    /// The greatest x.
+    /// The largest x.
     pub fn overlap(&self) -> f64 {
         exp(-self.ratio * peak_time(self.ratio))
     }
@@ -87,12 +87,12 @@ impl DampedHertz {
         -self.speed(1.0, false)
     }
 
-    /// The greatest x.
+    /// The largest x.
     pub fn overlap(&self) -> f64 {
         pow(2.5 * lag(self.damping), 0.4)
     }
 
-    /// u at the overlap (1 - p^2) times the greatest, before it or after it.
+    /// u at the overlap (1 - p^2) times the largest, before it or after it.
     ///
     /// W(u) = W(1) (1 - (1 - p^2)^2.5). In |u| W is convex and rises from 0, so Newton's iteration from an upper bound falls to
     /// the root without passing it.
@@ -127,7 +127,7 @@ impl DampedHertz {
 /// u' = -(x^1.5 + 2 xi x^0.25 u) for u > 0, u' = -x^1.5 for u < 0.
 ///
 /// In y = x^1.25 and the time s with dtau = ds/(1.25 x^0.25) the approach is a linear oscillator, dy/ds = u,
-/// du/ds = -(0.8 y + 1.6 xi u). The elastic energy 2/5 y^2 of the greatest overlap comes back.
+/// du/ds = -(0.8 y + 1.6 xi u). The elastic energy 2/5 y^2 of the largest overlap comes back.
 #[derive(Debug, Clone, Copy)]
 pub struct HertzDashpot {
     /// xi.
@@ -147,12 +147,12 @@ impl HertzDashpot {
         exp(-ratio * peak_time(ratio))
     }
 
-    /// The greatest x.
+    /// The largest x.
     pub fn overlap(&self) -> f64 {
         pow(self.restitution() / sqrt(0.8), 0.8)
     }
 
-    /// s of the greatest overlap.
+    /// s of the largest overlap.
     pub fn approach_length(&self) -> f64 {
         let [ratio, frequency] = self.oscillator();
         peak_time(ratio) / frequency

@@ -1,4 +1,5 @@
-//! Hertz's law with a damping factor, F = k_h delta^1.5 (1 + kappa ddelta/v0), or 0 if that is negative: three formulas for kappa.
+//! Hertz's law with a damping factor, F = k_h delta^1.5 (1 + kappa ddelta/v0), or 0 if that is negative, with three formulas for
+//! kappa.
 
 use super::collision::DampedHertz;
 use super::{ClosingSpeed, Free, hertz, loop_of, resisting};
@@ -89,7 +90,7 @@ fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
     let collision = DampedHertz { damping };
     let branch = |closing: bool| {
         (0..=hertz::POINTS).map(move |i| {
-            // Near at the greatest overlap, where the speed changes like the root of the distance to it.
+            // Points are near one another at the largest overlap, where the speed changes like the root of the distance to it.
             let p = f64::from(i) / f64::from(hertz::POINTS);
             let (overlap, speed) = (reach * (1.0 - p) * (1.0 + p), collision.speed(p, closing));
             [

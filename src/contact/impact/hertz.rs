@@ -60,12 +60,12 @@ impl<const L: usize> Step<L> {
 
 /// The root w >= 1 of Q for E, C >= 0.
 ///
-/// Where Q = 0, E = w^3 - w + C (1 - 1/w^2), so that Q' = 3 w^4 - w^2 + 2 C/w > 0 and Q'' = 18 w^3 - 4 w + 2 C/w^2 > 0 there. Q''
-/// rises for w >= 1, so Q is convex above its root. Newton's iteration from an upper bound therefore falls to the root without
+/// Where Q = 0, E = w^3 - w + C (1 - 1/w^2), so that Q' = 3 w^4 - w^2 + 2 C/w > 0 and Q'' = 18 w^3 - 4 w + 2 C/w^2 > 0 there.
+/// Q'' rises for w >= 1, so Q is convex above its root. Newton's iteration from an upper bound therefore falls to the root without
 /// passing it. As w Q''/Q' <= 7 at the root, a step of 2^-28 w leaves an error below 2^-54 w.
 #[inline(always)]
 pub(super) fn contraction<const L: usize>(e: Lane<L>, c: Lane<L>) -> Lane<L> {
-    // Most steps of most runs are open, with w = 1.
+    // In most steps no contact is closed: w = 1.
     if e.0.iter().all(|e| *e == 0.0) {
         return Lane::splat(1.0);
     }
@@ -88,7 +88,7 @@ pub(super) fn step<const L: usize>(mut w: Lane<L>, e: Lane<L>, c: Lane<L>) -> La
     w
 }
 
-/// The least of three upper bounds of the root.
+/// The smallest of three upper bounds of the root.
 #[inline(always)]
 pub(super) fn bound<const L: usize>(mut e: Lane<L>, c: Lane<L>) -> Lane<L> {
     for (e, c) in e.0.iter_mut().zip(c.0) {
@@ -113,6 +113,11 @@ pub(super) fn bound<const L: usize>(mut e: Lane<L>, c: Lane<L>) -> Lane<L> {
 }
 
 impl StoredEnergy for Hertz {
+    fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+        let overlap = libm::pow(-s / self.stiffness, 2.0 / 3.0);
+        Some([0.0 - overlap, 2.0 / 3.0 * overlap / -s])
+    }
+
     fn stored_energy(&self, r: f64, _: f64) -> f64 {
         stored_energy(self.stiffness, r)
     }

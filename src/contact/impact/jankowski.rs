@@ -78,7 +78,7 @@ impl Law for Jankowski {
         let steps = (0..=POINTS).map(|i| f64::from(i) / f64::from(POINTS));
         let greatest = collision.overlap();
         let approach = steps.clone().map(|p| {
-            // Near at first touch, where the force rises as the fourth root of the overlap.
+            // Points are near one another at first touch, where the force rises as the fourth root of the overlap.
             let [overlap, speed] = collision.approach(p * p * p);
             let force =
                 overlap * sqrt(overlap) + 2.0 * collision.ratio * sqrt(sqrt(overlap)) * speed;
@@ -97,15 +97,15 @@ pub(super) const LAST: f64 = 16.0 * f64::EPSILON;
 impl<const L: usize> Step<L> {
     /// F >= 0.
     ///
-    /// Let delta' = delta*/s^4. With E = h k_h delta*^0.5, D = h_rate C delta*^0.25 and G = h C delta*^-0.75 ddelta*, the equations
-    /// of a step that approaches at its end are, and those of one that parts are without the last term,
+    /// Let delta' = delta*/s^4. With E = h k_h delta*^0.5, D = h_rate C delta*^0.25 and G = h C delta*^-0.75 ddelta*, the
+    /// equations of a step that approaches at its end are, and those of one that parts are without the last term,
     ///
     /// ```text
     /// T(s) = s - s^-3 - E s^-5 - max(0, G - D (1 - s^-4)) = 0,   s >= 1
     /// ```
     ///
-    /// T rises and is concave, being the smaller of two functions that do and are. Newton's iteration from anywhere is below the
-    /// root after one step, and then rises to it without passing it.
+    /// T rises and is concave, being the smaller of two functions that do and are. Newton's iteration from anywhere is below
+    /// the root after one step, and then rises to it without passing it.
     #[inline(always)]
     fn push(&self, free: &Free<L>) -> Lane<L> {
         let root = free.overlap.map(f64::sqrt);
@@ -134,13 +134,22 @@ pub(super) fn contraction<const L: usize>(e: Lane<L>, d: Lane<L>, g: Lane<L>) ->
     if e.0.iter().zip(&g.0).all(|(e, g)| *e == 0.0 && *g == 0.0) {
         return Lane::splat(1.0);
     }
-    newton(start(e, d, g), LAST, |s| step(s, e, d, g))
+    let start = start(e, d, g);
+    newton(start - step(start, e, d, g), LAST, |s| {
+        rising(step(s, e, d, g))
+    })
 }
 
 /// Near the root without damping, or G - D: T(s) <= s + D - G, so the root is not below it.
 #[inline(always)]
 pub(super) fn start<const L: usize>(e: Lane<L>, d: Lane<L>, g: Lane<L>) -> Lane<L> {
     bound(e, Lane::splat(0.0)).map(f64::sqrt).larger(g - d)
+}
+
+/// A step that rises. Only round-off makes it fall after the first one; at the kink it could return the iteration to its start.
+#[inline(always)]
+pub(super) fn rising<const L: usize>(step: Lane<L>) -> Lane<L> {
+    step.smaller(Lane::splat(0.0))
 }
 
 /// T/T', not so large that s becomes less than 1.

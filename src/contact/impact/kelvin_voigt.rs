@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 
 /// F = k delta + c ddelta, or 0 if that is negative (Anagnostopoulos 1988).
 ///
-/// The dashpot acts from the first touch, so F jumps there. Where it would pull, the contact is still overlapped and has no force:
-/// the spring then loses to the dashpot what it stores.
+/// The dashpot acts from the first touch, so F jumps there. Where it would pull, the contact is still overlapped and has no
+/// force: the spring then loses to the dashpot what it stores.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KelvinVoigt {
     /// k, force over length.

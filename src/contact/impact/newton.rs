@@ -5,8 +5,8 @@ use crate::lane::Lane;
 /// More iterations than any root needs.
 const MOST: usize = 100;
 
-/// Newton's iteration of each lane from `x` > 0; `step` gives x - x(next). A lane stays after its first step of at most `last` x,
-/// so it does not depend on other lanes.
+/// Newton's iteration of each lane from `x` > 0; `step` gives x - x(next). A lane stays after its first step of at most
+/// `last` x, so it does not depend on other lanes.
 #[inline(always)]
 pub fn newton<const L: usize>(
     mut x: Lane<L>,

@@ -15,6 +15,8 @@ use crate::lane::Lane;
 pub struct Rigid {
     /// e in 0..=1; only methods with impulses use it.
     pub restitution: f64,
+    /// Whether the method acts by impulses. The work of the contact is then the loss of the impact, else an error.
+    pub impulses: bool,
 }
 
 /// The law over a step.
@@ -31,8 +33,12 @@ impl StoredEnergy for Rigid {
         0.0
     }
 
-    fn conservative_force(&self, _: f64, _: f64) -> f64 {
-        0.0
+    fn deflection(&self, _: f64) -> Option<[f64; 2]> {
+        Some([0.0; 2])
+    }
+
+    fn conservative_force(&self, _: f64, s: f64) -> f64 {
+        if self.impulses { 0.0 } else { s }
     }
 }
 

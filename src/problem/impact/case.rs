@@ -129,20 +129,27 @@ impl LaneCase<LANES> for ImpactCase {
     }
 }
 
-/// Changes the motion of the modes to that of the contacts. They differ only if contact nodes have no mass.
+/// A rigid contact with a force is closed; its overlap is less than any round-off of r.
+const CLOSED: f64 = -1e-300;
+
+/// Changes the motion of the modes to that of the contacts. They differ only if contact nodes have no mass, and in rigid contact, where r
+/// is zero to round-off.
 pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
     let mut compliance = Lane::splat(0.0);
-    for (c0, case) in compliance.0.iter_mut().zip(cases) {
-        *c0 = case.scaled.pair.contact_compliance();
-    }
-    if compliance.0.iter().all(|c0| *c0 == 0.0) {
-        return;
-    }
     let mut laws = [cases[0].scaled.law; L];
-    for (law, case) in laws.iter_mut().zip(cases) {
-        *law = case.scaled.law;
+    for (l, case) in cases.iter().enumerate() {
+        compliance.0[l] = case.scaled.pair.contact_compliance();
+        laws[l] = case.scaled.law;
     }
-    ContactLaw::accept(&laws, Condense { track, compliance });
+    if compliance.0.iter().any(|c0| *c0 != 0.0) {
+        ContactLaw::accept(&laws, Condense { track, compliance });
+    }
+    for l in (0..L).filter(|l| laws[*l].rigid()) {
+        let states = track.displacement.iter_mut().zip(&track.force);
+        for (r, _) in states.filter(|(_, force)| force.0[l] > 0.0) {
+            r.0[l] = CLOSED;
+        }
+    }
 }
 
 /// The motion of the modes of a group.

@@ -4,6 +4,7 @@ use super::tables::LAW;
 use crate::contact::{
     ContactLaw, Hertz, HertzDamp, HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt, Rigid, Ye,
 };
+use crate::methods::{MethodChoice, MethodKind};
 use crate::problem::Case;
 use crate::problem::choice::choice;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value, row_of};
@@ -95,7 +96,7 @@ pub(super) mod rows {
 ///
 /// The secant stiffness of a law with delta^1.5 is that of the linear spring at the overlap under the exact force F0, which is 1
 /// here, so that k_h = k_I^1.5.
-pub fn law(case: &Case, stiffness: f64, mass: f64) -> Option<ContactLaw> {
+pub fn law(case: &Case, method: MethodChoice, stiffness: f64, mass: f64) -> Option<ContactLaw> {
     let e = || case.at(LAW + rows::RESTITUTION);
     let curved = stiffness * stiffness.sqrt();
     Some(match LawName::of(case)? {
@@ -106,6 +107,9 @@ pub fn law(case: &Case, stiffness: f64, mass: f64) -> Option<ContactLaw> {
         LawName::HuntCrossley => ContactLaw::HuntCrossley(HuntCrossley::new(curved, e()?)),
         LawName::Ye => ContactLaw::Ye(Ye::new(curved, e()?)),
         LawName::Jankowski => ContactLaw::Jankowski(Jankowski::new(curved, e()?, mass)),
-        LawName::Rigid => ContactLaw::Rigid(Rigid { restitution: e()? }),
+        LawName::Rigid => ContactLaw::Rigid(Rigid {
+            restitution: e()?,
+            impulses: method.kind() == MethodKind::MoreauJean,
+        }),
     })
 }

@@ -50,8 +50,9 @@ fn no_condensation(scaled: &Scaled) -> Option<Violation> {
     let gives = scaled.law.deflection(-1.0).is_some();
     (needs && !gives).then(|| Violation {
         parameter: "mass".into(),
-        message: "massless-contact needs a law without damping; allowed: impact-spring, rigid"
-            .into(),
+        message:
+            "massless-contact needs a law without damping; allowed: impact-spring, hertz, rigid"
+                .into(),
         at: None,
     })
 }

@@ -76,6 +76,7 @@ impl Scaled {
             LawName::Rigid => f64::INFINITY,
             _ => case.at(rows::GAMMA)? * n * (1.0 + z),
         };
+        let method = method::of_case(case, METHOD)?;
         let masses = right.map_or(mass, |right| mass * right.mass / (mass + right.mass));
         Some(Scaled {
             pair: BarPair {
@@ -89,8 +90,8 @@ impl Scaled {
                 gap: case.at(rows::GAP)?,
             },
             spring,
-            law: law(case, spring, masses)?,
-            method: method::of_case(case, METHOD)?,
+            law: law(case, method, spring, masses)?,
+            method,
             length_ratio: length,
         })
     }
