@@ -132,5 +132,5 @@ fn midpoint(n: f64, z: f64, c: f64, w: f64) -> f64 {
         return 2.0 * most;
     }
     let elastic = 0.5 * w / (1.0 + c);
-    2.0 * roots::rising(0.0, most, elastic, residual)
+    2.0 * roots::rising_once(0.0, most, elastic, residual)
 }

@@ -123,7 +123,7 @@ fn power_step(n: f64, q: f64, c: f64, w: f64) -> f64 {
     } else {
         linear
     };
-    let z = roots::rising(0.0, w, start, |z| {
+    let z = roots::rising_once(0.0, w, start, |z| {
         let [less, slope] = fallen(z);
         [z + c * less - w, 1.0 + c * slope]
     });

@@ -83,9 +83,14 @@ impl Lugre {
 
     /// Whether every step with these flexibilities has one root; if not, some may have more.
     ///
-    /// sigma0 z(i+1) falls with r(i+1) by at most q = 0.8578 (L_s - L_k)/(v_S dt) (1 + m exp(-1 - 1/m)) + m sigma0, m = L_s/L_k - 1:
-    /// the first term is from the largest slope of g at the mean velocity, the second from bristles beyond L_k. The step has one
-    /// root if h (1 + 2 sigma1/(sigma0 dt)) q < 1 + sigma2 h_rate.
+    /// With m = L_s/L_k - 1, sigma0 z(i+1) falls with r(i+1) at most at the rate
+    ///
+    /// ```text
+    /// q = m sigma0 + min(0.8578 (L_s - L_k)/(v_S dt) (1 + m exp(-1 - 1/m)), 0.7358 m (1 + m) sigma0)
+    /// ```
+    ///
+    /// the first term from bristles beyond L_k, the second from the fall of g, whose slope is at most 0.8578 (L_s - L_k)/v_S and
+    /// whose slope times velocity is at most 0.7358 (L_s - L_k). So h (1 + 2 sigma1/(sigma0 dt)) q < 1 + sigma2 h_rate is enough.
     pub fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         if self.static_limit == self.limit {
             return true;
@@ -95,45 +100,35 @@ impl Lugre {
             return true;
         }
         let m = self.static_limit / self.limit - 1.0;
-        let falling = 0.8578 * (self.static_limit - self.limit) / (self.stribeck_velocity * dt);
-        let q = falling * (1.0 + m * libm::exp(-1.0 - 1.0 / m)) + m * self.sigma0;
+        let range = self.static_limit - self.limit;
+        let steep = 0.8578 * range / (self.stribeck_velocity * dt);
+        let steep = steep * (1.0 + m * libm::exp(-1.0 - 1.0 / m));
+        let fast = 0.7358 * m * (1.0 + m) * self.sigma0;
+        let q = m * self.sigma0 + if steep < fast { steep } else { fast };
         h * (1.0 + 2.0 * self.sigma1 / (self.sigma0 * dt)) * q < 1.0 + self.sigma2 * h_rate
     }
 
     /// g at a velocity, and dg/drdot.
+    #[inline(always)]
     fn strength(&self, velocity: f64) -> [f64; 2] {
         let range = self.static_limit - self.limit;
-        if range == 0.0 {
-            return [self.limit, 0.0];
-        }
         let v = velocity / self.stribeck_velocity;
         let part = range * (1.0 - rise(v * v));
         [self.limit + part, -2.0 * v / self.stribeck_velocity * part]
     }
 
-    /// Change of sigma0 |z| from a force `along` of the bristles in the direction of the motion, at the root of
-    /// x + flexibility change(x) = free for x = |r(i+1) - r(i)| in a step dt; near the root of a constant g that leaves x = `start`.
-    fn change(&self, along: f64, flexibility: f64, free: f64, dt: f64, start: f64) -> f64 {
-        let flow = |x: f64| {
-            let [g, falling] = self.strength(x / dt);
-            let part = self.sigma0 * x / g;
-            let m = rise(part);
-            let slope = self.sigma0 / g - part * falling / (dt * g);
-            [
-                (g - along) * m,
-                falling / dt * m + (g - along) * (1.0 - m) * slope,
-            ]
-        };
-        let beyond = if along > self.limit {
-            along - self.limit
-        } else {
-            0.0
-        };
-        let x = roots::rising(0.0, free + flexibility * beyond, start, |x| {
-            let [change, slope] = flow(x);
-            [x + flexibility * change - free, 1.0 + flexibility * slope]
-        });
-        flow(x)[0]
+    /// Change of sigma0 |z| over x = |r(i+1) - r(i)| in a step dt from a force `along` of the bristles in the direction of the motion,
+    /// and its derivative.
+    #[inline(always)]
+    fn flow(&self, along: f64, dt: f64, x: f64) -> [f64; 2] {
+        let [g, falling] = self.strength(x / dt);
+        let part = self.sigma0 * x / g;
+        let m = rise(part);
+        let slope = self.sigma0 / g - part * falling / (dt * g);
+        [
+            (g - along) * m,
+            falling / dt * m + (g - along) * (1.0 - m) * slope,
+        ]
     }
 }
 
@@ -240,11 +235,11 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let c = (self.sigma0 * flexibility * part).larger(zero);
         let mut y = g * part * saturation::root(c, zero, self.sigma0 * reach * inverse);
         if !self.constant {
+            let falling = self.falling(along, flexibility, reach, reach - flexibility * y);
             for (l, law) in self.law.iter().enumerate() {
+                // With a constant g the bits do not depend on the other lanes.
                 if law.static_limit > law.limit {
-                    let [along, flexibility] = [along.0[l], flexibility.0[l]];
-                    let start = reach.0[l] - flexibility * y.0[l];
-                    y.0[l] = law.change(along, flexibility, reach.0[l], dt.0[l], start);
+                    y.0[l] = falling.0[l];
                 }
             }
         }
@@ -261,5 +256,34 @@ impl<const L: usize> StepLaw<L> for Step<L> {
             self.limit,
             |force, limit| if limit > 0.0 { force } else { 0.0 },
         )
+    }
+}
+
+impl<const L: usize> Step<L> {
+    /// y at the root of x + flexibility y(x) = reach, from a first x.
+    #[inline(always)]
+    fn falling(
+        &self,
+        along: Lane<L>,
+        flexibility: Lane<L>,
+        reach: Lane<L>,
+        start: Lane<L>,
+    ) -> Lane<L> {
+        let zero = Lane::splat(0.0);
+        // Bristles beyond L_k fall back at most to it.
+        let beyond = (along - lanes(&self.law, |law| law.limit)).larger(zero);
+        let dt = self.on.dt;
+        let x = roots::rising(zero, reach + flexibility * beyond, start, |l, x| {
+            let [change, slope] = self.law[l].flow(along.0[l], dt.0[l], x);
+            [
+                x + flexibility.0[l] * change - reach.0[l],
+                1.0 + flexibility.0[l] * slope,
+            ]
+        });
+        let mut y = x;
+        for (l, law) in self.law.iter().enumerate() {
+            [y.0[l], _] = law.flow(along.0[l], dt.0[l], x.0[l]);
+        }
+        y
     }
 }

@@ -22,6 +22,8 @@ mod curve;
 mod dahl;
 mod displacement_control;
 pub mod element;
+#[cfg(test)]
+mod friction_tests;
 pub mod impact;
 mod impact_spring;
 mod lugre;

@@ -95,3 +95,66 @@ fn iterate(c: f64, d: f64, w: f64, z: f64) -> [f64; 3] {
         if far { 1.0 } else { 0.0 },
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rise_has_the_digits_of_the_library_function() {
+        for k in 0..200_000 {
+            let x = 1e-12 * libm::pow(10.0, f64::from(k) * 8e-5);
+            let expected = -libm::expm1(-x);
+            // One unit in the last place of each function.
+            assert!(
+                (rise(x) - expected).abs() <= 2.0 * f64::EPSILON * expected,
+                "{x}"
+            );
+        }
+        assert_eq!([rise(0.0), rise(1e3), rise(f64::INFINITY)], [0.0, 1.0, 1.0]);
+        assert!(rise(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn the_root_is_reached_from_the_left_in_few_iterations() {
+        let [mut most, mut sum, mut count] = [0, 0, 0];
+        for d in [0.0, 0.3, 1.0] {
+            for k in 0..180 {
+                let c = libm::pow(10.0, f64::from(k) * 0.1 - 6.0);
+                for j in 0..200 {
+                    // Small, and near the knee at w = C.
+                    let w = match j {
+                        0..100 => (c + 10.0) * libm::pow(10.0, f64::from(j) * 0.14 - 14.0),
+                        _ => c + f64::from(j - 100) * 0.3,
+                    };
+                    let linear = w * (1.0 + d) / (1.0 + d + c);
+                    let mut z = if w - c > linear { w - c } else { linear };
+                    let mut iterations = 0;
+                    loop {
+                        let [next, m, far] = iterate(c, d, w, z);
+                        iterations += 1;
+                        // Round-off of the terms, over the slope 1.
+                        assert!(next >= z - 8.0 * f64::EPSILON * (z + w));
+                        z = next;
+                        if far == 0.0 {
+                            let [own] = root(Lane([c]), Lane([d]), Lane([w])).0;
+                            assert_eq!(own, m);
+                            let residual = z + c * m / (1.0 + d - d * m) - w;
+                            assert!(
+                                residual.abs() <= 8.0 * f64::EPSILON * w,
+                                "{c} {d} {w}: {residual}"
+                            );
+                            let expected = -libm::expm1(-z);
+                            assert!((m - expected).abs() <= 8.0 * f64::EPSILON * expected);
+                            break;
+                        }
+                    }
+                    most = iterations.max(most);
+                    (sum, count) = (sum + iterations, count + 1);
+                }
+            }
+        }
+        assert!(most <= 15 && sum < 3 * count, "{most} {sum} {count}");
+        assert!(root(Lane([1.0]), Lane([0.0]), Lane([f64::NAN])).0[0].is_nan());
+    }
+}

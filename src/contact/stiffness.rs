@@ -9,8 +9,9 @@ impl ContactLaw {
         match self {
             ContactLaw::DisplacementControl(law) => 1.0 / law.compliance,
             ContactLaw::BoucWen(law) => 1.0 / law.compliance,
-            ContactLaw::Dahl(law) => 1.0 / law.compliance,
-            ContactLaw::Lugre(law) => law.sigma0,
+            // Unloading from the limit.
+            ContactLaw::Dahl(law) => libm::pow(2.0, law.exponent) / law.compliance,
+            ContactLaw::Lugre(law) => law.sigma0 * (1.0 + law.static_limit / law.limit),
             ContactLaw::VelocityControl(_)
             | ContactLaw::Bearing(_)
             | ContactLaw::Tanh(_)

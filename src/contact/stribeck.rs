@@ -26,11 +26,21 @@ pub struct Stribeck {
 /// The model over a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
-    law: [Stribeck; L],
+    /// L_s, and L_s - L_k.
+    limit: Lane<L>,
+    range: Lane<L>,
+    /// 1/v_S.
+    inverse: Lane<L>,
     /// Flexibilities for S(i) and S(i+1).
     h_rate: [Lane<L>; 2],
     /// S(i+1) of the viscous element for a unit of rdot.
     by_rate: Lane<L>,
+    /// rdot^E, and the velocity without S that leads to it.
+    width: Lane<L>,
+    reached: Lane<L>,
+    /// The lowest point of the residual of a sliding contact, and w there: below it, sliding has no root.
+    lowest: Lane<L>,
+    least: Lane<L>,
 }
 
 impl Stribeck {
@@ -42,30 +52,6 @@ impl Stribeck {
     /// S at `over` = (|rdot| - rdot^E)/v_S >= 0.
     fn sliding(&self, over: f64) -> f64 {
         self.static_limit - (self.static_limit - self.limit) * rise(over)
-    }
-
-    /// S for a motion that would have the velocity `free` >= 0 without S; `slides` if it slides already.
-    fn force(&self, free: f64, slides: bool, h_rate: f64, by_rate: f64) -> f64 {
-        // With x = (|rdot| - rdot^E)/v_S: x - k (1 - exp(-x)) = w, which is convex with its lowest point at ln k.
-        let k = h_rate * (self.static_limit - self.limit) / self.stribeck_velocity;
-        let reached = self.compliance * self.static_limit + h_rate * self.static_limit;
-        let w = (free - reached) / self.stribeck_velocity;
-        let lowest = if k > 1.0 { libm::log(k) } else { 0.0 };
-        let slides_on = slides && k > 1.0 && w >= lowest - k * rise(lowest);
-        if w > 0.0 || slides_on {
-            let over = roots::rising(lowest, w + k, w + k, |x| {
-                let m = rise(x);
-                [x - k * m - w, 1.0 - k * (1.0 - m)]
-            });
-            self.sliding(over)
-        } else {
-            let viscous = free * by_rate;
-            if viscous < self.static_limit {
-                viscous
-            } else {
-                self.static_limit
-            }
-        }
     }
 }
 
@@ -81,10 +67,22 @@ impl Law for Stribeck {
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
+        let compliance = lanes(laws, |law| law.compliance);
+        let limit = lanes(laws, |law| law.static_limit);
+        let range = lanes(laws, |law| law.static_limit - law.limit);
+        let inverse = lanes(laws, |law| 1.0 / law.stribeck_velocity);
+        let k = on.end.h_rate * range * inverse;
+        let lowest = k.map(|k| if k > 1.0 { libm::log(k) } else { 0.0 });
         Step {
-            law: *laws,
+            limit,
+            range,
+            inverse,
             h_rate: [on.start.h_rate, on.end.h_rate],
-            by_rate: (lanes(laws, |law| law.compliance) + on.end.h_rate).map(|c| 1.0 / c),
+            by_rate: (compliance + on.end.h_rate).map(|c| 1.0 / c),
+            width: compliance * limit,
+            reached: (compliance + on.end.h_rate) * limit,
+            lowest,
+            least: lowest - k * lowest.map(rise),
         }
     }
 
@@ -108,16 +106,46 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
+        // With x = (|rdot| - rdot^E)/v_S: x - k (1 - exp(-x)) = w, which is convex with its lowest point at ln k.
         let [start, end] = self.h_rate;
         let free = trial.rate - trial.force * start;
-        let mut force = free;
-        for (l, law) in self.law.iter().enumerate() {
-            let along = trial.velocity.0[l] * if free.0[l] < 0.0 { -1.0 } else { 1.0 };
-            let slides = along > law.compliance * law.static_limit;
-            force.0[l] = law
-                .force(free.0[l].abs(), slides, end.0[l], self.by_rate.0[l])
-                .copysign(free.0[l]);
+        let w = (free.map(f64::abs) - self.reached) * self.inverse;
+        let along = trial
+            .velocity
+            .zip(free, |v, free| if free < 0.0 { -v } else { v });
+        let slides_on = (along - self.width).zip(w - self.least, |slides, root| {
+            if slides > 0.0 && root >= 0.0 {
+                1.0
+            } else {
+                0.0
+            }
+        });
+        let slides = w.zip(
+            slides_on,
+            |w, on| if w > 0.0 || on > 0.0 { 1.0 } else { 0.0 },
+        );
+        let k = end * self.range * self.inverse;
+        // The root is on the right of the lowest point. A contact that does not slide has nothing to search.
+        let right = w.zip(slides, |w, slides| if slides > 0.0 { w } else { 0.0 });
+        let high = (right + k).larger(self.lowest);
+        let over = roots::rising(self.lowest, high, high, |l, x| {
+            let m = rise(x);
+            let value = x - k.0[l] * m - right.0[l];
+            [
+                if slides.0[l] > 0.0 { value } else { 0.0 },
+                1.0 - k.0[l] * (1.0 - m),
+            ]
+        });
+        let sliding = self.limit - self.range * over.map(rise);
+        let viscous = (free.map(f64::abs) * self.by_rate).smaller(self.limit);
+        let mut force = viscous;
+        for l in 0..L {
+            force.0[l] = if slides.0[l] > 0.0 {
+                sliding.0[l]
+            } else {
+                viscous.0[l]
+            };
         }
-        force
+        force.zip(free, f64::copysign)
     }
 }

@@ -39,10 +39,8 @@ impl Tanh {
     /// S at a velocity >= 0, and dS/drdot.
     #[inline(always)]
     fn force(&self, velocity: f64) -> [f64; 2] {
-        if self.limit <= 0.0 {
-            return [0.0; 2];
-        }
-        let width = self.compliance * self.limit;
+        // Without a limit the width is not used: all products with the limit are zero.
+        let width = self.compliance * if self.limit > 0.0 { self.limit } else { 1.0 };
         let [m, low] = [rise(2.0 * velocity / width), 1.0 - self.ratio];
         let t = m / (2.0 - m);
         let less = low * (1.0 - rise(self.rate * velocity));
@@ -94,32 +92,35 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let m = saturation::root(end * two, Lane::splat(1.0), w);
         let mut force = self.limit * m.map(|m| m / (2.0 - m));
         if !self.constant {
-            for l in 0..L {
-                force.0[l] = self.bearing(l, free.0[l].abs(), force.0[l]);
-            }
+            force = self.bearing(free.map(f64::abs), force);
         }
         force.zip(free, f64::copysign)
     }
 }
 
 impl<const L: usize> Step<L> {
-    /// S of one lane from its value for `ratio` = 1, which is larger, so that the velocity is at least the one with it.
-    fn bearing(&self, l: usize, free: f64, above: f64) -> f64 {
-        let law = Tanh {
+    /// |S| with the coefficient that depends on velocity, from its value with nu_max. This one is larger, so the velocity is at least
+    /// the one with it.
+    #[inline(always)]
+    fn bearing(&self, free: Lane<L>, above: Lane<L>) -> Lane<L> {
+        let h = self.h_rate[1];
+        let law = |l: usize| Tanh {
             compliance: self.compliance.0[l],
             limit: self.limit.0[l],
             ratio: self.ratio.0[l],
             rate: self.rate.0[l],
         };
-        if law.ratio == 1.0 {
-            return above;
-        }
-        let h = self.h_rate[1].0[l];
-        let least = free - h * above;
-        let velocity = roots::rising(0.0, free, least, |velocity| {
-            let [force, slope] = law.force(velocity);
-            [velocity + h * force - free, 1.0 + h * slope]
+        let velocity = roots::rising(Lane::splat(0.0), free, free - h * above, |l, velocity| {
+            let [force, slope] = law(l).force(velocity);
+            [velocity + h.0[l] * force - free.0[l], 1.0 + h.0[l] * slope]
         });
-        law.force(velocity)[0]
+        let mut force = above;
+        for l in 0..L {
+            // With a constant coefficient the bits do not depend on the other lanes.
+            if self.ratio.0[l] != 1.0 {
+                [force.0[l], _] = law(l).force(velocity.0[l]);
+            }
+        }
+        force
     }
 }
