@@ -192,7 +192,7 @@ static SCALES: [[Text; 2]; 3] = [
     ],
 ];
 
-pub(super) static METRICS: [Metric; 15] = [
+pub(super) static METRICS: [Metric; 18] = [
     Metric::new(
         ["rms_error", "rms error", "1"],
         "sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X",
@@ -247,6 +247,18 @@ pub(super) static METRICS: [Metric; 15] = [
         "energy that the method takes from the motion up to the last step, over the energy at t = 0; below 0 where it adds energy; 0 to round-off for average-acceleration",
     ),
     Metric::selected(["cost", "cost", "1"], "steps times sub-steps of the method"),
+    Metric::selected(
+        ["spectral_radius", "spectral radius", "1"],
+        "largest magnitude of the eigenvalues of a step without friction, from the closed form of the method",
+    ),
+    Metric::selected(
+        ["period_elongation", "period elongation", "1"],
+        "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate",
+    ),
+    Metric::selected(
+        ["damping_ratio", "numerical damping ratio", "1"],
+        "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate",
+    ),
 ];
 
 /// Rows of the parts of the error.
