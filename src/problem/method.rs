@@ -40,7 +40,7 @@ pub static PARAMETERS: [Parameter; 6] = [
     Parameter::only_for(
         ["newmark_beta", "*β*_N_", "1"],
         Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(0.25)),
+        Default::Is(Value::Number(0.3025)),
         ("method", &["newmark"]),
         "Newmark's beta; the method is stable at every step if 2 beta >= gamma >= 1/2",
     )
@@ -48,7 +48,7 @@ pub static PARAMETERS: [Parameter; 6] = [
     Parameter::only_for(
         ["newmark_gamma", "*γ*_N_", "1"],
         Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(0.5)),
+        Default::Is(Value::Number(0.6)),
         ("method", &["newmark"]),
         "Newmark's gamma; numerical damping above 1/2",
     )

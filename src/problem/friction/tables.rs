@@ -256,7 +256,7 @@ pub(super) static METRICS: [Metric; 18] = [
         "(T - T_0)/T_0 of the period without friction, from the closed form of the method; undefined if the step does not oscillate",
     ),
     Metric::selected(
-        ["damping_ratio", "numerical damping ratio", "1"],
+        ["numerical_damping", "numerical damping ratio", "1"],
         "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate",
     ),
 ];

@@ -65,7 +65,7 @@ pub(super) static PARAMETERS: [Parameter; 3] = [
     .with_column_if_given(),
     Parameter::only_for(
         ["restitution", "*e*", "1"],
-        Kind::Number(Range::Fraction),
+        Kind::Number(Range::UpToOne),
         Default::Is(Value::Number(1.0)),
         (
             "law",
@@ -78,7 +78,7 @@ pub(super) static PARAMETERS: [Parameter; 3] = [
                 "rigid",
             ],
         ),
-        "target of the coefficient of restitution of two rigid bodies; of rigid with moreau-jean that of the ends of the bars",
+        "target of the coefficient of restitution of two rigid bodies, > 0; of rigid with moreau-jean that of the ends of the bars",
     )
     .with_column_if_given(),
 ];

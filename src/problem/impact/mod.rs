@@ -180,9 +180,12 @@ fn taken(case: &ImpactCase, run: &Judged) -> [Option<f64>; TAKEN.end - TAKEN.sta
     let Lane([start]) = run.energy.start;
     let by_contact = metrics::impact::damping_work(run.track, &system);
     let work = case.last * system.linear.len() as u64 * system.method.sub_steps();
+    let by_method = run.by_method.unwrap_or(0.0);
+    let drift = run.energy.last.0[0] - start;
     [
         Some(by_contact / start),
-        Some(run.by_method.unwrap_or(0.0) / start),
+        Some(by_method / start),
+        Some((by_contact + by_method - drift) / start),
         Some(work as f64),
     ]
 }

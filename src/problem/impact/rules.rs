@@ -26,6 +26,7 @@ pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
         violations.extend(time_rules("dt", step, duration));
     }
     closing(case, &mut violations);
+    violations.extend(no_restitution(case));
     if violations.is_empty()
         && let Some(scaled) = Scaled::new(case)
     {
@@ -53,6 +54,16 @@ fn no_condensation(scaled: &Scaled) -> Option<Violation> {
         message:
             "massless-contact needs a law without damping; allowed: impact-spring, hertz, rigid"
                 .into(),
+        at: None,
+    })
+}
+
+/// A damped law needs a restitution above zero.
+fn no_restitution(case: &Case) -> Option<Violation> {
+    let zero = case.at(LAW + law::rows::RESTITUTION) == Some(0.0);
+    (zero && LawName::of(case) != Some(LawName::Rigid)).then(|| Violation {
+        parameter: "restitution".into(),
+        message: "must be > 0 for a law with damping, got 0".into(),
         at: None,
     })
 }

@@ -4,7 +4,7 @@ use crate::problem::{self, Budget, Metric};
 use std::borrow::Cow::Borrowed;
 use std::ops::Range as Rows;
 
-pub(super) static METRICS: [Metric; 30] = [
+pub(super) static METRICS: [Metric; 31] = [
     Metric::new(
         ["contact_duration", "contact duration/*T*_I_", "T_I"],
         "time from the first zero of r (falling) to the last zero of r (rising), with r interpolated linearly between steps; undefined without contact, and if the bars still touch at the end",
@@ -136,6 +136,10 @@ pub(super) static METRICS: [Metric; 30] = [
     Metric::selected(
         ["numerical_dissipation", "numerical dissipation", "1"],
         "energy that the method takes from the bars up to the last step, over E_0; below 0 where it adds energy; 0 to round-off for average-acceleration",
+    ),
+    Metric::selected(
+        ["energy_lost", "energy lost", "1"],
+        "energy of bars and spring that is gone at the last step, over E_0: contact_dissipation plus numerical_dissipation minus energy_drift_final",
     ),
     Metric::selected(
         ["cost", "cost", "1"],
