@@ -8,6 +8,7 @@ use crate::methods::{MethodChoice, MethodKind};
 use crate::problem::Case;
 use crate::problem::choice::choice;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value, row_of};
+use std::borrow::Cow::Borrowed;
 
 choice! {
     /// Contact law of the bars.
@@ -41,6 +42,17 @@ impl LawName {
     }
 }
 
+/// Fills in the restitution of a law that has one.
+pub(super) fn fill_restitution(case: &mut Case) {
+    let row = LAW + rows::RESTITUTION;
+    let default = match LawName::of(case) {
+        None | Some(LawName::ImpactSpring | LawName::Hertz) => return,
+        Some(LawName::Rigid) => 0.0,
+        Some(_) => 1.0,
+    };
+    case.values[row] = case.values[row].or(Some(Value::Number(default)));
+}
+
 /// Parameters of the laws, after those of the bars in the table; the stiffness of the linear spring is among the latter.
 pub(super) static PARAMETERS: [Parameter; 3] = [
     Parameter::new(
@@ -53,7 +65,7 @@ pub(super) static PARAMETERS: [Parameter; 3] = [
     Parameter::only_for(
         ["k_h", "*k*_h_", "force/length^1.5"],
         Kind::Number(Range::Positive),
-        Default::Follows(std::borrow::Cow::Borrowed(
+        Default::Follows(Borrowed(
             "k_I^1.5/F0^0.5: the force F0 at the same overlap F0/k_I; exactly one of gamma, k_I, k_h is given",
         )),
         (
@@ -66,7 +78,7 @@ pub(super) static PARAMETERS: [Parameter; 3] = [
     Parameter::only_for(
         ["restitution", "*e*", "1"],
         Kind::Number(Range::UpToOne),
-        Default::Is(Value::Number(1.0)),
+        Default::Follows(Borrowed("1, or 0 for rigid")),
         (
             "law",
             &[

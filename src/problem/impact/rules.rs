@@ -21,6 +21,7 @@ const MOST_FRONTS: f64 = 1e5;
 pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     let mut violations = Vec::new();
     follow_left(case);
+    law::fill_restitution(case);
     stiffness(case, &mut violations);
     if let (Some(step), Some(duration)) = (case.at(rows::DT), case.at(rows::DURATION)) {
         violations.extend(time_rules("dt", step, duration));
