@@ -3,6 +3,7 @@
 use super::StructureProblem;
 use super::motion::{self, LANES};
 use super::node::Numbering;
+use crate::methods::MethodChoice;
 use crate::problem::Case;
 use crate::solve::structure::Prepared;
 use crate::solve::{MetricTable, Unsolvable};
@@ -24,6 +25,8 @@ pub struct Ready {
     /// Number of steps N.
     pub last: u64,
 }
+
+const AVERAGE: MethodChoice = MethodChoice::AverageAcceleration;
 
 /// Most groups at a time.
 const MOST_GROUPS: usize = 16;
@@ -65,7 +68,7 @@ impl Groups<'_> {
     /// Adds a case to the group with its linear part.
     pub fn add(&mut self, ready: Ready) {
         let fits = |group: &Group| {
-            group.last == ready.last && group.prepared.fits(&ready.structure, ready.dt)
+            group.last == ready.last && group.prepared.fits(&AVERAGE, &ready.structure, ready.dt)
         };
         if let Some(group) = self.groups.iter_mut().find(|group| fits(group)) {
             group.cases.push(ready);
