@@ -329,6 +329,73 @@ fn a_sweep_has_the_bits_of_single_cases_whatever_its_order() {
     }
 }
 
+/// A mass between a stop and friction, by `method`.
+fn by(method: &str, dt: f64, stop: &str) -> String {
+    format!(
+        r#"{{"problem": "structure", "parameters": {{"method": {method}, "scale": {{"linspace": [0.5, 2, 17]}}, "dt": {dt}, "duration": 3}},
+            "structure": {{"masses": {{"p": 2}}, "springs": [{{"between": ["ground", "p"], "k": 50, "c": 0.3}}],
+            "contacts": {{"slide": {{"law": "displacement-control", "between": ["ground", "p"], "limit": 0.4, "rE": 0.002}},
+                         "stop": {{"law": "impact", "between": ["p", "ground"], "gap": 0.02, {stop}}}}},
+            "ground": {{"sine": {{"amplitude": 1, "omega": 5}}, "scale": "scale"}}}},
+            "metrics": ["peak(p)", "impacts(stop)", "energy_error", "numerical_dissipation"]}}"#
+    )
+}
+
+#[test]
+fn the_method_is_an_axis() {
+    let methods = r#"["average-acceleration", "hht", "generalized-alpha", "bathe", "moreau-jean"]"#;
+    for stop in [r#""k": 700"#, r#""e": 0.5"#] {
+        let study = parse(&by(methods, 0.002, stop));
+        assert_eq!(study.len(), 85);
+        let mut cases = Cases::new(study.problem.schema());
+        study.cases().for_each(|case| cases.push(&case));
+        let rows: Vec<u32> = (0..85).collect();
+        let table = study.problem.sweep(&cases, &rows);
+        for row in 0..85 {
+            let case = study.case(row).unwrap();
+            let alone = study.problem.solve(&case, &[]).unwrap().metrics;
+            let swept: Vec<Option<f64>> = table.row(row as usize).collect();
+            assert_eq!(swept, alone, "case {row}");
+            let [_, impacts, error, dissipation] = alone[..] else {
+                panic!("{alone:?}")
+            };
+            assert!(
+                impacts > Some(0.0) && error < Some(1e-12),
+                "{row} {alone:?}"
+            );
+            if case.choice("method") == "average-acceleration" {
+                assert!(dissipation.unwrap().abs() < 1e-12, "{row} {dissipation:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_step_above_the_critical_one_is_refused() {
+    let central = r#""central-difference""#;
+    // omega^2 = (50 + 0.4/0.002 + 700)/2.
+    let critical = 2.0 / 475.0_f64.sqrt();
+    assert_eq!(
+        parse(&by(central, 0.999 * critical, r#""k": 700"#)).len(),
+        17
+    );
+    for (dt, stop, part) in [
+        (
+            1.001 * critical,
+            r#""k": 700"#,
+            "must be at most 9.176629e-2, the critical step",
+        ),
+        (
+            0.001,
+            r#""e": 0.5"#,
+            "has no stable step with rigid contact, such as 'stop'",
+        ),
+    ] {
+        let fault = study::parse("s", &by(central, dt, stop)).unwrap_err();
+        assert!(fault.to_string().contains(part), "{fault}");
+    }
+}
+
 /// The exact channel 0 of the one history figure of a study.
 fn exact(study: &Study, case: u64) -> Vec<f64> {
     let case = study.case(case).unwrap();

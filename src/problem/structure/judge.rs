@@ -2,6 +2,7 @@
 
 use super::channel::{Channel, Number, Quantity};
 use super::metric::{Reduction, StructureMetric};
+use super::motion::Energies;
 use super::node::Numbering;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Relation, Structure};
@@ -69,8 +70,8 @@ pub struct Motions {
     pub rigid: Option<Recorded>,
     /// Exact, with the softened laws on a finer mesh, and the numbering of that mesh.
     pub finer: Option<(Recorded, Numbering)>,
-    /// Energy error of the computed motion.
-    pub energy_error: Option<f64>,
+    /// Energies of the computed motion.
+    pub energies: Option<Energies>,
 }
 
 /// What the motions are of.
@@ -88,8 +89,10 @@ pub struct Judged<'a> {
 
 /// The value of a metric; `None` where it is undefined.
 pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<f64> {
-    if metric.reduction == Reduction::EnergyError {
-        return motions.energy_error;
+    match metric.reduction {
+        Reduction::EnergyError => return Some(motions.energies?.error),
+        Reduction::NumericalDissipation => return Some(motions.energies?.dissipation),
+        _ => {}
     }
     if let Some(contact) = metric.contact {
         return of_contact(metric.reduction, contact, of, &motions.computed);
@@ -135,7 +138,8 @@ pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<
         | Reduction::OpenTime
         | Reduction::Work
         | Reduction::ResidualSlip
-        | Reduction::EnergyError => None,
+        | Reduction::EnergyError
+        | Reduction::NumericalDissipation => None,
     }
 }
 

@@ -9,7 +9,7 @@ pub struct StructureMetric {
     pub name: String,
     /// How the channel is reduced to a number.
     pub reduction: Reduction,
-    /// The channel; none for `energy_error`.
+    /// The channel; none for `energy_error` and `numerical_dissipation`.
     pub channel: Option<Channel>,
     /// The contact of a reduction of contacts, by its place in the list.
     pub contact: Option<usize>,
@@ -56,7 +56,8 @@ reductions! {
     OpenTime "open_time" Contact "time without contact: for an impact the steps that end with S = 0, for friction those with limit 0",
     Work "work" Contact "work of the contact force on the structure's motion, integral of S dr by trapezoids; positive where the contact takes energy",
     ResidualSlip "residual_slip" Contact "slip at the last step minus slip at t = 0",
-    EnergyError "energy_error" Nothing "largest unbalanced energy at any step, over the largest energy (kinetic, strain, and stored in contacts)",
+    EnergyError "energy_error" Nothing "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, and stored in contacts); numerical dissipation does not count",
+    NumericalDissipation "numerical_dissipation" Nothing "energy that the method takes from the structure up to the last step, over the largest energy (kinetic, strain, and stored in contacts); below 0 where it adds energy; 0 to round-off for average-acceleration",
     RmsError "rms_error" Channel "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",
     PeakError "peak_error" Channel "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
     RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",
@@ -79,12 +80,15 @@ impl Reduction {
     }
 }
 
-/// Whether a text has the form of a metric: `name(...)`, or `energy_error`.
+/// Names of metrics of the whole structure.
+pub const OF_ALL: [&str; 2] = ["energy_error", "numerical_dissipation"];
+
+/// Whether a text has the form of a metric: `name(...)`, or one of [`OF_ALL`].
 pub fn looks_like_metric(text: &str) -> bool {
     let name = text.split('(').next().unwrap_or_default().trim();
     let with_brackets = text.contains('(') && text.trim_end().ends_with(')');
     let known = REDUCTIONS.iter().any(|known| known.0 == name);
-    known && (with_brackets || name == Reduction::EnergyError.name())
+    known && (with_brackets || OF_ALL.contains(&name))
 }
 
 impl StructureMetric {
@@ -185,7 +189,10 @@ mod tests {
             metric("impacts(gap)").contact,
             metric("impacts(gap.S)").contact
         );
-        assert_eq!(metric("energy_error").name, "energy_error");
+        for name in OF_ALL {
+            assert_eq!(metric(name).reduction.name(), name);
+            assert!(looks_like_metric(name));
+        }
         let divergence = metric("divergence(p1, 0.01)");
         assert_eq!(divergence.threshold, 0.01);
         for (text, part) in [

@@ -23,8 +23,11 @@ pub use ground::GroundMotion;
 pub use scheme::Scheme;
 
 use super::cases::Cases;
+use super::method;
 use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
 use crate::history::History;
+use crate::methods::MethodChoice;
+use crate::solve::structure::{critical_fault, has_critical_step};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::assemble;
@@ -91,8 +94,32 @@ impl StructureProblem {
             case: case.clone(),
             structure,
             numbering,
+            method: self.method(case).ok_or(Unsolvable::ParameterMissing)?,
             dt: dt.ok_or(Unsolvable::ParameterMissing)?,
             last: self.steps(case),
+        })
+    }
+
+    /// The method of a completed case.
+    fn method(&self, case: &Case) -> Option<MethodChoice> {
+        let name = method::PARAMETERS[0].name.as_ref();
+        let mut parameters = self.schema.parameters.iter();
+        let row = parameters.position(|parameter| parameter.name == name)?;
+        method::of_case(case, row)
+    }
+
+    /// The rules of a method with a critical step.
+    fn step_rules(&self, case: &Case, dt: f64) -> Option<Violation> {
+        let method = self.method(case)?;
+        if !has_critical_step(&method) {
+            return None;
+        }
+        let (structure, _) = self.structure(case, 1).ok()?;
+        let fault = critical_fault(&structure, &method, dt)?;
+        Some(Violation {
+            parameter: fault.parameter().into(),
+            message: fault.to_string(),
+            at: None,
         })
     }
 
@@ -174,6 +201,9 @@ impl Problem for StructureProblem {
                         ),
                         at: None,
                     });
+                }
+                if violations.is_empty() {
+                    violations.extend(self.step_rules(case, step));
                 }
             }
         }

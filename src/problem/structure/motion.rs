@@ -4,6 +4,7 @@ use super::channel::{Number, Quantity};
 use super::judge::Recorded;
 use crate::exact::events;
 use crate::lane::Lane;
+use crate::methods::MethodChoice;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, run};
 use crate::system::structure::{Relation, Structure};
@@ -22,17 +23,35 @@ pub struct Recording<'a> {
     pub energy: bool,
 }
 
-/// A run: its quantities and, if the books are kept, the energy error; or why it failed.
-pub type Run = Result<(Recorded, Option<f64>), Unsolvable>;
+/// Energies of a run over the largest energy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energies {
+    /// Energy error.
+    pub error: f64,
+    /// Numerical dissipation up to the last step.
+    pub dissipation: f64,
+}
 
-/// The linear part of a structure with steps of `dt`.
-pub fn prepare(structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
-    Prepared::new(structure, dt)
+/// A run: its quantities and, if the books are kept, its energies; or why it failed.
+pub type Run = Result<(Recorded, Option<Energies>), Unsolvable>;
+
+/// The linear part of a structure with steps of `dt` by a method.
+pub fn prepare(
+    structure: &Structure,
+    method: &MethodChoice,
+    dt: f64,
+) -> Result<Prepared, Unsolvable> {
+    Prepared::by(method, structure, dt)
 }
 
 /// The motion of one structure by time steps.
-pub fn computed(structure: &Structure, dt: f64, recording: Recording) -> Run {
-    let prepared = prepare(structure, dt)?;
+pub fn computed(
+    structure: &Structure,
+    method: &MethodChoice,
+    dt: f64,
+    recording: Recording,
+) -> Run {
+    let prepared = prepare(structure, method, dt)?;
     let [run] = steps(&[structure], &prepared, recording);
     run
 }
@@ -65,7 +84,7 @@ pub fn steps<const L: usize>(
             }
         },
     );
-    let errors = books.map(|books| books.energy_error().0);
+    let energies = books.map(|books| [books.energy_error().0, books.relative_dissipation().0]);
     let of = |number: usize, lane: usize| -> Vec<f64> {
         let column = rows.iter().skip(number).step_by(numbers.len());
         column.map(|row| row.0[lane]).collect()
@@ -80,8 +99,12 @@ pub fn steps<const L: usize>(
             len: count,
         };
         // Without any energy there is no error.
-        let error = errors.map(|errors| if errors[l].is_nan() { 0.0 } else { errors[l] });
-        Ok((recorded, error))
+        let of = |numbers: &[f64; L]| if numbers[l].is_nan() { 0.0 } else { numbers[l] };
+        let energies = energies.as_ref().map(|[error, dissipation]| Energies {
+            error: of(error),
+            dissipation: of(dissipation),
+        });
+        Ok((recorded, energies))
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::channel::Channel;
 use super::metric::{Reduction, StructureMetric};
+use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
 use crate::problem::schema::{Channel as Column, Metric, Quantity, TimeAxis};
 use crate::problem::{Budget, Schema, Text, escape};
@@ -141,7 +142,15 @@ pub fn named(name: &str) -> Parameter {
     })
 }
 
+/// Whether a parameter belongs to the method of integration; its row is the one of all problems.
+pub fn of_method(name: &str) -> bool {
+    PARAMETERS.iter().any(|parameter| parameter.name == name)
+}
+
 fn parameter(named: &Named) -> Parameter {
+    if let Some(known) = PARAMETERS.iter().find(|known| known.name == named.name) {
+        return known.clone();
+    }
     let fixed = FIXED.iter().find(|fixed| fixed.0 == named.name);
     let kind = match (named.choices, fixed) {
         (Some(choices), _) => Kind::Choice(choices),

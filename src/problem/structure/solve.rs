@@ -75,7 +75,7 @@ impl StructureProblem {
         let numbers = self.numbers(&ready.numbering, |_| true);
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);
-        let run = motion::computed(&ready.structure, ready.dt, recording);
+        let run = motion::computed(&ready.structure, &ready.method, ready.dt, recording);
         self.judge(ready, run, more)
     }
 
@@ -83,7 +83,7 @@ impl StructureProblem {
         Recording {
             last: ready.last,
             numbers,
-            energy: self.has(&[Reduction::EnergyError]),
+            energy: self.has(&[Reduction::EnergyError, Reduction::NumericalDissipation]),
         }
     }
 
@@ -94,17 +94,18 @@ impl StructureProblem {
         run: Run,
         more: &[Number],
     ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
-        let (computed, energy_error) = run?;
+        let (computed, energies) = run?;
         let Ready {
             structure,
             numbering,
+            method,
             dt,
             last,
             ..
         } = ready;
         let mut motions = Motions {
             computed,
-            energy_error,
+            energies,
             ..Motions::default()
         };
         if self.has(&[Reduction::Divergence]) {
@@ -117,7 +118,7 @@ impl StructureProblem {
                 energy: false,
             };
             let other = motion::perturbed(structure);
-            motions.perturbed = Some(motion::computed(&other, *dt, recording)?.0);
+            motions.perturbed = Some(motion::computed(&other, method, *dt, recording)?.0);
         }
         let numbers = self.numbers(numbering, |metric| ERRORS.contains(&metric.reduction));
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));

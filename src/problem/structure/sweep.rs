@@ -3,6 +3,7 @@
 use super::StructureProblem;
 use super::motion::{self, LANES};
 use super::node::Numbering;
+use crate::methods::MethodChoice;
 use crate::problem::Case;
 use crate::solve::structure::Prepared;
 use crate::solve::{MetricTable, Unsolvable};
@@ -19,6 +20,8 @@ pub struct Ready {
     pub structure: Structure,
     /// Numbers of its nodes.
     pub numbering: Numbering,
+    /// Method of integration.
+    pub method: MethodChoice,
     /// Time step.
     pub dt: f64,
     /// Number of steps N.
@@ -65,7 +68,10 @@ impl Groups<'_> {
     /// Adds a case to the group with its linear part.
     pub fn add(&mut self, ready: Ready) {
         let fits = |group: &Group| {
-            group.last == ready.last && group.prepared.fits(&ready.structure, ready.dt)
+            group.last == ready.last
+                && group
+                    .prepared
+                    .fits(&ready.method, &ready.structure, ready.dt)
         };
         if let Some(group) = self.groups.iter_mut().find(|group| fits(group)) {
             group.cases.push(ready);
@@ -75,7 +81,7 @@ impl Groups<'_> {
             }
             return;
         }
-        match motion::prepare(&ready.structure, ready.dt) {
+        match motion::prepare(&ready.structure, &ready.method, ready.dt) {
             Err(why) => self.table.fail(ready.place, why),
             Ok(prepared) => {
                 if self.groups.len() == MOST_GROUPS {

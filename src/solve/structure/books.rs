@@ -1,15 +1,22 @@
 //! Energy books of a run, and the work of each contact.
 
 use super::State;
+use super::state::Average;
+use super::visited::Kind;
 use crate::lane::Lane;
 
-/// Energy books of L structures: the method fulfils, with the means over a step,
+/// Energy books of L structures. For the kinetic and strain energy E without the contacts
 ///
 /// ```text
-/// E(i+1) - E(i) = du^T p_mean - dt v_mean^T C v_mean - S_mean^T dr
+/// E(i+1) - E(i) = du^T p_mean - du^T C v_mean - S_mean^T dr - (numerical dissipation of the step)
 /// ```
 ///
-/// for the kinetic and strain energy E without the contacts, to round-off and for any forces.
+/// with the means of both ends of a step (of each sub-step). The constant average acceleration method has no numerical dissipation:
+/// both sides differ by round-off for any forces. An impulse does its work on the mean of the velocities before and after it, and
+/// the separation of overlaps counts as numerical dissipation.
+///
+/// For the other methods the energy error is the work of the unbalanced forces of the equations that they solve, which is round-off,
+/// too.
 #[derive(Debug, Clone)]
 pub struct Books<const L: usize> {
     /// The change of u over the last step, and dt v after it.
@@ -20,9 +27,13 @@ pub struct Books<const L: usize> {
     contacts: Vec<[Lane<L>; 2]>,
     /// Energy at t = 0.
     start: Lane<L>,
+    /// Energy after the last step.
+    energy: Lane<L>,
     /// Sum of the right sides.
     supplied: Lane<L>,
-    /// Largest difference of both sides, summed up to a step.
+    /// Sum of the works of unbalanced forces.
+    unbalanced: Lane<L>,
+    /// Largest error, summed up to a step.
     difference: Lane<L>,
     /// Largest energy.
     largest: Lane<L>,
@@ -34,12 +45,22 @@ impl<const L: usize> Books<L> {
     pub fn new(start: &State<L>) -> Self {
         let zero = Lane::splat(0.0);
         let energy = start.energy();
+        let (nodes, contacts) = match &start.0 {
+            Kind::Average(start) => (
+                start.w.iter().map(|w| [zero, *w]).collect(),
+                start.contact_states().collect(),
+            ),
+            // Their state has both ends of the last step.
+            Kind::General(_) => (Vec::new(), Vec::new()),
+        };
         Books {
-            nodes: start.w.iter().map(|w| [zero, *w]).collect(),
-            loads: vec![zero; start.w.len()],
-            contacts: start.contact_states().collect(),
+            nodes,
+            loads: vec![zero; start.nodes() + 1],
+            contacts,
             start: energy,
+            energy,
             supplied: zero,
+            unbalanced: zero,
             difference: zero,
             largest: energy + start.stored_energy(),
             work: vec![zero; start.contacts()],
@@ -49,6 +70,23 @@ impl<const L: usize> Books<L> {
     /// Adds the step to `state`.
     #[inline(always)]
     pub fn add(&mut self, state: &State<L>) {
+        let difference = match &state.0 {
+            Kind::Average(state) => self.add_average(state),
+            Kind::General(state) => {
+                let done = state.work_of_step(&mut self.work, &mut self.loads);
+                self.supplied = self.supplied + done.supplied;
+                self.unbalanced = self.unbalanced + done.unbalanced;
+                self.energy = state.energy();
+                self.unbalanced
+            }
+        };
+        self.difference = self.difference.larger(difference.map(f64::abs));
+        self.largest = self.largest.larger(self.energy + state.stored_energy());
+    }
+
+    /// Adds a step by the constant average acceleration method. Returns the difference of both sides.
+    #[inline(always)]
+    fn add_average(&mut self, state: &Average<L>) -> Lane<L> {
         let prepared = state.prepared;
         for ([change, w], now) in self.nodes.iter_mut().zip(&state.w) {
             // du = dt v_mean
@@ -73,16 +111,25 @@ impl<const L: usize> Books<L> {
             *before = [r, s];
         }
         self.supplied = supplied;
-        let energy = state.energy();
-        let difference = energy - self.start - supplied;
-        self.difference = self.difference.larger(difference.map(f64::abs));
-        self.largest = self.largest.larger(energy + state.stored_energy());
+        self.energy = state.energy();
+        self.energy - self.start - supplied
     }
 
-    /// Largest difference of the books at any step, over the largest energy: kinetic, strain, and what the contacts store. NaN
-    /// if there never is any energy.
+    /// Largest error of the books at any step, over the largest energy: kinetic, strain, and what the contacts store. NaN if there
+    /// never is any energy.
     pub fn energy_error(&self) -> Lane<L> {
         self.difference.zip(self.largest, |d, e| d / e)
+    }
+
+    /// Energy that the method took from the structure up to the last step; below 0 where it added energy. Round-off for the constant
+    /// average acceleration method.
+    pub fn numerical_dissipation(&self) -> Lane<L> {
+        self.start + self.supplied - self.energy
+    }
+
+    /// The same over the largest energy; NaN if there never is any energy.
+    pub fn relative_dissipation(&self) -> Lane<L> {
+        self.numerical_dissipation().zip(self.largest, |d, e| d / e)
     }
 
     /// Work of the structure on a contact, the integral of S dr, with the mean force of each step.
@@ -91,10 +138,10 @@ impl<const L: usize> Books<L> {
     }
 }
 
-impl<const L: usize> State<'_, L> {
+impl<const L: usize> Average<'_, L> {
     /// Kinetic and strain energy, without the contacts.
     #[inline(always)]
-    pub fn energy(&self) -> Lane<L> {
+    pub(super) fn energy(&self) -> Lane<L> {
         let u = |place: usize| self.p[place] - self.w[place] * 0.5;
         let mut twice = Lane::splat(0.0);
         for (w, inertia) in self.w.iter().zip(&self.prepared.inertia) {
@@ -109,7 +156,7 @@ impl<const L: usize> State<'_, L> {
 
     /// Energy that the contacts store.
     #[inline(always)]
-    pub fn stored_energy(&self) -> Lane<L> {
+    pub(super) fn stored_energy(&self) -> Lane<L> {
         let mut twice = Lane::splat(0.0);
         for contact in &self.contacts {
             let line = &contact.line;

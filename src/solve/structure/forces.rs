@@ -93,6 +93,18 @@ impl<const L: usize> Forces<L> {
         (contact.low, contact.high) = (low, high);
     }
 
+    /// Changes the bounds of a contact, also from finite to infinite ones; [`Forces::hold`] must follow.
+    #[inline(always)]
+    pub(super) fn rebound(&mut self, contact: usize, bounds: [Lane<L>; 2]) {
+        self.bound(contact, bounds);
+        let contact = &mut self.contacts[contact];
+        for l in 0..L {
+            if contact.side.0[l] < 0.0 && contact.low.0[l] == f64::NEG_INFINITY {
+                contact.side.0[l] = 1.0;
+            }
+        }
+    }
+
     /// The bounds of a contact.
     #[inline(always)]
     pub(super) fn bounds(&self, contact: usize) -> [Lane<L>; 2] {
@@ -210,7 +222,7 @@ impl<const L: usize> Forces<L> {
     /// Solves the whole problem of lane `l` and keeps its pattern.
     #[cold]
     #[inline(never)]
-    fn solve_lane(
+    pub(super) fn solve_lane(
         &mut self,
         [l, step]: [usize; 2],
         d: &[Lane<L>],

@@ -90,6 +90,10 @@ pub(super) struct Inputs<const L: usize> {
     means: Vec<Vec<f64>>,
     /// Values of limits at each step.
     values: Vec<Vec<f64>>,
+    /// The loads of the equations of sub-steps, and what the loads jump at each of their ends; none for the constant average
+    /// acceleration method, of which these are the means.
+    weighted: Vec<Vec<f64>>,
+    jumps: Vec<Vec<f64>>,
     loads: Vec<LaneLoad<L>>,
     limits: Vec<Varying<L>>,
 }
@@ -97,8 +101,49 @@ pub(super) struct Inputs<const L: usize> {
 impl<const L: usize> Inputs<L> {
     /// Inputs of structures with loads on the same nodes.
     pub(super) fn new(cases: &[&Structure; L], prepared: &Prepared, steps: usize) -> Self {
-        let mut means = Samples::new(Signal::step_means, prepared.dt, steps);
-        let mut values = Samples::new(Signal::at_steps, prepared.dt, steps);
+        Inputs::at(cases, prepared, prepared.dt, steps).0
+    }
+
+    /// Inputs at the ends of sub-steps of equal length, each with the weights of the loads at its start and end.
+    pub(super) fn of_sub_steps(
+        cases: &[&Structure; L],
+        prepared: &Prepared,
+        steps: usize,
+        weights: &[[f64; 2]],
+    ) -> Self {
+        let parts = weights.len();
+        let (dt, count) = (prepared.dt / parts as f64, steps * parts);
+        let (mut inputs, signals) = Inputs::at(cases, prepared, dt, count);
+        for signal in signals {
+            let [before, after] = signal.step_ends(dt, count);
+            let jumps = before
+                .iter()
+                .zip(&after)
+                .map(|(before, after)| after - before);
+            inputs.jumps.push(jumps.collect());
+            let weighted = (0..=count).map(|end| {
+                let start = end.saturating_sub(1);
+                let [w0, w1] = weights[start % parts];
+                w0 * after[start] + w1 * before[end]
+            });
+            inputs.weighted.push(weighted.collect());
+        }
+        // Most loads never jump.
+        if inputs.jumps.iter().flatten().all(|jump| *jump == 0.0) {
+            inputs.jumps.clear();
+        }
+        inputs
+    }
+
+    /// Inputs at 0, dt, .. steps dt, and the signals of the loads.
+    fn at<'a>(
+        cases: &[&'a Structure; L],
+        prepared: &Prepared,
+        dt: f64,
+        steps: usize,
+    ) -> (Self, Vec<&'a Arc<Signal>>) {
+        let mut means = Samples::new(Signal::step_means, dt, steps);
+        let mut values = Samples::new(Signal::at_steps, dt, steps);
         let mut loads = Vec::new();
         for (number, load) in cases[0].loads.iter().enumerate() {
             let mut of = [0; L];
@@ -117,21 +162,45 @@ impl<const L: usize> Inputs<L> {
                 signal: Series::new(of),
             });
         }
-        Inputs {
+        let inputs = Inputs {
             limits: limits(cases, prepared, &mut values),
             means: means.series,
             values: values.series,
+            weighted: Vec::new(),
+            jumps: Vec::new(),
             loads,
-        }
+        };
+        (inputs, means.signals)
     }
 
     /// Adds the mean of the loads over the step that ends at `step` to the forces by place.
     #[inline(always)]
     pub(super) fn add_loads(&self, step: usize, force: &mut [Lane<L>]) {
+        self.add(&self.means, step, force);
+    }
+
+    /// Adds the loads in the equation of the sub-step that ends at `step`.
+    #[inline(always)]
+    pub(super) fn add_weighted(&self, step: usize, force: &mut [Lane<L>]) {
+        self.add(&self.weighted, step, force);
+    }
+
+    /// Whether any load jumps between two sub-steps.
+    pub(super) fn loads_jump(&self) -> bool {
+        !self.jumps.is_empty()
+    }
+
+    /// Adds what the loads jump at the end of the sub-step `step`.
+    pub(super) fn add_jumps(&self, step: usize, force: &mut [Lane<L>]) {
+        self.add(&self.jumps, step, force);
+    }
+
+    #[inline(always)]
+    fn add(&self, series: &[Vec<f64>], step: usize, force: &mut [Lane<L>]) {
         for load in &self.loads {
-            let mean = load.signal.at(&self.means, step);
+            let value = load.signal.at(series, step);
             for (place, factor) in &load.pattern {
-                force[*place] = force[*place] + *factor * mean;
+                force[*place] = force[*place] + *factor * value;
             }
         }
     }

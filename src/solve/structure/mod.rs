@@ -1,4 +1,5 @@
-//! Time stepping of structures with any number of contacts by the constant average acceleration method.
+//! Time stepping of structures with any number of contacts. The default is the constant average acceleration method, as follows;
+//! `general` has the other methods.
 //!
 //! Newmark's method with gamma = 1/2, beta = 1/4 `[F section 4]` `[I section 3]` fulfils the equations of motion at the ends of
 //! every step. Their mean is one equation for the change of the velocities. With the increments W = dt v, P = u + W/2
@@ -53,6 +54,7 @@
 
 mod books;
 mod forces;
+mod general;
 mod initial;
 mod laws;
 mod links;
@@ -60,11 +62,13 @@ mod loads;
 mod prepared;
 mod run;
 mod state;
+mod visited;
 
 pub use books::Books;
+pub use general::{CriticalFault, critical_fault, critical_step, has_critical_step};
 pub use prepared::Prepared;
 pub use run::run;
-pub use state::{ContactStep, State};
+pub use visited::{ContactStep, State};
 
 #[cfg(test)]
 mod tests;

@@ -1,15 +1,25 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
+use super::general::{Linear, sub_steps};
 use super::links::{Link, Row, links, rows};
+use crate::methods::MethodChoice;
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::{Entry, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Load, Structure, Symmetric};
 
-/// The linear part of a step, in the order of elimination of Khat.
+/// The linear part of a step, in the order of elimination of its matrix.
+///
+/// The rows and what follows from them are those of the constant average acceleration method. For the other methods they are empty,
+/// and each sub-step has its own linear part.
 #[derive(Debug, Clone)]
 pub struct Prepared {
     pub(super) dt: f64,
+    pub(super) method: MethodChoice,
+    /// The sub-steps of a method other than constant average acceleration.
+    pub(super) sub_steps: Vec<Linear>,
+    /// m by place, for these methods.
+    pub(super) mass: Vec<f64>,
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
     /// Rows of Khat/4 = L D L^T in the order of elimination.
@@ -50,7 +60,7 @@ struct Key {
 }
 
 impl Prepared {
-    /// Prepares steps of `dt`.
+    /// Prepares steps of `dt` by the constant average acceleration method.
     ///
     /// # Errors
     /// [`Unsolvable::Indefinite`] with the name of a node if Khat is not positive definite.
@@ -63,54 +73,80 @@ impl Prepared {
         }
         matrix.add_matrix(&structure.damping, 0.5 / dt);
         matrix.add_matrix(&structure.stiffness, 0.25);
-        let mut touches = vec![false; n];
-        let between: Vec<_> = structure.contacts.iter().map(|c| c.between).collect();
-        for node in between.iter().flatten().flatten() {
-            touches[*node] = true;
-        }
-        let factor = Factor::new(&matrix, &touches).map_err(|NotPositive { row }| {
+        let factor = Factor::new(&matrix, &touches(structure)).map_err(|NotPositive { row }| {
             let node = structure.nodes[row].name.clone();
             Unsolvable::Indefinite { node }
         })?;
-        let mut place = vec![0; n];
-        for (k, node) in factor.order().iter().enumerate() {
-            place[*node] = k;
-        }
+        let place = place_of(&factor);
         let (rows, more, links) = rows(&factor, links(structure, &place, dt));
-        let at = |node: Option<usize>| node.map_or(n, |node| place[node]);
-        let places: Vec<_> = between.iter().map(|ends| ends.map(at)).collect();
+        let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|ends| reduce(&factor, *ends)).collect();
         Ok(Prepared {
             dt,
+            method: MethodChoice::AverageAcceleration,
+            sub_steps: Vec::new(),
+            mass: Vec::new(),
             rows,
             more: Lists::new(&more),
             links,
             inertia: factor.order().iter().map(|node| inertia(*node)).collect(),
-            flexibility: flexibility(&reduced),
+            // L D L^T is Khat/4.
+            flexibility: flexibility(&reduced, 0.25),
             between: places,
             reduced: Lists::new(&reduced),
             place,
-            key: Key {
-                masses: structure.nodes.iter().map(|node| node.mass).collect(),
-                stiffness: structure.stiffness.clone(),
-                damping: structure.damping.clone(),
-                between,
-                loads: structure
-                    .loads
-                    .iter()
-                    .map(loaded)
-                    .map(Vec::from_iter)
-                    .collect(),
-            },
+            key: Key::new(structure),
         })
     }
 
-    /// Whether a structure with steps of `dt` has the same linear part, and loads on the same nodes.
-    pub fn fits(&self, structure: &Structure, dt: f64) -> bool {
+    /// Prepares steps of `dt` by a method.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`]; for other methods in the words of their own matrix.
+    pub fn by(
+        method: &MethodChoice,
+        structure: &Structure,
+        dt: f64,
+    ) -> Result<Prepared, Unsolvable> {
+        if *method == MethodChoice::AverageAcceleration {
+            return Prepared::new(structure, dt);
+        }
+        let touches = touches(structure);
+        let mut place = Vec::new();
+        let mut linear = Vec::new();
+        for sub_step in sub_steps(method, dt) {
+            let (next, order) = Linear::new(structure, &touches, sub_step)?;
+            linear.push(next);
+            place = order;
+        }
+        let mut mass = vec![0.0; structure.len()];
+        for (node, place) in structure.nodes.iter().zip(&place) {
+            mass[*place] = node.mass;
+        }
+        Ok(Prepared {
+            dt,
+            method: *method,
+            sub_steps: linear,
+            mass,
+            rows: Vec::new(),
+            more: Lists::new(&[]),
+            links: Vec::new(),
+            inertia: Vec::new(),
+            between: places(structure, &place),
+            reduced: Lists::new(&[]),
+            flexibility: Vec::new(),
+            place,
+            key: Key::new(structure),
+        })
+    }
+
+    /// Whether a structure with steps of `dt` by a method has the same linear part, and loads on the same nodes.
+    pub fn fits(&self, method: &MethodChoice, structure: &Structure, dt: f64) -> bool {
         let nodes = structure.nodes.iter().map(|node| &node.mass);
         let between = structure.contacts.iter().map(|contact| &contact.between);
         let same_nodes = |(a, b): (&Vec<usize>, _)| a.iter().copied().eq(loaded(b));
         self.dt == dt
+            && self.method == *method
             && self.key.loads.len() == structure.loads.len()
             && self.key.loads.iter().zip(&structure.loads).all(same_nodes)
             && self.key.masses.iter().eq(nodes)
@@ -122,6 +158,11 @@ impl Prepared {
     /// The time step.
     pub fn dt(&self) -> f64 {
         self.dt
+    }
+
+    /// The method.
+    pub fn method(&self) -> &MethodChoice {
+        &self.method
     }
 
     /// Number of nodes.
@@ -147,13 +188,55 @@ impl Prepared {
     }
 }
 
+impl Key {
+    fn new(structure: &Structure) -> Key {
+        Key {
+            masses: structure.nodes.iter().map(|node| node.mass).collect(),
+            stiffness: structure.stiffness.clone(),
+            damping: structure.damping.clone(),
+            between: structure.contacts.iter().map(|c| c.between).collect(),
+            loads: structure
+                .loads
+                .iter()
+                .map(loaded)
+                .map(Vec::from_iter)
+                .collect(),
+        }
+    }
+}
+
+/// Whether each node has a contact.
+fn touches(structure: &Structure) -> Vec<bool> {
+    let mut touches = vec![false; structure.len()];
+    for node in structure.contacts.iter().flat_map(|c| c.between).flatten() {
+        touches[node] = true;
+    }
+    touches
+}
+
+/// The place of each node in the order of elimination.
+pub(super) fn place_of(factor: &Factor) -> Vec<usize> {
+    let mut place = vec![0; factor.order().len()];
+    for (k, node) in factor.order().iter().enumerate() {
+        place[*node] = k;
+    }
+    place
+}
+
+/// Places I and J of each contact; the place behind the last one is the ground.
+fn places(structure: &Structure, place: &[usize]) -> Vec<[usize; 2]> {
+    let at = |node: Option<usize>| node.map_or(place.len(), |node| place[node]);
+    let contacts = structure.contacts.iter();
+    contacts.map(|contact| contact.between.map(at)).collect()
+}
+
 /// The nodes of a load.
 fn loaded(load: &Load) -> impl Iterator<Item = usize> + '_ {
     load.pattern.iter().map(|(node, _)| *node)
 }
 
 /// L^-1 B of a contact between two places; the place behind the last one is the ground.
-fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
+pub(super) fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
     let n = factor.order().len();
     let mut column = vec![0.0; n + 1];
     column[i] -= 1.0;
@@ -172,8 +255,8 @@ fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
     entries.filter(|(_, x)| *x != 0.0).map(entry).collect()
 }
 
-/// H = (L^-1 B)^T D^-1 (L^-1 B)/4, where L D L^T is Khat/4.
-fn flexibility(reduced: &[Vec<Reduced>]) -> Vec<f64> {
+/// A factor times B^T (L D L^T)^-1 B = (L^-1 B)^T D^-1 (L^-1 B).
+pub(super) fn flexibility(reduced: &[Vec<Reduced>], factor: f64) -> Vec<f64> {
     let product = |a: &[Reduced], b: &[Reduced]| {
         let (mut sum, mut b) = (0.0, b.iter().peekable());
         for x in a {
@@ -182,7 +265,7 @@ fn flexibility(reduced: &[Vec<Reduced>]) -> Vec<f64> {
                 sum += x.by_pivot * y.value;
             }
         }
-        0.25 * sum
+        factor * sum
     };
     let m = reduced.len();
     let mut h = vec![0.0; m * m];

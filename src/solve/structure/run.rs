@@ -1,37 +1,68 @@
 //! Steps of structures in lanes.
 
+use super::general::General;
 use super::laws::friction;
 use super::links::Link;
 use super::loads::Inputs;
-use super::state::ContactState;
+use super::state::{Average, ContactState};
+use super::visited::Kind;
 use super::{Prepared, State};
 use crate::lane::Lane;
+use crate::methods::MethodChoice;
 use crate::solve::Unsolvable;
 use crate::system::structure::Structure;
 use multiversion::multiversion;
 
-/// Steps L structures to step `steps`; `visit` gets the number of each step, from 0 on, and the state.
+/// Steps L structures to step `steps`, by the method that they are prepared for; `visit` gets the number of each step, from 0 on, and
+/// the state.
 ///
 /// All structures must fit `prepared` ([`Prepared::fits`]). The bits of each do not depend on the others, on L, or on its place.
 ///
 /// # Errors
 /// For each lane: [`Unsolvable::NoForces`] if the forces of a step are not unique, [`Unsolvable::OutOfRange`] if the motion does not
-/// remain finite. What `visit` gets of such a lane has no meaning.
+/// remain finite, [`Unsolvable::BrokenRules`] if the method cannot step this structure: an explicit one above its critical step, or
+/// with a rigid impact. What `visit` gets of such a lane has no meaning.
 pub fn run<const L: usize>(
     cases: &[&Structure; L],
     prepared: &Prepared,
     steps: usize,
     mut visit: impl FnMut(usize, &State<L>),
 ) -> [Result<(), Unsolvable>; L] {
-    let inputs = Inputs::new(cases, prepared, steps);
-    let mut state = State::new(cases, prepared, inputs);
+    let mut state = State(match prepared.method {
+        MethodChoice::AverageAcceleration => {
+            let inputs = Inputs::new(cases, prepared, steps);
+            Kind::Average(Average::new(cases, prepared, inputs))
+        }
+        _ => Kind::General(General::new(cases, prepared, steps)),
+    });
     visit(0, &state);
-    step_all(&mut state, steps, &mut visit);
-    let (finite, failures) = (state.finite(), state.forces.failures());
-    std::array::from_fn(|l| match failures[l] {
-        Some((step, why)) => Err(Unsolvable::NoForces { step, why }),
-        None if finite[l] => Ok(()),
-        None => Err(Unsolvable::OutOfRange),
+    match prepared.method {
+        MethodChoice::AverageAcceleration => step_all(&mut state, steps, &mut visit),
+        _ => {
+            for step in 1..=steps {
+                if let Kind::General(general) = &mut state.0 {
+                    step_generally(general, step);
+                }
+                visit(step, &state);
+            }
+        }
+    }
+    let (finite, failures) = match &state.0 {
+        Kind::Average(state) => {
+            let no_forces = |(step, why)| Unsolvable::NoForces { step, why };
+            let failures = state
+                .forces
+                .failures()
+                .map(|failure| failure.map(no_forces));
+            (state.finite(), failures)
+        }
+        Kind::General(state) => (state.finite(), state.failures()),
+    };
+    let mut failures = failures.into_iter().zip(finite);
+    std::array::from_fn(|_| match failures.next() {
+        Some((Some(why), _)) => Err(why),
+        Some((None, true)) => Ok(()),
+        _ => Err(Unsolvable::OutOfRange),
     })
 }
 
@@ -43,12 +74,20 @@ fn step_all<const L: usize, V: FnMut(usize, &State<L>)>(
     visit: &mut V,
 ) {
     for step in 1..=steps {
-        state.step(step);
+        if let Kind::Average(average) = &mut state.0 {
+            average.step(step);
+        }
         visit(step, state);
     }
 }
 
-impl<const L: usize> State<'_, L> {
+// Without the visitor: every visitor would compile it again.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn step_generally<const L: usize>(state: &mut General<L>, step: usize) {
+    state.step(step);
+}
+
+impl<const L: usize> Average<'_, L> {
     /// One step; `step` is the number of its end.
     #[inline(always)]
     fn step(&mut self, step: usize) {

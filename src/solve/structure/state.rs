@@ -1,16 +1,16 @@
-//! The state of structures in lanes.
+//! The state of structures in lanes, by the constant average acceleration method.
 
-use super::Prepared;
 use super::forces::Forces;
 use super::initial;
 use super::laws::{Line, bounds};
 use super::loads::Inputs;
+use super::{ContactStep, Prepared};
 use crate::lane::Lane;
 use crate::system::structure::Structure;
 
 /// The state of L structures after a step.
 #[derive(Debug)]
-pub struct State<'a, const L: usize> {
+pub(super) struct Average<'a, const L: usize> {
     pub(super) prepared: &'a Prepared,
     /// P = u + W/2 by place; the last one is the ground, which does not move.
     pub(super) p: Vec<Lane<L>>,
@@ -51,39 +51,24 @@ pub(super) struct LaneLine<const L: usize> {
     pub(super) by_force: Lane<L>,
 }
 
-/// A contact after a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactStep<const L: usize> {
-    /// Relative displacement r.
-    pub displacement: Lane<L>,
-    /// Relative velocity rdot.
-    pub velocity: Lane<L>,
-    /// Force S.
-    pub force: Lane<L>,
-    /// Friction limit; 0 for an impact.
-    pub limit: Lane<L>,
-    /// r - S/k^C of the displacement-control model; r of the other laws.
-    pub slip: Lane<L>,
-}
-
-impl<const L: usize> State<'_, L> {
+impl<const L: usize> Average<'_, L> {
     /// Displacement of a node, numbered as in the structure.
     #[inline(always)]
-    pub fn displacement(&self, node: usize) -> Lane<L> {
+    pub(super) fn displacement(&self, node: usize) -> Lane<L> {
         let place = self.prepared.place[node];
         self.p[place] - self.w[place] * 0.5
     }
 
     /// Velocity of a node.
     #[inline(always)]
-    pub fn velocity(&self, node: usize) -> Lane<L> {
+    pub(super) fn velocity(&self, node: usize) -> Lane<L> {
         let dt = self.prepared.dt;
         self.w[self.prepared.place[node]].map(|w| w / dt)
     }
 
     /// A contact.
     #[inline(always)]
-    pub fn contact(&self, contact: usize) -> ContactStep<L> {
+    pub(super) fn contact(&self, contact: usize) -> ContactStep<L> {
         let dt = self.prepared.dt;
         let [_, limit] = self.forces.bounds(contact);
         let contact = &self.contacts[contact];
@@ -95,16 +80,6 @@ impl<const L: usize> State<'_, L> {
             limit,
             slip: displacement - contact.force * contact.line.by_force,
         }
-    }
-
-    /// Number of contacts.
-    pub fn contacts(&self) -> usize {
-        self.contacts.len()
-    }
-
-    /// Number of nodes.
-    pub fn nodes(&self) -> usize {
-        self.prepared.nodes()
     }
 
     /// Whether the motion of each lane is finite.
@@ -119,7 +94,7 @@ impl<const L: usize> State<'_, L> {
     }
 }
 
-impl<'a, const L: usize> State<'a, L> {
+impl<'a, const L: usize> Average<'a, L> {
     /// The structures at t = 0.
     pub(super) fn new(cases: &[&Structure; L], prepared: &'a Prepared, inputs: Inputs<L>) -> Self {
         let (n, m) = (prepared.nodes(), prepared.contacts());
@@ -177,7 +152,7 @@ impl<'a, const L: usize> State<'a, L> {
         for (lane, why) in failures {
             forces.fail(lane, 0, why);
         }
-        let mut state = State {
+        let mut state = Average {
             prepared,
             p,
             w,

@@ -2,6 +2,7 @@
 
 use super::schema::{block_keys, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
+use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::Range;
 use crate::problem::structure::channel::QUANTITIES;
 use crate::problem::structure::contacts::LawName;
@@ -85,6 +86,11 @@ fn parameters() -> Json {
         let mut value = axis_values();
         value["description"] = meaning.into();
         schema["properties"][name] = value;
+    }
+    for parameter in &PARAMETERS {
+        let mut value = axis_values();
+        value["description"] = parameter.meaning.as_ref().into();
+        schema["properties"][parameter.name.as_ref()] = value;
     }
     schema
 }

@@ -2,10 +2,11 @@
 
 use super::reader::{Reader, is_name};
 use crate::problem::interned;
+use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::{Kind, Parameter};
 use crate::problem::structure::contacts::LawName;
-use crate::problem::structure::metric::Reduction;
-use crate::problem::structure::schema::{FIXED, Named};
+use crate::problem::structure::metric::OF_ALL;
+use crate::problem::structure::schema::{FIXED, Named, of_method};
 use crate::study::expression::Formula;
 use crate::study::expression::tokens::FUNCTIONS;
 use crate::study::source::faults::{Faults, join, quoted};
@@ -143,7 +144,7 @@ fn interned_choices(files: Vec<(&'static str, &'static str)>) -> Choices {
     table
 }
 
-/// The parameters of all blocks in the order of the file. dt and duration are always among them.
+/// The parameters of all blocks in the order of the file. dt, duration and those of the method are always among them.
 pub(super) fn parameters(
     root: &Node,
     choices: &[(String, Choices)],
@@ -152,13 +153,13 @@ pub(super) fn parameters(
     let mut parameters: Vec<Named> = Vec::new();
     for (member, path) in given(root) {
         let name = &member.key;
-        if parameters.iter().any(|known| known.name == *name) {
+        if parameters.iter().any(|known| known.name == *name) || of_method(name) {
             continue;
         }
         let reserved = FUNCTIONS.iter().any(|function| function.0 == name)
             || ["and", "or", "not"].contains(&name.as_str());
         // Columns of results that are not parameters.
-        let column = ["case", Reduction::EnergyError.name()].contains(&name.as_str());
+        let column = name == "case" || OF_ALL.contains(&name.as_str());
         if reserved || column || !is_name(name) {
             let message = match reserved || column {
                 true if column => format!(
@@ -192,6 +193,12 @@ pub(super) fn parameters(
             });
         }
     }
+    // One behind the other, as `method::of_case` reads them.
+    parameters.extend(PARAMETERS.iter().map(|parameter| Named {
+        name: parameter.name.to_string(),
+        choices: None,
+        required: true,
+    }));
     parameters
 }
 

@@ -84,9 +84,18 @@ impl Signal {
     }
 
     /// Means over the step that ends at 0, dt, .. steps dt, by the values at both ends of the step; the first one has no
-    /// meaning. Where a table jumps at the end of a step, that step has the value before the jump and the next one the value
-    /// after it, so that a jump between steps is exact.
+    /// meaning.
     pub fn step_means(&self, dt: f64, steps: usize) -> Vec<f64> {
+        let [before, after] = self.step_ends(dt, steps);
+        let pairs = std::iter::once(after[0])
+            .chain(after.iter().copied())
+            .zip(before);
+        pairs.map(|(start, end)| 0.5 * (start + end)).collect()
+    }
+
+    /// The values at 0, dt, .. steps dt for the steps that end there, and for those that start there. Where a table jumps, the
+    /// first are the values before the jump and the second those after it, so that a jump between steps is exact.
+    pub fn step_ends(&self, dt: f64, steps: usize) -> [Vec<f64>; 2] {
         let after = self.at_steps(dt, steps);
         let mut before = after.clone();
         let mut after = after;
@@ -101,10 +110,7 @@ impl Signal {
                 }
             }
         }
-        let pairs = std::iter::once(after[0])
-            .chain(after.iter().copied())
-            .zip(before);
-        pairs.map(|(start, end)| 0.5 * (start + end)).collect()
+        [before, after]
     }
 
     /// The values at 0, dt, .. steps dt, as [`Signal::at`] gives them.

@@ -4,7 +4,7 @@ use super::*;
 use crate::solve::structure::{Prepared, run};
 use nalgebra::{DMatrix, DVector};
 
-fn full(matrix: &Symmetric) -> DMatrix<f64> {
+pub(super) fn full(matrix: &Symmetric) -> DMatrix<f64> {
     let mut full = DMatrix::zeros(matrix.size(), matrix.size());
     for ((i, j), value) in matrix.entries() {
         (full[(i, j)], full[(j, i)]) = (value, value);
@@ -105,7 +105,7 @@ impl Dense<'_> {
 }
 
 /// The one pattern of low, free and high forces that contradicts itself least.
-fn all_patterns(
+pub(super) fn all_patterns(
     a: &DMatrix<f64>,
     d: &DVector<f64>,
     low: &DVector<f64>,

@@ -4,6 +4,7 @@ mod bodies;
 mod books;
 mod dense;
 mod lanes;
+mod methods;
 mod motion;
 
 use crate::system::structure::{

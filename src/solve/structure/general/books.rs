@@ -1,0 +1,101 @@
+//! Energies of the state, and the work of its last step.
+
+use super::stepper::{General, predict};
+use crate::lane::Lane;
+
+/// What a step did.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::solve::structure) struct StepWork<const L: usize> {
+    /// Work of the loads less that of the dashpots and contacts, each with its mean over a sub-step.
+    pub(in crate::solve::structure) supplied: Lane<L>,
+    /// Work of the forces that the equations of the sub-steps leave unbalanced, on the displacements of these equations.
+    pub(in crate::solve::structure) unbalanced: Lane<L>,
+}
+
+impl<const L: usize> General<'_, L> {
+    /// The work of the last step; adds that of each contact to `contacts`. `room` has a number for each place.
+    pub(in crate::solve::structure) fn work_of_step(
+        &self,
+        contacts: &mut [Lane<L>],
+        room: &mut [Lane<L>],
+    ) -> StepWork<L> {
+        let zero = Lane::splat(0.0);
+        let (mut supplied, mut unbalanced) = (zero, zero);
+        let parts = self.prepared.sub_steps.len();
+        for (part, linear) in self.prepared.sub_steps.iter().enumerate() {
+            let sub_step = &linear.sub_step;
+            let number = (self.step - 1) * parts + part + 1;
+            let (first, start) = (&self.stages[0], &self.stages[part]);
+            let end = &self.stages[part + 1];
+            let [w0, w1] = sub_step.weights;
+            let [m0, m1] = sub_step.inertia;
+            let [s0, s1] = sub_step.forces;
+            // The displacement of the equation: without the separation of overlaps.
+            let moved = |place: usize| {
+                let [du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
+                du + end.nodes[place][2] * sub_step.d2
+            };
+            let by = |place: usize, k: usize| end.nodes[place][k] - start.nodes[place][k];
+            room.fill(zero);
+            self.inputs.add_loads(number, room);
+            for (at, load) in room.iter().enumerate() {
+                supplied = supplied + *load * by(at, 0);
+            }
+            room.fill(zero);
+            self.inputs.add_weighted(number, room);
+            for (at, mass) in self.prepared.mass.iter().enumerate() {
+                let a = start.nodes[at][2] * m0 + end.nodes[at][2] * m1;
+                unbalanced = unbalanced + (room[at] - a * *mass) * moved(at);
+            }
+            for link in linear.all_links() {
+                let difference = |of: &dyn Fn(usize) -> Lane<L>| of(link.to) - of(link.from);
+                let du = difference(&moved);
+                let u = difference(&|at| start.nodes[at][0]) + du * w1;
+                let [v, v_end] = [start, end].map(|stage| difference(&|at| stage.nodes[at][1]));
+                unbalanced = unbalanced - du * (u * link.k + (v * w0 + v_end * w1) * link.c);
+                let mean = (v + v_end) * 0.5;
+                supplied = supplied - mean * difference(&|at| by(at, 0)) * link.c;
+            }
+            for (c, work) in contacts.iter_mut().enumerate() {
+                let ([r, rdot, s], [r_end, rdot_end, s_end]) = (start.contacts[c], end.contacts[c]);
+                let mut step = (s + s_end) * 0.5 * (r_end - r);
+                let impulse = s_end * ((rdot + rdot_end) * (0.5 * sub_step.length));
+                for (l, by_impulse) in self.contacts[c].by_impulse.iter().enumerate() {
+                    step.0[l] = if *by_impulse { impulse.0[l] } else { step.0[l] };
+                }
+                *work = *work + step;
+                supplied = supplied - step;
+                let [i, j] = self.prepared.between[c];
+                let force = s * s0 + s_end * s1;
+                unbalanced = unbalanced - force * (moved(j) - moved(i));
+            }
+        }
+        StepWork {
+            supplied,
+            unbalanced,
+        }
+    }
+
+    /// Kinetic and strain energy, without the contacts.
+    pub(in crate::solve::structure) fn energy(&self) -> Lane<L> {
+        let nodes = &self.last().nodes;
+        let mut twice = Lane::splat(0.0);
+        for ([_, v, _], mass) in nodes.iter().zip(&self.prepared.mass) {
+            twice = twice + *v * *v * *mass;
+        }
+        for link in self.prepared.sub_steps[0].all_links() {
+            let change = nodes[link.to][0] - nodes[link.from][0];
+            twice = twice + change * change * link.k;
+        }
+        twice * 0.5
+    }
+
+    /// Energy that the contacts store.
+    pub(in crate::solve::structure) fn stored_energy(&self) -> Lane<L> {
+        let mut twice = Lane::splat(0.0);
+        for (contact, [_, _, s]) in self.contacts.iter().zip(&self.last().contacts) {
+            twice = twice + *s * *s * contact.softness;
+        }
+        twice * 0.5
+    }
+}

@@ -1,0 +1,77 @@
+//! The linear part of a sub-step.
+
+use super::scheme::SubStep;
+use crate::solve::Unsolvable;
+use crate::solve::structure::links::{Link, Row, links, rows};
+use crate::solve::structure::prepared::{Reduced, flexibility, place_of, reduce};
+use crate::system::structure::factor::{Entry, Factor, NotPositive};
+use crate::system::structure::lists::Lists;
+use crate::system::structure::{Structure, Symmetric};
+
+/// A sub-step with its matrix m1 M + w1 d1 C + w1 d2 K = L D L^T in the order of elimination.
+#[derive(Debug, Clone)]
+pub(in crate::solve::structure) struct Linear {
+    pub(super) sub_step: SubStep,
+    /// Rows of the matrix; c is not divided by dt.
+    pub(super) rows: Vec<Row>,
+    /// Entries of L that are in no row.
+    pub(super) more: Lists<Entry>,
+    /// Links that are in no row.
+    pub(super) links: Vec<Link>,
+    /// L^-1 B by columns.
+    pub(super) reduced: Lists<Reduced>,
+    /// What a force takes from the relations of the contacts, by rows: d2 s1 B^T (..)^-1 B, or d1 s1 B^T (..)^-1 B if d2 = 0.
+    pub(super) flexibility: Vec<f64>,
+}
+
+impl Linear {
+    /// The linear part and the place of each node in the order of elimination, which depends on the places of the springs and
+    /// dashpots only.
+    pub(in crate::solve::structure) fn new(
+        structure: &Structure,
+        touches: &[bool],
+        sub_step: SubStep,
+    ) -> Result<(Linear, Vec<usize>), Unsolvable> {
+        let n = structure.len();
+        let mut matrix = Symmetric::zeros(n);
+        for (i, node) in structure.nodes.iter().enumerate() {
+            matrix.add(i, i, sub_step.inertia[1] * node.mass);
+        }
+        let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
+        matrix.add_matrix(&structure.damping, of_c);
+        matrix.add_matrix(&structure.stiffness, of_k);
+        let factor = Factor::new(&matrix, touches).map_err(|NotPositive { row }| {
+            Unsolvable::BrokenRules(format!(
+                "the matrix of a step, {m} M + {of_c:e} C + {of_k:e} K, is not positive definite at node {}",
+                structure.nodes[row].name,
+                m = sub_step.inertia[1],
+            ))
+        })?;
+        let place = place_of(&factor);
+        let (rows, more, links) = rows(&factor, links(structure, &place, 1.0));
+        let at = |node: Option<usize>| node.map_or(n, |node| place[node]);
+        let between = structure.contacts.iter().map(|c| c.between.map(at));
+        let reduced: Vec<_> = between.map(|ends| reduce(&factor, ends)).collect();
+        let linear = Linear {
+            rows,
+            more: Lists::new(&more),
+            links,
+            flexibility: flexibility(&reduced, sub_step.flexibility()),
+            reduced: Lists::new(&reduced),
+            sub_step,
+        };
+        Ok((linear, place))
+    }
+
+    /// All springs and dashpots.
+    pub(super) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
+        let link = |(from, row): (usize, &Row)| Link {
+            from,
+            to: row.to,
+            k: row.k,
+            c: row.c,
+        };
+        let of_rows = self.rows.iter().enumerate().map(link);
+        of_rows.chain(self.links.iter().copied())
+    }
+}

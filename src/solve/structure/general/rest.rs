@@ -1,0 +1,72 @@
+//! Contacts at rest after a step with impulses: stops that stay shut, and friction that sticks.
+
+use super::stepper::General;
+
+impl<const L: usize> General<'_, L> {
+    /// Gives nodes between which there are contacts at rest the same velocity, so that rdot is 0 and not round-off: that of their
+    /// common momentum, or 0 on the ground. Returns whether anything changed.
+    pub(super) fn join(&mut self, part: usize, l: usize) -> bool {
+        let prepared = self.prepared;
+        let Some(impacts) = &mut self.impacts else {
+            return false;
+        };
+        let (before, after) = self.stages.split_at_mut(part + 1);
+        let (start, end) = (&before[part], &mut after[0]);
+        let ground = prepared.nodes();
+        let mut any = false;
+        for (c, contact) in self.contacts.iter().enumerate() {
+            let [_, rdot, _] = start.contacts[c];
+            let s = self.force[c].0[l];
+            let [low, high] = contact.bounds.map(|bound| bound.0[l]);
+            let rests = contact.by_impulse[l]
+                && low < s
+                && s < high
+                && (!contact.stop[l] || impacts.is_active(c, l) && rdot.0[l] >= 0.0);
+            if !rests {
+                continue;
+            }
+            any |= end.contacts[c][1].0[l] != 0.0;
+            let [i, j] = prepared.between[c].map(|place| root(&impacts.with, place));
+            // The ground is the last place.
+            impacts.with[i.min(j)] = i.max(j);
+        }
+        let sub_step = &prepared.sub_steps[part].sub_step;
+        for head in 0..=ground {
+            if !any {
+                break;
+            }
+            let members = || (0..ground).filter(|place| root(&impacts.with, *place) == head);
+            if members().all(|place| place == head) {
+                continue;
+            }
+            let sum = |of: &dyn Fn(usize) -> f64| members().map(of).sum::<f64>();
+            let v = if head == ground {
+                0.0
+            } else {
+                let momentum = sum(&|place| prepared.mass[place] * end.nodes[place][1].0[l]);
+                momentum / sum(&|place| prepared.mass[place])
+            };
+            for place in members() {
+                let [u0, v0, _] = start.nodes[place].map(|x| x.0[l]);
+                let a = (v - v0) / sub_step.d1;
+                let du = self.predicted[place][0].0[l];
+                let u = u0 + (du + sub_step.d2 * a);
+                for (x, new) in end.nodes[place].iter_mut().zip([u, v, a]) {
+                    x.0[l] = new;
+                }
+            }
+        }
+        for (place, with) in impacts.with.iter_mut().enumerate() {
+            *with = place;
+        }
+        any
+    }
+}
+
+/// The place at the end of the chain of a place.
+fn root(with: &[usize], mut place: usize) -> usize {
+    while with[place] != place {
+        place = with[place];
+    }
+    place
+}

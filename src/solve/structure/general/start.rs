@@ -1,0 +1,115 @@
+//! Structures at t = 0.
+
+use super::contacts::{LaneContact, LaneLine};
+use super::critical::{CriticalFault, critical_fault};
+use super::impact::Impacts;
+use super::stepper::{General, Stage};
+use crate::lane::Lane;
+use crate::methods::MethodChoice;
+use crate::solve::Unsolvable;
+use crate::solve::structure::forces::Forces;
+use crate::solve::structure::loads::Inputs;
+use crate::solve::structure::{Prepared, initial};
+use crate::system::structure::Structure;
+
+impl<'a, const L: usize> General<'a, L> {
+    /// The structures at t = 0, for this many steps.
+    pub(in crate::solve::structure) fn new(
+        cases: &[&Structure; L],
+        prepared: &'a Prepared,
+        steps: usize,
+    ) -> Self {
+        let (n, m, zero) = (prepared.nodes(), prepared.contacts(), Lane::splat(0.0));
+        let parts = &prepared.sub_steps;
+        let impulses = matches!(prepared.method, MethodChoice::MoreauJean { .. });
+        let explicit = parts.iter().any(|linear| linear.sub_step.is_explicit());
+        let contact = |c| LaneContact::new(cases, c, explicit, impulses);
+        let contacts: Vec<_> = (0..m).map(contact).collect();
+        let lines: Vec<Vec<_>> = parts
+            .iter()
+            .map(|linear| {
+                let line = |c| LaneLine::of(cases, c, &linear.sub_step, impulses);
+                (0..m).map(line).collect()
+            })
+            .collect();
+        let forces = parts.iter().zip(&lines).map(|(linear, lines)| {
+            let of = lines.iter().zip(&contacts);
+            // A force that is known beforehand needs no compliance.
+            let of = of.map(|(line, contact)| {
+                let mut compliance = line.compliance;
+                for (x, known) in compliance.0.iter_mut().zip(contact.known) {
+                    *x = if known { 0.0 } else { *x };
+                }
+                (compliance, contact.bounds)
+            });
+            Forces::new(&linear.flexibility, of)
+        });
+        let mut forces: Vec<_> = forces.collect();
+        let mut stage = Stage {
+            nodes: vec![[zero; 3]; n + 1],
+            contacts: vec![[zero; 3]; m],
+        };
+        let mut refused = [const { None }; L];
+        for (l, case) in cases.iter().enumerate() {
+            let fault = critical_fault(case, &prepared.method, prepared.dt);
+            let words = |fault: CriticalFault| format!("{}: {fault}", fault.parameter());
+            refused[l] = fault.map(words).map(Unsolvable::BrokenRules);
+            let start = initial::forces(case).unwrap_or_else(|why| {
+                forces[0].fail(l, 0, why);
+                vec![0.0; m]
+            });
+            let accelerations = accelerations(case, &start);
+            for (node, place) in prepared.place.iter().enumerate() {
+                let [u, v, a] = &mut stage.nodes[*place];
+                u.0[l] = case.displacement[node];
+                v.0[l] = case.velocity[node];
+                a.0[l] = accelerations[node];
+            }
+            for (contact, s) in stage.contacts.iter_mut().zip(start) {
+                contact[2].0[l] = s;
+            }
+        }
+        let weights: Vec<_> = parts.iter().map(|linear| linear.sub_step.weights).collect();
+        let mut state = General {
+            prepared,
+            stages: vec![stage; parts.len() + 1],
+            inputs: Inputs::of_sub_steps(cases, prepared, steps, &weights),
+            impacts: Impacts::new(&contacts, prepared),
+            knows: contacts.iter().any(|contact| contact.known.contains(&true)),
+            contacts,
+            lines,
+            forces,
+            step: 0,
+            predicted: vec![[zero; 2]; n + 1],
+            weighted: vec![[zero; 2]; n + 1],
+            work: vec![zero; n + 1],
+            trial: vec![zero; m],
+            force: vec![zero; m],
+            refused,
+        };
+        state.touch(parts.len());
+        state
+    }
+}
+
+/// M^-1 (p - B S - C v - K u) at t = 0.
+fn accelerations(structure: &Structure, forces: &[f64]) -> Vec<f64> {
+    let n = structure.len();
+    let (mut load, mut inner) = (vec![0.0; n], vec![0.0; n]);
+    structure.add_loads(0.0, &mut load);
+    structure
+        .stiffness
+        .add_product(&structure.displacement, &mut inner);
+    structure
+        .damping
+        .add_product(&structure.velocity, &mut inner);
+    for (contact, force) in forces.iter().enumerate() {
+        for (node, sign) in structure.column(contact) {
+            inner[node] += sign * force;
+        }
+    }
+    let nodes = structure.nodes.iter().zip(load.iter().zip(&inner));
+    nodes
+        .map(|(node, (load, inner))| (load - inner) / node.mass)
+        .collect()
+}

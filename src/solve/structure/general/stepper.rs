@@ -1,0 +1,277 @@
+//! A step of structures in lanes.
+
+use super::contacts::{LaneContact, LaneLine};
+use super::impact::Impacts;
+use super::linear::Linear;
+use super::scheme::SubStep;
+use crate::lane::Lane;
+use crate::solve::Unsolvable;
+use crate::solve::structure::Prepared;
+use crate::solve::structure::forces::Forces;
+use crate::solve::structure::laws::friction;
+use crate::solve::structure::links::Link;
+use crate::solve::structure::loads::Inputs;
+
+/// The state of L structures after a step.
+#[derive(Debug)]
+pub(in crate::solve::structure) struct General<'a, const L: usize> {
+    pub(in crate::solve::structure) prepared: &'a Prepared,
+    /// The motion at the start of the last step, and at the end of each of its sub-steps.
+    pub(super) stages: Vec<Stage<L>>,
+    pub(super) contacts: Vec<LaneContact<L>>,
+    /// The lines of the contacts, and what finds their forces, for each sub-step.
+    pub(super) lines: Vec<Vec<LaneLine<L>>>,
+    pub(super) forces: Vec<Forces<L>>,
+    pub(super) inputs: Inputs<L>,
+    /// Rigid stops with impulses; `None` without any.
+    pub(super) impacts: Option<Impacts<L>>,
+    /// Whether a law gives S' before r' is known.
+    pub(super) knows: bool,
+    /// The last step.
+    pub(super) step: usize,
+    /// u* - u and v* - v, u_e and v_e, by place; the last one is the ground.
+    pub(super) predicted: Vec<[Lane<L>; 2]>,
+    pub(super) weighted: Vec<[Lane<L>; 2]>,
+    /// Right side, then a'.
+    pub(super) work: Vec<Lane<L>>,
+    pub(super) trial: Vec<Lane<L>>,
+    pub(super) force: Vec<Lane<L>>,
+    /// Why a lane cannot start.
+    pub(super) refused: [Option<Unsolvable>; L],
+}
+
+/// The motion at one time.
+#[derive(Debug, Clone)]
+pub(super) struct Stage<const L: usize> {
+    /// u, v, a by place; the last one is the ground, which does not move.
+    pub(super) nodes: Vec<[Lane<L>; 3]>,
+    /// r, rdot, S of the contacts.
+    pub(super) contacts: Vec<[Lane<L>; 3]>,
+}
+
+/// u* - u and v* - v of a place.
+#[inline(always)]
+pub(super) fn predict<const L: usize>(
+    sub_step: &SubStep,
+    first: [Lane<L>; 3],
+    [u, v, a]: [Lane<L>; 3],
+) -> [Lane<L>; 2] {
+    let mut du = v * sub_step.u_v + a * sub_step.u_a;
+    let mut dv = a * sub_step.v_a;
+    if let Some([by_u, by_v]) = sub_step.u_before {
+        let moved = v - first[1];
+        du = du + (u - first[0]) * by_u + moved * by_v;
+        dv = dv + moved * sub_step.v_d;
+    }
+    [du, dv]
+}
+
+impl<const L: usize> General<'_, L> {
+    /// One step; `step` is the number of its end.
+    #[inline(always)]
+    pub(in crate::solve::structure) fn step(&mut self, step: usize) {
+        self.step = step;
+        let parts = self.prepared.sub_steps.len();
+        self.stages.swap(0, parts);
+        for part in 0..parts {
+            self.sub_step(part, (step - 1) * parts + part + 1);
+        }
+    }
+
+    /// The sub-step `part` of a step; `end` is the number of its end among all sub-steps.
+    #[inline(always)]
+    fn sub_step(&mut self, part: usize, end: usize) {
+        self.prescribe(part, end);
+        self.eliminate(part);
+        self.meet(part, end);
+        self.substitute(part);
+        self.touch(part + 1);
+        if self.impacts.is_some() {
+            self.rest(part, end);
+        }
+    }
+
+    /// Loads, limits, and the motion without a'.
+    #[inline(always)]
+    fn prescribe(&mut self, part: usize, end: usize) {
+        let linear: &Linear = &self.prepared.sub_steps[part];
+        let sub_step = &linear.sub_step;
+        if end > 1 && self.inputs.loads_jump() {
+            self.jump(part, end - 1);
+        }
+        let (first, start) = (&self.stages[0], &self.stages[part]);
+        let [w, m0] = [sub_step.weights[1], sub_step.inertia[0]];
+        for (i, mass) in self.prepared.mass.iter().enumerate() {
+            let [u, v, a] = start.nodes[i];
+            let [du, dv] = predict(sub_step, first.nodes[i], [u, v, a]);
+            self.predicted[i] = [du, dv];
+            self.weighted[i] = [u + du * w, v + dv * w];
+            self.work[i] = a * (-m0 * mass);
+        }
+        self.inputs.add_weighted(end, &mut self.work);
+        let s0 = sub_step.forces[0];
+        if s0 != 0.0 {
+            let between = &self.prepared.between;
+            for ([_, _, force], [i, j]) in start.contacts.iter().zip(between) {
+                let part = *force * s0;
+                self.work[*i] = self.work[*i] + part;
+                self.work[*j] = self.work[*j] - part;
+            }
+        }
+        if self.inputs.limits_vary() {
+            let forces = &mut self.forces[part];
+            for (contact, limit, slides) in self.inputs.limits(end) {
+                let [mut low, mut high] = self.contacts[contact].bounds;
+                for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
+                    [low.0[l], high.0[l]] = friction(limit.0[l]);
+                }
+                self.contacts[contact].bounds = [low, high];
+                forces.bound(contact, [low, high]);
+            }
+            forces.hold();
+        }
+    }
+
+    /// A jump of the loads changes the accelerations at the start of a sub-step.
+    #[cold]
+    fn jump(&mut self, part: usize, end: usize) {
+        self.work.fill(Lane::splat(0.0));
+        self.inputs.add_jumps(end, &mut self.work);
+        let nodes = self.stages[part].nodes.iter_mut();
+        for ((node, jump), mass) in nodes.zip(&self.work).zip(&self.prepared.mass) {
+            node[2] = node[2] + jump.map(|jump| jump / mass);
+        }
+    }
+
+    /// L y = w0 p + w1 p' - B s0 S - m0 M a - C v_e - K u_e.
+    #[inline(always)]
+    fn eliminate(&mut self, part: usize) {
+        let linear = &self.prepared.sub_steps[part];
+        let (at, work) = (&self.weighted[..], &mut self.work[..]);
+        let flow = |from: usize, to: usize, k: f64, c: f64| {
+            let ([u0, v0], [u1, v1]) = (at[from], at[to]);
+            (u1 - u0) * k + (v1 - v0) * c
+        };
+        for link in &linear.links {
+            let Link { from, to, k, c } = *link;
+            let flow = flow(from, to, k, c);
+            work[from] = work[from] + flow;
+            work[to] = work[to] - flow;
+        }
+        for (i, row) in linear.rows.iter().enumerate() {
+            let flow = flow(i, row.to, row.k, row.c);
+            let q = work[i] + flow;
+            work[i] = q;
+            work[row.to] = work[row.to] - flow - q * row.l;
+            if row.more {
+                for entry in linear.more.list(i) {
+                    work[entry.at] = work[entry.at] - q * entry.value;
+                }
+            }
+        }
+    }
+
+    /// The forces S', and y with them.
+    #[inline(always)]
+    fn meet(&mut self, part: usize, end: usize) {
+        let prepared = self.prepared;
+        let linear = &prepared.sub_steps[part];
+        let SubStep { d1, d2, forces, .. } = linear.sub_step;
+        let start = &self.stages[part];
+        for (c, contact) in self.contacts.iter_mut().enumerate() {
+            let mut a = Lane::splat(0.0);
+            for entry in linear.reduced.list(c) {
+                a = a + self.work[entry.at] * entry.by_pivot;
+            }
+            let [i, j] = prepared.between[c];
+            let [du, dv] = [0, 1].map(|k| self.predicted[j][k] - self.predicted[i][k]);
+            let [r, rdot, s] = start.contacts[c];
+            let line = &self.lines[part][c];
+            let (change, rate) = (du + a * d2, rdot + dv + a * d1);
+            (contact.change, contact.rate) = (change, rate);
+            let bounce = rdot.smaller(Lane::splat(0.0));
+            let [of_r, of_s] = [r * line.by_displacement, s * line.by_force];
+            let of_bounce = bounce * line.by_bounce;
+            self.trial[c] =
+                change * line.by_change + rate * line.by_rate + (of_r + of_s + of_bounce);
+            let terms = [of_r, of_s, of_bounce].map(|x| x.map(f64::abs));
+            let [du, dv, rdot, a] = [du, dv, rdot, a].map(|x| x.map(f64::abs));
+            contact.size = (du + a * d2) * line.by_change
+                + (rdot + dv + a * d1) * line.by_rate
+                + (terms[0] + terms[1] + terms[2]);
+        }
+        if self.knows {
+            self.know(part);
+        }
+        if self.impacts.is_some() {
+            self.activate(part);
+        }
+        let contacts = &self.contacts;
+        let size = |c: usize, l: usize| contacts[c].size.0[l];
+        self.forces[part].solve(end, &self.trial, size, &mut self.force);
+        if self.impacts.is_some() {
+            self.activate_more(part, end);
+        }
+        for (c, force) in self.force.iter().enumerate() {
+            let part = *force * forces[1];
+            for entry in linear.reduced.list(c) {
+                self.work[entry.at] = self.work[entry.at] - part * entry.value;
+            }
+        }
+    }
+
+    /// The forces of laws that know r'.
+    fn know(&mut self, part: usize) {
+        let forces = &mut self.forces[part];
+        for (c, contact) in self.contacts.iter().enumerate() {
+            let [mut low, mut high] = contact.bounds;
+            for l in (0..L).filter(|l| contact.known[*l]) {
+                let s = self.trial[c].0[l] / contact.softness.0[l];
+                let s = if s < low.0[l] { low.0[l] } else { s };
+                let s = if s > high.0[l] { high.0[l] } else { s };
+                (low.0[l], high.0[l]) = (s, s);
+            }
+            forces.bound(c, [low, high]);
+        }
+        forces.hold();
+    }
+
+    /// D L^T a' = y, and the motion at the end.
+    #[inline(always)]
+    fn substitute(&mut self, part: usize) {
+        let linear = &self.prepared.sub_steps[part];
+        let SubStep { d1, d2, .. } = linear.sub_step;
+        if let Some(ground) = self.work.last_mut() {
+            *ground = Lane::splat(0.0);
+        }
+        let work = &mut self.work[..];
+        let (before, after) = self.stages.split_at_mut(part + 1);
+        let (start, end) = (&before[part].nodes[..], &mut after[0].nodes[..]);
+        for (i, row) in linear.rows.iter().enumerate().rev() {
+            let mut a = work[i] * row.reciprocal - work[row.to] * row.l;
+            if row.more {
+                for entry in linear.more.list(i) {
+                    a = a - work[entry.at] * entry.value;
+                }
+            }
+            work[i] = a;
+            let ([u, v, _], [du, dv]) = (start[i], self.predicted[i]);
+            end[i] = [u + (du + a * d2), v + (dv + a * d1), a];
+        }
+        let contacts = after[0].contacts.iter_mut();
+        for ([_, _, s], force) in contacts.zip(&self.force) {
+            *s = *force;
+        }
+    }
+
+    /// The contacts at a stage.
+    #[inline(always)]
+    pub(super) fn touch(&mut self, stage: usize) {
+        let Stage { nodes, contacts } = &mut self.stages[stage];
+        let gaps = self.contacts.iter().zip(&self.prepared.between);
+        for ([r, rdot, _], (contact, [i, j])) in contacts.iter_mut().zip(gaps) {
+            *r = nodes[*j][0] - nodes[*i][0] + contact.gap;
+            *rdot = nodes[*j][1] - nodes[*i][1];
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The critical step of central differences.
+
+use super::*;
+use crate::solve::Unsolvable;
+use crate::solve::structure::critical_step;
+use nalgebra::DMatrix;
+
+const CENTRAL: Coefficients = Coefficients::central_difference();
+
+/// A bar of n elements of length 1 and wave speed 1 with lumped masses.
+fn bar(n: usize) -> Structure {
+    let share = |i| if i == 0 || i == n { 0.5 } else { 1.0 };
+    let mut structure = masses(&(0..=n).map(share).collect::<Vec<f64>>());
+    for i in 0..n {
+        structure.stiffness.add_spring([Some(i), Some(i + 1)], 1.0);
+    }
+    structure
+}
+
+fn runs(structure: &Structure, dt: f64) -> Result<(), Unsolvable> {
+    let prepared = Prepared::by(&MethodChoice::Family(CENTRAL), structure, dt).unwrap();
+    let [done] = run::<1>(&[structure], &prepared, 50, |_, _| ());
+    done
+}
+
+#[test]
+fn a_bar_has_the_step_of_one_element() {
+    let mut bar = bar(20);
+    bar.velocity[0] = 1.0;
+    let critical = critical_step(&bar, &CENTRAL).unwrap();
+    // The number is on the safe side of the bisection, 60 halvings of [0, 4].
+    assert!((critical - 1.0).abs() < 1e-11, "{critical}");
+    assert_eq!(runs(&bar, 1.0), Ok(()));
+    let why = runs(&bar, 1.0 + 1e-6).unwrap_err().to_string();
+    assert!(
+        why.contains("dt: must be at most 1.000000e0, the critical step"),
+        "{why}"
+    );
+}
+
+#[test]
+fn at_this_step_a_wave_moves_by_one_element_exactly() {
+    // d'Alembert: the step that runs from a sudden velocity of the left end, as a force of impedance 1 for ever.
+    let n = 30;
+    let mut bar = bar(n);
+    let table = Table::new(vec![0.0], vec![1.0]).unwrap();
+    bar.loads = vec![Load {
+        pattern: vec![(0, 1.0)],
+        signal: Arc::new(Signal::Table(table)),
+    }];
+    books(
+        &MethodChoice::Family(CENTRAL),
+        &bar,
+        1.0,
+        n,
+        |step, state| {
+            for i in 0..=n {
+                let way = step as f64 - i as f64;
+                let u = state.displacement(i).0[0];
+                assert!((u - way.max(0.0)).abs() < 1e-12, "{step} {i} {u}");
+            }
+        },
+    );
+}
+
+#[test]
+fn contacts_shorten_it() {
+    let ground = ground();
+    let structure = girders(3, 2.0, 1.0, &ground);
+    let n = structure.len();
+    let mut k = DMatrix::<f64>::zeros(n, n);
+    for ((i, j), value) in structure.stiffness.entries() {
+        (k[(i, j)], k[(j, i)]) = (value, value);
+    }
+    for c in &structure.contacts {
+        let value = match c.law {
+            Relation::ImpactSpring { stiffness } => stiffness,
+            Relation::DisplacementControl { stiffness, .. } => stiffness,
+            _ => 0.0,
+        };
+        for (i, x) in [(c.between[0], -1.0), (c.between[1], 1.0)] {
+            for (j, y) in [(c.between[0], -1.0), (c.between[1], 1.0)] {
+                if let (Some(i), Some(j)) = (i, j) {
+                    k[(i, j)] += x * y * value;
+                }
+            }
+        }
+    }
+    for i in 0..n {
+        for j in 0..n {
+            k[(i, j)] /= (structure.nodes[i].mass * structure.nodes[j].mass).sqrt();
+        }
+    }
+    let omega = k.symmetric_eigenvalues().max().sqrt();
+    let critical = critical_step(&structure, &CENTRAL).unwrap();
+    assert!((critical * omega / 2.0 - 1.0).abs() < 1e-11);
+    assert_eq!(runs(&structure, 0.999 * critical), Ok(()));
+    assert!(runs(&structure, 1.001 * critical).is_err());
+    // Linear acceleration: omega dt = 2 sqrt 3.
+    let linear = critical_step(&structure, &Coefficients::linear_acceleration()).unwrap();
+    assert!((linear / critical - 3.0_f64.sqrt()).abs() < 1e-11);
+    assert_eq!(
+        critical_step(&structure, &Coefficients::newmark(0.25, 0.5)),
+        None
+    );
+}
+
+#[test]
+fn a_rigid_impact_is_refused() {
+    let mut structure = masses(&[1.0]);
+    let law = Relation::RigidStop { restitution: 0.5 };
+    structure.contacts = vec![contact([None, Some(0)], 1.0, law)];
+    let why = runs(&structure, 0.1).unwrap_err().to_string();
+    assert!(
+        why.contains("no stable step with rigid contact, such as 'contact'"),
+        "{why}"
+    );
+}

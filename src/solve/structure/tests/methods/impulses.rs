@@ -1,0 +1,240 @@
+//! The method of Moreau and Jean with rigid stops and Coulomb friction.
+
+use super::*;
+use crate::exact::events::{self, EventKind};
+use proptest::prelude::*;
+
+const THETA: MethodChoice = MethodChoice::MoreauJean { theta: 0.5 };
+
+fn stop(between: [Option<usize>; 2], gap: f64, restitution: f64) -> Contact {
+    contact(between, gap, Relation::RigidStop { restitution })
+}
+
+/// Constant forces, mass times -9.81.
+fn weight(structure: &mut Structure) {
+    let masses = structure.nodes.iter().enumerate();
+    structure.loads.push(Load {
+        pattern: masses.map(|(i, node)| (i, -9.81 * node.mass)).collect(),
+        signal: Arc::new(Signal::Table(Table::new(vec![0.0], vec![1.0]).unwrap())),
+    });
+}
+
+/// A ball that falls by 1.
+fn ball(restitution: f64) -> Structure {
+    let mut ball = masses(&[0.7]);
+    ball.displacement[0] = 1.0;
+    weight(&mut ball);
+    ball.contacts = vec![stop([None, Some(0)], 0.0, restitution)];
+    ball
+}
+
+#[test]
+fn a_ball_bounces_at_the_times_and_speeds_of_the_exact_motion_within_first_order() {
+    let ball = ball(0.8);
+    let summary = events::run(&ball, &[0.0, 2.5], |_, _| ()).unwrap();
+    let impacts = summary.events.iter().filter_map(|event| match event.kind {
+        EventKind::Impact { rate } => Some((event.time, rate)),
+        EventKind::Phase(_) => None,
+    });
+    let exact: Vec<(f64, f64)> = impacts.collect();
+    assert_eq!(exact.len(), 4);
+    for dt in [2e-3, 1e-3, 5e-4, 2.5e-4] {
+        let mut impacts = Vec::new();
+        let mut before = 0.0;
+        books(&THETA, &ball, dt, (2.4 / dt) as usize, |step, state| {
+            let [r, rdot, s] = contact_of(state, 0);
+            assert!(r >= 0.0);
+            if s < 0.0 {
+                impacts.push((step as f64 * dt, before));
+            }
+            before = rdot;
+        });
+        for (k, ((t, v), (te, ve))) in impacts.iter().zip(&exact).enumerate().take(4) {
+            // A step for each impact so far; a flight is as much longer as twice a speed that is too high by g dt.
+            let most = 3.0 * (k as f64 + 1.0) * dt;
+            assert!((t - te).abs() < most, "{dt} {k} {t} {te}");
+            assert!((v - ve).abs() < 9.81 * most, "{dt} {k} {v} {ve}");
+        }
+    }
+}
+
+#[test]
+fn an_impact_keeps_its_restitution_and_the_books() {
+    for e in [0.0, 0.3, 0.8, 1.0] {
+        let mut pair = masses(&[2.0, 3.0]);
+        pair.velocity = vec![1.0, -0.5];
+        pair.contacts = vec![stop([Some(0), Some(1)], 0.2, e)];
+        let mut end = [0.0; 2];
+        let books = books(&THETA, &pair, 0.013, 60, |_, state| {
+            end = [0, 1].map(|i| state.velocity(i).0[0]);
+        });
+        // Momentum 0.5 and rdot' = 1.5 e.
+        let expected = [(0.5 - 3.0 * 1.5 * e) / 5.0, (0.5 + 2.0 * 1.5 * e) / 5.0];
+        for (v, expected) in end.iter().zip(expected) {
+            assert!((v - expected).abs() < 1e-15, "{e} {end:?}");
+        }
+        // 1/2 m (1 - e^2) v^2 with m = 6/5.
+        let lost = 0.5 * 1.2 * (1.0 - e * e) * 1.5 * 1.5;
+        assert!((books.work(0).0[0] - lost).abs() < 1e-15);
+        assert!(books.numerical_dissipation().0[0].abs() < 1e-15);
+    }
+}
+
+#[test]
+fn balls_in_a_row_move_like_the_exact_motion() {
+    // In touch at the start, or not: then one impact follows the other.
+    for gap in [0.0, 0.05] {
+        let mut row = masses(&[1.0, 1.0, 1.0, 2.0]);
+        row.velocity[0] = 1.0;
+        row.contacts = (0..3)
+            .map(|i| stop([Some(i), Some(i + 1)], if i == 0 { 0.1 } else { gap }, 0.9))
+            .collect();
+        let mut exact = Vec::new();
+        events::run(&row, &[1.0], |_, state| exact = state.v.to_vec()).unwrap();
+        books(&THETA, &row, 0.001, 1000, |step, state| {
+            if step == 1000 {
+                for (i, exact) in exact.iter().enumerate() {
+                    let v = state.velocity(i).0[0];
+                    // No forces act: impacts are exact but for their instants.
+                    assert!((v - exact).abs() < 1e-13, "{gap} {i} {v} {exact}");
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn a_pile_at_rest_stays_at_rest() {
+    let mut pile = masses(&[1.0, 3.0, 0.2]);
+    weight(&mut pile);
+    pile.displacement = vec![0.1, 0.3, 0.7];
+    pile.contacts = vec![
+        stop([None, Some(0)], -0.1, 0.5),
+        stop([Some(0), Some(1)], -(0.3 - 0.1), 0.5),
+        stop([Some(1), Some(2)], -(0.7 - 0.3), 0.0),
+    ];
+    books(&THETA, &pile, 0.01, 1000, |_, state| {
+        for i in 0..3 {
+            assert_eq!(state.velocity(i).0[0], 0.0);
+            assert_eq!(state.displacement(i).0[0], pile.displacement[i]);
+        }
+        let [_, _, s] = contact_of(state, 0);
+        assert!((s + 9.81 * 4.2).abs() < 1e-12, "{s}");
+    });
+}
+
+#[test]
+fn a_dropped_pile_comes_to_rest_without_overlap() {
+    let mut pile = masses(&[1.0, 3.0, 0.2]);
+    weight(&mut pile);
+    pile.displacement = vec![0.1, 0.3, 0.7];
+    pile.velocity[2] = -3.0;
+    pile.contacts = vec![
+        stop([None, Some(0)], 0.0, 0.5),
+        stop([Some(0), Some(1)], -0.1, 0.2),
+        stop([Some(1), Some(2)], -0.2, 0.0),
+    ];
+    let mut last = [[1.0; 3]; 3];
+    books(&THETA, &pile, 0.002, 3000, |_, state| {
+        for (c, last) in last.iter_mut().enumerate() {
+            *last = contact_of(state, c);
+            assert!(last[0] > -1e-15, "{last:?}");
+        }
+    });
+    for (c, [r, rdot, s]) in last.into_iter().enumerate() {
+        let above: f64 = [4.2, 3.2, 0.2][c];
+        // A stop is active if a free step would overlap, so that it can hold a body up to g dt^2/2 above.
+        assert!(
+            r < 0.5 * 9.81 * 0.002 * 0.002 && rdot == 0.0,
+            "{c} {r} {rdot}"
+        );
+        assert!((s + 9.81 * above).abs() < 1e-11, "{c} {s}");
+    }
+}
+
+#[test]
+fn friction_holds_a_block_with_zero_velocity_until_its_limit() {
+    let mut block = masses(&[2.0]);
+    let limit = Limit::constant(3.0);
+    block.contacts = vec![contact([None, Some(0)], 0.0, Relation::Coulomb { limit })];
+    let table = Table::new(vec![0.0, 4.0], vec![0.0, 4.0]).unwrap();
+    block.loads = vec![Load {
+        pattern: vec![(0, 1.0)],
+        signal: Arc::new(Signal::Table(table)),
+    }];
+    let dt = 0.01;
+    books(&THETA, &block, dt, 400, |step, state| {
+        let ([_, rdot, s], t) = (contact_of(state, 0), step as f64 * dt);
+        if t < 3.0 {
+            assert_eq!(rdot, 0.0);
+        }
+        if t > 3.0 + dt {
+            // v = (t - 3)^2/4: the load of a step is the mean of its ends.
+            assert!((rdot - 0.25 * (t - 3.0) * (t - 3.0)).abs() < 1e-3);
+            assert_eq!(s, 3.0);
+        }
+    });
+    // And stops at t = 2 if it slides freely from v = 3.
+    block.loads.clear();
+    block.velocity[0] = 3.0;
+    let books = books(&THETA, &block, dt, 300, |step, state| {
+        let [r, rdot, _] = contact_of(state, 0);
+        if step > 200 {
+            assert_eq!(rdot, 0.0);
+            assert!((r - 3.0).abs() < 1e-12, "{r}");
+        }
+    });
+    assert!((books.work(0).0[0] - 9.0).abs() < 1e-12);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 40, ..ProptestConfig::default() })]
+
+    /// Masses in a row between springs, stops between all, a wall or friction, and a shaking ground.
+    #[test]
+    fn random_structures_never_overlap_beyond_round_off(
+        mass in prop::collection::vec(0.1..5.0_f64, 6),
+        stiffness in prop::collection::vec(0.0..300.0_f64, 7),
+        gaps in prop::collection::vec(0.0..0.2_f64, 7),
+        restitution in prop::collection::vec(0.0..=1.0_f64, 7),
+        limit in 0.0..5.0_f64,
+        wall in any::<bool>(),
+        theta in 0.5..=1.0_f64,
+        dt in prop::sample::select(vec![0.001, 0.01, 0.05]),
+    ) {
+        let mut row = masses(&mass);
+        let n = mass.len();
+        let node = |i: usize| (1..=n).contains(&i).then(|| i - 1);
+        for i in 0..=n {
+            let between = [node(i), node(i + 1)];
+            row.stiffness.add_spring(between, stiffness[i]);
+            row.damping.add_spring(between, 1e-3 * stiffness[i]);
+            // A wall, or friction on the ground: with both, or with a second wall, the forces of a jammed row are not unique.
+            if i > 0 && i < n || i == 0 && wall {
+                row.contacts.push(stop(between, gaps[i], restitution[i]));
+            }
+        }
+        if !wall {
+            let law = Relation::Coulomb { limit: Limit::constant(limit) };
+            row.contacts.push(contact([None, Some(3)], 0.0, law));
+        }
+        let stops = n - 1 + usize::from(wall);
+        row.contacts.push(contact([Some(1), Some(4)], 0.0, displacement_control(50.0, 2.0)));
+        row.loads = vec![Load {
+            pattern: mass.iter().enumerate().map(|(i, m)| (i, -m * 5.0)).collect(),
+            signal: ground(),
+        }];
+        let method = MethodChoice::MoreauJean { theta };
+        let (mut least, mut most) = (0.0_f64, 0.0_f64);
+        let books = books(&method, &row, dt, 400, |_, state| {
+            for c in 0..stops {
+                least = least.min(contact_of(state, c)[0]);
+            }
+            for i in 0..n {
+                most = most.max(state.displacement(i).0[0].abs());
+            }
+        });
+        prop_assert!(least > -1e-14 * (1.0 + most), "{} {}", least, most);
+        prop_assert!(books.energy_error().0[0] < 1e-11, "{:?}", books.energy_error());
+    }
+}

@@ -1,0 +1,96 @@
+//! The state that a run shows after each step.
+
+use super::general::General;
+use super::state::Average;
+use crate::lane::Lane;
+
+/// The state of L structures after a step, by the method of the run.
+#[derive(Debug)]
+pub struct State<'a, const L: usize>(pub(super) Kind<'a, L>);
+
+/// The steppers.
+#[derive(Debug)]
+pub(super) enum Kind<'a, const L: usize> {
+    /// Constant average acceleration.
+    Average(Average<'a, L>),
+    /// All other methods.
+    General(General<'a, L>),
+}
+
+/// A contact after a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactStep<const L: usize> {
+    /// Relative displacement r.
+    pub displacement: Lane<L>,
+    /// Relative velocity rdot.
+    pub velocity: Lane<L>,
+    /// Force S; the mean over the step where it is an impulse.
+    pub force: Lane<L>,
+    /// Friction limit; 0 for an impact.
+    pub limit: Lane<L>,
+    /// r - S/k^C of the displacement-control model; r of the other laws.
+    pub slip: Lane<L>,
+}
+
+impl<const L: usize> State<'_, L> {
+    /// Displacement of a node, numbered as in the structure.
+    #[inline(always)]
+    pub fn displacement(&self, node: usize) -> Lane<L> {
+        match &self.0 {
+            Kind::Average(state) => state.displacement(node),
+            Kind::General(state) => state.displacement(node),
+        }
+    }
+
+    /// Velocity of a node.
+    #[inline(always)]
+    pub fn velocity(&self, node: usize) -> Lane<L> {
+        match &self.0 {
+            Kind::Average(state) => state.velocity(node),
+            Kind::General(state) => state.velocity(node),
+        }
+    }
+
+    /// A contact.
+    #[inline(always)]
+    pub fn contact(&self, contact: usize) -> ContactStep<L> {
+        match &self.0 {
+            Kind::Average(state) => state.contact(contact),
+            Kind::General(state) => state.contact(contact),
+        }
+    }
+
+    /// Kinetic and strain energy, without the contacts.
+    #[inline(always)]
+    pub fn energy(&self) -> Lane<L> {
+        match &self.0 {
+            Kind::Average(state) => state.energy(),
+            Kind::General(state) => state.energy(),
+        }
+    }
+
+    /// Energy that the contacts store.
+    #[inline(always)]
+    pub fn stored_energy(&self) -> Lane<L> {
+        match &self.0 {
+            Kind::Average(state) => state.stored_energy(),
+            Kind::General(state) => state.stored_energy(),
+        }
+    }
+
+    /// Number of contacts.
+    pub fn contacts(&self) -> usize {
+        match &self.0 {
+            Kind::Average(state) => state.prepared.contacts(),
+            Kind::General(state) => state.prepared.contacts(),
+        }
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        match &self.0 {
+            Kind::Average(state) => state.prepared.nodes(),
+            Kind::General(state) => state.prepared.nodes(),
+        }
+    }
+}
