@@ -52,6 +52,7 @@
 //! ```
 
 mod books;
+mod curved;
 mod forces;
 mod initial;
 mod laws;
