@@ -9,6 +9,7 @@
 //! the wrong contacts change their places: all of them while they become fewer, else one at a time. This is the block principal
 //! pivoting of Judice and Pires (1992), with the rule of Murty, which ends for every positive definite A.
 
+pub mod curved;
 mod factor;
 mod matrix;
 mod pattern;
@@ -33,6 +34,8 @@ pub enum Unsolved {
     Singular,
     /// No pattern is right: a number is not finite, or the matrix is not positive semidefinite.
     TooManyRounds,
+    /// A friction force falls with velocity so fast that a step may have several answers.
+    Falling,
 }
 
 impl fmt::Display for Unsolved {
@@ -42,6 +45,9 @@ impl fmt::Display for Unsolved {
                 "the contact forces are not unique: contacts that stick or are shut at the same time depend on each other"
             }
             Unsolved::TooManyRounds => "no contact forces satisfy all laws",
+            Unsolved::Falling => {
+                "a friction force falls with velocity so fast that a step may have several answers; take a smaller dt"
+            }
         })
     }
 }
@@ -111,6 +117,11 @@ impl CoupledForces {
             rounds => rounds?,
         };
         Ok(())
+    }
+
+    /// Changes A_ii of one of several contacts, to another positive number.
+    fn set_diagonal(&mut self, contact: usize, value: f64) {
+        self.pattern.set_diagonal(contact, value);
     }
 
     /// S = clip(d/A, low, high).

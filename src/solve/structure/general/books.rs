@@ -96,6 +96,6 @@ impl<const L: usize> General<'_, L> {
         for (contact, [_, _, s]) in self.contacts.iter().zip(&self.last().contacts) {
             twice = twice + *s * *s * contact.softness;
         }
-        twice * 0.5
+        self.curved_energy(twice * 0.5)
     }
 }

@@ -86,6 +86,8 @@ impl Line<f64> {
                 by_rate: of_velocity,
                 ..none
             },
+            // Not a line; its lanes have forces of their own.
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => impact(1.0),
         }
     }
 }

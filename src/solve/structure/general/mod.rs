@@ -14,6 +14,7 @@
 mod books;
 mod contacts;
 mod critical;
+mod curved;
 mod impact;
 mod linear;
 mod rest;

@@ -2,6 +2,7 @@
 
 use super::contacts::{LaneContact, LaneLine};
 use super::critical::{CriticalFault, critical_fault};
+use super::curved;
 use super::impact::Impacts;
 use super::stepper::{General, Stage};
 use crate::lane::Lane;
@@ -53,7 +54,8 @@ impl<'a, const L: usize> General<'a, L> {
         for (l, case) in cases.iter().enumerate() {
             let fault = critical_fault(case, &prepared.method, prepared.dt);
             let words = |fault: CriticalFault| format!("{}: {fault}", fault.parameter());
-            refused[l] = fault.map(words).map(Unsolvable::BrokenRules);
+            let fault = fault.map(words).or_else(|| curved::refused(case, prepared));
+            refused[l] = fault.map(Unsolvable::BrokenRules);
             let start = initial::forces(case).unwrap_or_else(|why| {
                 forces[0].fail(l, 0, why);
                 vec![0.0; m]
@@ -70,8 +72,10 @@ impl<'a, const L: usize> General<'a, L> {
             }
         }
         let weights: Vec<_> = parts.iter().map(|linear| linear.sub_step.weights).collect();
+        let curved = curved::contacts(cases, parts, &mut forces);
         let mut state = General {
             prepared,
+            curved,
             stages: vec![stage; parts.len() + 1],
             inputs: Inputs::of_sub_steps(cases, prepared, steps, &weights),
             impacts: Impacts::new(&contacts, prepared),

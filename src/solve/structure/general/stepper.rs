@@ -7,6 +7,7 @@ use super::scheme::SubStep;
 use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::Prepared;
+use crate::solve::structure::curved::Curved;
 use crate::solve::structure::forces::Forces;
 use crate::solve::structure::laws::friction;
 use crate::solve::structure::links::Link;
@@ -22,6 +23,8 @@ pub(in crate::solve::structure) struct General<'a, const L: usize> {
     /// The lines of the contacts, and what finds their forces, for each sub-step.
     pub(super) lines: Vec<Vec<LaneLine<L>>>,
     pub(super) forces: Vec<Forces<L>>,
+    /// The contacts of lanes with laws that are not clipped lines, for each sub-step; empty if there is none.
+    pub(super) curved: Vec<Vec<Option<Curved>>>,
     pub(super) inputs: Inputs<L>,
     /// Rigid stops with impulses; `None` without any.
     pub(super) impacts: Option<Impacts<L>>,
@@ -127,6 +130,12 @@ impl<const L: usize> General<'_, L> {
                 }
                 self.contacts[contact].bounds = [low, high];
                 forces.bound(contact, [low, high]);
+                let curved = self.curved.get_mut(part).into_iter().flatten().enumerate();
+                for (l, curved) in curved {
+                    if let (Some(curved), true) = (curved, slides[l]) {
+                        curved.limit(contact, limit.0[l]);
+                    }
+                }
             }
             forces.hold();
         }
@@ -211,6 +220,9 @@ impl<const L: usize> General<'_, L> {
         self.forces[part].solve(end, &self.trial, size, &mut self.force);
         if self.impacts.is_some() {
             self.activate_more(part, end);
+        }
+        if !self.curved.is_empty() {
+            self.meet_curved(part, end);
         }
         for (c, force) in self.force.iter().enumerate() {
             let part = *force * forces[1];

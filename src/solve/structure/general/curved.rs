@@ -1,0 +1,130 @@
+//! Contacts with laws that are not clipped lines.
+
+use super::linear::Linear;
+use super::stepper::General;
+use crate::contact::Unsolved;
+use crate::lane::Lane;
+use crate::methods::MethodChoice;
+use crate::solve::structure::Prepared;
+use crate::solve::structure::curved::{Curved, Motion};
+use crate::solve::structure::forces::Forces;
+use crate::system::structure::{Relation, Structure};
+
+/// The contacts of each sub-step in each lane that has such a law; empty if there is none.
+pub(super) fn contacts<const L: usize>(
+    cases: &[&Structure; L],
+    parts: &[Linear],
+    forces: &mut [Forces<L>],
+) -> Vec<Vec<Option<Curved>>> {
+    let curved = |case: &&Structure| case.contacts.iter().any(|c| c.law.is_curved());
+    if !cases.iter().any(curved) {
+        return Vec::new();
+    }
+    let of_part = |(linear, forces): (&Linear, &mut Forces<L>)| {
+        let own = &linear.sub_step;
+        let pace = 1.0 / own.of_velocity();
+        let of = |case: &&Structure| Curved::new(case, &linear.flexibility, pace, own.length);
+        let all: Vec<Option<Curved>> = cases.iter().map(of).collect();
+        let mut others = [false; L];
+        for (l, (other, curved)) in others.iter_mut().zip(&all).enumerate() {
+            *other = curved.is_some();
+            if curved.as_ref().is_some_and(|c| c.ambiguous().is_some()) {
+                forces.fail(l, 0, Unsolved::Falling);
+            }
+        }
+        forces.leave(others);
+        all
+    };
+    parts.iter().zip(forces).map(of_part).collect()
+}
+
+/// Why a method cannot have the laws of a structure; `None` if it can.
+pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
+    let curved = case.contacts.iter().find(|c| c.law.is_curved())?;
+    let explicit = prepared.sub_steps.iter().any(|part| part.sub_step.is_explicit());
+    if explicit {
+        return Some(format!(
+            "method: central-difference has no forces for the law of '{}'; allowed: another method, or impact-spring, displacement-control, velocity-control or coulomb",
+            curved.name
+        ));
+    }
+    let impulses = matches!(prepared.method, MethodChoice::MoreauJean { .. });
+    let rigid = |law: &Relation| matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
+    let mut contacts = case.contacts.iter();
+    let rigid = contacts.find(|contact| impulses && rigid(&contact.law))?;
+    Some(format!(
+        "method: moreau-jean has no forces for '{}' without compliance together with the law of '{}'; allowed: another method",
+        rigid.name, curved.name
+    ))
+}
+
+impl<const L: usize> General<'_, L> {
+    /// The forces of the lanes with such laws.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn meet_curved(&mut self, part: usize, end: usize) {
+        let (before, now) = self.curved.split_at_mut(part);
+        let start = &self.stages[part];
+        for (l, curved) in now[0].iter_mut().enumerate() {
+            let Some(curved) = curved else {
+                continue;
+            };
+            if let Some(Some(before)) = before.last().map(|before| &before[l]) {
+                curved.remember(before);
+            }
+            let contacts = &self.contacts;
+            let motion = |c: usize| {
+                let [displacement, velocity, force] = start.contacts[c].map(|x| x.0[l]);
+                let (change, rate) = (contacts[c].change.0[l], contacts[c].rate.0[l]);
+                Motion {
+                    displacement,
+                    velocity,
+                    force,
+                    change,
+                    rate,
+                    size: displacement.abs() + change.abs(),
+                }
+            };
+            let finite = (0..contacts.len()).all(|c| motion(c).change.is_finite());
+            match curved.solve(motion) {
+                Ok(forces) => {
+                    for (force, own) in self.force.iter_mut().zip(forces) {
+                        force.0[l] = *own;
+                    }
+                }
+                Err(why) => {
+                    // A motion that is not finite is not a fault of the contacts.
+                    if finite {
+                        self.forces[part].fail(l, end, why);
+                    }
+                    for force in &mut self.force {
+                        force.0[l] = f64::NAN;
+                    }
+                }
+            }
+        }
+        // The first sub-step of the next step goes on from the last one.
+        if part > 0 {
+            let (first, last) = self.curved.split_at_mut(part);
+            for (first, last) in first[0].iter_mut().zip(&last[0]) {
+                if let (Some(first), Some(last)) = (first, last) {
+                    first.remember(last);
+                }
+            }
+        }
+    }
+
+    /// Energy that the contacts with such laws store, in the lanes that have them.
+    pub(super) fn curved_energy(&self, mut energy: Lane<L>) -> Lane<L> {
+        let Some(last) = self.curved.last() else {
+            return energy;
+        };
+        for (l, curved) in last.iter().enumerate() {
+            if let Some(curved) = curved {
+                let states = self.last().contacts.iter();
+                energy.0[l] = curved.stored_energy(states.map(|[r, _, s]| [r.0[l], s.0[l]]));
+            }
+        }
+        energy
+    }
+}
