@@ -2,6 +2,7 @@
 
 mod contents;
 mod extent;
+mod front;
 mod guides;
 mod limits;
 mod samples;
