@@ -40,7 +40,7 @@ enum Verb {
     Compare(Compare),
     /// Write one page about studies, with figures, checks, claims, and tables to sort and filter; the page needs no other file
     Report(Report),
-    /// Test the statements of the papers by studies, print the verdicts and write claims.md
+    /// Test the statements of the papers and of the literature by studies, print the verdicts and write claims.md
     Claims(Claims),
     /// Find the cheapest parameters that reach a target; show the errors and the alternatives
     #[command(subcommand)]

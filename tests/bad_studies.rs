@@ -688,7 +688,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, profile, wave, metric, convergence, budget, map, scatter, samples, sobol, law, spectrum, scheme",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, profile, wave, metric, convergence, budget, map, scatter, front, samples, sobol, law, spectrum, scheme",
             ],
         ),
         (
@@ -714,7 +714,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"wave\"",
             &[
-                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, curve, metric, convergence, budget, map, scatter, samples, sobol, law",
+                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, curve, metric, convergence, budget, map, scatter, front, samples, sobol, law",
             ],
         ),
         (
@@ -812,7 +812,7 @@ fn widths_and_limits_of_figures() {
         (r#""kind": "law", "width": §"90 mm""#, "figures[0].width: "),
         (
             r#""kind": "law", "x_range": §[0, 1]"#,
-            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, curve, profile, metric, convergence, budget, scatter",
+            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, curve, profile, metric, convergence, budget, scatter, front",
         ),
         (
             r#""kind": "history", "x_range": §[3, 3]"#,

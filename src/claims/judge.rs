@@ -1,7 +1,7 @@
 //! The test of a reading by the cases of its study.
 
 use super::Finding;
-use super::ledger::{Demand, Expect, Reading};
+use super::ledger::{Demand, Expect, Over, Reading};
 use crate::batch::Outcome;
 use crate::problem::{Lines, Problem, Snapshot};
 use crate::study::Study;
@@ -26,11 +26,32 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
     let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
     let cases: Vec<&Outcome> = cases.collect();
     let problem = &*study.problem;
-    let value = |o: &Outcome, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
+    let own = |o: &Outcome, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
+    let value = |o: &Outcome, metric: usize| match &expect.over {
+        None => own(o, metric),
+        Some(over) => {
+            let other = own(partner(over, o, outcomes)?, metric)?;
+            Some(own(o, metric)? / other).filter(|x| x.is_finite())
+        }
+    };
+    let named = |metric: usize| {
+        let name = format!("`{}`", study.measures[metric].name);
+        match &expect.over {
+            None => name,
+            Some(over) => {
+                let other = over.text(problem.parameters());
+                format!("{name} over that with {other}")
+            }
+        }
+    };
     match &expect.demand {
         Demand::Within { metric, min, max } => {
             let values = cases.iter().map(|o| value(o, *metric)).collect();
-            within(values, &study.measures[*metric].name, *min, *max)
+            let mut name = named(*metric);
+            if expect.over.is_some() {
+                name.push(':');
+            }
+            within(values, &name, *min, *max)
         }
         Demand::Trend {
             metric,
@@ -44,9 +65,9 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             let holds = line
                 .as_ref()
                 .is_some_and(|line| line.windows(2).all(follows));
-            let name = &study.measures[*metric].name;
+            let name = named(*metric);
             let parameter = &problem.parameters()[*along].name;
-            let found = format!("`{name}` along `{parameter}`: {}", listed(&line));
+            let found = format!("{name} along `{parameter}`: {}", listed(&line));
             (holds, found)
         }
         Demand::LeastAt {
@@ -56,13 +77,13 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
         } => {
             let line = ordered(&cases, *along, |o| value(o, *metric));
             let least = line.and_then(|line| line.into_iter().min_by(|a, b| a[1].total_cmp(&b[1])));
-            let name = &study.measures[*metric].name;
+            let name = named(*metric);
             let Some([at, x]) = least else {
-                return (false, format!("`{name}` undefined"));
+                return (false, format!("{name} undefined"));
             };
             let parameter = &problem.parameters()[*along].name;
             let found = format!(
-                "`{name}` least at `{parameter}` = {}: {}",
+                "{name} least at `{parameter}` = {}: {}",
                 short(at),
                 short(x)
             );
@@ -76,8 +97,8 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
         } => {
             let errors = cases.iter();
             let errors = errors.map(|o| away_from_fronts(problem, o, *profile, times, *away));
-            let name = &problem.schema().profiles[*profile].name;
-            within(errors.collect(), name, None, Some(*max))
+            let name = format!("`{}`", problem.schema().profiles[*profile].name);
+            within(errors.collect(), &name, None, Some(*max))
         }
         Demand::LaterEvent {
             later,
@@ -88,13 +109,20 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             let errors = cases
                 .iter()
                 .map(|o| later_error(problem, o, *later, flights));
-            let name = &problem.schema().later[*later];
-            let (holds, found) = within(errors.collect(), name, *min, *max);
+            let name = format!("`{}`", problem.schema().later[*later]);
+            let (holds, found) = within(errors.collect(), &name, *min, *max);
             (holds, format!("difference of {found}"))
         }
     }
 }
 
+/// The case that a metric is divided by.
+fn partner<'a>(over: &Over, outcome: &Outcome, all: &'a [Outcome]) -> Option<&'a Outcome> {
+    all.iter()
+        .find(|other| over.pairs(&outcome.case, &other.case))
+}
+
+/// The result for limits of values, which `name` names in Markdown.
 fn within(
     values: Vec<Option<f64>>,
     name: &str,
@@ -109,7 +137,7 @@ fn within(
         (None, Some(max)) => format!(" (at most {})", short(max)),
         (None, None) => String::new(),
     };
-    (holds, format!("`{name}` {}{limits}", summary(&values)))
+    (holds, format!("{name} {}{limits}", summary(&values)))
 }
 
 /// Values as text: each of them, or the range of many.

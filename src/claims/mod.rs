@@ -1,4 +1,4 @@
-//! The statements of the papers, tested by computation: each claim of a ledger by the cases of its studies.
+//! The statements of the papers and of the literature, tested by computation: each claim of a ledger by the cases of its studies.
 
 mod judge;
 pub mod ledger;

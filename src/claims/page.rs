@@ -1,4 +1,4 @@
-//! The ledger as a page: a table of verdicts for each paper, then every claim with its readings and numbers.
+//! The ledgers as a page: a table of verdicts for each paper or subject, then every claim with its readings and numbers.
 
 use super::ledger::{Claim, Ledger};
 use super::{Finding, Verdict};
@@ -33,11 +33,13 @@ impl Judged {
 /// The page in Markdown; its links start from the output folder.
 pub fn page(all: &[Judged]) -> String {
     let mut page = String::from(
-        "# The statements of the papers, tested by computation\n\n\
-         This page lists every statement of the papers that a computation can test, in our words. A reading is one way to \
+        "# The statements of the papers and of the literature, tested by computation\n\n\
+         This page lists every statement of the two papers that a computation can test, and statements of the literature on \
+         laws and methods that studies can decide, each with its place or source and in our words. A reading is one way to \
          understand a statement; each is tested by a study. `slipgap claims` computes the verdicts. If a statement fails \
          in a reading, the reason is below the table. If a statement has no number, the limit is our choice; it is in \
-         brackets next to each value. docs/errata.md checks simple arithmetic (f_n, Delta, T_I).\n",
+         brackets next to each value. A metric over that of other values is the quotient of two cases that are otherwise the \
+         same. docs/errata.md checks simple arithmetic (f_n, Delta, T_I).\n",
     );
     for judged in all {
         let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);

@@ -1,4 +1,4 @@
-//! `slipgap claims`: the statements of the papers with their verdicts, and the page about them.
+//! `slipgap claims`: the statements of the papers and of the literature with their verdicts, and the page about them.
 
 use super::NOT_MET;
 use super::sources::files;

@@ -45,6 +45,8 @@ pub const EXACT_LINE: f64 = 0.6;
 pub const CONTOUR_LINE: f64 = 0.45;
 /// Width of the line along the ridge of a map.
 pub const RIDGE_LINE: f64 = 1.3;
+/// Width of the light band under the best of all cases.
+pub const FRONT_BAND: f64 = 5.0;
 /// Width of a case's curve.
 pub const CASE_LINE: f64 = 0.9;
 /// Width of the edges of a band between envelopes.
@@ -121,6 +123,9 @@ impl Stroke {
         let place = 0.85 * i as f64 / (count - 1).max(1) as f64;
         Stroke::Graded((255.0 * place).round() as u8)
     }
+
+    /// The stroke of a band that black lines cross.
+    pub const LIGHT: Stroke = Stroke::Graded(217);
 
     /// Red, green and blue of the line.
     pub fn colour(self) -> [u8; 3] {

@@ -19,7 +19,7 @@ pub mod units;
 pub(crate) mod value;
 
 // For the ledger of claims, which has the same syntax.
-pub(crate) use cases::scope;
+pub(crate) use cases::{alike, scope};
 pub(crate) use source::{faults, input, object, place, tree};
 
 pub use cases::block::Block;

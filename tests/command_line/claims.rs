@@ -132,6 +132,165 @@ fn faults_have_places_and_no_file_is_written() {
     );
 }
 
+/// Two laws with two widths and two releases each.
+const LAWS: &str = r#"{ "problem": "friction-oscillator", "blocks": [
+  { "parameters": { "law": "displacement-control", "alpha": [0.1, 1], "dT": "pi/10", "x0": [8, 12], "duration": "x0*pi/2" } },
+  { "parameters": { "law": "velocity-control", "beta": [0.1, 0.3], "dT": "pi/10", "x0": [8, 12], "duration": "x0*pi/2" } } ],
+  "figures": [{ "name": "history", "kind": "history", "where": { "x0": 8 } }] }"#;
+
+#[test]
+fn a_metric_may_be_divided_by_that_of_another_case() {
+    let bench = bench(&[("studies/fig.json", LAWS)]);
+    assert_eq!(bench.run(&["run", "studies/fig.json"]).code, Some(0));
+    let table = bench.text("figures/fig/results.csv");
+    let mut lines = table.lines();
+    let columns: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| columns.iter().position(|c| *c == name).unwrap();
+    let [law, beta, x0, error] = ["law", "beta", "x0", "rms_error"].map(column);
+    let number = |cell: &str| -> f64 { cell.parse().unwrap() };
+    // By hand: each error with alpha over that with beta = 0.1 from the same release.
+    let mut quotients = Vec::new();
+    for row in rows.iter().filter(|row| row[law] == "displacement-control") {
+        let is_other = |other: &&Vec<&str>| {
+            other[law] == "velocity-control" && number(other[beta]) == 0.1 && other[x0] == row[x0]
+        };
+        let other = rows.iter().find(is_other).unwrap();
+        quotients.push(number(row[error]) / number(other[error]));
+    }
+    assert_eq!(quotients.len(), 4);
+    let low = quotients.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = quotients.iter().copied().fold(0.0, f64::max);
+    let over = r#""over": { "law": "velocity-control", "beta": 0.1 }"#;
+    let within = |min: f64, max: f64| {
+        format!(
+            r#"{{ "metric": "rms_error", "where": {{ "law": "displacement-control" }}, {over}, "min": {min}, "max": {max} }}"#
+        )
+    };
+    // The table has all digits.
+    let (down, up) = (1.0 - 1e-9, 1.0 + 1e-9);
+    assert!(holds(LAWS, &within(low * down, high * up)));
+    assert!(!holds(LAWS, &within(low * up, high * up)));
+    assert!(!holds(LAWS, &within(low * down, high * down)));
+    // Also along a parameter; the case itself gives 1.
+    let trend = |trend: &str| {
+        format!(
+            r#"{{ "metric": "rms_error", "where": {{ "alpha": [0.1, 1], "x0": 8 }}, "over": {{ "alpha": 1 }},
+                 "along": "alpha", "trend": "{trend}" }}"#
+        )
+    };
+    assert!(holds(LAWS, &trend("rising")) && !holds(LAWS, &trend("falling")));
+    let itself = r#"{ "metric": "rms_error", "where": { "alpha": 1 }, "over": { "alpha": 1 }, "min": 1, "max": 1 }"#;
+    assert!(holds(LAWS, itself));
+    // x0 decides the duration, which is then another one too.
+    let release = r#"{ "metric": "rms_error", "where": { "alpha": 1, "x0": 12 }, "over": { "x0": 8 }, "min": 0 }"#;
+    assert!(holds(LAWS, release));
+    // The page names the other case.
+    bench.file("claims/a.json", ledger(&reading(&within(0.0, 1e9), true)));
+    assert_eq!(bench.run(&["claims"]).code, Some(0));
+    let page = bench.text("figures/claims.md");
+    let words = "`rms_error` over that with law = velocity-control, beta = 0.1: ";
+    assert!(page.contains(words), "{page}");
+}
+
+#[test]
+fn a_case_to_divide_by_is_one_and_only_one() {
+    let laws = LAWS.replace("x0*pi/2", "8*pi");
+    let longer = laws.replacen("[8, 12]", "[8, 12, 16]", 1);
+    let law = r#""where": { "law": "displacement-control" }"#;
+    for (study, expect, message) in [
+        (
+            &laws,
+            format!(
+                r#"{{ "metric": "rms_error", {law}, "over": {{ "law": "velocity-control" }}, "max": 1 }}"#
+            ),
+            "several cases with law = velocity-control are otherwise the same as the case with law = displacement-control, \
+             alpha = 0.1, x0 = 8; they differ in beta, which \"over\" must give",
+        ),
+        (
+            &longer,
+            format!(
+                r#"{{ "metric": "rms_error", {law}, "over": {{ "law": "velocity-control", "beta": 0.3 }}, "max": 1 }}"#
+            ),
+            "no case with law = velocity-control, beta = 0.3 is otherwise the same as the case with law = displacement-control, \
+             alpha = 0.1, x0 = 16; none of them has x0 = 16",
+        ),
+        (
+            &laws,
+            format!(
+                r#"{{ "metric": "rms_error", {law}, "over": {{ "law": "velocity-control", "beta": 0.2 }}, "max": 1 }}"#
+            ),
+            "no case has beta = 0.2; the values are 0.1, 0.3",
+        ),
+        (
+            &laws,
+            format!(
+                r#"{{ "metric": "rms_error", {law}, "over": {{ "alpha": [0.1, 1] }}, "max": 1 }}"#
+            ),
+            "expect[0].over.alpha: must be one value",
+        ),
+        (
+            &laws,
+            format!(r#"{{ "metric": "rms_error", {law}, "over": {{}}, "max": 1 }}"#),
+            "expect[0].over: must be an object with at least one parameter",
+        ),
+        (
+            &laws,
+            format!(r#"{{ "metric": "rms_error", {law}, "over": {{ "lav": 1 }}, "max": 1 }}"#),
+            "did you mean \"law\"?",
+        ),
+    ] {
+        let bench = bench(&[
+            ("studies/fig.json", study),
+            ("claims/a.json", &ledger(&reading(&expect, true))),
+        ]);
+        let done = bench.run(&["claims"]);
+        assert_eq!(done.code, Some(2), "{expect}: {}", done.err);
+        assert!(done.err.contains(message), "{expect}: {}", done.err);
+        assert!(!bench.path("figures").exists());
+    }
+    let profile =
+        r#"{ "profile": "velocity", "times": [0.5], "away": 0.1, "max": 1, "over": { "n": 10 } }"#;
+    let impact = IMPACT.replace(", \"k_I\": 0", "");
+    let bench = bench(&[
+        ("studies/fig.json", &impact),
+        ("claims/a.json", &ledger(&reading(profile, true))),
+    ]);
+    let told = bench.run(&["claims"]).err;
+    assert!(
+        told.contains("a profile and a later event have no \"over\""),
+        "{told}"
+    );
+}
+
+#[test]
+fn every_ledger_of_the_folder_is_on_the_page() {
+    let literature = ledger(&reading(RISING, true))
+        .replace("A paper", "The literature")
+        .replace("A1", "L1")
+        .replace("section 1", "Author 1999, Journal 1, 2");
+    let bench = bench(&[
+        ("studies/fig.json", STUDY),
+        ("claims/a.json", &ledger(&reading(RISING, true))),
+        ("claims/literature.json", &literature),
+    ]);
+    let done = bench.run(&["claims"]);
+    assert_eq!(done.code, Some(0), "{}", done.err);
+    let page = bench.text("figures/claims.md");
+    let places = [
+        "# The statements of the papers and of the literature",
+        "\n## A paper\n",
+        "\n### A1\n",
+        "\n## The literature\n",
+        "\n### L1\n\nAuthor 1999, Journal 1, 2: ",
+    ];
+    let found: Vec<_> = places.map(|text| page.find(text)).into();
+    assert!(
+        found.iter().all(Option::is_some) && found.is_sorted(),
+        "{page}"
+    );
+}
+
 const IMPACT: &str = r#"{ "problem": "bar-impact",
   "parameters": { "gamma": 1, "n": 10, "dt": 0.05, "duration": 1, "k_I": 0 },
   "figures": [{ "name": "history", "kind": "history" }] }"#;

@@ -44,7 +44,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
         let node = object.need(key, what, faults)?;
         text(node, &object.path(key), faults)
     };
-    let paper = string("paper", "the name of the paper");
+    let paper = string("paper", "the name of the paper or of the literature");
     let folder = string(
         "studies",
         "the folder of the studies, relative to this file",
@@ -128,7 +128,7 @@ fn claim(
         text(node, &object.path(key), faults)
     };
     let id = string("id", "a short name");
-    let place = string("where", "its place in the paper");
+    let place = string("where", "its place in the paper, or its source");
     let statement = string("says", "the statement");
     let quantity = string("quantity", "the quantity that decides");
     let because = object.get("because");

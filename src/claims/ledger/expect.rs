@@ -1,5 +1,6 @@
 //! The expectations of a reading.
 
+use super::over::over;
 use super::{Demand, Expect};
 use crate::problem::parameter::Range;
 use crate::study::Filter;
@@ -9,9 +10,9 @@ use crate::study::scope::Scope;
 use crate::study::tree::Node;
 use crate::study::value::{name, number};
 
-const EXPECT: [&str; 13] = [
-    "metric", "profile", "later", "where", "min", "max", "along", "trend", "least_at", "times",
-    "away", "flights", "//",
+const EXPECT: [&str; 14] = [
+    "metric", "profile", "later", "where", "over", "min", "max", "along", "trend", "least_at",
+    "times", "away", "flights", "//",
 ];
 
 /// Longest free motion before a later event, in the problem's unit of time.
@@ -59,6 +60,21 @@ pub(super) fn expect(
             object.fault("needs a \"metric\", a \"profile\" or a \"later\"", faults);
             return None;
         }
+    };
+    let over = match (object.get("over"), &subject) {
+        (Some(node), Subject::Metric(_)) => Some(over(
+            node,
+            &object.path("over"),
+            filter.as_ref()?,
+            scope,
+            faults,
+        )?),
+        (Some(node), Subject::Profile(_) | Subject::Later(_)) => {
+            let message = "needs a \"metric\"; a profile and a later event have no \"over\"";
+            faults.add(node.at, &object.path("over"), message);
+            return None;
+        }
+        (None, _) => None,
     };
     let mut limit = |key: &str| {
         let node = object.get(key)?;
@@ -121,6 +137,7 @@ pub(super) fn expect(
     };
     (faults.count() == before).then_some(Expect {
         filter: filter?,
+        over,
         demand,
     })
 }

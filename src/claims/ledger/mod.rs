@@ -1,19 +1,21 @@
-//! A ledger of claims: statements of a paper, each with the studies that test it.
+//! A ledger of claims: statements of a paper or of the literature, each with the studies that test it.
 
 mod decode;
 mod expect;
+mod over;
 
 pub use decode::read;
 
+use crate::problem::parameter::Parameter;
 use crate::study::{Filter, Study};
 use std::path::PathBuf;
 
-/// The claims of one paper.
+/// The claims of one paper, or of the literature on one subject.
 #[derive(Debug)]
 pub struct Ledger {
-    /// The paper, for the page.
+    /// The paper or the literature, for the page.
     pub paper: String,
-    /// The claims in the order of the paper.
+    /// The claims in order.
     pub claims: Vec<Claim>,
     /// The studies that the readings name.
     pub studies: Vec<LedgerStudy>,
@@ -30,12 +32,12 @@ pub struct LedgerStudy {
     pub study: Study,
 }
 
-/// One statement of a paper.
+/// One statement.
 #[derive(Debug)]
 pub struct Claim {
     /// Short name, as in `F4`.
     pub id: String,
-    /// Its place in the paper.
+    /// Its place in the paper, or its source in the literature.
     pub place: String,
     /// The statement in our words.
     pub statement: String,
@@ -67,8 +69,30 @@ pub struct Reading {
 pub struct Expect {
     /// The cases that it applies to.
     pub filter: Filter,
+    /// What the metric is divided by, if it is.
+    pub over: Option<Over>,
     /// What must be true of these cases.
     pub demand: Demand,
+}
+
+/// What a metric is divided by: the same metric of the case with some other values that is otherwise the same.
+#[derive(Debug)]
+pub struct Over {
+    /// The other values, one for each parameter.
+    pub filter: Filter,
+    /// Rows of the parameters that both cases share, unless one of them does not have the parameter.
+    pub shared: Vec<usize>,
+}
+
+impl Over {
+    /// The other values, as in `law = kelvin-voigt, n = 5`.
+    pub fn text(&self, table: &[Parameter]) -> String {
+        let values = self.filter.0.iter().flat_map(|(row, wanted)| {
+            let name = &table[*row].name;
+            wanted.iter().map(move |value| format!("{name} = {value}"))
+        });
+        values.collect::<Vec<_>>().join(", ")
+    }
 }
 
 /// What must be true of the cases. Metrics are rows of the study's measures; `along` is a row of `problem.parameters()`.

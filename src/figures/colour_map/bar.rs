@@ -26,12 +26,17 @@ pub fn frame(frame: &Rect) -> Rect {
     }
 }
 
-/// The axis of the colours: from the smallest to the largest value with a place on the scale.
-pub fn axis(title: &str, values: impl Iterator<Item = f64> + Clone, scale: Scale) -> Axis {
+/// The axis of the colours over `range`, or else from the smallest to the largest value with a place on the scale.
+pub fn axis(
+    title: &str,
+    values: impl Iterator<Item = f64> + Clone,
+    scale: Scale,
+    range: Option<[f64; 2]>,
+) -> Axis {
     let most = 7.0;
     let usable = values.filter(|v| v.is_finite() && (scale == Scale::Linear || *v > 0.0));
     let low = usable.clone().fold(f64::INFINITY, f64::min);
     let high = usable.fold(f64::NEG_INFINITY, f64::max);
-    let range = (low < high).then_some([low, high]);
+    let range = range.or((low < high).then_some([low, high]));
     limits::axis(title, [low].into_iter(), scale, range, most)
 }

@@ -26,6 +26,7 @@ impl Draw for Map {
             y,
             z,
             scales,
+            z_range,
             marks,
             ridge,
         } = self;
@@ -68,7 +69,11 @@ impl Draw for Map {
                 Scale::Log => ticks::log_range(&title, range, most),
             }
         };
-        let colours = bar::axis(&metric.symbol, cells.iter().map(|c| c.value), scales[2]);
+        let colours = {
+            let values = cells.iter().map(|c| c.value);
+            bar::axis(&metric.symbol, values, scales[2], *z_range)
+        };
+        let outside = outside(&cells, *z_range);
         let colours = match contoured {
             true => bands::limited(colours, height),
             false => colours,
@@ -130,6 +135,9 @@ impl Draw for Map {
             vec![keys]
         };
         layout::finish(&mut sheet, keys, figure.title.as_deref());
+        if let Some(outside) = outside {
+            layout::small_print(&mut sheet, &outside);
+        }
         sheet
     }
 
@@ -153,6 +161,25 @@ impl Draw for Map {
         };
         cases.iter().filter_map(point).collect()
     }
+}
+
+/// How many values are outside of the range of the shades; `None` if none is.
+fn outside(cells: &[Cell], range: Option<[f64; 2]>) -> Option<String> {
+    let [low, high] = range?;
+    let all = cells.iter().filter(|cell| cell.value.is_finite()).count();
+    let below = cells.iter().filter(|cell| cell.value < low).count();
+    let above = cells.iter().filter(|cell| cell.value > high).count();
+    let count = |some: usize, word: &str, end: f64| {
+        (some > 0).then(|| format!("{some} {word} {}", number::short(end)))
+    };
+    let parts = [count(below, "below", low), count(above, "above", high)];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| {
+        format!(
+            "Of {all} values {}, in the shade of the end",
+            parts.join(" and ")
+        )
+    })
 }
 
 fn same(a: f64, b: f64) -> bool {

@@ -3,6 +3,7 @@
 mod budget;
 mod convergence;
 mod curve;
+mod front;
 mod history;
 mod law;
 mod map;
@@ -49,6 +50,7 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Budget(kind) => kind,
         FigureKind::Map(kind) => kind,
         FigureKind::Scatter(kind) => kind,
+        FigureKind::Front(kind) => kind,
         FigureKind::Samples(kind) => kind,
         FigureKind::Sobol(kind) => kind,
         FigureKind::Law(kind) => kind,

@@ -38,7 +38,7 @@ impl Draw for Scatter {
         let y_axis = limits::axis(title(study, *y), heights, scales[1], y_range, height / 24.0);
         let colours: Option<Axis> = colour.map(|column| {
             let values = points.iter().filter_map(|(_, value)| *value);
-            bar::axis(title(study, column), values, scales[2])
+            bar::axis(title(study, column), values, scales[2], None)
         });
         let right = colours.as_ref().map_or(4.0, bar::room);
         let width = figure.width.unwrap_or(1.3 * style::SINGLE);

@@ -43,7 +43,12 @@ impl Draw for Wave {
 
         let all = panels.iter().flat_map(|panel| &panel.1);
         let title = &study.problem.schema().profiles[y].title;
-        let colours = bar::axis(title, all.clone().map(|cell| cell.value), Scale::Linear);
+        let colours = bar::axis(
+            title,
+            all.clone().map(|cell| cell.value),
+            Scale::Linear,
+            None,
+        );
         let [left, right] = all.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
             [a.min(cell.x[0]), b.max(cell.x[1])]
         });

@@ -29,7 +29,8 @@ impl Key {
         }
     }
 
-    fn length(&self) -> f64 {
+    /// Length of the piece of line with its label.
+    pub fn length(&self) -> f64 {
         style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
     }
 
@@ -60,6 +61,15 @@ impl Key {
             marker: self.marker,
         }
     }
+}
+
+/// A legend in rows of `columns` keys, each `width` wide, from its upper left corner.
+pub fn rows(keys: &[Key], [left, top]: [f64; 2], columns: usize, width: f64) -> Vec<Entry> {
+    let entry = |(i, key): (usize, &Key)| {
+        let [row, column] = [i / columns, i % columns].map(|k| k as f64);
+        key.placed([left + column * width, top + (row + 0.5) * style::LEADING])
+    };
+    keys.iter().enumerate().map(entry).collect()
 }
 
 /// The legends in free corners of their panels; `None` if a panel has none.

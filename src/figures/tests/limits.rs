@@ -1,6 +1,6 @@
 //! Widths and limits that a study gives: what the sheets have, and that nothing leaves its place.
 
-use super::{decode, fig5, run};
+use super::{colour_at, decode, fig5, run};
 use crate::error::Error;
 use crate::figures::layout::below;
 use crate::figures::layout::sheet::{Rect, Sheet};
@@ -128,6 +128,7 @@ fn panels_keep_their_places_at_every_width() {
                 y: 3,
                 z: 0,
                 scales: [Scale::Linear; 3],
+                z_range: None,
                 marks: None,
                 ridge: None,
             }),
@@ -146,6 +147,76 @@ fn panels_keep_their_places_at_every_width() {
         assert_eq!(sheet.panels.len(), 2);
         fits(&sheet, width);
     }
+}
+
+/// A map of errors of alpha and dT, three by three or two by two, with these values.
+fn map_of(values: &[f64], z_range: Option<[f64; 2]>) -> Sheet {
+    let alphas = [0.1, 1.0, 10.0];
+    let steps = [PI / 20.0, PI / 10.0, PI / 5.0];
+    let side = if values.len() == 9 { 3 } else { 2 };
+    let places = (0..values.len()).map(|k| (alphas[k / side], steps[k % side], 12.0));
+    let mut run = run(&places.collect::<Vec<_>>());
+    for (metrics, value) in run.metrics.iter_mut().zip(values) {
+        metrics[0] = Some(*value);
+    }
+    let map = Map {
+        x: 1,
+        y: 3,
+        z: 0,
+        scales: [Scale::Log; 3],
+        z_range,
+        marks: None,
+        ridge: None,
+    };
+    run.limited(FigureKind::Map(map), None, [None; 2])
+}
+
+#[test]
+fn maps_of_one_range_share_shades_and_contours() {
+    let range = Some([0.01, 1.0]);
+    let narrow = map_of(&[0.02, 0.03, 0.04, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5], range);
+    let mut far = [1e-5; 9];
+    far[4] = 1e3;
+    let wide = map_of(&far, range);
+    let deep = map_of(&far.map(|z| 0.01 / z), range);
+    let [map, other] = [&narrow, &wide].map(|sheet| sheet.panels[0].map.as_ref().unwrap());
+    assert_eq!((&map.levels, &map.colours), (&other.levels, &other.colours));
+    assert_eq!(map.colours.range, [0.01, 1.0]);
+    assert!(map.levels.len() > 2);
+    // Without the key each has its own.
+    let free = map_of(&far, None);
+    assert_eq!(
+        free.panels[0].map.as_ref().unwrap().colours.range,
+        [1e-5, 1e3]
+    );
+    // Values outside have the band of the end, as the colour of their place shows.
+    let count = map.levels.len() + 1;
+    let middle = wide.panels[0].place([1.0, PI / 10.0]);
+    let band = |k| style::colour(style::band(k, count));
+    assert_eq!(colour_at(&wide, middle), band(count - 1));
+    assert_eq!(colour_at(&deep, middle), band(0));
+    let printed = |sheet: &Sheet| -> Vec<String> {
+        sheet
+            .small_print
+            .iter()
+            .map(|words| words.text.clone())
+            .collect()
+    };
+    assert_eq!(printed(&narrow), [""; 0]);
+    assert_eq!(
+        printed(&wide),
+        ["Of 9 values 8 below 0.01 and 1 above 1, in the shade of the end"]
+    );
+    // Cells have the same limits. Shades are 128, each of the colour of its middle.
+    let cells = map_of(&[1e-5, 0.1, 0.2, 1e3], range);
+    let shade = |k: f64| style::colour((k + 0.5) / 128.0);
+    let panel = &cells.panels[0];
+    assert_eq!(panel.map.as_ref().unwrap().colours.range, [0.01, 1.0]);
+    assert_eq!(colour_at(&cells, panel.place([0.1, PI / 20.0])), shade(0.0));
+    assert_eq!(
+        colour_at(&cells, panel.place([1.0, PI / 10.0])),
+        shade(127.0)
+    );
 }
 
 #[test]

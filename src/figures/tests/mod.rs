@@ -2,6 +2,7 @@
 
 mod contents;
 mod extent;
+mod front;
 mod guides;
 mod limits;
 mod samples;
@@ -269,6 +270,7 @@ fn a_map_has_a_cell_for_every_case() {
         y: DT,
         z: 0,
         scales: [Scale::Log; 3],
+        z_range: None,
         marks: None,
         ridge: None,
     }));
@@ -316,6 +318,7 @@ fn nothing_to_draw_is_drawn_all_the_same() {
         y: DT,
         z: 0,
         scales: [Scale::Log, Scale::Linear, Scale::Log],
+        z_range: None,
         marks: None,
         ridge: None,
     });
@@ -335,6 +338,19 @@ fn nothing_to_draw_is_drawn_all_the_same() {
         let sheet = run.sheet(kind);
         assert!(png(&sheet, style::DPI).is_ok() && svg(&sheet, style::DPI).is_ok());
     }
+}
+
+/// Red, green and blue of a sheet at a place.
+pub(super) fn colour_at(sheet: &Sheet, place: [f64; 2]) -> [u8; 3] {
+    let bytes = png(sheet, style::DPI).unwrap();
+    let decoder = png::Decoder::new(std::io::Cursor::new(&bytes));
+    let mut reader = decoder.read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut pixels).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    let [x, y] = place.map(|at| (at * style::pixels(style::DPI)) as usize);
+    let at = 3 * (y * info.width as usize + x);
+    [pixels[at], pixels[at + 1], pixels[at + 2]]
 }
 
 /// A PNG's width, height, pixels in grey, and pixels a metre.

@@ -1,5 +1,6 @@
 //! The cases of a study: blocks of axes, derived parameters and conditions; each case is made from its number.
 
+pub(crate) mod alike;
 pub(super) mod block;
 mod complete;
 mod counts;

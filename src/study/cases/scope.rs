@@ -2,8 +2,8 @@
 
 use super::block::Block;
 use super::filter::Filter;
-use crate::problem::Problem;
 use crate::problem::parameter::{Default, Value};
+use crate::problem::{Case, Problem};
 use crate::study::Measure;
 use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::object::Object;
@@ -187,6 +187,12 @@ impl Scope {
 
     pub fn select<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = u64> + 'a {
         super::select(&*self.problem, &self.blocks, filter)
+    }
+
+    /// The cases that a filter selects.
+    pub fn cases<'a>(&'a self, filter: &'a Filter) -> impl Iterator<Item = Case> + 'a {
+        let case = |index| super::case(&*self.problem, &self.blocks, index);
+        self.select(filter).filter_map(case)
     }
 
     /// Whether the parameters in `from` decide a parameter, in every block with cases that a filter selects.

@@ -211,6 +211,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Text => json!({ "type": "string" }),
         Takes::Filter => defined("where"),
         Takes::Parameter => parameters(false),
+        Takes::Parameters => several(parameters(false)),
         Takes::NumericParameter => parameters(true),
         Takes::Quantity => quantities(),
         Takes::Quantities => several(quantities()),
@@ -237,6 +238,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
+        Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
     }
 }
 

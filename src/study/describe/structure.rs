@@ -225,7 +225,11 @@ fn taken(key: &Key) -> Json {
         }
         Takes::Kind => json!({}),
         Takes::Filter => json!({ "type": "object" }),
-        Takes::Quantities | Takes::Profiles | Takes::Metrics | Takes::Budgets => several(text),
+        Takes::Quantities
+        | Takes::Profiles
+        | Takes::Metrics
+        | Takes::Budgets
+        | Takes::Parameters => several(text),
         Takes::Ordinates => several(names(ORDINATES.into_iter())),
         Takes::Ratios => several(ratio()),
         Takes::Times => several(number(Range::NotNegative)),
@@ -235,6 +239,7 @@ fn taken(key: &Key) -> Json {
         Takes::InUnits => json!({ "const": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
+        Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
         Takes::Text
         | Takes::Parameter
         | Takes::NumericParameter

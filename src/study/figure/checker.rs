@@ -41,9 +41,7 @@ impl<'a> Checker<'a> {
 
     /// The cases of the figure.
     pub fn cases(&self) -> impl Iterator<Item = Case> + use<'a> {
-        let (scope, filter) = (self.scope, &self.figure.filter);
-        let case = |index| crate::study::cases::case(&*scope.problem, &scope.blocks, index);
-        scope.select(filter).filter_map(case)
+        self.scope.cases(&self.figure.filter)
     }
 
     /// Whether the figure has more than `most` cases.

@@ -21,6 +21,8 @@ pub(in crate::study) enum Takes {
     Filter,
     /// A parameter.
     Parameter,
+    /// One or several parameters.
+    Parameters,
     /// A parameter that is a number.
     NumericParameter,
     /// One of the problem's quantities over time.
@@ -49,6 +51,8 @@ pub(in crate::study) enum Takes {
     Marks,
     /// `linear` or `log`.
     Scale,
+    /// The same; if left out, `log`.
+    ScaleOrLog,
     /// Which value a line follows.
     Ridge,
     /// Whether axes are in the units of the study.

@@ -18,16 +18,23 @@ pub(super) fn check(checker: &mut Checker) {
         return;
     };
     for ((key, range), scale) in RANGES.into_iter().zip(figure.ranges).zip(scales) {
-        let Some([first, _]) = range else { continue };
-        if scale == Scale::Log && first <= 0.0 {
-            let first = shortest(first);
-            let message = format!("must be > 0 on a log scale, got {first}");
-            checker.fault_of_item(key, 0, message);
-        }
+        suits_scale(checker, key, range, scale);
     }
     if figure.ranges[1].is_some() && quantities > 1 {
         let message = format!("takes one quantity in \"y\", and the figure has {quantities}");
         checker.fault(RANGES[1], message);
+    }
+}
+
+/// Reports limits without a logarithm on a logarithmic scale.
+pub(super) fn suits_scale(checker: &mut Checker, key: &str, range: Option<[f64; 2]>, scale: Scale) {
+    if let Some([first, _]) = range
+        && scale == Scale::Log
+        && first <= 0.0
+    {
+        let first = shortest(first);
+        let message = format!("must be > 0 on a log scale, got {first}");
+        checker.fault_of_item(key, 0, message);
     }
 }
 

@@ -41,7 +41,7 @@ pub(super) fn refused(checker: &mut Checker, kind: &str) -> bool {
         several => format!("{} are", several.join(", ")),
     };
     let message = format!(
-        "{are} sampled by a design, but a {kind} figure needs lists of values; kinds for samples: scatter, samples"
+        "{are} sampled by a design, but a {kind} figure needs lists of values; kinds for samples: scatter, front, samples"
     );
     checker.fault("kind", message);
     true
@@ -96,7 +96,7 @@ mod tests {
             let refused = figure(4);
             let message = format!(
                 "figures[0].kind: gamma, dt are sampled by a design, but a {kind} figure needs lists of values; kinds \
-                 for samples: scatter, samples"
+                 for samples: scatter, front, samples"
             );
             assert!(refused.contains(&message), "{refused}");
             assert_eq!(

@@ -63,9 +63,13 @@ impl Values<'_> {
     }
 
     pub fn scale(&self, key: &str) -> Scale {
+        self.scale_or(key, Scale::Linear)
+    }
+
+    pub fn scale_or(&self, key: &str, left_out: Scale) -> Scale {
         match self.get(key) {
             Some(Taken::Scale(scale)) => *scale,
-            _ => Scale::Linear,
+            _ => left_out,
         }
     }
 
@@ -175,7 +179,7 @@ pub(in crate::study) fn take(
         Takes::Range | Takes::Periods => {
             return extent::range(node, path, faults).map(Taken::Range);
         }
-        Takes::Scale => {
+        Takes::Scale | Takes::ScaleOrLog => {
             let all = [Scale::Linear, Scale::Log];
             return name(node, path, "scale", &SCALES, faults).map(|row| Taken::Scale(all[row]));
         }
@@ -186,6 +190,7 @@ pub(in crate::study) fn take(
         Takes::Parameter => {
             name(node, path, "parameter", &scope.parameters(), faults).map(|row| vec![row])
         }
+        Takes::Parameters => names(node, path, "parameter", &scope.parameters(), faults),
         Takes::NumericParameter => {
             let row = name(node, path, "parameter", &scope.parameters(), faults)?;
             if matches!(parameters[row].kind, parameter::Kind::Choice(_)) {

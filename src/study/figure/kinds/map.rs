@@ -4,7 +4,7 @@ use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::Problem;
 use crate::study::figure::checker::Checker;
 use crate::study::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
-use crate::study::figure::{sampled, vary};
+use crate::study::figure::{limits, sampled, vary};
 use crate::study::{Marks, Ridge, Scale};
 
 pub(super) const KIND: Kind = Kind {
@@ -29,6 +29,12 @@ pub(super) const KIND: Kind = Kind {
             "scale of the shades; if left out, linear",
         ),
         key(
+            "z_range",
+            Takes::Range,
+            false,
+            "values at both ends of the colour bar, as in [0.001, 1]: maps with the same ones share shades and contours; values outside have the shade of the end; all values if left out",
+        ),
+        key(
             "marks",
             Takes::Marks,
             false,
@@ -47,6 +53,7 @@ pub(super) const KIND: Kind = Kind {
             y: values.row("y")?,
             z: values.row("z")?,
             scales: ["x_scale", "y_scale", "z_scale"].map(|key| values.scale(key)),
+            z_range: values.range("z_range"),
             marks: values.marks("marks"),
             ridge: values.ridge("ridge"),
         }))
@@ -64,6 +71,8 @@ pub struct Map {
     pub z: usize,
     /// Scales of the two axes and of the colours.
     pub scales: [Scale; 3],
+    /// Values at both ends of the colour bar, if the study gives them.
+    pub z_range: Option<[f64; 2]>,
     /// Places to mark, if any.
     pub marks: Option<Marks>,
     /// What the line along it follows, if there is one.
@@ -73,6 +82,10 @@ pub struct Map {
 impl Decoded for Map {
     fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
         None
+    }
+
+    fn check_keys(&self, checker: &mut Checker) {
+        limits::suits_scale(checker, "z_range", self.z_range, self.scales[2]);
     }
 
     fn check_cases(&self, checker: &mut Checker) {
@@ -102,5 +115,41 @@ impl Decoded for Map {
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {
         vec![self.z]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::study::parse;
+
+    #[test]
+    fn limits_of_the_shades_are_checked_like_those_of_axes() {
+        let wrong = |keys: &str| {
+            let study = format!(
+                r#"{{"problem": "bar-impact", "parameters": {{"gamma": [1, 2], "n": 4, "dt": [0.01, 0.02], "duration": 1}},
+                  "figures": [{{"name": "f", "kind": "map", "x": "gamma", "y": "dt", "z": "peak_force", {keys}}}]}}"#
+            );
+            let wrong = parse("s", &study).err().map(|e| e.to_string());
+            wrong.unwrap_or_default()
+        };
+        assert_eq!(wrong(r#""z_range": [0, 1]"#), "");
+        assert_eq!(wrong(r#""z_scale": "log", "z_range": ["1/8", 1]"#), "");
+        for (keys, message) in [
+            (
+                r#""z_scale": "log", "z_range": [0, 1]"#,
+                "figures[0].z_range[0]: must be > 0 on a log scale, got 0",
+            ),
+            (
+                r#""z_range": [1, 1]"#,
+                "figures[0].z_range: the first value must be less than the last, got 1 and 1",
+            ),
+            (
+                r#""z_range": 1"#,
+                "figures[0].z_range: must be a list of two numbers",
+            ),
+        ] {
+            let told = wrong(keys);
+            assert!(told.contains(message), "{keys}: {told}");
+        }
     }
 }

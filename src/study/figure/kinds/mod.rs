@@ -4,6 +4,7 @@
 mod budget;
 mod convergence;
 mod curve;
+mod front;
 mod history;
 mod law;
 mod map;
@@ -111,6 +112,7 @@ kinds! {
     budget::Budget,
     map::Map,
     scatter::Scatter,
+    front::Front,
     samples::Samples,
     sobol::Sobol,
     law::Law,
@@ -199,7 +201,8 @@ mod tests {
                    {"name": "f", "kind": "budget", "x": "dt", "where": {"gamma": 1}},
                    {"name": "g", "kind": "map", "x": "gamma", "y": "dt", "z": "peak_force"},
                    {"name": "h", "kind": "scatter", "x": "gamma", "y": "peak_force"}, {"name": "i", "kind": "law"},
-                   {"name": "j", "kind": "curve", "x": "r", "y": "force"}"#,
+                   {"name": "j", "kind": "curve", "x": "r", "y": "force"},
+                   {"name": "k", "kind": "front", "x": "peak_force", "y": "rms_error_r", "by": "gamma"}"#,
             ),
             study(
                 r#""gamma": {"uniform": [1, 2]}, "dt": {"uniform": [0.01, 0.02]}},
