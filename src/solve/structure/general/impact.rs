@@ -70,7 +70,9 @@ impl<const L: usize> General<'_, L> {
             for l in (0..L).filter(|l| contact.stop[*l]) {
                 impacts.active[c][l] = start[c][0].0[l] + contact.change.0[l] < 0.0;
             }
-            if self.step == 1 || impacts.active[c] != before {
+            // A limit that changes sets the bounds of all lanes.
+            let new = self.step == 1 || self.inputs.limits_vary();
+            if new || impacts.active[c] != before {
                 self.forces[part].rebound(c, contact.bounds_with(&impacts.active[c]));
                 changed = true;
             }
