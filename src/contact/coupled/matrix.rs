@@ -4,7 +4,7 @@ use super::pattern::Step;
 
 /// Round-off of q as part of the sum of its terms: some 500 times the unit round-off, for sums of many terms and solutions of
 /// blocks. As part of d alone, which may be a small difference of large numbers, it would be too small.
-const ROUND_OFF: f64 = 1e-13;
+pub(super) const ROUND_OFF: f64 = 1e-13;
 
 /// A.
 #[derive(Debug, Clone)]
@@ -35,6 +35,12 @@ impl Matrix {
             entries[i * self.width + i] += part * self.row(i)[i];
         }
         Matrix::new(entries, self.width)
+    }
+
+    /// Changes an entry of the diagonal.
+    pub fn set_diagonal(&mut self, i: usize, value: f64) {
+        self.entries[i * self.width + i] = value;
+        self.inverse[i] = 1.0 / value;
     }
 
     /// Number of rows and columns.

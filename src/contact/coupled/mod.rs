@@ -9,6 +9,7 @@
 //! the wrong contacts change their places: all of them while they become fewer, else one at a time. This is the block principal
 //! pivoting of Judice and Pires (1992), with the rule of Murty, which ends for every positive definite A.
 
+pub mod curved;
 mod factor;
 mod matrix;
 mod pattern;
@@ -111,6 +112,11 @@ impl CoupledForces {
             rounds => rounds?,
         };
         Ok(())
+    }
+
+    /// Changes A_ii of one of several contacts, to another positive number.
+    fn set_diagonal(&mut self, contact: usize, value: f64) {
+        self.pattern.set_diagonal(contact, value);
     }
 
     /// S = clip(d/A, low, high).

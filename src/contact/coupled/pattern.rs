@@ -80,6 +80,12 @@ impl Pattern {
         self.matrix.row(contact)[contact]
     }
 
+    /// Changes A_ii to another positive number.
+    pub fn set_diagonal(&mut self, contact: usize, value: f64) {
+        self.matrix.set_diagonal(contact, value);
+        self.factored = false;
+    }
+
     pub fn place(&self, contact: usize) -> At {
         self.places[contact]
     }

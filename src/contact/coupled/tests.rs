@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use std::array::from_fn;
 
 /// SplitMix64.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
     fn bits(&mut self) -> u64 {
@@ -16,30 +16,34 @@ impl Random {
     }
 
     /// From 0 to 1.
-    fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// From -1 to 1.
-    fn even(&mut self) -> f64 {
+    pub(super) fn even(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 
-    fn below(&mut self, end: usize) -> usize {
+    pub(super) fn below(&mut self, end: usize) -> usize {
         (self.bits() % end as u64) as usize
     }
 
     /// 10^-decades to 10^decades, evenly in its logarithm.
-    fn decades(&mut self, decades: f64) -> f64 {
+    pub(super) fn decades(&mut self, decades: f64) -> f64 {
         libm::pow(10.0, decades * self.even())
     }
 
-    fn list(&mut self, length: usize, mut number: impl FnMut(&mut Random) -> f64) -> Vec<f64> {
+    pub(super) fn list(
+        &mut self,
+        length: usize,
+        mut number: impl FnMut(&mut Random) -> f64,
+    ) -> Vec<f64> {
         (0..length).map(|_| number(self)).collect()
     }
 
     /// Number of contacts: mostly few.
-    fn contacts(&mut self) -> usize {
+    pub(super) fn contacts(&mut self) -> usize {
         match self.below(20) {
             0 => 11 + self.below(40),
             1..5 => 6 + self.below(5),
@@ -50,26 +54,26 @@ impl Random {
 
 /// A = H + diag(g).
 #[derive(Debug, Clone)]
-struct Problem {
-    h: DMatrix<f64>,
-    g: Vec<f64>,
+pub(super) struct Problem {
+    pub(super) h: DMatrix<f64>,
+    pub(super) g: Vec<f64>,
 }
 
 impl Problem {
-    fn contacts(&self) -> usize {
+    pub(super) fn contacts(&self) -> usize {
         self.g.len()
     }
 
-    fn matrix(&self) -> DMatrix<f64> {
+    pub(super) fn matrix(&self) -> DMatrix<f64> {
         &self.h + DMatrix::from_diagonal(&DVector::from_column_slice(&self.g))
     }
 
-    fn forces(&self) -> CoupledForces {
+    pub(super) fn forces(&self) -> CoupledForces {
         CoupledForces::new(self.matrix().as_slice().to_vec(), self.contacts())
     }
 
     /// H = X X^T of a random X with fewer columns than rows or as many; g over 12 decades, or 0 if H is regular.
-    fn dense(random: &mut Random) -> Problem {
+    pub(super) fn dense(random: &mut Random) -> Problem {
         let m = random.contacts();
         let rank = 1 + random.below(2 * m);
         let shift = [0.0, 2.0][random.below(2)];
@@ -84,7 +88,7 @@ impl Problem {
 
     /// H = B^T (4/dt^2 M + 2/dt C + K)^-1 B of a chain with springs to the ground; contacts between any nodes, so that H is
     /// singular as soon as they share too many.
-    fn chain(random: &mut Random) -> Problem {
+    pub(super) fn chain(random: &mut Random) -> Problem {
         let [n, m] = [1 + random.below(12), random.contacts()];
         let dt = random.decades(3.0);
         let mut effective = DMatrix::<f64>::zeros(n, n);

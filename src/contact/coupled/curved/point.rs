@@ -1,0 +1,70 @@
+//! A point of the search.
+
+use super::Numbers;
+
+/// A point of the search.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    /// S.
+    pub(super) force: Vec<f64>,
+    /// y = d + M S.
+    pub(super) y: Vec<f64>,
+    /// Sizes of the terms of y and J.
+    pub(super) terms: Vec<f64>,
+    /// J(y).
+    pub(super) answer: Vec<f64>,
+    /// M (J - S), the residual of r' = d - H J.
+    pub(super) rest: Vec<f64>,
+    /// The largest of its parts of the terms.
+    pub(super) residual: f64,
+}
+
+impl Point {
+    pub(super) fn new(contacts: usize) -> Point {
+        let zero = || vec![0.0; contacts];
+        Point {
+            force: zero(),
+            y: zero(),
+            terms: zero(),
+            answer: zero(),
+            rest: zero(),
+            residual: f64::INFINITY,
+        }
+    }
+
+    /// y, J and the residual of the forces.
+    pub(super) fn evaluate(&mut self, step: Numbers, coupling: &[f64], own: &[f64]) {
+        let m = own.len();
+        for i in 0..m {
+            let [mut y, mut terms] = [step.d[i], step.size[i]];
+            for (m, s) in coupling[i * m..(i + 1) * m].iter().zip(&self.force) {
+                y += m * s;
+                terms += (m * s).abs();
+            }
+            let answer = step.laws.answer(i, y);
+            self.y[i] = y;
+            self.answer[i] = answer;
+            self.terms[i] = terms + own[i] * answer.abs();
+        }
+        self.residual = 0.0;
+        for i in 0..m {
+            let row = coupling[i * m..(i + 1) * m].iter();
+            let pairs = row.zip(self.answer.iter().zip(&self.force));
+            self.rest[i] = pairs.map(|(m, (j, s))| m * (j - s)).sum();
+            let part = match self.rest[i] {
+                0.0 => 0.0,
+                rest => rest.abs() / self.terms[i],
+            };
+            // A part that is not a number stays.
+            if part > self.residual || part.is_nan() {
+                self.residual = part;
+            }
+        }
+    }
+
+    /// The slope of E along a change of S.
+    pub(super) fn slope(&self, change: &[f64]) -> f64 {
+        let products = self.rest.iter().zip(change).map(|(rest, c)| rest * c);
+        -products.sum::<f64>()
+    }
+}

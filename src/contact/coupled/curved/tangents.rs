@@ -1,0 +1,92 @@
+//! The step from a point to the minimum of the tangents.
+
+use super::point::Point;
+use super::{LEVEL, Numbers};
+use crate::contact::coupled::{CoupledForces, Unsolved};
+
+/// Least 1/f' as part of a: without it, tangents of contacts that depend on each other may be singular.
+const SOFTENING: f64 = 1e-12;
+
+/// The step from a point to the minimum of the tangents.
+#[derive(Debug, Clone)]
+pub(super) struct Tangents {
+    problem: CoupledForces,
+    /// 1/f'.
+    pub(super) compliance: Vec<f64>,
+    low: Vec<f64>,
+    high: Vec<f64>,
+    size: Vec<f64>,
+    /// x, then the change of S.
+    pub(super) change: Vec<f64>,
+}
+
+impl Tangents {
+    /// `matrix`: H with a positive diagonal more, which makes it regular.
+    pub(super) fn new(matrix: Vec<f64>, contacts: usize) -> Tangents {
+        let zero = || vec![0.0; contacts];
+        Tangents {
+            problem: CoupledForces::new(matrix, contacts),
+            compliance: zero(),
+            low: zero(),
+            high: zero(),
+            size: zero(),
+            change: zero(),
+        }
+    }
+
+    /// The change of S to the minimum of the tangents; false if there is none.
+    pub(super) fn solve(
+        &mut self,
+        step: Numbers,
+        point: &Point,
+        own: &[f64],
+        flexibility: &[f64],
+    ) -> bool {
+        let m = own.len();
+        for i in 0..m {
+            let (y, s) = (point.y[i], point.answer[i]);
+            let scale = y.abs() + own[i] * s.abs();
+            // A chord is to be short beside the step.
+            let rest = own[i] * (s - point.force[i]).abs();
+            let width = f64::max(1e-3 * rest, 1e-8 * scale);
+            // A chord that does not rise is level.
+            let g = match step.laws.compliance(i, y, s, width) {
+                g if g >= 0.0 => g,
+                _ => f64::INFINITY,
+            };
+            self.compliance[i] = g;
+            let [low, high] = step.laws.bounds(i);
+            let follows = g < LEVEL * own[i];
+            [self.low[i], self.high[i]] = match follows {
+                true => [low - s, high - s],
+                false => [0.0; 2],
+            };
+            self.size[i] = point.rest[i].abs();
+        }
+        let mut soft = SOFTENING;
+        loop {
+            for i in 0..m {
+                let g = self.compliance[i].max(soft * own[i]);
+                let g = if g < LEVEL * own[i] { g } else { own[i] };
+                self.problem.set_diagonal(i, flexibility[i * m + i] + g);
+            }
+            let Tangents {
+                low,
+                high,
+                size,
+                change,
+                ..
+            } = self;
+            match self.problem.solve(&point.rest, low, high, size, change) {
+                // Any larger 1/f' leads downhill, too.
+                Err(Unsolved::Singular) if soft < 1.0 => soft *= 10.0,
+                Err(_) => return false,
+                Ok(()) => break,
+            }
+        }
+        for (i, change) in self.change.iter_mut().enumerate() {
+            *change += point.answer[i] - point.force[i];
+        }
+        true
+    }
+}
