@@ -108,6 +108,19 @@ macro_rules! laws {
             }
         }
 
+        impl<const L: usize> AnyLaw<L> {
+            /// Other numbers of a law of the same kind in all lanes; the memory stays.
+            pub fn change(&mut self, law: &ContactLaw, on: &[StepFlexibility<L>; 2]) {
+                match (self, law) {
+                    $((AnyLaw::$law(running), ContactLaw::$law(law)) => {
+                        running.parts = RunningLaw::of(&[*law; L], on).parts;
+                    })+
+                    // Of another kind it would have no memory.
+                    (other, law) => *other = ContactLaw::running(&[*law; L], on),
+                }
+            }
+        }
+
         impl ContactLaw {
             /// Whether r >= 0 holds without compliance.
             pub fn rigid(&self) -> bool {

@@ -34,6 +34,8 @@ pub enum Unsolved {
     Singular,
     /// No pattern is right: a number is not finite, or the matrix is not positive semidefinite.
     TooManyRounds,
+    /// A friction force falls with velocity so fast that a step may have several answers.
+    Falling,
 }
 
 impl fmt::Display for Unsolved {
@@ -43,6 +45,9 @@ impl fmt::Display for Unsolved {
                 "the contact forces are not unique: contacts that stick or are shut at the same time depend on each other"
             }
             Unsolved::TooManyRounds => "no contact forces satisfy all laws",
+            Unsolved::Falling => {
+                "a friction force falls with velocity so fast that a step may have several answers; take a smaller dt"
+            }
         })
     }
 }

@@ -36,6 +36,11 @@ pub enum EventsFault {
         /// r at t = 0.
         r: f64,
     },
+    /// The exact motion does not know a law.
+    Law {
+        /// Name of the contact.
+        contact: String,
+    },
 }
 
 impl fmt::Display for EventsFault {
@@ -64,6 +69,10 @@ impl fmt::Display for EventsFault {
             EventsFault::Overlap { contact, r } => write!(
                 f,
                 "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
+            ),
+            EventsFault::Law { contact } => write!(
+                f,
+                "the law of contact {contact} is curved or damped, or its coefficient of friction varies with pressure; possible are the references to rigid laws, with \"contacts_reference\": \"rigid\""
             ),
         }
     }

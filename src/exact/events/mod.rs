@@ -33,7 +33,7 @@ pub use fault::EventsFault;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
-use crate::system::structure::Structure;
+use crate::system::structure::{Limit, Relation, Structure};
 use motion::Motion;
 use room::Room;
 
@@ -123,6 +123,7 @@ pub fn run(
     times: &[f64],
     mut visit: impl FnMut(usize, &State),
 ) -> Result<Summary, EventsFault> {
+    refuse_laws(structure)?;
     let end = times.last().copied().unwrap_or(0.0);
     let mut motion = Motion::start(structure, end)?;
     let mut room = Room::new(structure);
@@ -146,4 +147,17 @@ pub fn run(
         least_impact_rate: motion.least_impact_rate,
         book: motion.book,
     })
+}
+
+/// Between events every law has to be linear, and every limit the sum of a constant and a signal.
+fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
+    let unknown = |law: &Relation| {
+        let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
+        law.is_curved() || law.limit().is_some_and(falls)
+    };
+    let contact = structure.contacts.iter().find(|c| unknown(&c.law));
+    match contact.map(|contact| contact.name.clone()) {
+        Some(contact) => Err(EventsFault::Law { contact }),
+        None => Ok(()),
+    }
 }

@@ -59,6 +59,10 @@ impl ContactState {
             (Phase::Closed, Relation::RigidStop { .. } | Relation::Coulomb { .. }) => {
                 Force::Constraint
             }
+            // Such laws are refused.
+            (Phase::Closed, Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. }) => {
+                Force::None
+            }
         }
     }
 }

@@ -95,7 +95,10 @@ impl Scales {
                 k * self.r(model, contact, length)
             }
             Relation::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
-            Relation::RigidStop { .. } | Relation::Coulomb { .. } => TOLERANCE * self.force,
+            Relation::RigidStop { .. }
+            | Relation::Coulomb { .. }
+            | Relation::CurvedImpact { .. }
+            | Relation::CurvedFriction { .. } => TOLERANCE * self.force,
         };
         motion + self.limit(contact)
     }

@@ -5,7 +5,7 @@ use super::metric::{Reduction, StructureMetric};
 use super::motion::Energies;
 use super::node::Numbering;
 use crate::metrics::structure as reduce;
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::Structure;
 
 /// Quantities of a motion at the steps 0..=N, one list for each number.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -151,10 +151,7 @@ fn of_contact(
 ) -> Option<f64> {
     let series = |quantity| computed.of(Number::Contact(contact, quantity));
     let force = series(Quantity::Force);
-    let impact = matches!(
-        of.structure.contacts.get(contact)?.law,
-        Relation::ImpactSpring { .. } | Relation::RigidStop { .. }
-    );
+    let impact = of.structure.contacts.get(contact)?.law.is_impact();
     match reduction {
         Reduction::Impacts => Some(reduce::closings(force) as f64),
         Reduction::Impulse => Some(reduce::impulse(force, of.dt)),

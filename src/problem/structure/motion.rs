@@ -168,14 +168,16 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
     }
 }
 
-/// The same structure with rigid laws: impacts without compliance and with the restitution of a spring, which is 1, and Coulomb
-/// friction.
+/// The same structure with rigid laws: impacts without compliance, with the restitution of the law, which is 1 without damping, and
+/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one.
 pub fn rigid(structure: &Structure) -> Structure {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
         contact.law = match contact.law.clone() {
             Relation::ImpactSpring { .. } => Relation::RigidStop { restitution: 1.0 },
+            Relation::CurvedImpact { restitution, .. } => Relation::RigidStop { restitution },
             Relation::DisplacementControl { limit, .. }
+            | Relation::CurvedFriction { limit, .. }
             | Relation::VelocityControl { limit, .. } => Relation::Coulomb { limit },
             law @ (Relation::RigidStop { .. } | Relation::Coulomb { .. }) => law,
         };

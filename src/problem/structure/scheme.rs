@@ -119,10 +119,8 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
     }
     for contact in &template.contacts {
         let kind = match LawName::parse(contact.law.name(case))? {
-            LawName::Impact => LinkKind::Impact,
-            LawName::DisplacementControl | LawName::VelocityControl | LawName::Coulomb => {
-                LinkKind::Friction
-            }
+            law if law.is_friction() => LinkKind::Friction,
+            _ => LinkKind::Impact,
         };
         links.push(Link {
             kind,

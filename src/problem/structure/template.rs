@@ -128,6 +128,8 @@ pub struct Contact {
     pub nu: Option<Amount>,
     /// Force that presses.
     pub normal: Option<Normal>,
+    /// The other numbers by their keys.
+    pub others: Vec<(&'static str, Amount)>,
 }
 
 /// The normal force of a friction contact, positive when pressed.

@@ -164,7 +164,14 @@ impl<const L: usize> Average<'_, L> {
             let compliance = line.by_force + line.by_displacement * line.compliance;
             twice = twice + contact.force * contact.force * compliance;
         }
-        twice * 0.5
+        let mut energy = twice * 0.5;
+        for (l, curved) in self.curved.iter().enumerate() {
+            if let Some(curved) = curved {
+                let states = self.contact_states();
+                energy.0[l] = curved.stored_energy(states.map(|state| state.map(|x| x.0[l])));
+            }
+        }
+        energy
     }
 
     /// r and S of the contacts.

@@ -18,6 +18,8 @@ pub(super) struct Forces<const L: usize> {
     problems: Vec<CoupledForces>,
     /// The first step at which a lane has no forces, and why.
     failures: [Option<(usize, Unsolved)>; L],
+    /// Lanes whose forces are found elsewhere.
+    others: Option<[bool; L]>,
     /// Numbers of one lane.
     scratch: Scratch,
 }
@@ -80,6 +82,7 @@ impl<const L: usize> Forces<L> {
             factor: vec![zero; m * m.saturating_sub(1) / 2],
             contacts,
             failures: [None; L],
+            others: None,
             scratch: Scratch(std::array::from_fn(|_| vec![0.0; m])),
         };
         forces.hold();
@@ -140,6 +143,11 @@ impl<const L: usize> Forces<L> {
         self.failures
     }
 
+    /// Leaves these lanes out.
+    pub(super) fn leave(&mut self, lanes: [bool; L]) {
+        self.others = lanes.contains(&true).then_some(lanes);
+    }
+
     /// Records that a lane has no forces at a step.
     pub(super) fn fail(&mut self, lane: usize, step: usize, why: Unsolved) {
         self.failures[lane].get_or_insert((step, why));
@@ -154,7 +162,12 @@ impl<const L: usize> Forces<L> {
         size: impl Fn(usize, usize) -> f64,
         force: &mut [Lane<L>],
     ) {
-        let excess = self.follow(d, force);
+        let mut excess = self.follow(d, force);
+        if let Some(others) = self.others {
+            for (excess, other) in excess.0.iter_mut().zip(others) {
+                *excess = if other { 0.0 } else { *excess };
+            }
+        }
         let mut stands = true;
         for excess in excess.0 {
             stands &= excess <= 0.0;

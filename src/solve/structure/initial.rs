@@ -1,5 +1,6 @@
 //! The contact forces at t = 0.
 
+use super::curved::first_force;
 use super::laws::bounds;
 use crate::contact::{CoupledForces, Unsolved};
 use crate::system::structure::{Relation, Structure};
@@ -19,6 +20,9 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         forces[c] = match contact.law {
             Relation::ImpactSpring { stiffness } => stiffness * r.min(0.0),
             Relation::DisplacementControl { .. } => 0.0,
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => {
+                first_force(&contact.law, r, rdot)
+            }
             Relation::VelocityControl { viscosity, .. } => (viscosity * rdot).clamp(low, high),
             Relation::Coulomb { .. } if rdot > 0.0 => high,
             Relation::Coulomb { .. } if rdot < 0.0 => low,

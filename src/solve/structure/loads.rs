@@ -3,7 +3,7 @@
 use super::Prepared;
 use super::laws::varying;
 use crate::lane::Lane;
-use crate::system::structure::{Signal, Structure};
+use crate::system::structure::{Pressure, Signal, Structure};
 use std::sync::Arc;
 
 /// Numbers of signals for the steps 0..=N, each signal sampled once.
@@ -81,6 +81,8 @@ struct Varying<const L: usize> {
     constant: Lane<L>,
     factor: Lane<L>,
     signal: Series<L>,
+    /// How the coefficient falls with the normal force; empty if it does not in any lane.
+    pressure: Vec<Option<Pressure>>,
 }
 
 /// Loads on the nodes and limits of the contacts at the steps.
@@ -220,7 +222,11 @@ impl<const L: usize> Inputs<L> {
             let varying = limit.factor * limit.signal.at(&self.values, step);
             let sum = limit.constant + varying;
             // As in `Limit::at`: f64::max does not compile to one instruction.
-            (limit.contact, sum.larger(Lane::splat(0.0)), limit.slides)
+            let mut positive = sum.larger(Lane::splat(0.0));
+            for (x, pressure) in positive.0.iter_mut().zip(&limit.pressure) {
+                *x = pressure.map_or(*x, |pressure| pressure.limit(*x));
+            }
+            (limit.contact, positive, limit.slides)
         })
     }
 }
@@ -243,7 +249,13 @@ fn limits<'a, const L: usize>(
             constant: Lane::splat(0.0),
             factor: Lane::splat(0.0),
             signal: Series::new([0; L]),
+            pressure: Vec::new(),
         };
+        let pressure = |case: &&Structure| case.contacts[contact].law.limit()?.pressure;
+        let pressures = cases.iter().map(pressure);
+        if pressures.clone().any(|pressure| pressure.is_some()) {
+            limit.pressure = pressures.collect();
+        }
         let mut signals = [0; L];
         for (l, case) in cases.iter().enumerate() {
             let own = case.contacts[contact].law.limit();

@@ -53,6 +53,7 @@
 //! ```
 
 mod books;
+mod curved;
 mod forces;
 mod general;
 mod initial;

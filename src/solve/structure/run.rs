@@ -116,6 +116,11 @@ impl<const L: usize> Average<'_, L> {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);
                 }
                 self.forces.bound(contact, [low, high]);
+                for (l, curved) in self.curved.iter_mut().enumerate() {
+                    if let (Some(curved), true) = (curved, slides[l]) {
+                        curved.limit(contact, limit.0[l]);
+                    }
+                }
             }
             self.forces.hold();
         }
@@ -174,12 +179,46 @@ impl<const L: usize> Average<'_, L> {
             terms.iter().map(|x| x.0[l].abs()).sum()
         };
         self.forces.solve(step, &self.trial, size, &mut self.force);
+        if !self.curved.is_empty() {
+            self.meet_curved(step);
+        }
         for (c, contact) in self.contacts.iter_mut().enumerate() {
             let force = self.force[c];
             contact.force = force;
             let mean = force * 0.5;
             for entry in reduced.list(c) {
                 self.work[entry.at] = self.work[entry.at] - mean * entry.value;
+            }
+        }
+    }
+
+    /// The forces S(i+1) of lanes with laws that are not clipped lines.
+    #[cold]
+    #[inline(never)]
+    fn meet_curved(&mut self, step: usize) {
+        let dt = self.prepared.dt;
+        for l in 0..L {
+            let Some(curved) = &mut self.curved[l] else {
+                continue;
+            };
+            let contacts = &self.contacts;
+            let finite = |c: &ContactState<L>| c.change.0[l].is_finite() && c.w.0[l].is_finite();
+            let solved = curved.solve(|c| contacts[c].motion(l, dt));
+            match solved {
+                Ok(forces) => {
+                    for (force, own) in self.force.iter_mut().zip(forces) {
+                        force.0[l] = *own;
+                    }
+                }
+                Err(why) => {
+                    // A motion that is not finite is not a fault of the contacts.
+                    if contacts.iter().all(finite) {
+                        self.forces.fail(l, step, why);
+                    }
+                    for force in &mut self.force {
+                        force.0[l] = f64::NAN;
+                    }
+                }
             }
         }
     }

@@ -1,10 +1,12 @@
 //! The state of structures in lanes, by the constant average acceleration method.
 
+use super::curved::{Curved, Motion};
 use super::forces::Forces;
 use super::initial;
 use super::laws::{Line, bounds};
 use super::loads::Inputs;
 use super::{ContactStep, Prepared};
+use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::system::structure::Structure;
 
@@ -18,6 +20,8 @@ pub(super) struct Average<'a, const L: usize> {
     pub(super) w: Vec<Lane<L>>,
     pub(super) contacts: Vec<ContactState<L>>,
     pub(super) forces: Forces<L>,
+    /// The contacts of lanes with laws that are not clipped lines; empty if there is none.
+    pub(super) curved: Vec<Option<Curved>>,
     pub(super) inputs: Inputs<L>,
     /// The last step.
     pub(super) step: usize,
@@ -94,6 +98,23 @@ impl<const L: usize> Average<'_, L> {
     }
 }
 
+impl<const L: usize> ContactState<L> {
+    /// The motion of a lane over the step without its forces.
+    pub(super) fn motion(&self, l: usize, dt: f64) -> Motion {
+        let [p, w, change] = [self.p.0[l], self.w.0[l], 0.5 * self.change.0[l]];
+        let displacement = p - 0.5 * w;
+        Motion {
+            displacement,
+            velocity: w / dt,
+            force: self.force.0[l],
+            // rdot* = 2/dt (r* - r(i)) - rdot(i).
+            change: change + w,
+            rate: (2.0 * change + w) / dt,
+            size: change.abs() + w.abs() + displacement.abs(),
+        }
+    }
+}
+
 impl<'a, const L: usize> Average<'a, L> {
     /// The structures at t = 0.
     pub(super) fn new(cases: &[&Structure; L], prepared: &'a Prepared, inputs: Inputs<L>) -> Self {
@@ -152,12 +173,29 @@ impl<'a, const L: usize> Average<'a, L> {
         for (lane, why) in failures {
             forces.fail(lane, 0, why);
         }
+        let mut curved = Vec::new();
+        if cases
+            .iter()
+            .any(|case| case.contacts.iter().any(|c| c.law.is_curved()))
+        {
+            let of = |case: &&Structure| Curved::new(case, &prepared.flexibility, 2.0 / dt, dt);
+            curved.extend(cases.iter().map(of));
+            let mut others = [false; L];
+            for (l, (other, curved)) in others.iter_mut().zip(&curved).enumerate() {
+                *other = curved.is_some();
+                if curved.as_ref().is_some_and(|c| c.ambiguous().is_some()) {
+                    forces.fail(l, 0, Unsolved::Falling);
+                }
+            }
+            forces.leave(others);
+        }
         let mut state = Average {
             prepared,
             p,
             w,
             contacts,
             forces,
+            curved,
             inputs,
             step: 0,
             work: vec![zero; n + 1],

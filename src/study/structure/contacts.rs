@@ -5,7 +5,7 @@ use super::loads::{scaled, table};
 use super::parts::Part;
 use super::reader::{Reader, open};
 use crate::problem::parameter::Range;
-use crate::problem::structure::contacts::LawName;
+use crate::problem::structure::contacts::{KEYS, LawName};
 use crate::problem::structure::loads::{Kind, Source};
 use crate::problem::structure::template::{Chosen, Contact, Normal};
 use crate::study::source::faults::Faults;
@@ -47,6 +47,8 @@ fn contact(
         optional("limit", Range::NotNegative),
         optional("nu", Range::NotNegative),
     );
+    let other = |(key, range): &(&'static str, Range)| Some((*key, optional(key, *range)?));
+    let others = OTHERS.iter().filter_map(other).collect();
     let normal = object
         .get("N")
         .and_then(|node| normal(node, &object.path("N"), reader, faults));
@@ -65,6 +67,7 @@ fn contact(
         limit,
         nu,
         normal,
+        others,
     })
     .filter(|_| complete)
 }
@@ -83,17 +86,25 @@ fn law(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Chosen> 
     Some(Chosen::Name(laws[law].0))
 }
 
-/// The keys that each law has besides law, between and gap.
-const OWN: [(&str, &[&str]); 4] = [
-    ("impact", &["k", "e"]),
-    ("displacement-control", &["k", "rE", "limit", "nu", "N"]),
-    ("velocity-control", &["c", "rdotE", "limit", "nu", "N"]),
-    ("coulomb", &["limit", "nu", "N"]),
+/// Numbers of the laws that are not clipped lines, and of their limits.
+const OTHERS: [(&str, Range); 12] = [
+    ("k_h", Range::Positive),
+    ("restitution", Range::Fraction),
+    ("colliding_mass", Range::Positive),
+    ("exponent", Range::AtLeastOne),
+    ("sigma0", Range::Positive),
+    ("sigma1", Range::NotNegative),
+    ("sigma2", Range::NotNegative),
+    ("static_ratio", Range::AtLeastOne),
+    ("stribeck_velocity", Range::Positive),
+    ("nu_min", Range::Positive),
+    ("nu_rate", Range::NotNegative),
+    ("pressure_exponent", Range::UpToOne),
 ];
 
 /// Reports keys of other laws.
 fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
-    let Some((_, own)) = OWN.iter().find(|own| own.0 == law) else {
+    let Some((_, own)) = KEYS.iter().find(|own| own.0 == law) else {
         return;
     };
     for member in &object.members {

@@ -86,23 +86,65 @@ pub(in crate::study) const CONTACT: Keys = &[
     ("gap", "r at rest"),
     (
         "k",
-        "stiffness of the impact spring, or of displacement-control below the limit",
+        "stiffness of a linear spring of impact, or of displacement-control, bouc-wen and dahl below the limit",
     ),
-    ("e", "restitution of a rigid impact, instead of k"),
-    ("c", "viscosity of velocity-control below the limit"),
     (
-        "rE",
-        "displacement-control: r^E, instead of k = limit at rest/r^E",
+        "k_h",
+        "force over length^1.5 of hertz, hertz-damp, hunt-crossley, ye and jankowski: k_h delta^1.5, delta = -r",
     ),
+    (
+        "restitution",
+        "target of the coefficient of restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
+    ),
+    (
+        "colliding_mass",
+        "m1 m2/(m1 + m2) of the bodies that collide, from which kelvin-voigt and jankowski compute their dashpot",
+    ),
+    ("e", "restitution of a rigid impact, from 0 to 1"),
+    (
+        "c",
+        "viscosity of velocity-control, tanh and stribeck at rdot = 0",
+    ),
+    ("rE", "r^E, instead of k = limit at rest/r^E"),
     (
         "rdotE",
-        "velocity-control: rdot^E, instead of c = limit at rest/rdot^E",
+        "rdot^E, instead of c = limit at rest/rdot^E; of stribeck the static limit",
     ),
-    ("limit", "friction limit, instead of nu and N"),
+    (
+        "exponent",
+        "exponent of bouc-wen and dahl, >= 1; 1 if left out",
+    ),
+    ("sigma0", "lugre: stiffness of the bristles"),
+    ("sigma1", "lugre: damping of the bristles; 0 if left out"),
+    (
+        "sigma2",
+        "lugre: viscosity of the sliding contact; 0 if left out",
+    ),
+    (
+        "static_ratio",
+        "stribeck and lugre: static limit over the kinetic one, >= 1; 1 if left out",
+    ),
+    (
+        "stribeck_velocity",
+        "stribeck and lugre: velocity over which the limit falls from the static to the kinetic one",
+    ),
+    (
+        "limit",
+        "friction limit, instead of nu and N; of stribeck and lugre the kinetic one",
+    ),
     ("nu", "coefficient of friction; the limit is nu N"),
     (
         "N",
         "force that presses, positive when pressed; a number, a table of t and N, or a weight under a vertical acceleration",
+    ),
+    (
+        "nu_min",
+        "velocity-control and tanh: coefficient of friction at rest, nu - (nu - nu_min) exp(-nu_rate |rdot|)",
+    ),
+    ("nu_rate", "its rate over velocity"),
+    (
+        "pressure_exponent",
+        "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); 0 if left out",
     ),
 ];
 

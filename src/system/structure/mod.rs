@@ -6,9 +6,11 @@
 pub mod factor;
 pub mod lists;
 mod matrix;
+mod relation;
 mod signal;
 
 pub use matrix::Symmetric;
+pub use relation::{Limit, Pressure, Relation};
 pub use signal::{Signal, Table};
 
 use std::sync::Arc;
@@ -61,79 +63,6 @@ pub struct Contact {
     pub gap: f64,
     /// Its law.
     pub law: Relation,
-}
-
-/// The law of a contact of a structure.
-#[derive(Debug, Clone)]
-pub enum Relation {
-    /// S = k min(r, 0) `[I (7)]`.
-    ImpactSpring {
-        /// k, > 0.
-        stiffness: f64,
-    },
-    /// S <= 0 <= r, and r' after an impact is -e times r' before it.
-    RigidStop {
-        /// e, from 0 to 1.
-        restitution: f64,
-    },
-    /// Elastic with k up to the limit `[F (9)]`; S(0) = 0.
-    DisplacementControl {
-        /// k^C, > 0.
-        stiffness: f64,
-        /// Friction limit.
-        limit: Limit,
-    },
-    /// Viscous with c up to the limit `[F (16)]`.
-    VelocityControl {
-        /// c^C, > 0.
-        viscosity: f64,
-        /// Friction limit.
-        limit: Limit,
-    },
-    /// Coulomb friction without compliance.
-    Coulomb {
-        /// Friction limit.
-        limit: Limit,
-    },
-}
-
-impl Relation {
-    /// The friction limit; `None` for an impact.
-    pub fn limit(&self) -> Option<&Limit> {
-        match self {
-            Relation::ImpactSpring { .. } | Relation::RigidStop { .. } => None,
-            Relation::DisplacementControl { limit, .. }
-            | Relation::VelocityControl { limit, .. }
-            | Relation::Coulomb { limit } => Some(limit),
-        }
-    }
-}
-
-/// Friction limit max(constant + factor signal(t), 0): where the normal force is not positive, the contact is open and has no
-/// friction `[F (3)]`.
-#[derive(Debug, Clone)]
-pub struct Limit {
-    /// Limit where the signal is 0.
-    pub constant: f64,
-    /// Factor of the signal, and the signal; `None` for a limit that does not change.
-    pub varying: Option<(f64, Arc<Signal>)>,
-}
-
-impl Limit {
-    /// A limit that does not change.
-    pub fn constant(limit: f64) -> Limit {
-        Limit {
-            constant: limit,
-            varying: None,
-        }
-    }
-
-    /// The limit at time t.
-    pub fn at(&self, t: f64) -> f64 {
-        let varying = self.varying.as_ref();
-        let varying = varying.map_or(0.0, |(factor, signal)| factor * signal.at(t));
-        (self.constant + varying).max(0.0)
-    }
 }
 
 impl Structure {

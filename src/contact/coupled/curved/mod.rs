@@ -18,6 +18,9 @@
 //! A step is taken if it halves the least residual so far. If not, it is taken as far as E falls along it, which the sign of E'
 //! tells. The first happens only as often as a residual can be halved to round-off; steps of the second kind alone lead to the
 //! minimum, because E is convex. So the search does not cycle.
+//!
+//! A law may also fall as long as its answer is one number that follows y without jumps: then J' < 0, and E'' is only larger. In
+//! steps such a law counts as level.
 
 mod point;
 mod tangents;
@@ -87,6 +90,16 @@ struct Numbers<'a> {
     d: &'a [f64],
     size: &'a [f64],
     laws: &'a dyn Laws,
+}
+
+impl Numbers<'_> {
+    /// 1/f'; infinite where a law or a chord of it does not rise.
+    fn compliance(&self, contact: usize, y: f64, force: f64, width: f64) -> f64 {
+        match self.laws.compliance(contact, y, force, width) {
+            g if g >= 0.0 => g,
+            _ => f64::INFINITY,
+        }
+    }
 }
 
 impl CurvedForces {
@@ -268,7 +281,7 @@ impl CurvedForces {
             let width = 10.0 * ROUND_OFF * self.now.terms[i];
             let compliance = [y - width, y, y + width].map(|y| {
                 let force = step.laws.answer(i, y);
-                step.laws.compliance(i, y, force, width)
+                step.compliance(i, y, force, width)
             });
             let least = compliance.into_iter().fold(f64::INFINITY, f64::min);
             if least < LEVEL * self.own[i] {

@@ -49,11 +49,7 @@ impl Tangents {
             // A chord is to be short beside the step.
             let rest = own[i] * (s - point.force[i]).abs();
             let width = f64::max(1e-3 * rest, 1e-8 * scale);
-            // A chord that does not rise is level.
-            let g = match step.laws.compliance(i, y, s, width) {
-                g if g >= 0.0 => g,
-                _ => f64::INFINITY,
-            };
+            let g = step.compliance(i, y, s, width);
             self.compliance[i] = g;
             let [low, high] = step.laws.bounds(i);
             let follows = g < LEVEL * own[i];

@@ -143,6 +143,7 @@ pub fn varying(constant: f64, factor: f64, signal: Signal) -> Limit {
     Limit {
         constant,
         varying: Some((factor, Arc::new(signal))),
+        pressure: None,
     }
 }
 

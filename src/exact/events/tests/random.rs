@@ -60,6 +60,7 @@ fn limit(random: &mut Random) -> Limit {
         _ => Limit {
             constant,
             varying: Some((random.number(0.0, 1.0), Arc::new(signal(random)))),
+            pressure: None,
         },
     }
 }
@@ -160,6 +161,7 @@ fn violation(s: &Structure, t: f64, state: &State) -> f64 {
                 (force - (viscosity * rate).clamp(-limit, limit)).abs()
             }
             Relation::DisplacementControl { .. } => force.abs() - limit,
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
             Relation::Coulomb { .. } => {
                 let over = force.abs() - limit;
                 let slip = if rate.abs() > 1e-9 {

@@ -86,6 +86,8 @@ impl Line<f64> {
                 by_rate: of_velocity,
                 ..none
             },
+            // Such laws are refused.
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => none,
         }
     }
 }

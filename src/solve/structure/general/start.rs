@@ -53,7 +53,14 @@ impl<'a, const L: usize> General<'a, L> {
         for (l, case) in cases.iter().enumerate() {
             let fault = critical_fault(case, &prepared.method, prepared.dt);
             let words = |fault: CriticalFault| format!("{}: {fault}", fault.parameter());
-            refused[l] = fault.map(words).map(Unsolvable::BrokenRules);
+            let curved = case.contacts.iter().find(|c| c.law.is_curved());
+            let other = curved.map(|contact| {
+                format!(
+                    "contact {}: in structures with this law the method must be average-acceleration",
+                    contact.name
+                )
+            });
+            refused[l] = fault.map(words).or(other).map(Unsolvable::BrokenRules);
             let start = initial::forces(case).unwrap_or_else(|why| {
                 forces[0].fail(l, 0, why);
                 vec![0.0; m]

@@ -89,6 +89,7 @@ impl Dense<'_> {
                 }
                 Relation::VelocityControl { viscosity, .. } => (0.5 * dt / viscosity, viscous),
                 Relation::Coulomb { .. } => (0.0, viscous),
+                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
             };
         }
         self.s = all_patterns(

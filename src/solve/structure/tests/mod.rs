@@ -2,6 +2,7 @@
 
 mod bodies;
 mod books;
+mod curved;
 mod dense;
 mod lanes;
 mod methods;
@@ -117,6 +118,7 @@ fn mixed(n: usize, factor: f64, ground: &Arc<Signal>) -> Structure {
     let weight = Limit {
         constant: 200.0,
         varying: Some((30.0 * factor, ground.clone())),
+        pressure: None,
     };
     structure.contacts[2].law = Relation::VelocityControl {
         viscosity: 2e4,

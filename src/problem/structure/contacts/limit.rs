@@ -1,0 +1,64 @@
+//! The limit of friction.
+
+use super::{Numbers, violation};
+use crate::problem::Violation;
+use crate::problem::structure::template::Normal;
+use crate::system::loads::STANDARD_GRAVITY;
+use crate::system::structure::{Limit, Pressure};
+
+/// The friction limit, and its value at rest.
+pub(super) fn limit(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violation> {
+    let (limit, at_rest) = without_pressure(numbers, metre)?;
+    let Some(exponent) = numbers.other("pressure_exponent")?.filter(|p| *p > 0.0) else {
+        return Ok((limit, at_rest));
+    };
+    let contact = numbers.contact;
+    if contact.nu.is_none() {
+        return Err(violation(contact, "pressure_exponent needs nu and N"));
+    }
+    if at_rest <= 0.0 {
+        let message = format!("pressure_exponent needs N > 0 at rest, got {at_rest}");
+        return Err(violation(contact, message));
+    }
+    let pressure = Some(Pressure { at_rest, exponent });
+    Ok((Limit { pressure, ..limit }, at_rest))
+}
+
+fn without_pressure(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violation> {
+    let Numbers { contact, case } = numbers;
+    if let Some(limit) = &contact.limit {
+        let limit = limit.value(case)?;
+        return Ok((Limit::constant(limit), limit));
+    }
+    let (Some(nu), Some(normal)) = (&contact.nu, &contact.normal) else {
+        let needs = "friction needs limit, or nu and N";
+        return Err(violation(contact, needs));
+    };
+    let nu = nu.value(case)?;
+    let of = |constant, varying| Limit {
+        constant,
+        varying,
+        pressure: None,
+    };
+    match normal {
+        Normal::Constant(force) => {
+            let limit = (nu * force.value(case)?).max(0.0);
+            Ok((Limit::constant(limit), limit))
+        }
+        Normal::Table(source) => {
+            let signal = source.signal(case, metre)?;
+            let at_rest = nu * signal.at(0.0);
+            let varying = Some((nu, signal));
+            let constant = 0.0;
+            Ok((of(constant, varying), at_rest))
+        }
+        Normal::Weight { weight, vertical } => {
+            let weight = nu * weight.value(case)?;
+            let (signal, scale) = vertical.in_case(case, metre)?;
+            let gravity = STANDARD_GRAVITY / metre;
+            let varying = Some((weight * scale / gravity, signal));
+            let constant = weight;
+            Ok((of(constant, varying), weight))
+        }
+    }
+}

@@ -1,0 +1,292 @@
+//! The contacts of a structure with a law that is not a clipped line.
+//!
+//! Every law answers alone, r' = y - a S ([`CurvedForces`]). Within a step rdot' is affine in r' for every method, so an answer with
+//! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact.
+
+use super::laws::{bounds, friction};
+use crate::contact::coupled::curved::{CurvedForces, Laws};
+use crate::contact::{Answer, AnyLaw, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved};
+use crate::lane::Lane;
+use crate::system::structure::{Relation, Structure};
+
+/// The contacts of one structure.
+#[derive(Debug)]
+pub(super) struct Curved {
+    forces: CurvedForces,
+    contacts: Vec<Contact>,
+    scale: Scale,
+    d: Vec<f64>,
+    size: Vec<f64>,
+    force: Vec<f64>,
+}
+
+/// What all contacts share.
+#[derive(Debug, Clone, Copy)]
+struct Scale {
+    /// Change of rdot' for a unit of r'.
+    pace: f64,
+    dt: f64,
+}
+
+/// A contact.
+#[derive(Debug)]
+struct Contact {
+    relation: Relation,
+    /// The law with its memory: the answer with the flexibility a, and the law itself, without flexibility.
+    law: AnyLaw<1>,
+    /// a.
+    own: f64,
+    /// 1/f' of a clipped line.
+    line: Option<f64>,
+    bounds: [f64; 2],
+    /// The motion over the step without the forces at its end.
+    motion: Motion,
+}
+
+/// The motion of a contact over a step without the forces at its end.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Motion {
+    /// r(i).
+    pub(super) displacement: f64,
+    /// rdot(i).
+    pub(super) velocity: f64,
+    /// S(i).
+    pub(super) force: f64,
+    /// r* - r(i).
+    pub(super) change: f64,
+    /// rdot*.
+    pub(super) rate: f64,
+    /// Size of the terms of r* and r*- r(i).
+    pub(super) size: f64,
+}
+
+impl Curved {
+    /// The contacts of a structure with this H, by rows; `None` if all its laws are clipped lines.
+    pub(super) fn new(
+        structure: &Structure,
+        flexibility: &[f64],
+        pace: f64,
+        dt: f64,
+    ) -> Option<Curved> {
+        let contacts = &structure.contacts;
+        if !contacts.iter().any(|contact| contact.law.is_curved()) {
+            return None;
+        }
+        let m = contacts.len();
+        let forces = CurvedForces::new(flexibility.to_vec(), m);
+        let scale = Scale { pace, dt };
+        let contact = |(i, contact): (usize, &crate::system::structure::Contact)| {
+            let relation = contact.law.clone();
+            let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
+            let own = forces.flexibility(i);
+            let law = relation.law(limit);
+            Contact {
+                law: ContactLaw::running(&[law], &scale.steps(own)),
+                own,
+                line: line(&relation, pace),
+                bounds: reach(&law, bounds(contact, 0.0)),
+                relation,
+                motion: Motion::default(),
+            }
+        };
+        let contacts = contacts.iter().enumerate().map(contact).collect();
+        Some(Curved {
+            forces,
+            contacts,
+            scale,
+            d: vec![0.0; m],
+            size: vec![0.0; m],
+            force: vec![0.0; m],
+        })
+    }
+
+    /// A contact whose law may have several answers in a step.
+    pub(super) fn ambiguous(&self) -> Option<usize> {
+        let answers = |contact: &Contact| {
+            let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
+            has_one_root(
+                &contact.relation.law(limit),
+                &self.scale.steps(contact.own)[0],
+            )
+        };
+        self.contacts.iter().position(|contact| !answers(contact))
+    }
+
+    /// Changes the friction limit of a contact.
+    pub(super) fn limit(&mut self, contact: usize, limit: f64) {
+        let contact = &mut self.contacts[contact];
+        let law = contact.relation.law(limit);
+        contact.law.change(&law, &self.scale.steps(contact.own));
+        contact.bounds = reach(&law, friction(limit));
+    }
+
+    /// The forces at the end of the step with these motions.
+    pub(super) fn solve(&mut self, motion: impl Fn(usize) -> Motion) -> Result<&[f64], Unsolved> {
+        for (i, contact) in self.contacts.iter_mut().enumerate() {
+            contact.motion = motion(i);
+            (self.d[i], self.size[i]) = (contact.motion.change, contact.motion.size);
+            self.force[i] = contact.motion.force;
+            contact.begin(self.scale);
+        }
+        let laws = Contacts(&self.contacts, self.scale);
+        self.forces
+            .solve(&self.d, &self.size, &laws, &mut self.force)?;
+        for (i, contact) in self.contacts.iter_mut().enumerate() {
+            let trial = contact.trial(self.forces.argument(i), self.scale);
+            Answer::force(&mut contact.law, 0, &trial);
+        }
+        Ok(&self.force)
+    }
+
+    /// Energy that the contacts store.
+    pub(super) fn stored_energy(&self, states: impl Iterator<Item = [f64; 2]>) -> f64 {
+        let energy = |(contact, [r, s]): (&Contact, [f64; 2])| contact.stored_energy(r, s);
+        self.contacts.iter().zip(states).map(energy).sum()
+    }
+}
+
+impl Scale {
+    /// The flexibilities of an answer, and of a motion that is given.
+    fn steps(&self, own: f64) -> [StepFlexibility<1>; 2] {
+        let flexibility = |h: f64| Flexibility {
+            h: Lane([h]),
+            h_rate: Lane([self.pace * h]),
+        };
+        [own, 0.0].map(|h| StepFlexibility {
+            // The motion contains S(i).
+            start: flexibility(0.0),
+            end: flexibility(h),
+            dt: Lane([self.dt]),
+            by_impulse: false,
+        })
+    }
+}
+
+impl Contact {
+    /// The trial with r* - r(i) = `change`.
+    fn trial(&self, change: f64, scale: Scale) -> Trial<1> {
+        let motion = &self.motion;
+        let rate = motion.rate + scale.pace * (change - motion.change);
+        trial(motion, change, rate)
+    }
+
+    /// Sets the closing speed of an impact that may begin in this step.
+    ///
+    /// The law takes it from a trial that overlaps. Where other contacts push this one together, the trial without forces does not
+    /// overlap: then it is the present closing speed, or the mean one that closes the gap in the step. So it does not depend on the
+    /// forces, and the law rises.
+    fn begin(&mut self, scale: Scale) {
+        if !matches!(self.relation, Relation::CurvedImpact { .. }) {
+            return;
+        }
+        let motion = self.motion;
+        let r = motion.displacement;
+        let free = self.trial(motion.change, scale);
+        let touching = match r + motion.change < 0.0 {
+            true => free,
+            false => {
+                let just = if r > 0.0 { -r * (1.0 + 1e-12) } else { 0.0 };
+                let just = if r == 0.0 { -f64::MIN_POSITIVE } else { just };
+                let rate = f64::min(motion.velocity, -r.max(0.0) / scale.dt);
+                trial(&motion, just, rate)
+            }
+        };
+        Answer::force(&mut self.law, 0, &touching);
+    }
+
+    fn stored_energy(&self, r: f64, s: f64) -> f64 {
+        use crate::contact::StoredEnergy;
+        self.relation.law(1.0).stored_energy(r, s)
+    }
+}
+
+fn trial(motion: &Motion, change: f64, rate: f64) -> Trial<1> {
+    Trial {
+        displacement: Lane([motion.displacement]),
+        velocity: Lane([motion.velocity]),
+        force: Lane([motion.force]),
+        change: Lane([change]),
+        rate: Lane([rate]),
+    }
+}
+
+/// The contacts over a step.
+struct Contacts<'a>(&'a [Contact], Scale);
+
+impl Laws for Contacts<'_> {
+    fn answer(&self, contact: usize, y: f64) -> f64 {
+        let contact = &self.0[contact];
+        // The memory changes when the step is done.
+        let mut law = contact.law;
+        let Lane([force]) = Answer::force(&mut law, 0, &contact.trial(y, self.1));
+        force
+    }
+
+    fn compliance(&self, contact: usize, y: f64, force: f64, width: f64) -> f64 {
+        let contact = &self.0[contact];
+        if let Some(line) = contact.line {
+            let [low, high] = contact.bounds;
+            let inside = low < force && force < high;
+            return if inside { line } else { f64::INFINITY };
+        }
+        let change = y - contact.own * force;
+        let at = |change: f64| {
+            let mut law = contact.law;
+            let Lane([force]) = Answer::force(&mut law, 1, &contact.trial(change, self.1));
+            force
+        };
+        2.0 * width / (at(change + width) - at(change - width))
+    }
+
+    fn bounds(&self, contact: usize) -> [f64; 2] {
+        self.0[contact].bounds
+    }
+}
+
+/// 1/f' of a law that is a clipped line.
+fn line(relation: &Relation, pace: f64) -> Option<f64> {
+    match relation {
+        Relation::ImpactSpring { stiffness } | Relation::DisplacementControl { stiffness, .. } => {
+            Some(1.0 / stiffness)
+        }
+        Relation::RigidStop { .. } | Relation::Coulomb { .. } => Some(0.0),
+        Relation::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
+        Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => None,
+    }
+}
+
+/// The bounds of the force of a law with these limits.
+fn reach(law: &ContactLaw, [low, high]: [f64; 2]) -> [f64; 2] {
+    match law {
+        ContactLaw::Stribeck(law) => friction(law.static_limit),
+        ContactLaw::Lugre(_) => [f64::NEG_INFINITY, f64::INFINITY],
+        _ => [low, high],
+    }
+}
+
+/// Whether each answer of a law is the only one.
+fn has_one_root(law: &ContactLaw, on: &StepFlexibility<1>) -> bool {
+    match law {
+        ContactLaw::Stribeck(law) => law.has_one_root(on),
+        ContactLaw::Lugre(law) => law.has_one_root(on),
+        _ => true,
+    }
+}
+
+/// S(0) of a law that is not a clipped line: it follows from r and rdot, or it is zero.
+pub(super) fn first_force(relation: &Relation, r: f64, rdot: f64) -> f64 {
+    let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
+    let law = relation.law(limit);
+    if let ContactLaw::BoucWen(_) | ContactLaw::Dahl(_) | ContactLaw::Lugre(_) = law {
+        return 0.0;
+    }
+    let scale = Scale { pace: 0.0, dt: 1.0 };
+    let mut law: AnyLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));
+    let motion = Motion {
+        displacement: r,
+        velocity: rdot,
+        ..Motion::default()
+    };
+    let Lane([force]) = Answer::force(&mut law, 1, &trial(&motion, 0.0, rdot));
+    force
+}

@@ -1,0 +1,187 @@
+//! The law of a contact of a structure.
+
+use super::Signal;
+use crate::contact::{
+    Bearing, BoucWen, ContactLaw, Dahl, DisplacementControl, ImpactSpring, Lugre, Rigid, Stribeck,
+    Tanh, VelocityControl,
+};
+use std::sync::Arc;
+
+/// The law of a contact of a structure.
+#[derive(Debug, Clone)]
+pub enum Relation {
+    /// S = k min(r, 0) `[I (7)]`.
+    ImpactSpring {
+        /// k, > 0.
+        stiffness: f64,
+    },
+    /// S <= 0 <= r, and r' after an impact is -e times r' before it.
+    RigidStop {
+        /// e, from 0 to 1.
+        restitution: f64,
+    },
+    /// Elastic with k up to the limit `[F (9)]`; S(0) = 0.
+    DisplacementControl {
+        /// k^C, > 0.
+        stiffness: f64,
+        /// Friction limit.
+        limit: Limit,
+    },
+    /// Viscous with c up to the limit `[F (16)]`.
+    VelocityControl {
+        /// c^C, > 0.
+        viscosity: f64,
+        /// Friction limit.
+        limit: Limit,
+    },
+    /// Coulomb friction without compliance.
+    Coulomb {
+        /// Friction limit.
+        limit: Limit,
+    },
+    /// A law of impact that is not a clipped line.
+    CurvedImpact {
+        /// The law.
+        law: ContactLaw,
+        /// Its target of the coefficient of restitution; 1 without damping.
+        restitution: f64,
+    },
+    /// A law of friction that is not a clipped line.
+    CurvedFriction {
+        /// The law; its limit follows [`Limit`].
+        law: ContactLaw,
+        /// Friction limit; of a coefficient that depends on velocity, the largest or the kinetic one.
+        limit: Limit,
+    },
+}
+
+impl Relation {
+    /// The friction limit; `None` for an impact.
+    pub fn limit(&self) -> Option<&Limit> {
+        match self {
+            Relation::ImpactSpring { .. }
+            | Relation::RigidStop { .. }
+            | Relation::CurvedImpact { .. } => None,
+            Relation::DisplacementControl { limit, .. }
+            | Relation::VelocityControl { limit, .. }
+            | Relation::CurvedFriction { limit, .. }
+            | Relation::Coulomb { limit } => Some(limit),
+        }
+    }
+
+    /// Whether it is an impact, S <= 0.
+    pub fn is_impact(&self) -> bool {
+        self.limit().is_none()
+    }
+
+    /// Whether the law is not a clipped line over a step.
+    pub fn is_curved(&self) -> bool {
+        matches!(
+            self,
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. }
+        )
+    }
+
+    /// The law while the friction limit is this; an impact has none.
+    pub fn law(&self, limit: f64) -> ContactLaw {
+        match *self {
+            Relation::ImpactSpring { stiffness } => {
+                ContactLaw::ImpactSpring(ImpactSpring { stiffness })
+            }
+            Relation::RigidStop { restitution } => ContactLaw::Rigid(Rigid {
+                restitution,
+                impulses: false,
+            }),
+            Relation::DisplacementControl { stiffness, .. } => {
+                let compliance = 1.0 / stiffness;
+                ContactLaw::DisplacementControl(DisplacementControl { compliance, limit })
+            }
+            Relation::VelocityControl { viscosity, .. } => {
+                let compliance = 1.0 / viscosity;
+                ContactLaw::VelocityControl(VelocityControl { compliance, limit })
+            }
+            Relation::Coulomb { .. } => {
+                let compliance = 0.0;
+                ContactLaw::VelocityControl(VelocityControl { compliance, limit })
+            }
+            Relation::CurvedImpact { law, .. } => law,
+            Relation::CurvedFriction { law, .. } => at_limit(law, limit),
+        }
+    }
+}
+
+/// A law of friction with another limit; the static one stays in proportion.
+fn at_limit(law: ContactLaw, limit: f64) -> ContactLaw {
+    let in_proportion = |of: f64, to: f64| match to > 0.0 {
+        true => of / to * limit,
+        false => limit,
+    };
+    match law {
+        ContactLaw::Bearing(law) => ContactLaw::Bearing(Bearing { limit, ..law }),
+        ContactLaw::Tanh(law) => ContactLaw::Tanh(Tanh { limit, ..law }),
+        ContactLaw::BoucWen(law) => ContactLaw::BoucWen(BoucWen { limit, ..law }),
+        ContactLaw::Dahl(law) => ContactLaw::Dahl(Dahl { limit, ..law }),
+        ContactLaw::Stribeck(law) => ContactLaw::Stribeck(Stribeck {
+            limit,
+            static_limit: in_proportion(law.static_limit, law.limit),
+            ..law
+        }),
+        ContactLaw::Lugre(law) => ContactLaw::Lugre(Lugre {
+            limit,
+            static_limit: in_proportion(law.static_limit, law.limit),
+            ..law
+        }),
+        other => other,
+    }
+}
+
+/// Friction limit max(constant + factor signal(t), 0): where the normal force is not positive, the contact is open and has no
+/// friction `[F (3)]`. Where the coefficient falls with the pressure, the limit is L (L/L0)^(-p) for this L, with L0 at rest.
+#[derive(Debug, Clone)]
+pub struct Limit {
+    /// Limit where the signal is 0.
+    pub constant: f64,
+    /// Factor of the signal, and the signal; `None` for a limit that does not change.
+    pub varying: Option<(f64, Arc<Signal>)>,
+    /// How the coefficient of friction falls with the normal force; `None` if it does not.
+    pub pressure: Option<Pressure>,
+}
+
+/// nu = nu0 (N/N0)^(-p).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pressure {
+    /// nu0 N0, the limit at rest, > 0.
+    pub at_rest: f64,
+    /// p, >= 0 and < 1.
+    pub exponent: f64,
+}
+
+impl Pressure {
+    /// The limit for nu0 N.
+    pub fn limit(&self, limit: f64) -> f64 {
+        match limit > 0.0 {
+            true => limit * libm::pow(limit / self.at_rest, -self.exponent),
+            false => 0.0,
+        }
+    }
+}
+
+impl Limit {
+    /// A limit that does not change.
+    pub fn constant(limit: f64) -> Limit {
+        Limit {
+            constant: limit,
+            varying: None,
+            pressure: None,
+        }
+    }
+
+    /// The limit at time t.
+    pub fn at(&self, t: f64) -> f64 {
+        let varying = self.varying.as_ref();
+        let varying = varying.map_or(0.0, |(factor, signal)| factor * signal.at(t));
+        let limit = (self.constant + varying).max(0.0);
+        self.pressure
+            .map_or(limit, |pressure| pressure.limit(limit))
+    }
+}
