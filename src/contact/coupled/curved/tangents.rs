@@ -43,16 +43,16 @@ impl Tangents {
         flexibility: &[f64],
     ) -> bool {
         let m = own.len();
-        for i in 0..m {
+        for (i, own) in own.iter().enumerate() {
             let (y, s) = (point.y[i], point.answer[i]);
-            let scale = y.abs() + own[i] * s.abs();
+            let scale = y.abs() + own * s.abs();
             // A chord is to be short beside the step.
-            let rest = own[i] * (s - point.force[i]).abs();
+            let rest = own * (s - point.force[i]).abs();
             let width = f64::max(1e-3 * rest, 1e-8 * scale);
             let g = step.compliance(i, y, s, width);
             self.compliance[i] = g;
             let [low, high] = step.laws.bounds(i);
-            let follows = g < LEVEL * own[i];
+            let follows = g < LEVEL * own;
             [self.low[i], self.high[i]] = match follows {
                 true => [low - s, high - s],
                 false => [0.0; 2],
