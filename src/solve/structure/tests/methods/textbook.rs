@@ -97,6 +97,7 @@ impl Dense<'_> {
             // rdot = by_u (r - gap) + rest.
             let still = gaps[i] - rest_of[i] / by_u;
             (g[i], center[i]) = match contact.law {
+                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
                 Relation::RigidStop { .. } => (0.0, 0.0),
                 Relation::DisplacementControl { stiffness, .. } => {
@@ -185,6 +186,7 @@ impl Dense<'_> {
         let (mut g, mut center) = (DVector::zeros(count), DVector::zeros(count));
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             (g[i], center[i]) = match contact.law {
+                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => (1.0 / (stiffness * theta * dt), -still[i]),
                 Relation::DisplacementControl { stiffness, .. } => {
                     let g = 1.0 / (stiffness * theta * dt);
@@ -256,6 +258,7 @@ impl Dense<'_> {
         let mut g = DVector::zeros(count);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             let known = match contact.law {
+                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => stiffness * r[i],
                 Relation::DisplacementControl { stiffness, .. } => {
                     self.s[i] + stiffness * (r[i] - before[i])
@@ -327,6 +330,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
     let limit = Limit {
         constant: random.between(0.5, 2.0),
         varying: Some((1.5, sine(random.between(1.0, 5.0), 0.0))),
+        pressure: None,
     };
     let impact = match rigid {
         true => Relation::RigidStop {
