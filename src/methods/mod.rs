@@ -3,15 +3,12 @@
 pub mod amplification;
 pub mod average_acceleration;
 pub mod bathe;
-mod choice;
-mod coefficients;
 mod critical_step;
 pub mod family;
 pub mod moreau_jean;
 mod storage;
 
-pub use choice::{MethodChoice, MethodKind};
-pub use coefficients::Coefficients;
+pub use crate::system::method::{Coefficients, MethodChoice, MethodKind};
 pub use critical_step::highest_frequency;
 pub use storage::Storage;
 

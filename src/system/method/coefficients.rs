@@ -127,7 +127,7 @@ impl Coefficients {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::MethodChoice;
+    use super::super::MethodChoice;
 
     #[test]
     fn newmarks_limit_is_that_of_the_textbook() {
