@@ -3,7 +3,7 @@
 use super::choice::choice;
 use super::parameter::{Default, Kind, Parameter, Range, Value, row_of, shortest};
 use super::{Case, Violation};
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{Coefficients, MethodChoice, six_digits_below};
 use crate::solve;
 use crate::system::System;
 
@@ -138,7 +138,8 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
         let critical = own.critical_step(modes, stiffness);
         if system.step > critical {
             return violation(format!(
-                "must be at most {critical:.6}, the critical step of this method with the contact closed, got {}",
+                "must be at most {}, the critical step of this method with the contact closed, got {}",
+                shortest(six_digits_below(critical)),
                 shortest(system.step)
             ));
         }
@@ -155,7 +156,8 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
         }
     }
     violation(format!(
-        "must be below {high:.6}, got {}: the friction falls with velocity, and a longer step may have several solutions",
+        "must be at most {}, got {}: the friction falls with velocity, and a longer step may have several solutions",
+        shortest(six_digits_below(low)),
         shortest(system.step)
     ))
 }

@@ -14,6 +14,7 @@ pub fn energy_gain(case: &Case, computed: &History) -> Option<f64> {
         displacement: lanes(computed.displacement()),
         velocity: Vec::new(),
         force: lanes(computed.force()),
+        touching: Vec::new(),
     };
     let energy = Energy::of_case(&track, &system, computed.len());
     let (Lane([start]), Lane([greatest])) = (energy.start, energy.largest);
