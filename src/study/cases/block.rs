@@ -143,10 +143,15 @@ impl Block {
 /// them.
 fn drop_unsuitable(case: &mut Case) {
     let schema = case.schema.clone();
+    let chosen = |case: &Case, governor: &str| {
+        let row = schema.parameters.iter().position(|p| p.name == *governor);
+        let value = row.and_then(|row| case.values[row].or_else(|| case.default_at(row)));
+        value.map_or("", Value::name)
+    };
     for (row, parameter) in schema.parameters.iter().enumerate() {
         if let Some(on) = &parameter.applies
             && case.values[row].is_some()
-            && !on.allows(case.choice(on.governor))
+            && !on.allows(chosen(case, on.governor))
         {
             case.values[row] = None;
         }
