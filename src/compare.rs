@@ -81,7 +81,9 @@ pub fn parameters(name: &str, a: &Rows, b: &Rows) -> Option<Vec<Parameter>> {
 pub fn problem_of_columns(columns: &[String]) -> Option<Arc<dyn Problem>> {
     let has_all = |problem: &&Arc<dyn Problem>| {
         let mut table = problem.parameters().iter();
-        table.all(|p| p.column == ColumnRule::IfGiven || columns.iter().any(|c| *c == p.name))
+        table.all(|p| {
+            p.column == ColumnRule::IfGiven || columns.iter().any(|c| *c == p.column_name())
+        })
     };
     PROBLEMS.iter().find(has_all).cloned()
 }
@@ -91,7 +93,7 @@ pub fn problem_of_columns(columns: &[String]) -> Option<Arc<dyn Problem>> {
 pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> Comparison {
     let has = |rows: &Rows, name: &str| rows.columns.iter().any(|column| column == name);
     let is_metric =
-        |name: &&String| **name != "case" && parameters.iter().all(|p| p.name != **name);
+        |name: &&String| **name != "case" && parameters.iter().all(|p| p.column_name() != **name);
     let metrics =
         |rows: &Rows| -> Vec<String> { rows.columns.iter().filter(is_metric).cloned().collect() };
     let only = |one: &Rows, other: &Rows| {
@@ -154,7 +156,8 @@ pub fn compare(parameters: &[Parameter], a: &Rows, b: &Rows, tolerance: f64) -> 
 fn keys<'a>(parameters: &[Parameter], rows: &'a Rows) -> Vec<Vec<Cow<'a, str>>> {
     let place = |name: &str| rows.columns.iter().position(|column| column == name);
     let table = parameters.iter();
-    let places: Vec<(&Parameter, Option<usize>)> = table.map(|p| (p, place(&p.name))).collect();
+    let places: Vec<(&Parameter, Option<usize>)> =
+        table.map(|p| (p, place(p.column_name()))).collect();
     let key = |row: &'a Vec<String>| {
         let mut key: Vec<Cow<str>> = Vec::new();
         for (parameter, place) in &places {

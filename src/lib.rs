@@ -8,12 +8,13 @@
 //! # The idea
 //!
 //! A structure answers the forces of its contact, a contact is one scalar law, a method is a small recursion, a step is one
-//! scalar root.
+//! scalar root. Every law works with every method: a method tells the law how r and rdot at the end of a step depend on the force
+//! there, and the law gives the force.
 //!
 //! ```text
 //! x_k'' + omega_k^2 x_k = -phi_k^2 S            modes, scaled so that r = sum x_k (+ gap)      system
 //! W' = W - K P - G (S + S'),  P' = P + W'       constant average acceleration, exactly         methods
-//! r' = r* - h S'(r', state)                     the law's root, in closed form                 contact
+//! r' = r* - h S'(r', state)                     the law's root                                 contact
 //! ```
 //!
 //! # The data flow
@@ -39,7 +40,8 @@
 //! - [`system::System`]: what a problem makes of a case: the modes, the contact, the start, the step.
 //! - [`problem::Solution`]: a case's [`history::History`], the exact history, and the metrics.
 //! - [`solve::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each has by itself.
-//! - [`methods::average_acceleration::AverageAcceleration`] and [`contact::Law`]: the method and the contact.
+//! - [`methods::Method`] with [`methods::average_acceleration::AverageAcceleration`] and others, and [`contact::Law`]: the method and
+//!   the contact.
 //! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the method.
 //!
 //! # An example

@@ -359,11 +359,12 @@ fn the_method_is_an_axis() {
             let [_, impacts, error, dissipation] = alone[..] else {
                 panic!("{alone:?}")
             };
-            assert!(
-                impacts > Some(0.0) && error < Some(1e-12),
-                "{row} {alone:?}"
-            );
-            if case.choice("method") == "average-acceleration" {
+            let method = case.choice("method");
+            // The force of a rigid impact acts in the first sub-step; at the ends of steps it is zero.
+            let between = method == "bathe" && stop.contains("\"e\"");
+            assert!(between || impacts > Some(0.0), "{row} {alone:?}");
+            assert!(error < Some(1e-12), "{row} {alone:?}");
+            if method == "average-acceleration" {
                 assert!(dissipation.unwrap().abs() < 1e-12, "{row} {dissipation:?}");
             }
         }

@@ -24,6 +24,37 @@ const IMPACT: &str = r#"{"problem": "bar-impact", "blocks": [
   {"parameters": {"gamma": {"linspace": [0.2, 4, 9]}, "n": 5, "dt": 0.02, "duration": 3, "right": {"L": 14, "A": 2, "n": 8}}},
   {"parameters": {"gamma": {"linspace": [0.2, 4, 9]}, "n": 5, "dt": 0.02, "duration": 2, "right": "wall"}}]}"#;
 
+/// Every friction law with every method.
+const FRICTION_LAWS: &str = r#"{"problem": "friction-oscillator", "blocks": [
+  {"parameters": {"law": ["displacement-control", "bouc-wen", "dahl"], "alpha": {"geomspace": [0.05, 2, 5]},
+                  "method": ["average-acceleration", "linear-acceleration", "newmark", "hht", "generalized-alpha", "bathe",
+                             "central-difference", "moreau-jean"], "dT": [0.2, 0.07], "duration": [9, 12]}},
+  {"parameters": {"law": "bouc-wen", "alpha": [0.1, 0.3], "exponent": [2, 5], "dT": 0.1, "duration": 9}},
+  {"parameters": {"law": ["velocity-control", "tanh"], "beta": {"geomspace": [0.01, 1, 5]}, "nu_ratio": [0.5, 1],
+                  "method": ["average-acceleration", "hht", "bathe", "central-difference", "moreau-jean"],
+                  "dT": [0.2, 0.07], "duration": 9}},
+  {"parameters": {"law": "coulomb", "method": ["average-acceleration", "newmark", "bathe", "moreau-jean"],
+                  "dT": [0.2, 0.1, 0.07], "duration": 9, "x0": [7.3, 12]}},
+  {"parameters": {"law": "stribeck", "beta": [0.1, 0.2, 0.3], "static_ratio": 1.3, "stribeck_velocity": [0.5, 1],
+                  "method": ["average-acceleration", "hht", "bathe"], "dT": 0.1, "duration": 9}},
+  {"parameters": {"law": "lugre", "sigma0": [5, 20, 30], "sigma1": [0, 1], "sigma2": 0.1, "static_ratio": [1, 1.2],
+                  "method": ["average-acceleration", "generalized-alpha", "moreau-jean"], "dT": 0.05, "duration": 9}}]}"#;
+
+/// Every impact law with every method.
+const IMPACT_LAWS: &str = r#"{"problem": "bar-impact", "blocks": [
+  {"parameters": {"gamma": [0.3, 1, 2.7], "n": [6, 7], "dt": 0.01, "duration": 1.5, "gap": [0, 0.25],
+                  "mass": ["lumped", "massless-contact"],
+                  "method": ["average-acceleration", "linear-acceleration", "newmark", "hht", "generalized-alpha", "bathe",
+                             "central-difference"]}},
+  {"parameters": {"law": ["kelvin-voigt", "hertz-damp", "hunt-crossley", "ye", "jankowski"], "restitution": [0.5, 0.9],
+                  "method": ["average-acceleration", "hht", "bathe", "moreau-jean"], "gamma": [0.3, 1, 2.7], "n": 6,
+                  "dt": 0.01, "duration": 1.5, "gap": [0, 0.25]}},
+  {"parameters": {"law": "hertz", "k_h": [20, 100, 300], "n": 6, "dt": 0.01, "duration": [1.4, 1.5], "right": "wall"}},
+  {"parameters": {"law": "rigid", "restitution": [0, 0.5], "theta": [0.5, 1], "method": "moreau-jean", "n": [6, 7],
+                  "dt": 0.01, "duration": 1.5, "gap": 0.1}},
+  {"parameters": {"law": "rigid", "method": ["generalized-alpha", "bathe"], "mass": ["lumped", "massless-contact"], "n": [6, 7],
+                  "dt": 0.01, "duration": 1.5, "gap": 0.1}}]}"#;
+
 fn study(text: &str) -> Study {
     parse("sweep.json", text).unwrap_or_else(|e| panic!("{e}"))
 }
@@ -37,7 +68,7 @@ fn bits(study: &Study, row: &[Option<f64>]) -> Vec<Option<u64>> {
 
 #[test]
 fn cases_in_lanes_have_the_bits_of_single_cases() {
-    for text in [FRICTION, IMPACT] {
+    for text in [FRICTION, IMPACT, FRICTION_LAWS, IMPACT_LAWS] {
         let study = study(text);
         let alone: Vec<_> = study
             .cases()

@@ -27,11 +27,12 @@ impl ContactLaw {
         }
     }
 
-    /// Whether the force depends on the velocity alone.
-    pub fn viscous(&self) -> bool {
+    /// Whether figures draw the law over velocity: it depends on velocity alone, or its loop over velocity shows it better.
+    pub fn over_velocity(&self) -> bool {
         matches!(
             self,
             ContactLaw::VelocityControl(_)
+                | ContactLaw::Lugre(_)
                 | ContactLaw::Bearing(_)
                 | ContactLaw::Tanh(_)
                 | ContactLaw::Stribeck(_)
@@ -45,7 +46,7 @@ impl ContactLaw {
             ContactLaw::DisplacementControl(law) => 4.0 * law.compliance * law.limit,
             ContactLaw::BoucWen(law) => 4.0 * law.compliance * law.limit,
             ContactLaw::Dahl(law) => 4.0 * law.compliance * law.limit,
-            ContactLaw::Lugre(law) => 4.0 * law.static_limit / law.sigma0,
+            ContactLaw::Lugre(law) => (4.0 * law.static_limit / law.sigma0).max(1.0),
             ContactLaw::VelocityControl(law) if law.compliance == 0.0 => 1.0,
             ContactLaw::VelocityControl(law) => 4.0 * law.compliance * law.limit,
             ContactLaw::Bearing(law) => 4.0 * (law.compliance * law.limit + 1.0 / law.rate),

@@ -38,6 +38,17 @@ pub fn highest_frequency(modes: impl Iterator<Item = Mode> + Clone, stiffness: f
     (top + high).max(highest(&mut modes.clone())).sqrt()
 }
 
+/// A step for messages: six digits, not above `step`.
+///
+/// ```
+/// assert_eq!(slipgap::methods::six_digits_below(0.039_307_992), 0.039_307_9);
+/// ```
+pub fn six_digits_below(step: f64) -> f64 {
+    let scale = libm::pow(10.0, 5.0 - libm::floor(libm::log10(step)));
+    // Products of decimal fractions are rounded: one more division gives the nearest number.
+    (step * scale).floor() / scale
+}
+
 impl Coefficients {
     /// The largest stable time step for a structure whose contact may be closed by a spring of this `stiffness`, 2/omega for
     /// central differences with the highest frequency omega; infinite for a method that is always stable.

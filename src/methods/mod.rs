@@ -3,16 +3,13 @@
 pub mod amplification;
 pub mod average_acceleration;
 pub mod bathe;
-mod choice;
-mod coefficients;
 mod critical_step;
 pub mod family;
 pub mod moreau_jean;
 mod storage;
 
-pub use choice::{MethodChoice, MethodKind};
-pub use coefficients::Coefficients;
-pub use critical_step::highest_frequency;
+pub use crate::system::method::{Coefficients, MethodChoice, MethodKind};
+pub use critical_step::{highest_frequency, six_digits_below};
 pub use storage::Storage;
 
 use crate::contact::{Answer, StepFlexibility};
@@ -49,6 +46,9 @@ pub struct ModeStart<const L: usize> {
 pub trait Method<const L: usize>: Clone {
     /// Whether the work of the contact is always the energy that the modes lose.
     const CONSERVES: bool;
+
+    /// Whether the contact acts by impulses on velocities.
+    const IMPULSES: bool = false;
 
     /// Modes at t = 0; equilibrium with S(0) gives a(0). `None` without a mode.
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self>;

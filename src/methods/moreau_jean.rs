@@ -102,6 +102,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> MoreauJean<L, M> {
 
 impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
     const CONSERVES: bool = false;
+    const IMPULSES: bool = true;
 
     /// The method does not use S(0).
     // A loop: with more than 16 lanes, maps of arrays are not inlined.

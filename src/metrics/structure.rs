@@ -63,6 +63,12 @@ pub fn work(force: &[f64], displacement: &[f64]) -> f64 {
         .sum()
 }
 
+/// Work of the impulses S(i+1) dt of a method, on the mean velocities of the steps.
+pub fn work_of_impulses(force: &[f64], velocity: &[f64], dt: f64) -> f64 {
+    let steps = force.iter().skip(1).zip(velocity.windows(2));
+    steps.map(|(s, v)| s * dt * 0.5 * (v[0] + v[1])).sum()
+}
+
 /// First step at which two motions differ by more than `threshold` times the peak of the first; `None` if there is none.
 pub fn divergence(c: &[f64], other: &[f64], threshold: f64) -> Option<usize> {
     let most = threshold * peak(c);

@@ -3,9 +3,9 @@
 use super::choice::choice;
 use super::parameter::{Default, Kind, Parameter, Range, Value, row_of, shortest};
 use super::{Case, Violation};
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{Coefficients, MethodChoice, six_digits_below};
 use crate::solve;
-use crate::system::System;
+use crate::system::{Mode, System};
 
 choice! {
     /// Method of integration.
@@ -124,7 +124,9 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
     if let MethodChoice::Family(own) = system.method
         && own.stability_limit() < f64::INFINITY
     {
+        // A mode of a bar needs sines, and the search for the highest frequency takes the modes many times.
         let modes = (0..system.linear.len()).map(|j| system.linear.mode(j).mode);
+        let modes: Vec<Mode> = modes.collect();
         let stiffness = system.law.largest_stiffness(overlap);
         // An element without mass is in series with the contact.
         let stiffness = 1.0 / (1.0 / stiffness + system.linear.contact_compliance());
@@ -135,10 +137,11 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
                 at: None,
             }];
         }
-        let critical = own.critical_step(modes, stiffness);
+        let critical = own.critical_step(modes.iter().copied(), stiffness);
         if system.step > critical {
             return violation(format!(
-                "must be at most {critical:.6}, the critical step of this method with the contact closed, got {}",
+                "must be at most {}, the critical step of this method with the contact closed, got {}",
+                shortest(six_digits_below(critical)),
                 shortest(system.step)
             ));
         }
@@ -155,7 +158,8 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
         }
     }
     violation(format!(
-        "must be below {high:.6}, got {}: the friction falls with velocity, and a longer step may have several solutions",
+        "must be at most {}, got {}: the friction falls with velocity, and a longer step may have several solutions",
+        shortest(six_digits_below(low)),
         shortest(system.step)
     ))
 }

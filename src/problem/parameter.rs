@@ -20,6 +20,8 @@ pub struct Parameter {
     pub applies: Option<Condition>,
     /// Which tables have a column of it.
     pub column: ColumnRule,
+    /// The column's name, if a metric has that of the parameter.
+    pub heading: Option<&'static str>,
     /// One sentence for schema and documentation.
     pub meaning: Text,
 }
@@ -65,8 +67,20 @@ impl Parameter {
             default,
             applies,
             column: ColumnRule::Always,
+            heading: None,
             meaning: Text::Borrowed(meaning),
         }
+    }
+
+    /// The same with another name of its column, since a metric has its own.
+    pub const fn with_heading(mut self, heading: &'static str) -> Parameter {
+        self.heading = Some(heading);
+        self
+    }
+
+    /// Name of its column in tables.
+    pub fn column_name(&self) -> &str {
+        self.heading.unwrap_or(&self.name)
     }
 
     /// The same with a column only in the tables of studies that give the parameter. A new parameter with a default then

@@ -29,8 +29,10 @@ impl Target {
 pub struct Request {
     /// Limits of errors.
     pub targets: Vec<Target>,
-    /// Largest gain of energy, relative to the energy at the start; `None` for a problem whose law only dissipates.
-    pub energy_gain: Option<f64>,
+    /// Largest gain of energy at any step, relative to the energy at the start.
+    pub energy_gain: f64,
+    /// Largest loss of energy up to the last step, relative to the same; infinite for a problem that loses energy.
+    pub energy_loss: f64,
 }
 
 /// The best candidate of a cost.
@@ -44,13 +46,18 @@ pub struct Candidate {
     pub errors: Vec<f64>,
     /// The largest quotient of error and limit. The candidate reaches the target if it is at most 1.
     pub worst: f64,
+    /// Whether it also reaches the target with the finer step, see [`FINER`](super::FINER).
+    pub converged: bool,
 }
 
 /// The result of a search.
 #[derive(Debug, Default)]
 pub struct Answer {
-    /// The best candidate of every cost at which `worst` is smaller than at all lower costs, in the order of costs.
+    /// The best candidate of every cost at which `worst` is smaller than at all lower costs, in the order of costs. Those that reach the
+    /// target also do with the finer step, unless no candidate does.
     pub front: Vec<Candidate>,
+    /// The cheapest candidate that reaches the target only with its own step, if it costs less than the recommended one.
+    pub own_step: Option<Candidate>,
     /// Number of cases solved.
     pub solved: u64,
 }

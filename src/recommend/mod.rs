@@ -2,19 +2,36 @@
 //!
 //! Candidates are on a grid and are computed in the order of their costs. A candidate reaches the target only if its
 //! neighbours reach it too, so that no coincidence is recommended. Each search space defines the neighbours. No case may
-//! gain more energy than a limit.
+//! gain or lose more energy than a limit. A recommended case also reaches the target with a finer step, if there is one.
+//!
+//! A space has many variants: laws with methods. All are compared on a coarse grid; the cheapest, and those of the papers, are
+//! searched on the fine grid.
 
 mod answer;
 pub mod format;
 pub mod friction;
 mod grid;
 pub mod impact;
+mod level;
 mod search;
+pub mod setting;
 mod space;
+mod survey;
 
 pub use answer::{Answer, Candidate, Request, Target};
 pub use search::search;
-pub use space::{CostLevel, SearchSpace};
+pub use setting::{Setting, Variant};
+pub use space::{CostLevel, EnergyChange, Grid, SearchSpace, Variants};
+pub use survey::{MOST, Recommendation, Survey, Surveyed, recommend};
+
+/// A law and a method that are not searched, because the user gives them.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Fixed {
+    /// Name of the law.
+    pub law: Option<&'static str>,
+    /// Name of the method.
+    pub method: Option<&'static str>,
+}
 
 use crate::problem::parameter::Value;
 use crate::problem::{Case, Problem};

@@ -1,7 +1,7 @@
 //! Search spaces: the candidates of a problem.
 
-use crate::history::History;
-use crate::problem::{Case, Problem};
+use super::{Request, Variant};
+use crate::problem::{Case, Problem, Solution};
 
 /// Candidates of the same cost, with their neighbours.
 #[derive(Debug, Default)]
@@ -34,9 +34,58 @@ pub trait SearchSpace: Sync {
     fn costs(&self) -> Vec<u64>;
     /// A level by its index in `costs`.
     fn level(&self, index: usize) -> CostLevel;
-    /// Rows of the metrics that are the largest change of energy, with its sign, and the change at the end; `None` if
-    /// energy has no limit.
-    fn energy_drifts(&self) -> Option<[usize; 2]>;
-    /// The largest gain of energy at any step, relative to the energy at the start; `None` if energy has no limit.
-    fn energy_gain(&self, case: &Case, computed: &History) -> Option<f64>;
+    /// Smallest and largest changes of energy that a case with these default metrics can have.
+    fn energy_bounds(&self, _case: &Case, _metrics: &[Option<f64>]) -> [EnergyChange; 2] {
+        [EnergyChange::NONE, EnergyChange::UNKNOWN]
+    }
+    /// The change of energy of a case.
+    fn energy_change(&self, case: &Case, solution: &Solution) -> EnergyChange;
+}
+
+/// The change of energy of a run, relative to the energy at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergyChange {
+    /// The largest gain at any step.
+    pub gain: f64,
+    /// The loss up to the last step; zero for a problem that loses energy in the exact motion.
+    pub loss: f64,
+}
+
+impl EnergyChange {
+    /// No change.
+    pub const NONE: EnergyChange = EnergyChange {
+        gain: 0.0,
+        loss: 0.0,
+    };
+    /// Above all limits.
+    pub const UNKNOWN: EnergyChange = EnergyChange {
+        gain: f64::INFINITY,
+        loss: f64::INFINITY,
+    };
+
+    /// Whether it is within the limits of a request.
+    pub fn within(&self, request: &Request) -> bool {
+        self.gain <= request.energy_gain && self.loss <= request.energy_loss
+    }
+}
+
+/// How many candidates of a space are searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Grid {
+    /// Some of them, enough to compare laws and methods.
+    Coarse,
+    /// All.
+    Fine,
+}
+
+/// A search space with several laws and methods. Each of its levels is of one variant.
+pub trait Variants: SearchSpace {
+    /// The laws with their methods.
+    fn variants(&self) -> &[Variant];
+    /// The index of the variant of a level.
+    fn variant_of(&self, level: usize) -> usize;
+    /// The space of these variants.
+    fn with(&self, variants: &[usize], grid: Grid) -> Box<dyn Variants>;
+    /// Itself, without its variants.
+    fn space(&self) -> &dyn SearchSpace;
 }

@@ -135,7 +135,8 @@ impl<'a> Results<'a> {
             .parameters
             .iter()
             .map(|row| &problem.parameters()[*row]);
-        let parameters = parameters.map(|p| (&*p.name, &*p.unit, &*p.meaning, names(p.kind)));
+        let parameters =
+            parameters.map(|p| (p.column_name(), &*p.unit, &*p.meaning, names(p.kind)));
         let metrics = self.study.columns.iter().map(|m| &self.study.measures[*m]);
         let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning, Vec::new()));
         let columns = parameters

@@ -318,13 +318,19 @@ fn step_all<const L: usize, N: Method<L>, T: Track<L>, W: Answer<L> + Copy>(
     let (mut own, mut own_law) = (stepper.take(), *law);
     let mut work = Lane::splat(0.0);
     let weights = own.work_weights();
+    let half = own.flexibilities()[0].dt * 0.5;
     for row in track.rows(from, steps) {
         let before = own.contact();
         let after = own.step(&mut own_law);
         T::write(row, &after);
         if !N::CONSERVES {
             let force = before.force * weights[0] + after.force * weights[1];
-            work = work + force * (after.displacement - before.displacement);
+            // An impulse does its work on the mean velocity, whatever the displacement of the step.
+            let moved = match N::IMPULSES {
+                true => (before.velocity + after.velocity) * half,
+                false => after.displacement - before.displacement,
+            };
+            work = work + force * moved;
         }
     }
     (*stepper, *law) = (own, own_law);

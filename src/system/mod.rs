@@ -5,14 +5,15 @@ pub mod bar;
 mod bar_pair;
 pub mod loads;
 pub mod massless;
+pub mod method;
 mod modes;
 pub mod structure;
 
 pub use bar_pair::BarPair;
+pub use method::{Coefficients, MethodChoice, MethodKind};
 pub use modes::{Modal, Mode};
 
 use crate::contact::{ContactLaw, StoredEnergy, in_series};
-use crate::methods::MethodChoice;
 
 /// A structure with a contact, from t = 0 on.
 ///

@@ -24,7 +24,7 @@ impl<'a, W: Write> ResultTable<'a, W> {
         let mut writer = csv::Writer::from_writer(out);
         let header = ["case"]
             .into_iter()
-            .chain(parameters.iter().map(|row| &*table[*row].name))
+            .chain(parameters.iter().map(|row| table[*row].column_name()))
             .chain(
                 study
                     .columns
@@ -65,7 +65,7 @@ impl<W: Write> FailureTable<W> {
         let mut writer = csv::Writer::from_writer(out);
         let parameters = study.parameter_columns();
         let table = study.problem.parameters();
-        let names = parameters.iter().map(|row| &*table[*row].name);
+        let names = parameters.iter().map(|row| table[*row].column_name());
         let header = ["case"].into_iter().chain(names).chain(["reason"]);
         writer.write_record(header)?;
         Ok(FailureTable { parameters, writer })

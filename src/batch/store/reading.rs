@@ -55,8 +55,8 @@ pub fn read_hashed(
     let mut columns = Vec::new();
     for parameter in schema.parameters.iter() {
         // A study that does not give the parameter stores no column of it.
-        let absent =
-            parameter.column == ColumnRule::IfGiven && place(&file, &parameter.name).is_err();
+        let absent = parameter.column == ColumnRule::IfGiven
+            && place(&file, parameter.column_name()).is_err();
         columns.push(match absent {
             true => None,
             false => Some(values(parameter, &file, count)?),
@@ -82,7 +82,7 @@ fn values(
     file: &SerializedFileReader<Bytes>,
     count: usize,
 ) -> Result<Vec<Option<Value>>> {
-    let place = place(file, &parameter.name)?;
+    let place = place(file, parameter.column_name())?;
     let other = || general("a parameter has the wrong type");
     Ok(
         match (

@@ -193,7 +193,7 @@ fn schema(study: &Study) -> Result<Type> {
             Kind::Whole { .. } => Physical::INT64,
             Kind::Choice(_) => Physical::BYTE_ARRAY,
         };
-        fields.push(column(&parameter.name, physical)?);
+        fields.push(column(parameter.column_name(), physical)?);
     }
     for &metric in &study.metrics {
         fields.push(column(
@@ -213,7 +213,7 @@ fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
     let rows = study.parameter_columns().into_iter();
     let parameters = rows
         .map(|row| &table[row])
-        .map(|p| (&*p.name, &*p.unit, &*p.meaning));
+        .map(|p| (p.column_name(), &*p.unit, &*p.meaning));
     let metrics = study.metrics.iter().map(|m| &study.problem.metrics()[*m]);
     let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning));
     let own = [

@@ -8,9 +8,9 @@ use slipgap::error::Error;
 
 #[derive(Subcommand)]
 pub enum RecommendArgs {
-    /// Find law, width (alpha or beta) and time step of a friction model
+    /// Find law, method, width and time step of a friction model
     FrictionOscillator(FrictionArgs),
-    /// Find gamma, n, mass matrix and time step for the impact of two bars
+    /// Find law, method, gamma, n, mass matrix and time step for the impact of two bars
     BarImpact(ImpactArgs),
 }
 
@@ -18,7 +18,7 @@ impl RecommendArgs {
     /// The search that the arguments define.
     pub fn search_task(self) -> Result<SearchTask, Error> {
         match self {
-            RecommendArgs::FrictionOscillator(args) => Ok(args.search_task()),
+            RecommendArgs::FrictionOscillator(args) => args.search_task(),
             RecommendArgs::BarImpact(args) => args.search_task(),
         }
     }

@@ -1,19 +1,27 @@
 //! The arguments of a search for an impact of two bars.
 
-use super::task::{CommonArgs, SearchTask, folder_name, parse_target};
+use super::task::{CommonArgs, SearchTask, choice, folder_name, parse_target};
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
 use slipgap::problem::Problem;
 use slipgap::problem::impact::BarImpact;
 use slipgap::problem::parameter::{Kind, Value, shortest};
 use slipgap::problem::schema::Text;
 use slipgap::recommend::impact::{FixedParameters, Impact};
-use slipgap::recommend::{Request, Target, metric};
+use slipgap::recommend::setting::choices;
+use slipgap::recommend::{Fixed, Request, Target, metric};
 
-const MASSES: [&str; 2] = ["lumped", "consistent"];
+/// The names of a parameter of the bars.
+fn names(parameter: &str) -> Vec<&'static str> {
+    choices(&BarImpact, parameter)
+}
 
 /// The exact motion keeps its energy. A gain of 1 % of the energy is 0.5 % of a velocity, less than most targets allow.
 const ENERGY_GAIN: f64 = 0.01;
+
+/// A loss of 10 % of the energy is 5 % of a velocity. Without a limit the search would choose methods that damp the whole motion.
+const ENERGY_LOSS: f64 = 0.1;
 
 #[derive(Args)]
 #[group(id = "targets", required = true, multiple = true, args = ["peak_force_error", "overlap", "r", "rdot"])]
@@ -30,20 +38,29 @@ pub struct ImpactArgs {
     /// Largest rms_error_rdot, in c
     #[arg(long, value_name = "TARGET", value_parser = parse_target)]
     rdot: Option<f64>,
+    /// Contact law; if left out, all are searched
+    #[arg(long, value_name = "LAW", value_parser = PossibleValuesParser::new(names("law")))]
+    law: Option<String>,
+    /// Method of integration; if left out, all are searched
+    #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(names("method")))]
+    method: Option<String>,
     /// Largest gain of energy at any step, relative to the initial energy; 1 % of the energy is 0.5 % of a velocity
     #[arg(long, value_name = "LIMIT", default_value_t = ENERGY_GAIN, value_parser = parse_target)]
     energy_gain: f64,
+    /// Largest loss of energy up to the last step, by contact and method, relative to the initial energy
+    #[arg(long, value_name = "LIMIT", default_value_t = ENERGY_LOSS, value_parser = parse_target)]
+    energy_loss: f64,
     /// Elements of the left bar, at most 1000; if left out, it is searched
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     n: Option<u32>,
-    /// Stiffness of the impact spring over that of an element; if neither gamma nor k_I is given, it is searched
+    /// Stiffness of the contact over that of an element, for laws with delta^1.5 the secant stiffness at F0; if neither gamma nor k_I is given, it is searched
     #[arg(long, value_name = "GAMMA", value_parser = parse_target)]
     gamma: Option<f64>,
-    /// Stiffness of the impact spring, in the units of the bars; gamma = k_I L/(n E A) follows from n
+    /// Stiffness of the contact, in the units of the bars; gamma = k_I L/(n E A) follows from n
     #[arg(long = "k_I", alias = "k-I", value_name = "K_I", value_parser = parse_target, conflicts_with = "gamma")]
     k_i: Option<f64>,
-    /// Mass matrix; if left out, both are searched
-    #[arg(long, value_parser = MASSES)]
+    /// Mass matrix; if left out, all are searched
+    #[arg(long, value_name = "MASS", value_parser = PossibleValuesParser::new(names("mass")))]
     mass: Option<String>,
     /// Data of the bars as in a study, e.g. L=40,right.L=20 or right=wall
     #[arg(long, value_name = "NAME=VALUE", value_delimiter = ',', value_parser = parse_bar)]
@@ -106,10 +123,12 @@ impl ImpactArgs {
         }
         let gamma = self.gamma.map(|gamma| ("gamma", gamma));
         let spring = gamma.or(self.k_i.map(|k_i| ("k_I", k_i)));
-        let mass = MASSES
-            .into_iter()
-            .find(|mass| self.mass.as_deref() == Some(mass));
+        let mass = choice(&names("mass"), self.mass.as_ref());
         let fixed = FixedParameters {
+            choice: Fixed {
+                law: choice(&names("law"), self.law.as_ref()),
+                method: choice(&names("method"), self.method.as_ref()),
+            },
             spring,
             n: self.n,
             mass,
@@ -148,8 +167,12 @@ impl ImpactArgs {
                 Some((format!("{word}-{}", shortest(target.limit)), target))
             });
         let (mut words, targets): (Vec<String>, Vec<Target>) = targets.unzip();
+        words.extend(self.law.into_iter().chain(self.method));
         if self.energy_gain != ENERGY_GAIN {
             words.push(format!("energy-gain-{}", shortest(self.energy_gain)));
+        }
+        if self.energy_loss != ENERGY_LOSS {
+            words.push(format!("energy-loss-{}", shortest(self.energy_loss)));
         }
         words.extend(self.n.map(|n| format!("n-{n}")));
         words.extend(spring.map(|(name, x)| format!("{name}-{}", shortest(x))));
@@ -164,7 +187,8 @@ impl ImpactArgs {
             space: Box::new(space),
             request: Request {
                 targets,
-                energy_gain: Some(self.energy_gain),
+                energy_gain: self.energy_gain,
+                energy_loss: self.energy_loss,
             },
             common: self.common,
         })

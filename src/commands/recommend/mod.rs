@@ -3,6 +3,7 @@
 mod args;
 mod friction;
 mod impact;
+mod survey;
 mod tables;
 mod task;
 
@@ -15,35 +16,56 @@ use slipgap::batch::output::Folder;
 use slipgap::error::Error;
 use slipgap::figures::style::DPI;
 use slipgap::figures::{self, Front};
-use slipgap::recommend::{Answer, search};
+use slipgap::recommend::{self, Answer, FINER};
 use std::time::Instant;
 use tables::Row;
 
 /// Searches, writes the table and the picture of the candidates into their folder, and prints the answer; returns the exit
 /// code.
 pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
-    let (space, request) = (&*task.space, &task.request);
+    let (variants, request) = (&*task.space, &task.request);
+    let space = variants.space();
     let mut folder = Folder::open(&task.common.out.join(&task.folder))?;
     for line in space.notes() {
         note(&line);
     }
+    let mut limits = format!(
+        "an answer also reaches the target with 1/{FINER} of its step, if one does; no case gains more energy than {}",
+        request.energy_gain
+    );
+    if request.energy_loss.is_finite() {
+        limits += &format!(" or loses more than {}", request.energy_loss);
+    }
+    note(&limits);
     let start = Instant::now();
-    let answer = search(space, request);
+    let recommended = recommend::recommend(variants, request);
     let seconds = start.elapsed().as_secs_f64();
-    note(&format!("{} cases in {seconds:.1} s", answer.solved));
+    let answer = &recommended.answer;
+    for line in survey::notes(variants, &recommended) {
+        note(&line);
+    }
+    let solved = answer.solved
+        + recommended
+            .survey
+            .as_ref()
+            .map_or(0, |survey| survey.solved);
+    note(&format!("{solved} cases in {seconds:.1} s"));
     let Some(nearest) = answer.front.len().checked_sub(1) else {
         note(
-            "slipgap: no case can be recommended: every case searched, or one of its neighbours, gains too much energy or has an undefined target metric",
+            "slipgap: no case can be recommended: every case searched, or one of its neighbours, gains or loses too much energy or has an undefined target metric",
         );
         return Ok(NOT_MET);
     };
     let chosen = answer.chosen();
-    let rows = rows(&answer, chosen.unwrap_or(nearest));
+    let rows = rows(answer, chosen.unwrap_or(nearest));
     let mut text = tables::answer(space, request, &rows)?;
     text += &format!(
         "in a study: {}\n",
         tables::study_parameters(space, &rows[0].candidate.cases[0])
     );
+    if let Some(survey) = &recommended.survey {
+        text += &survey::tables(variants, survey);
+    }
     let title = format!("Cost and error of {}", space.problem().name());
     let front = Front {
         title,
@@ -59,7 +81,7 @@ pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
     for path in [
         folder.write(
             "front.csv",
-            tables::front(space, request, &answer).as_bytes(),
+            tables::front(space, request, answer).as_bytes(),
         )?,
         folder.write("front.png", &figures::png(&sheet, DPI)?)?,
         folder.write("front.svg", figures::svg(&sheet, DPI)?.as_bytes())?,
@@ -75,7 +97,7 @@ pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
     Ok(0)
 }
 
-/// The answer, a cheaper candidate, and at most two that cost more.
+/// The answer, cheaper candidates, and at most two that cost more.
 fn rows(answer: &Answer, at: usize) -> Vec<Row<'_>> {
     let row = |at: usize, name| Row {
         name,
@@ -90,6 +112,10 @@ fn rows(answer: &Answer, at: usize) -> Vec<Row<'_>> {
         ],
     };
     let mut rows = vec![row(at, chosen)];
+    rows.extend(answer.own_step.as_ref().map(|candidate| Row {
+        name: "cheaper, only with this step",
+        candidate,
+    }));
     rows.extend(answer.cheaper(at).map(|at| row(at, cheaper)));
     let first = answer.better(at);
     let second = first.and_then(|first| answer.better(first));

@@ -16,76 +16,95 @@ pub struct Row<'a> {
 /// The metrics of a case by row of the problem's table.
 type Metrics = Vec<Option<f64>>;
 
-/// The largest errors of each candidate and its neighbours, then the default metrics of each candidate alone.
+/// A warning if there is one, the largest errors of each candidate and its neighbours, then the default metrics of each candidate alone.
 pub fn answer(space: &dyn SearchSpace, request: &Request, rows: &[Row]) -> Result<String, Error> {
     let mut metrics = Vec::new();
-    let mut errors = vec![errors_header(space, request)];
+    let parameters = shown(space, rows);
+    let mut errors = vec![errors_header(space, request, &parameters)];
     for row in rows {
-        let (cells, own) = errors_row(space, row)?;
+        let (cells, own) = errors_row(space, request, row, &parameters)?;
         errors.push(cells);
         metrics.push((row.name.to_owned(), own));
     }
-    errors.push(targets_row(space, request));
-    let mut text = table(&errors);
-    text += "Each error above is the largest one of the case and its neighbours. Only metrics with a target are limited. Metrics of the case alone:\n";
-    let mut warning = String::new();
+    errors.push(targets_row(request, parameters.len()));
+    let mut text = String::new();
     if let Some(first) = rows.first() {
         let problem = space.problem();
         match problem.solve(&with_finer_step(problem, &first.candidate.cases[0]), &[]) {
             Ok(finer) => {
-                warning = finer_step_warning(request, &metrics[0].1, &finer.metrics);
+                text += &finer_step_warning(request, &metrics[0].1, &finer.metrics);
                 let name = format!("the same, step/{FINER}");
                 metrics.insert(1, (name, finer.metrics));
             }
             Err(why) => {
-                warning = format!("The case has no solution with 1/{FINER} of the step: {why}.\n");
+                text += &format!("The case has no solution with 1/{FINER} of the step: {why}.\n");
             }
         }
     }
+    text += &table(&errors);
+    text += "Each error above is the largest one of the case and its neighbours. Only metrics with a target are limited. Metrics of the case alone:\n";
     text += &metrics_table(space, &metrics);
-    text += &warning;
     Ok(text)
 }
 
-fn errors_header(space: &dyn SearchSpace, request: &Request) -> Vec<String> {
+/// The parameters that apply to a row.
+fn shown(space: &dyn SearchSpace, rows: &[Row]) -> Vec<&'static str> {
+    let mut parameters = space.table_parameters();
+    let cases = rows.iter().map(|row| &row.candidate.cases[0]);
+    parameters.retain(|name| cases.clone().any(|case| case.get(name).is_some()));
+    parameters
+}
+
+fn errors_header(space: &dyn SearchSpace, request: &Request, parameters: &[&str]) -> Vec<String> {
     let mut header = vec![String::new()];
-    header.extend(space.table_parameters().into_iter().map(str::to_owned));
+    header.extend(parameters.iter().map(|name| (*name).to_owned()));
     header.push(space.cost_title().into());
     header.extend(request.targets.iter().map(|target| target.name.to_owned()));
-    header.extend(request.energy_gain.map(|_| "energy gain".to_owned()));
+    header.push("energy gain".into());
+    let loss = request.energy_loss.is_finite();
+    header.extend(loss.then(|| "energy loss".to_owned()));
     header.push("worst/target".into());
     header
 }
 
 /// The errors of a candidate, and the metrics of its case.
-fn errors_row(space: &dyn SearchSpace, row: &Row) -> Result<(Vec<String>, Metrics), Error> {
+fn errors_row(
+    space: &dyn SearchSpace,
+    request: &Request,
+    row: &Row,
+    parameters: &[&str],
+) -> Result<(Vec<String>, Metrics), Error> {
     let candidate = row.candidate;
     let case = &candidate.cases[0];
     let mut cells = vec![row.name.to_owned()];
-    let parameters = space.table_parameters().into_iter();
+    let parameters = parameters.iter();
     cells.extend(parameters.map(|name| space.table_cell(case, name)));
     cells.push(candidate.cost.to_string());
     cells.extend(candidate.errors.iter().map(|error| digits(*error)));
-    let (mut gains, mut metrics): (Vec<f64>, Vec<Metrics>) = Default::default();
+    let (mut gain, mut loss) = (0.0, 0.0);
+    let mut metrics: Vec<Metrics> = Vec::new();
     for case in &candidate.cases {
         let solution = space
             .problem()
             .solve(case, &[])
             .map_err(|why| Error::Internal(why.to_string()))?;
-        gains.extend(space.energy_gain(case, &solution.computed));
+        let change = space.energy_change(case, &solution);
+        (gain, loss) = (f64::max(gain, change.gain), f64::max(loss, change.loss));
         metrics.push(solution.metrics);
     }
-    cells.extend(gains.into_iter().reduce(f64::max).map(digits));
+    cells.push(digits(gain));
+    cells.extend(request.energy_loss.is_finite().then(|| digits(loss)));
     cells.push(digits(candidate.worst));
     Ok((cells, metrics.swap_remove(0)))
 }
 
-fn targets_row(space: &dyn SearchSpace, request: &Request) -> Vec<String> {
+fn targets_row(request: &Request, parameters: usize) -> Vec<String> {
     let mut cells = vec!["target".to_owned()];
-    cells.extend(space.table_parameters().iter().map(|_| String::new()));
-    cells.push(String::new());
+    cells.extend(vec![String::new(); parameters + 1]);
     let limits = request.targets.iter().map(|target| target.limit);
-    let limits = limits.chain(request.energy_gain).chain([1.0]);
+    let energies = [request.energy_gain, request.energy_loss];
+    let limits = limits.chain(energies.into_iter().filter(|limit| limit.is_finite()));
+    let limits = limits.chain([1.0]);
     cells.extend(limits.map(|limit| format!("<= {}", shortest(limit))));
     cells
 }
@@ -118,7 +137,7 @@ fn finer_step_warning(request: &Request, case: &Metrics, finer: &Metrics) -> Str
     match missed.is_empty() {
         true => String::new(),
         false => format!(
-            "This answer is valid only for its own time step. With 1/{FINER} of the step it misses the target: {}.\n",
+            "Warning: this answer is valid only for its own time step. With 1/{FINER} of the step it misses the target: {}.\n",
             missed.join(", ")
         ),
     }
@@ -190,7 +209,7 @@ mod tests {
     use slipgap::problem::schema::Schema;
     use slipgap::problem::{Problem, Solution, Violation};
     use slipgap::recommend::friction::Friction;
-    use slipgap::recommend::{CostLevel, metric};
+    use slipgap::recommend::{CostLevel, EnergyChange, Fixed, metric};
     use slipgap::solve::{MetricTable, Unsolvable};
     use std::sync::Arc;
 
@@ -265,21 +284,18 @@ mod tests {
             self.0.level(index)
         }
 
-        fn energy_drifts(&self) -> Option<[usize; 2]> {
-            None
-        }
-
-        fn energy_gain(&self, _: &Case, _: &History) -> Option<f64> {
-            None
+        fn energy_change(&self, case: &Case, solution: &Solution) -> EnergyChange {
+            self.0.energy_change(case, solution)
         }
     }
 
     #[test]
     fn a_case_without_a_solution_at_the_finer_step_has_no_column() {
-        let friction = || Friction {
-            laws: vec!["velocity-control"],
-            x0: 12.0,
+        let fixed = Fixed {
+            law: Some("velocity-control"),
+            method: Some("average-acceleration"),
         };
+        let friction = || Friction::new(fixed, 12.0);
         // pi/10, whose 16th part is below the limit.
         let level = friction().level(8);
         let case = level.cases[40].clone();
@@ -288,6 +304,7 @@ mod tests {
             cost: 80,
             errors: vec![0.01],
             worst: 0.5,
+            converged: true,
         };
         let request = Request {
             targets: vec![Target {
@@ -296,7 +313,8 @@ mod tests {
                 ideal: 0.0,
                 limit: 0.02,
             }],
-            energy_gain: None,
+            energy_gain: 0.05,
+            energy_loss: f64::INFINITY,
         };
         let text = |problem: &'static dyn Problem| {
             let row = Row {
@@ -308,7 +326,7 @@ mod tests {
         let (with, without) = (text(&FrictionOscillator), text(&NoSmallSteps));
         assert!(with.contains("the same, step/16"), "{with}");
         let sentence = "The case has no solution with 1/16 of the step: the motion leaves the range of double precision.\n";
-        let rest = without.strip_suffix(sentence).unwrap();
+        let rest = without.strip_prefix(sentence).unwrap();
         assert!(!rest.contains("step/16"), "{rest}");
         // The other columns are the same.
         for (line, other) in rest.lines().zip(with.lines()) {

@@ -4,8 +4,14 @@ use crate::commands::Jobs;
 use clap::Args;
 use sha2::{Digest, Sha256};
 use slipgap::problem::Problem;
-use slipgap::recommend::{Request, SearchSpace};
+use slipgap::recommend::{Request, Variants};
 use std::path::PathBuf;
+
+/// The name in the list that the user gave.
+pub fn choice(names: &[&'static str], given: Option<&String>) -> Option<&'static str> {
+    let given = given?;
+    names.iter().find(|name| **name == given.as_str()).copied()
+}
 
 #[derive(Args)]
 pub struct CommonArgs {
@@ -18,7 +24,7 @@ pub struct CommonArgs {
 
 /// A search: its candidates and its targets.
 pub struct SearchTask {
-    pub space: Box<dyn SearchSpace>,
+    pub space: Box<dyn Variants>,
     pub request: Request,
     /// Name of the folder, different for every request.
     pub folder: String,

@@ -3,7 +3,8 @@
 use super::Track;
 use crate::contact::StoredEnergy;
 use crate::lane::Lane;
-use crate::system::System;
+use crate::solve::ToSystem;
+use crate::system::{MethodKind, System};
 
 /// Energy with the spring, in the frame of the common mass centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,8 +46,7 @@ impl Energy<1> {
             let [stored, force] = [law.stored_energy(r, s), law.conservative_force(r, s)];
             [Lane([stored]), Lane([force])]
         };
-        let weights = system.method.work_weights().map(|w| Lane([w]));
-        energy_of_books(track, start, weights, books, count)
+        energy_of_books(track, start, &Work::of(&[*system]), books, count)
     }
 
     /// From the energies at the steps; there must be at least one.
@@ -63,13 +63,13 @@ impl Energy<1> {
 /// the bars at t = 0. What a damped contact or a method dissipates is left in it, so that it changes by errors only.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// section 5); other methods have other `weights` of both forces. `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
+/// section 5); other methods have other forms of [`Work`]. `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
 /// The sum changes only in steps in which the contact opens or closes, and with a spring that is not linear.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
     start: Lane<L>,
-    weights: [Lane<L>; 2],
+    work: &Work<L>,
     books: impl Fn(Lane<L>, Lane<L>) -> [Lane<L>; 2],
     count: usize,
 ) -> Energy<L> {
@@ -77,27 +77,67 @@ pub fn energy_of_books<const L: usize>(
     let (Some(r0), Some(f0)) = (r.first(), force.first()) else {
         return Energy::new(start);
     };
+    let rdot = &track.velocity[..count];
     let mut r_before = *r0;
     let [stored, mut s_before] = books(*r0, -*f0);
     let mut bars = start;
     let mut energy = Energy::new(start + stored);
-    for (r, f) in r.iter().zip(force).skip(1) {
+    let [before, after] = work.weights;
+    for (i, (r, f)) in r.iter().zip(force).enumerate().skip(1) {
         let [stored, s] = books(*r, -*f);
-        bars = bars - (s_before * weights[0] + s * weights[1]) * (*r - r_before);
+        let moved = match work.impulses {
+            None => *r - r_before,
+            Some(dt) => (rdot[i - 1] + rdot[i]) * dt,
+        };
+        bars = bars - (s_before * before + s * after) * moved;
         energy.update(bars + stored);
         (r_before, s_before) = (*r, s);
     }
     energy
 }
 
+/// How the contact's work of a step follows from its ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Work<const L: usize> {
+    /// Weights of the forces at both ends.
+    pub weights: [Lane<L>; 2],
+    /// The time step of a method with impulses, in which the force acts on the mean velocity and not on the displacement.
+    pub impulses: Option<Lane<L>>,
+}
+
+impl<const L: usize> Work<L> {
+    /// That of systems with methods of one kind.
+    pub fn of(systems: &[impl ToSystem; L]) -> Work<L> {
+        let (mut weights, mut dt) = ([Lane::splat(0.5); 2], Lane::splat(0.0));
+        for (l, system) in systems.iter().enumerate() {
+            let system = system.system();
+            let [before, after] = system.method.work_weights();
+            (weights[0].0[l], weights[1].0[l], dt.0[l]) = (before, after, system.step);
+        }
+        let impulses = systems[0].system().method.kind() == MethodKind::MoreauJean;
+        Work {
+            weights,
+            impulses: impulses.then_some(dt),
+        }
+    }
+}
+
 /// Energy that the damping of the contact of a case takes: the work of the part of S that does none on the stored energy.
 pub fn damping_work(track: &Track<1>, system: &System) -> f64 {
-    let [before, after] = system.method.work_weights();
+    let work = Work::of(&[*system]);
+    let [Lane([before]), Lane([after])] = work.weights;
     let force = |Lane([r]): Lane<1>, Lane([f]): Lane<1>| -f - system.law.conservative_force(r, -f);
     let states = track.displacement.iter().zip(&track.force);
-    let states: Vec<[f64; 2]> = states.map(|(r, f)| [r.0[0], force(*r, *f)]).collect();
-    let steps = states.windows(2);
-    steps
-        .map(|step| (before * step[0][1] + after * step[1][1]) * (step[1][0] - step[0][0]))
-        .sum()
+    let states = states.zip(&track.velocity);
+    let states: Vec<[f64; 3]> = states
+        .map(|((r, f), rdot)| [r.0[0], force(*r, *f), rdot.0[0]])
+        .collect();
+    let work = |step: &[[f64; 3]]| {
+        let moved = match work.impulses {
+            None => step[1][0] - step[0][0],
+            Some(Lane([dt])) => dt * (step[0][2] + step[1][2]),
+        };
+        (before * step[0][1] + after * step[1][1]) * moved
+    };
+    states.windows(2).map(work).sum()
 }

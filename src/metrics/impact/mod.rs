@@ -8,7 +8,7 @@ mod sampled;
 mod track;
 
 pub use budget::budget;
-pub use energy::{Energy, damping_work, energy_of_books};
+pub use energy::{Energy, Work, damping_work, energy_of_books};
 pub use reference::reference;
 pub use sampled::Sampled;
 pub use track::Track;
@@ -41,7 +41,13 @@ pub fn evaluate<const L: usize>(
         |lost, gained| if -lost > gained { lost } else { gained },
     );
     let end = energy.last - start;
-    let deepest = smallest(r);
+    // A rigid contact is closed while it has a force.
+    let touching = if c.touching.is_empty() {
+        r
+    } else {
+        &c.touching[own]
+    };
+    let deepest = smallest(touching);
     // Without contact its metrics are undefined. A touch at the last step would be a contact by round-off only.
     let in_contact = |metric: Lane<L>| {
         deepest.zip(metric, |r, metric| {
@@ -52,8 +58,8 @@ pub fn evaluate<const L: usize>(
             }
         })
     };
-    let [duration, steps] = durations(r, exact.step);
-    let separations = separations(&r[..exact.openings]);
+    let [duration, steps] = durations(touching, exact.step);
+    let separations = separations(&touching[..exact.openings]);
     let oscillation = or_undefined(oscillation(rdot, exact));
     let impulse = impulse(force, exact.step);
     let impulse = exact.impulse.map(|e| impulse.map(|i| i / e - 1.0));
@@ -115,6 +121,7 @@ mod tests {
             displacement: column(|row| row.0),
             velocity: column(|row| row.1),
             force: column(|row| row.2),
+            touching: Vec::new(),
         };
         let last = rows.len() as u64 - 1;
         let end = last as f64 * 0.25;

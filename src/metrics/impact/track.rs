@@ -15,6 +15,8 @@ pub struct Track<const L: usize> {
     pub velocity: Vec<Lane<L>>,
     /// F/F0.
     pub force: Vec<Lane<L>>,
+    /// For rigid contact, r below zero where there is a force; empty for other laws, whose r says whether they touch.
+    pub touching: Vec<Lane<L>>,
 }
 
 impl<const L: usize> Track<L> {
@@ -44,6 +46,10 @@ impl<const L: usize> Track<L> {
             displacement: own(&self.displacement),
             velocity: own(&self.velocity),
             force: own(&self.force),
+            touching: match self.touching.is_empty() {
+                true => Vec::new(),
+                false => own(&self.touching),
+            },
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::contact::{ContactLaw, LawsVisitor, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
 use crate::methods::average_acceleration::ModeState;
-use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate};
+use crate::metrics::impact::{COUNT, Energy, Sampled, Track, Work, energy_of_books, evaluate};
 use crate::metrics::steps;
 use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
@@ -97,19 +97,16 @@ impl LaneCase<LANES> for ImpactCase {
         exact: &Sampled,
     ) -> Self::Metrics {
         let mut start = Lane::splat(0.0);
-        let mut weights = [Lane::splat(0.5); 2];
         let mut laws = [cases[0].system().law; LANES];
         for (l, case) in cases.iter().enumerate() {
             start.0[l] = case.system().linear.energy();
             laws[l] = case.system().law;
-            let [before, after] = case.system().method.work_weights();
-            (weights[0].0[l], weights[1].0[l]) = (before, after);
         }
         let restitution = motion.first_mode * 0.5;
         let evaluate = Evaluate {
             track: &motion.track,
             start,
-            weights,
+            work: Work::of(cases),
             restitution,
             exact,
         };
@@ -129,11 +126,11 @@ impl LaneCase<LANES> for ImpactCase {
     }
 }
 
-/// A rigid contact with a force is closed; its overlap is less than any round-off of r.
+/// r of a rigid contact with a force: closed, with an overlap less than any round-off.
 const CLOSED: f64 = -1e-300;
 
-/// Changes the motion of the modes to that of the contacts. They differ only if contact nodes have no mass, and in rigid contact, where r
-/// is zero to round-off.
+/// Changes the motion of the modes to that of the contacts, which differ if contact nodes have no mass, and finds where rigid contacts
+/// touch.
 pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
     let mut compliance = Lane::splat(0.0);
     let mut laws = [cases[0].scaled.law; L];
@@ -144,11 +141,16 @@ pub fn condense<const L: usize>(cases: &[ImpactCase; L], track: &mut Track<L>) {
     if compliance.0.iter().any(|c0| *c0 != 0.0) {
         ContactLaw::accept(&laws, Condense { track, compliance });
     }
-    for l in (0..L).filter(|l| laws[*l].rigid()) {
-        let states = track.displacement.iter_mut().zip(&track.force);
-        for (r, _) in states.filter(|(_, force)| force.0[l] > 0.0) {
-            r.0[l] = CLOSED;
-        }
+    track.touching.clear();
+    if laws[0].rigid() {
+        let states = track.displacement.iter().zip(&track.force);
+        let touching = states.map(|(r, force)| {
+            r.zip(
+                *force,
+                |r, force| if force > 0.0 { CLOSED } else { r.max(0.0) },
+            )
+        });
+        track.touching = touching.collect();
     }
 }
 
@@ -181,7 +183,7 @@ fn condense_all<const L: usize, W: StoredEnergy>(
 struct Evaluate<'a> {
     track: &'a Track<LANES>,
     start: Lane<LANES>,
-    weights: [Lane<LANES>; 2],
+    work: Work<LANES>,
     restitution: Lane<LANES>,
     exact: &'a Sampled,
 }
@@ -201,11 +203,11 @@ fn evaluate_all<W: StoredEnergy>(of: Evaluate, laws: &[W; LANES]) -> [Lane<LANES
     let Evaluate {
         track,
         start,
-        weights,
+        work,
         restitution,
         exact,
     } = of;
     let books = |r, s| energies(laws, r, s);
-    let energy: Energy<LANES> = energy_of_books(track, start, weights, books, exact.count());
+    let energy: Energy<LANES> = energy_of_books(track, start, &work, books, exact.count());
     evaluate(track, &energy, restitution, exact)
 }

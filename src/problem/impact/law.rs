@@ -92,6 +92,7 @@ pub(super) static PARAMETERS: [Parameter; 3] = [
         ),
         "target of the coefficient of restitution of two rigid bodies, > 0; of rigid with moreau-jean that of the ends of the bars",
     )
+    .with_heading("target_restitution")
     .with_column_if_given(),
 ];
 

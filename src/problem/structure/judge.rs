@@ -5,7 +5,7 @@ use super::metric::{Reduction, StructureMetric};
 use super::motion::Energies;
 use super::node::Numbering;
 use crate::metrics::structure as reduce;
-use crate::system::structure::Structure;
+use crate::system::structure::{Relation, Structure};
 
 /// Quantities of a motion at the steps 0..=N, one list for each number.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -46,7 +46,7 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering) -> Vec<Number> {
     let of_contact = metric.contact.into_iter().flat_map(|contact| {
         let quantities: &[Quantity] = match metric.reduction {
             Reduction::OpenTime => &[Quantity::Force, Quantity::Limit],
-            Reduction::Work => &[Quantity::Force, Quantity::Displacement],
+            Reduction::Work => &[Quantity::Force, Quantity::Displacement, Quantity::Velocity],
             Reduction::ResidualSlip => &[Quantity::Slip],
             _ => &[Quantity::Force],
         };
@@ -85,6 +85,8 @@ pub struct Judged<'a> {
     pub dt: f64,
     /// Whether errors are against the motion of the rigid laws.
     pub against_rigid: bool,
+    /// Whether rigid contacts act by impulses.
+    pub impulses: bool,
 }
 
 /// The value of a metric; `None` where it is undefined.
@@ -161,7 +163,14 @@ fn of_contact(
             let limit = series(Quantity::Limit);
             Some(reduce::time_where(limit, of.dt, |limit| limit <= 0.0))
         }
-        Reduction::Work => Some(reduce::work(force, series(Quantity::Displacement))),
+        Reduction::Work => {
+            let law = &of.structure.contacts[contact].law;
+            let rigid = matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
+            Some(match of.impulses && rigid {
+                true => reduce::work_of_impulses(force, series(Quantity::Velocity), of.dt),
+                false => reduce::work(force, series(Quantity::Displacement)),
+            })
+        }
         Reduction::ResidualSlip => {
             let slip = series(Quantity::Slip);
             Some(slip.last()? - slip.first()?)

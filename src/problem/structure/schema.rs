@@ -178,6 +178,7 @@ fn parameter(named: &Named) -> Parameter {
         },
         applies: None,
         column: ColumnRule::Always,
+        heading: None,
         meaning: Borrowed(fixed.map_or("parameter of the study", |fixed| fixed.1)),
     }
 }

@@ -8,6 +8,7 @@ use super::motion::{self, Recording, Run};
 use super::node::Numbering;
 use super::sweep::Ready;
 use super::template::Reference;
+use crate::methods::MethodKind;
 use crate::solve::Unsolvable;
 
 /// Refinement of the mesh that `mesh_error` compares with.
@@ -144,6 +145,7 @@ impl StructureProblem {
             numbering,
             dt: *dt,
             against_rigid: rigid,
+            impulses: method.kind() == MethodKind::MoreauJean,
         };
         let metrics = self.metrics.iter();
         let values = metrics

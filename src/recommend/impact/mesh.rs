@@ -1,5 +1,6 @@
 //! Meshes and steps of a search.
 
+use crate::recommend::Grid;
 use crate::recommend::grid::integers;
 
 /// Largest number of elements of a bar.
@@ -13,33 +14,39 @@ pub const PASSES: [f64; 14] = [
 /// Number of entries of [`PASSES`] that are searched with every mesh.
 pub const WITH_EVERY_MESH: usize = 10;
 
+/// Those of the coarse grid, and the ratio of its meshes.
+const COARSE_PASSES: [f64; 8] = [3.0, 2.0, 1.5, 1.0, 0.5, 0.25, 0.125, 0.0625];
+const COARSE_RATIO: f64 = 1.25;
+
 /// Largest number of steps times modes of a case if n is searched.
 const MOST_COST: u64 = 2_000_000;
 
 /// Largest number of steps times modes of a case if n is given.
 const MOST_COST_GIVEN: u64 = 200_000_000;
 
-/// Elements of the left bar, elements that a wave passes in a step, and mass matrix.
-pub type Mesh = (u32, f64, &'static str);
+/// Elements of the left bar, and elements that a wave passes in a step.
+pub type Mesh = (u32, f64);
 
-/// The meshes and steps to search, with their costs. `cost` is `None` for a mesh that is not searched.
-pub fn affordable(
-    n: Option<u32>,
-    masses: &[&'static str],
-    cost: impl Fn(Mesh) -> Option<u64>,
-) -> Vec<(Mesh, u64)> {
-    let most = n.map_or(MOST_COST, |_| MOST_COST_GIVEN);
+/// The meshes and steps to search.
+pub fn meshes(n: Option<u32>, grid: Grid) -> Vec<Mesh> {
+    let passes: &[f64] = match grid {
+        Grid::Coarse => &COARSE_PASSES,
+        Grid::Fine => &PASSES,
+    };
     let mut meshes = Vec::new();
-    for (at, passes) in PASSES.into_iter().enumerate() {
-        let ratio = if at < WITH_EVERY_MESH { 1.0 } else { 1.05 };
+    for (at, passes) in passes.iter().enumerate() {
+        let ratio = match grid {
+            Grid::Coarse => COARSE_RATIO,
+            Grid::Fine if at < WITH_EVERY_MESH => 1.0,
+            Grid::Fine => 1.05,
+        };
         let elements = n.map_or_else(|| integers(2, MOST_ELEMENTS, ratio), |n| vec![n]);
-        for n in elements {
-            for mass in masses {
-                let mesh = (n, passes, *mass);
-                let cost = cost(mesh).filter(|cost| *cost <= most);
-                meshes.extend(cost.map(|cost| (mesh, cost)));
-            }
-        }
+        meshes.extend(elements.into_iter().map(|n| (n, *passes)));
     }
     meshes
+}
+
+/// Largest cost of a case.
+pub fn most_cost(n: Option<u32>) -> u64 {
+    n.map_or(MOST_COST, |_| MOST_COST_GIVEN)
 }

@@ -128,7 +128,9 @@ impl Curved {
     pub(super) fn remember(&mut self, before: &Curved) {
         for (contact, before) in self.contacts.iter_mut().zip(&before.contacts) {
             contact.law = before.law;
-            contact.law.change(&contact.now, &self.scale.steps(contact.own));
+            contact
+                .law
+                .change(&contact.now, &self.scale.steps(contact.own));
         }
     }
 

@@ -52,7 +52,10 @@ pub(super) fn check_applicability(
             );
             faults.add(given.at, &given.path, message);
         }
-        Some(given) if !others.is_empty() => faults.add(given.at, &given.path, separate()),
+        // One value of a parameter that may be left out: the other cases do without.
+        Some(given) if !others.is_empty() && (required || given.values.len() > 1) => {
+            faults.add(given.at, &given.path, separate());
+        }
         None if applies && required && others.is_empty() => {
             faults.add(draft.at, &missing_path, missing);
         }

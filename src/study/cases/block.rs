@@ -124,6 +124,7 @@ impl Block {
                 case.values[axis.parameter] = Some(axis.values[*position as usize]);
             }
         }
+        drop_unsuitable(case);
         for row in 0..case.schema.parameters.len() {
             if case.values[row].is_none() && self.derived.iter().all(|d| d.parameter != row) {
                 case.values[row] = case.default_at(row);
@@ -131,6 +132,28 @@ impl Block {
         }
         for derived in self.derived.iter().take(derived) {
             case.values[derived.parameter] = derived.value(&self.groups, case, positions);
+        }
+        if derived > 0 {
+            drop_unsuitable(case);
+        }
+    }
+}
+
+/// Removes values of parameters that do not apply to the names of a case: a block with several laws may give a parameter of some of
+/// them.
+fn drop_unsuitable(case: &mut Case) {
+    let schema = case.schema.clone();
+    let chosen = |case: &Case, governor: &str| {
+        let row = schema.parameters.iter().position(|p| p.name == *governor);
+        let value = row.and_then(|row| case.values[row].or_else(|| case.default_at(row)));
+        value.map_or("", Value::name)
+    };
+    for (row, parameter) in schema.parameters.iter().enumerate() {
+        if let Some(on) = &parameter.applies
+            && case.values[row].is_some()
+            && !on.allows(chosen(case, on.governor))
+        {
+            case.values[row] = None;
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Loops of any laws: a panel for each law, a curve for each of its cases.
 
-use crate::contact::{ContactLaw, LawKind};
+use crate::contact::ContactLaw;
 use crate::figures::DrawnCase;
 use crate::figures::label;
-use crate::figures::layout::guides;
 use crate::figures::layout::legend::Key;
 use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::layout::{self, ticks};
 use crate::figures::style::{self, Marker, Stroke};
+use crate::figures::text::markup;
 use crate::study::{Figure, Study};
 
 const HEIGHT: f64 = 120.0;
@@ -23,12 +23,14 @@ pub fn sheet(
     laws: &[Option<ContactLaw>],
 ) -> Sheet {
     let table = study.problem.parameters();
-    let mut groups: Vec<(LawKind, Vec<(ContactLaw, &DrawnCase)>)> = Vec::new();
+    // By the name of the law: velocity-control without compliance is Coulomb friction.
+    let mut groups: Vec<(&'static str, Vec<(ContactLaw, &DrawnCase)>)> = Vec::new();
     for (law, shown) in laws.iter().zip(cases) {
         let Some(law) = law else { continue };
-        match groups.iter_mut().find(|group| group.0 == law.kind()) {
+        let name = shown.case.choice("law");
+        match groups.iter_mut().find(|group| group.0 == name) {
             Some(group) => group.1.push((*law, shown)),
-            None => groups.push((law.kind(), vec![(*law, shown)])),
+            None => groups.push((name, vec![(*law, shown)])),
         }
     }
     let columns = layout::side_by_side(groups.len().clamp(1, 3), figure.width);
@@ -65,7 +67,7 @@ pub fn sheet(
             of_x(f64::min, f64::INFINITY),
             of_x(f64::max, f64::NEG_INFINITY),
         ];
-        let title = match group.1[0].0.viscous() {
+        let title = match group.1[0].0.over_velocity() {
             true => velocity,
             false => displacement,
         };
@@ -80,24 +82,31 @@ pub fn sheet(
         frame.top += (k / columns) as f64 * layout::below(&x).ceil();
         let mut panel = Panel::new(frame, grid.margin, x, own);
         panel.zero = true;
+        panel.caption = markup::escape(group.0);
+        let alone = curves.len() == 1;
         for (index, curve) in curves.into_iter().enumerate() {
             let marked = (0..curve.points.len()).skip(MARKED / 2).step_by(MARKED);
             panel.series.push(Series {
                 label: curve.label,
-                marked: marked.collect(),
+                marked: if alone { Vec::new() } else { marked.collect() },
                 points: curve.points,
-                stroke: Stroke::of_case(index),
+                stroke: if alone {
+                    Stroke::Solid
+                } else {
+                    Stroke::of_case(index)
+                },
                 width: style::CASE_LINE,
-                marker: Some(Marker::of_case(index)),
+                marker: (!alone).then_some(Marker::of_case(index)),
             });
         }
-        let series = panel.series.iter().map(Key::of);
-        let guides = guides::key(std::slice::from_ref(&panel), None);
-        keys.push(series.chain(guides).collect::<Vec<Key>>());
+        if !alone {
+            keys.extend(panel.series.iter().map(Key::of));
+        }
         sheet.panels.push(panel);
     }
     layout::letter_panels(&mut sheet.panels);
-    layout::finish(&mut sheet, keys, figure.title.as_deref());
+    // One legend for all panels: their captions have the laws.
+    layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
     sheet
 }
 
@@ -107,7 +116,7 @@ struct Curve {
     points: Vec<[f64; 2]>,
 }
 
-/// The different curves of a law, each with the name of the law and the parameters that distinguish it.
+/// The different curves of a law, each with its name and the parameters that distinguish it.
 fn curves(
     group: &[(ContactLaw, &DrawnCase)],
     table: &[crate::problem::parameter::Parameter],

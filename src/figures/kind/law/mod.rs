@@ -19,7 +19,7 @@ impl Draw for Law {
         let softened = |law: &Option<ContactLaw>| match law {
             Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,
             Some(law) => law.kind() == LawKind::DisplacementControl,
-            None => false,
+            None => true,
         };
         match laws.iter().all(softened) {
             true => papers::sheet(study, figure, cases),

@@ -1,6 +1,6 @@
 //! The critical step of methods that have one.
 
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{Coefficients, MethodChoice, six_digits_below};
 use crate::system::structure::factor::Factor;
 use crate::system::structure::{Relation, Structure, Symmetric};
 use std::fmt;
@@ -44,7 +44,8 @@ impl fmt::Display for CriticalFault {
             ),
             CriticalFault::Above { critical, dt } => write!(
                 f,
-                "must be at most {critical:.6e}, the critical step of this method with all contacts closed, got {dt}"
+                "must be at most {}, the critical step of this method with all contacts closed, got {dt}",
+                six_digits_below(*critical)
             ),
         }
     }

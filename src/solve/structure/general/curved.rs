@@ -41,7 +41,10 @@ pub(super) fn contacts<const L: usize>(
 /// Why a method cannot have the laws of a structure; `None` if it can.
 pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
     let curved = case.contacts.iter().find(|c| c.law.is_curved())?;
-    let explicit = prepared.sub_steps.iter().any(|part| part.sub_step.is_explicit());
+    let explicit = prepared
+        .sub_steps
+        .iter()
+        .any(|part| part.sub_step.is_explicit());
     if explicit {
         return Some(format!(
             "method: central-difference has no forces for the law of '{}'; allowed: another method, or impact-spring, displacement-control, velocity-control or coulomb",
@@ -49,7 +52,8 @@ pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
         ));
     }
     let impulses = matches!(prepared.method, MethodChoice::MoreauJean { .. });
-    let rigid = |law: &Relation| matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
+    let rigid =
+        |law: &Relation| matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
     let mut contacts = case.contacts.iter();
     let rigid = contacts.find(|contact| impulses && rigid(&contact.law))?;
     Some(format!(

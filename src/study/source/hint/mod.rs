@@ -186,7 +186,7 @@ mod tests {
             ("method", keys, None),
             ("solver", keys, None),
             ("damping", keys, None),
-            ("coulomb", laws, Some("coulomb")),
+            ("coulomb", laws, None),
             ("n2", bars, None),
             ("", laws, None),
             ("_", laws, None),

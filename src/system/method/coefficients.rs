@@ -126,8 +126,8 @@ impl Coefficients {
 
 #[cfg(test)]
 mod tests {
+    use super::super::MethodChoice;
     use super::*;
-    use crate::methods::MethodChoice;
 
     #[test]
     fn newmarks_limit_is_that_of_the_textbook() {
