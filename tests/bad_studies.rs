@@ -299,7 +299,7 @@ fn names_and_keys() {
     );
     assert_parameter(
         "\"alpha\": 1, \"beta\": 3",
-        "4:21: parameters.beta: does not apply to law displacement-control, only to velocity-control; allowed: law, alpha, dT, duration, x0, initial_slip",
+        "4:21: parameters.beta: does not apply to law displacement-control, only to velocity-control, tanh or stribeck; allowed: law, alpha, dT, duration, x0, initial_slip, method",
     );
     assert_parameter(
         "\"alpha\": 1, \"alpha\": 3",
@@ -387,7 +387,10 @@ fn names_of_what_is_not_modelled() {
             "mu",
             ": the equations are scaled: lengths are over Delta = nu N/k, times over 1/omega_n; see docs/scope.md; allowed",
         ),
-        ("integrator", "; allowed: law, alpha"),
+        (
+            "integrator",
+            ", did you mean \"method\"?; allowed: law, alpha",
+        ),
         ("time_step", ", did you mean \"dT\"?; allowed: law, alpha"),
     ] {
         let place = 4 + name.len();
@@ -409,8 +412,8 @@ fn laws_that_meet_in_one_block() {
     assert_faults(
         &with(both, ""),
         &[
-            "3:15: parameters.beta: missing; it applies only to law velocity-control",
-            "4:63: parameters.alpha: applies only to law displacement-control, but law is also velocity-control here; give each law its own block in \"blocks\"",
+            "3:15: parameters.beta: missing; it applies only to law velocity-control, tanh or stribeck",
+            "4:63: parameters.alpha: applies only to law displacement-control, bouc-wen or dahl, but law is also velocity-control here; give each law its own block in \"blocks\"",
         ],
     );
 }

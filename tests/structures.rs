@@ -384,7 +384,7 @@ fn a_step_above_the_critical_one_is_refused() {
         (
             1.001 * critical,
             r#""k": 700"#,
-            "must be at most 9.176629e-2, the critical step",
+            "must be at most 0.0917662, the critical step",
         ),
         (
             0.001,

@@ -9,7 +9,7 @@
 /// A spring with 1/k = 1 and c0 = 3 has a quarter of the motion:
 ///
 /// ```
-/// use slipgap::contact::{ImpactSpring, Law, in_series};
+/// use slipgap::contact::{ImpactSpring, StoredEnergy, in_series};
 ///
 /// let spring = ImpactSpring { stiffness: 1.0 };
 /// let contact = in_series(|s| spring.deflection(s), 3.0, [-4.0, 2.0, -1.0]);

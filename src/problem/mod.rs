@@ -25,6 +25,7 @@ use crate::solve::sweep::{LONGEST, LaneCase};
 use crate::solve::{MetricTable, Unsolvable};
 use cases::Cases;
 use parameter::Parameter;
+use std::ops::Range;
 use std::sync::{Arc, LazyLock};
 use structure::{GroundMotion, Scheme};
 use unit::Dimension;
@@ -189,6 +190,16 @@ fn sweep_cases<const L: usize, C: LaneCase<L>>(
     }
     crate::solve::sweep::sweep(&together, &mut table);
     table
+}
+
+/// Metrics in these rows, those that are not wanted without a value.
+fn selected<const N: usize>(
+    rows: Range<usize>,
+    values: [Option<f64>; N],
+    wanted: &[usize],
+) -> impl Iterator<Item = Option<f64>> {
+    let values = rows.zip(values);
+    values.map(|(row, value)| value.filter(|_| wanted.contains(&row)))
 }
 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.

@@ -73,10 +73,22 @@ fn block(problem: &dyn Problem, random: &mut RandomChoice) -> Vec<String> {
             (_, Default::Required) => !random.once_in(40),
             _ => random.once_in(5),
         };
-        // One law for all cases, with its own width.
-        let wanted = match &*row.name {
-            "beta" => random.once_in(20),
-            _ => likely,
+        // One law and one method for all cases, with their own parameters.
+        let suits = row.applies.as_ref().is_none_or(|on| {
+            let value = given.iter().find_map(|key| {
+                let value = key.strip_prefix(&format!("\"{}\": \"", on.governor))?;
+                value.strip_suffix('"')
+            });
+            let governor = problem.parameters().iter().find(|p| p.name == on.governor);
+            let default = match governor.map(|p| &p.default) {
+                Some(Default::Is(value)) => value.name(),
+                _ => "",
+            };
+            on.allows(value.unwrap_or(default))
+        });
+        let wanted = match suits {
+            false => random.once_in(40),
+            true => likely,
         };
         if !wanted {
             continue;
@@ -133,6 +145,10 @@ fn value(row: &Parameter, sampled: &mut bool, random: &mut RandomChoice) -> Stri
         "V0" => (0.05, 0.2),
         "right.V0" => (-0.2, 0.04),
         "gap" => (0.0, 0.5),
+        "restitution" | "nu_ratio" | "rho_inf" => (0.2, 1.0),
+        "theta" => (0.5, 1.0),
+        "hht_alpha" => (-0.33, 0.0),
+        "static_ratio" | "exponent" => (1.0, 1.5),
         _ => (0.1, 12.0),
     };
     let one = |random: &mut RandomChoice| match (random.once_in(25), row.kind) {

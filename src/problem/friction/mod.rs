@@ -6,7 +6,7 @@ mod tables;
 
 use super::cases::Cases;
 use super::method::{self, step_rules};
-use super::{Case, Problem, Schema, Solution, Violation, sweep_cases, time_rules};
+use super::{Case, Problem, Schema, Solution, Violation, selected, sweep_cases, time_rules};
 use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
@@ -18,7 +18,7 @@ use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
 use case::{LANES, OscillatorCase};
 use std::sync::Arc;
-use tables::{BUDGET, SCHEMA, rows};
+use tables::{BUDGET, SCHEMA, TAKEN, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -106,7 +106,7 @@ impl FrictionOscillator {
         let metrics = cells(own)
             .into_iter()
             .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
-            .chain(taken(case, track))
+            .chain(selected(TAKEN, taken(case, track), wanted))
             .collect();
         Ok(Solution {
             computed,

@@ -265,6 +265,10 @@ pub(super) static METRICS: [Metric; 18] = [
 pub(super) const BUDGET: Rows<usize> =
     metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
 
+/// Rows of what the method takes and costs, and of its amplification.
+pub(super) const TAKEN: Rows<usize> =
+    metric_of(&METRICS, "numerical_dissipation")..metric_of(&METRICS, "numerical_damping") + 1;
+
 static CHANNELS: [Channel; 3] = [
     Channel::with_exact("X", Dimension::Length),
     Channel::with_exact("V", Dimension::Velocity),

@@ -14,7 +14,7 @@ mod tables;
 use super::cases::Cases;
 use super::method;
 use super::unit::Dimension;
-use super::{Case, Problem, Schema, Snapshot, Solution, Violation, sweep_cases};
+use super::{Case, Problem, Schema, Snapshot, Solution, Violation, selected, sweep_cases};
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;
@@ -165,7 +165,7 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
         .into_iter()
         .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
         .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
-        .chain(taken(case, run))
+        .chain(selected(TAKEN, taken(case, run), wanted))
         .collect();
     Ok(Solution {
         computed,
