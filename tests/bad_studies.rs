@@ -321,9 +321,9 @@ fn names_and_keys() {
         ],
     );
     assert_faults(
-        &law("coulomb"),
+        &law("viscous"),
         &[
-            "4:8: parameters.law: unknown law \"coulomb\"; allowed: displacement-control, velocity-control",
+            "4:8: parameters.law: unknown law \"viscous\"; allowed: displacement-control, velocity-control, coulomb, tanh",
         ],
     );
     assert_faults(

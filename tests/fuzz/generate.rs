@@ -2,7 +2,7 @@
 
 use crate::random_choice::RandomChoice;
 use crate::words::{NUMBERS, STRINGS, TITLES};
-use slipgap::problem::parameter::{Default, Kind, Parameter};
+use slipgap::problem::parameter::{ColumnRule, Default, Kind, Parameter};
 use slipgap::problem::{PROBLEMS, Problem};
 
 /// The text of a study.
@@ -51,12 +51,20 @@ fn quoted(text: &str) -> String {
 }
 
 fn metric<'a>(problem: &'a dyn Problem, random: &mut RandomChoice) -> &'a str {
-    let table = problem.metrics();
+    // Mostly one that needs no mention in "metrics".
+    let any = random.once_in(4);
+    let table = problem.metrics().iter();
+    let table: Vec<_> = table.filter(|metric| any || metric.default).collect();
     &table[random.below(table.len())].name
 }
 
 fn parameter<'a>(problem: &'a dyn Problem, random: &mut RandomChoice) -> &'a str {
-    let table = problem.parameters();
+    // Mostly one of those that a study is likely to give.
+    let any = random.once_in(8);
+    let table = problem.parameters().iter();
+    let table: Vec<_> = table
+        .filter(|row| any || row.column == ColumnRule::Always)
+        .collect();
     &table[random.below(table.len())].name
 }
 
