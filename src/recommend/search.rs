@@ -10,8 +10,8 @@ const BEYOND: u64 = 2;
 /// Largest cost of a case that also reaches the target with a finer step, relative to the first one that does only with its own.
 const BEYOND_OWN_STEP: u64 = 4;
 
-/// Cost up to which such a case is always searched; it takes a second.
-const OWN_STEP: u64 = 5_000;
+/// Cost up to which such a case is always searched; it takes some seconds.
+const OWN_STEP: u64 = 40_000;
 
 /// Levels searched at once. It does not depend on the number of threads, because the number of solved cases is printed.
 const BATCH: usize = 16;

@@ -48,6 +48,7 @@ pub fn evaluate<const L: usize>(
         &c.touching[own]
     };
     let deepest = smallest(touching);
+    let overlap = smallest(r).map(|r| if r < 0.0 { -r } else { 0.0 });
     // Without contact its metrics are undefined. A touch at the last step would be a contact by round-off only.
     let in_contact = |metric: Lane<L>| {
         deepest.zip(metric, |r, metric| {
@@ -69,7 +70,7 @@ pub fn evaluate<const L: usize>(
         in_contact(duration),
         in_contact(steps),
         in_contact(separations),
-        in_contact(-deepest),
+        in_contact(overlap),
         in_contact(oscillation),
         in_contact(largest(force)),
         in_contact(or_undefined(impulse)),

@@ -104,8 +104,9 @@ impl SearchSpace for Impact {
                     INTO[0], INTO[1]
                 ),
             },
-            "not searched: other restitutions and parameters of methods, other steps than these parts of an element, steps that \
-             break a rule (above the critical step), elements of different lengths in a bar, steps without iteration, larger gaps"
+            "not searched: law rigid unless it is given (its force depends on the step), other restitutions and parameters of \
+             methods, other steps than these parts of an element, steps that break a rule (above the critical step), elements of \
+             different lengths in a bar, steps without iteration, larger gaps"
                 .into(),
         ];
         if self.time_ratio.is_some() {
