@@ -168,19 +168,20 @@ pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 
 
 /// The default metrics of the cases in these rows, in their order, L at a time where their runs are not too long; to the bit
 /// what each has by itself.
-fn sweep_cases<const L: usize, C: LaneCase<L>>(
+fn sweep_cases<const L: usize, A: LaneCase<L>, B: LaneCase<L>>(
     problem: &impl Problem,
     cases: &Cases,
     rows: &[u32],
-    lane_case: impl Fn(&Case) -> Result<C, Unsolvable>,
+    lane_case: impl Fn(&Case) -> Result<Form<A, B>, Unsolvable>,
 ) -> MetricTable {
     let mut table = MetricTable::new(rows.len(), problem.schema().default_metrics());
-    let mut together = Vec::with_capacity(rows.len());
+    let (mut plain, mut others) = (Vec::with_capacity(rows.len()), Vec::new());
     let mut shown = cases.shown();
     for (place, row) in rows.iter().enumerate() {
         let case = shown.at(*row as usize);
         match lane_case(case) {
-            Ok(own) if own.system().last <= LONGEST => together.push((place, own)),
+            Ok(Form::Plain(own)) if own.system().last <= LONGEST => plain.push((place, own)),
+            Ok(Form::Other(own)) if own.system().last <= LONGEST => others.push((place, own)),
             Ok(_) => {
                 let solution = problem.solve(case, &[]);
                 table.put(place, solution.map(|solution| solution.metrics));
@@ -188,8 +189,15 @@ fn sweep_cases<const L: usize, C: LaneCase<L>>(
             Err(why) => table.fail(place, why),
         }
     }
-    crate::solve::sweep::sweep(&together, &mut table);
+    crate::solve::sweep::sweep(&plain, &mut table);
+    crate::solve::sweep::sweep(&others, &mut table);
     table
+}
+
+/// A case in one of two forms for lanes: a small one for the usual laws and the usual method, so that less is copied, and one for all.
+enum Form<A, B> {
+    Plain(A),
+    Other(B),
 }
 
 /// Metrics in these rows, those that are not wanted without a value.

@@ -17,7 +17,7 @@ use crate::methods::average_acceleration::{AverageAcceleration, Modes};
 use crate::methods::bathe::{self, Bathe};
 use crate::methods::family::{self, Family};
 use crate::methods::moreau_jean::{self, MoreauJean};
-use crate::methods::{ContactState, Method, MethodKind, ModeStart, Start};
+use crate::methods::{ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
 use crate::system::System;
 use multiversion::multiversion;
 use std::cell::Cell;
@@ -71,15 +71,25 @@ impl ToSystem for System {
 /// the kind of the first one.
 ///
 /// The motion is that of the modes. That of a contact without mass follows from it, see [`System::at_contact`].
-// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
 pub fn start<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<(N, AnyLaw<L>)> {
-    let of = |number: fn(&System) -> f64| {
-        let mut lane = Lane::splat(0.0);
-        for (x, case) in lane.0.iter_mut().zip(cases) {
-            *x = number(&case.system());
-        }
-        lane
-    };
+    let stepper: N = stepper(cases)?;
+    let law = running_law(cases, &stepper);
+    Some((stepper, law))
+}
+
+/// One number of each system.
+// Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
+#[inline(always)]
+fn of<const L: usize, S: ToSystem>(cases: &[S; L], number: fn(&System) -> f64) -> Lane<L> {
+    let mut lane = Lane::splat(0.0);
+    for (x, case) in lane.0.iter_mut().zip(cases) {
+        *x = number(&case.system());
+    }
+    lane
+}
+
+/// The systems at t = 0; `None` without a mode.
+fn stepper<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<N> {
     let first = cases[0].system();
     let mut same = [true; L];
     for (same, case) in same.iter_mut().zip(cases) {
@@ -103,27 +113,39 @@ pub fn start<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Optio
         }
         start
     });
-    let (mut laws, mut choice) = ([first.law; L], [first.method; L]);
-    let mut rigid = [false; L];
-    for (l, case) in cases.iter().enumerate() {
-        let system = case.system();
-        (laws[l], choice[l], rigid[l]) = (system.law, system.method, system.law.rigid());
+    let (mut choice, mut rigid) = ([first.method; L], [false; L]);
+    if first.method != MethodChoice::AverageAcceleration {
+        for (l, case) in cases.iter().enumerate() {
+            let system = case.system();
+            (choice[l], rigid[l]) = (system.method, system.law.rigid());
+        }
     }
     let start = Start {
         choice,
         rigid,
-        dt: of(|s| s.step),
-        gap: of(|s| s.gap),
-        force: of(|s| s.force),
+        dt: of(cases, |s| s.step),
+        gap: of(cases, |s| s.gap),
+        force: of(cases, |s| s.force),
     };
-    let stepper = N::new(&start, modes)?;
+    N::new(&start, modes)
+}
+
+/// The laws of the systems over the run.
+// A function of its own: the law is large, and a tuple of it and the stepper would be copied.
+fn running_law<const L: usize, N: Method<L>, S: ToSystem>(
+    cases: &[S; L],
+    stepper: &N,
+) -> AnyLaw<L> {
+    let mut laws = [cases[0].system().law; L];
+    for (law, case) in laws.iter_mut().zip(cases) {
+        *law = case.system().law;
+    }
     let mut on = stepper.flexibilities();
     for part in &mut on {
         // Without the compliance c0 the modes move to r(i+1) + c0 S(i+1).
-        part.end.h = part.end.h + of(|s| s.linear.contact_compliance());
+        part.end.h = part.end.h + of(cases, |s| s.linear.contact_compliance());
     }
-    let law = ContactLaw::running(&laws, &on);
-    Some((stepper, law))
+    ContactLaw::running(&laws, &on)
 }
 
 /// Integrates L systems with equal numbers of modes, and laws and methods of one kind, to their last steps. Returns for each
@@ -153,9 +175,10 @@ fn advance_by<const L: usize, N: Method<L>, T: Track<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
-    let Some((mut stepper, mut law)) = start::<L, N, S>(cases) else {
+    let Some(mut stepper) = stepper::<L, N, S>(cases) else {
         return [false; L];
     };
+    let mut law = running_law(cases, &stepper);
     let mut last = [0; L];
     for (last, case) in last.iter_mut().zip(cases) {
         *last = case.system().last;

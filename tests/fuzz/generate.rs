@@ -95,7 +95,7 @@ fn block(problem: &dyn Problem, random: &mut RandomChoice) -> Vec<String> {
             on.allows(value.unwrap_or(default))
         });
         let wanted = match suits {
-            false => random.once_in(40),
+            false => random.once_in(200),
             true => likely,
         };
         if !wanted {

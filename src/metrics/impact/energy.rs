@@ -82,62 +82,63 @@ pub fn energy_of_books<const L: usize>(
     let [stored, mut s_before] = books(*r0, -*f0);
     let mut bars = start;
     let mut energy = Energy::new(start + stored);
-    let [before, after] = work.weights;
-    for (i, (r, f)) in r.iter().zip(force).enumerate().skip(1) {
-        let [stored, s] = books(*r, -*f);
-        let moved = match work.impulses {
-            None => *r - r_before,
-            Some(dt) => (rdot[i - 1] + rdot[i]) * dt,
-        };
-        bars = bars - (s_before * before + s * after) * moved;
-        energy.update(bars + stored);
-        (r_before, s_before) = (*r, s);
+    // A loop for each form: most runs are by trapezoids.
+    match work {
+        Work::Trapezoids => {
+            for (r, f) in r.iter().zip(force).skip(1) {
+                let [stored, s] = books(*r, -*f);
+                bars = bars - (s_before + s) * (*r - r_before) * 0.5;
+                energy.update(bars + stored);
+                (r_before, s_before) = (*r, s);
+            }
+        }
+        Work::Impulses(dt) => {
+            let steps = r.iter().zip(force).skip(1);
+            for ((r, f), rdot) in steps.zip(rdot.windows(2)) {
+                let [stored, s] = books(*r, -*f);
+                bars = bars - s * (rdot[0] + rdot[1]) * *dt;
+                energy.update(bars + stored);
+            }
+        }
     }
     energy
 }
 
 /// How the contact's work of a step follows from its ends.
 #[derive(Debug, Clone, Copy)]
-pub struct Work<const L: usize> {
-    /// Weights of the forces at both ends.
-    pub weights: [Lane<L>; 2],
-    /// The time step of a method with impulses, in which the force acts on the mean velocity and not on the displacement.
-    pub impulses: Option<Lane<L>>,
+pub enum Work<const L: usize> {
+    /// The mean of both forces on the displacement.
+    Trapezoids,
+    /// The impulse of the last force in this time step, on the mean velocity.
+    Impulses(Lane<L>),
 }
 
 impl<const L: usize> Work<L> {
     /// That of systems with methods of one kind.
     pub fn of(systems: &[impl ToSystem; L]) -> Work<L> {
-        let (mut weights, mut dt) = ([Lane::splat(0.5); 2], Lane::splat(0.0));
-        for (l, system) in systems.iter().enumerate() {
-            let system = system.system();
-            let [before, after] = system.method.work_weights();
-            (weights[0].0[l], weights[1].0[l], dt.0[l]) = (before, after, system.step);
+        if systems[0].system().method.kind() != MethodKind::MoreauJean {
+            return Work::Trapezoids;
         }
-        let impulses = systems[0].system().method.kind() == MethodKind::MoreauJean;
-        Work {
-            weights,
-            impulses: impulses.then_some(dt),
+        let mut dt = Lane::splat(0.0);
+        for (dt, system) in dt.0.iter_mut().zip(systems) {
+            *dt = system.system().step;
         }
+        Work::Impulses(dt)
     }
 }
 
 /// Energy that the damping of the contact of a case takes: the work of the part of S that does none on the stored energy.
 pub fn damping_work(track: &Track<1>, system: &System) -> f64 {
-    let work = Work::of(&[*system]);
-    let [Lane([before]), Lane([after])] = work.weights;
+    let form = Work::of(&[*system]);
     let force = |Lane([r]): Lane<1>, Lane([f]): Lane<1>| -f - system.law.conservative_force(r, -f);
     let states = track.displacement.iter().zip(&track.force);
     let states = states.zip(&track.velocity);
     let states: Vec<[f64; 3]> = states
         .map(|((r, f), rdot)| [r.0[0], force(*r, *f), rdot.0[0]])
         .collect();
-    let work = |step: &[[f64; 3]]| {
-        let moved = match work.impulses {
-            None => step[1][0] - step[0][0],
-            Some(Lane([dt])) => dt * (step[0][2] + step[1][2]),
-        };
-        (before * step[0][1] + after * step[1][1]) * moved
+    let work = |step: &[[f64; 3]]| match form {
+        Work::Trapezoids => 0.5 * (step[0][1] + step[1][1]) * (step[1][0] - step[0][0]),
+        Work::Impulses(Lane([dt])) => step[1][1] * dt * (step[0][2] + step[1][2]),
     };
     states.windows(2).map(work).sum()
 }

@@ -1,8 +1,8 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::law::law;
+use super::law::{law, plain_law};
 use super::tables::rows;
-use crate::contact::ContactLaw;
+use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
 use crate::lane::Lane;
 use crate::methods::MethodChoice;
 use crate::methods::average_acceleration::ModeState;
@@ -22,9 +22,9 @@ pub const LANES: usize = 16;
 
 /// The parameters of a case.
 #[derive(Debug, Clone, Copy)]
-pub struct OscillatorCase {
-    pub law: ContactLaw,
-    pub method: MethodChoice,
+pub struct OscillatorCase<W = ContactLaw, M = MethodChoice> {
+    pub law: W,
+    pub method: M,
     /// S(0).
     pub force: f64,
     pub x0: f64,
@@ -33,17 +33,65 @@ pub struct OscillatorCase {
     pub last: u64,
 }
 
+/// A case with a law of `[F]` and constant average acceleration: the one that sweeps of millions have, and small.
+pub type PlainCase = OscillatorCase<PlainLaw, Average>;
+
+/// A law of `[F]`.
+#[derive(Debug, Clone, Copy)]
+pub enum PlainLaw {
+    Displacement(DisplacementControl),
+    Velocity(VelocityControl),
+}
+
+/// Constant average acceleration.
+#[derive(Debug, Clone, Copy)]
+pub struct Average;
+
+impl From<PlainLaw> for ContactLaw {
+    #[inline(always)]
+    fn from(law: PlainLaw) -> ContactLaw {
+        match law {
+            PlainLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
+            PlainLaw::Velocity(law) => ContactLaw::VelocityControl(law),
+        }
+    }
+}
+
+impl From<Average> for MethodChoice {
+    #[inline(always)]
+    fn from(_: Average) -> MethodChoice {
+        MethodChoice::AverageAcceleration
+    }
+}
+
 impl OscillatorCase {
     /// The parameters; `None` if one is not given.
     pub fn new(case: &Case) -> Option<OscillatorCase> {
-        let x0 = case.at(rows::X0)?;
         let (law, force) = law(case)?;
+        let method = method::of_case(case, rows::METHOD)?;
+        OscillatorCase::with(case, law, method, force)
+    }
+}
+
+impl PlainCase {
+    /// The parameters; `None` if one is not given, and for another law or method.
+    pub fn plain(case: &Case) -> Option<PlainCase> {
+        if method::has_rules(case, rows::METHOD) {
+            return None;
+        }
+        let (law, force) = plain_law(case)?;
+        OscillatorCase::with(case, law, Average, force)
+    }
+}
+
+impl<W, M> OscillatorCase<W, M> {
+    fn with(case: &Case, law: W, method: M, force: f64) -> Option<Self> {
         let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(OscillatorCase {
             law,
-            method: method::of_case(case, rows::METHOD)?,
+            method,
             force,
-            x0,
+            x0: case.at(rows::X0)?,
             step,
             duration,
             last: steps(duration, step),
@@ -68,7 +116,7 @@ impl OscillatorCase {
     }
 }
 
-impl ToSystem for OscillatorCase {
+impl<W: Copy + Into<ContactLaw>, M: Copy + Into<MethodChoice>> ToSystem for OscillatorCase<W, M> {
     #[inline(always)]
     fn system(&self) -> System {
         System {
@@ -76,17 +124,19 @@ impl ToSystem for OscillatorCase {
                 mode: UNIT,
                 displacement: self.x0,
             },
-            law: self.law,
+            law: self.law.into(),
             gap: 0.0,
             force: self.force,
             step: self.step,
             last: self.last,
-            method: self.method,
+            method: self.method.into(),
         }
     }
 }
 
-impl LaneCase<LANES> for OscillatorCase {
+impl<W: Copy + Into<ContactLaw>, M: Copy + Into<MethodChoice>> LaneCase<LANES>
+    for OscillatorCase<W, M>
+{
     type Reference = Sampled;
     type Modes = [ModeState<LANES>; 1];
     type Track = Displacements<LANES>;

@@ -1,5 +1,6 @@
 //! The friction law of a case.
 
+use super::case::PlainLaw;
 use super::tables::{InitialSlip, LawName, rows};
 use crate::contact::{
     Bearing, BoucWen, ContactLaw, Dahl, DisplacementControl, Lugre, Stribeck, Tanh, VelocityControl,
@@ -17,25 +18,19 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
         let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
         Some(release_force(slip, number(rows::X0)?))
     };
+    if let Some((law, force)) = plain_law(case) {
+        return Some((law.into(), force));
+    }
     Some(match LawName::parse(case.name_at(rows::LAW))? {
-        LawName::DisplacementControl => {
-            let compliance = number(rows::ALPHA)?;
-            let law = DisplacementControl { compliance, limit };
-            (ContactLaw::DisplacementControl(law), start()?)
-        }
+        LawName::DisplacementControl => return None,
         LawName::VelocityControl => {
-            let compliance = number(rows::BETA)?;
-            let (ratio, rate) = (number(rows::NU_RATIO)?, number(rows::NU_RATE)?);
-            let law = match ratio < 1.0 {
-                true => ContactLaw::Bearing(Bearing {
-                    compliance,
-                    limit,
-                    ratio,
-                    rate,
-                }),
-                false => ContactLaw::VelocityControl(VelocityControl { compliance, limit }),
+            let law = Bearing {
+                compliance: number(rows::BETA)?,
+                limit,
+                ratio: number(rows::NU_RATIO)?,
+                rate: number(rows::NU_RATE)?,
             };
-            (law, 0.0)
+            (ContactLaw::Bearing(law), 0.0)
         }
         LawName::Coulomb => {
             let compliance = 0.0;
@@ -90,6 +85,28 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
             (ContactLaw::Lugre(law), start()?)
         }
     })
+}
+
+/// A law of `[F]` with S(0); `None` if a parameter is not given, and for another law.
+pub fn plain_law(case: &Case) -> Option<(PlainLaw, f64)> {
+    let limit = LIMIT;
+    match LawName::parse(case.name_at(rows::LAW))? {
+        LawName::DisplacementControl => {
+            let compliance = case.at(rows::ALPHA)?;
+            let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
+            let law = DisplacementControl { compliance, limit };
+            let force = release_force(slip, case.at(rows::X0)?);
+            Some((PlainLaw::Displacement(law), force))
+        }
+        LawName::VelocityControl if case.at(rows::NU_RATIO)? == 1.0 => {
+            let compliance = case.at(rows::BETA)?;
+            Some((
+                PlainLaw::Velocity(VelocityControl { compliance, limit }),
+                0.0,
+            ))
+        }
+        _ => None,
+    }
 }
 
 /// Force S(0) at release.

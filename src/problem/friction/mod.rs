@@ -6,7 +6,7 @@ mod tables;
 
 use super::cases::Cases;
 use super::method::{self, step_rules};
-use super::{Case, Problem, Schema, Solution, Violation, selected, sweep_cases, time_rules};
+use super::{Case, Form, Problem, Schema, Solution, Violation, selected, sweep_cases, time_rules};
 use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
@@ -16,7 +16,7 @@ use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
-use case::{LANES, OscillatorCase};
+use case::{LANES, OscillatorCase, PlainCase};
 use std::sync::Arc;
 use tables::{BUDGET, SCHEMA, TAKEN, rows};
 
@@ -52,8 +52,11 @@ impl Problem for FrictionOscillator {
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
-        let own = |case: &Case| self.lane_case(case);
-        sweep_cases::<LANES, _>(self, cases, rows, own)
+        let own = |case: &Case| match PlainCase::plain(case) {
+            Some(own) => Ok(Form::Plain(own)),
+            None => self.lane_case(case).map(Form::Other),
+        };
+        sweep_cases::<LANES, _, _>(self, cases, rows, own)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {

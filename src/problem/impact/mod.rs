@@ -14,7 +14,7 @@ mod tables;
 use super::cases::Cases;
 use super::method;
 use super::unit::Dimension;
-use super::{Case, Problem, Schema, Snapshot, Solution, Violation, selected, sweep_cases};
+use super::{Case, Form, Problem, Schema, Snapshot, Solution, Violation, selected, sweep_cases};
 use crate::contact::ContactLaw;
 use crate::history::History;
 use crate::lane::Lane;
@@ -93,8 +93,11 @@ impl Problem for BarImpact {
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
-        let own = |case: &Case| ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing);
-        sweep_cases::<LANES, _>(self, cases, rows, own)
+        let own = |case: &Case| {
+            let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing);
+            own.map(Form::<_, ImpactCase>::Plain)
+        };
+        sweep_cases::<LANES, _, _>(self, cases, rows, own)
     }
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
