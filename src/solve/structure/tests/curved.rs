@@ -269,15 +269,14 @@ fn force(law: &Relation, [r, rdot]: [f64; 2]) -> Option<f64> {
             }
             _ => None,
         },
-        Relation::CurvedFriction { law, limit } => match law {
-            ContactLaw::Tanh(law) => {
-                let least = (1.0 - law.ratio) * libm::exp(-law.rate * rdot.abs());
-                let limit = limit.constant;
-                Some(limit * (1.0 - least) * libm::tanh(rdot / (law.compliance * limit)))
-            }
-            _ => None,
-        },
-        Relation::DisplacementControl { .. } => None,
+        Relation::CurvedFriction {
+            law: ContactLaw::Tanh(law),
+            limit,
+        } => {
+            let least = (1.0 - law.ratio) * libm::exp(-law.rate * rdot.abs());
+            let limit = limit.constant;
+            Some(limit * (1.0 - least) * libm::tanh(rdot / (law.compliance * limit)))
+        }
         _ => None,
     }
 }
@@ -286,7 +285,7 @@ fn force(law: &Relation, [r, rdot]: [f64; 2]) -> Option<f64> {
 fn several_contacts_with_various_laws_obey_each_law() {
     let ground = ground();
     let mut touched = [0; 6];
-    for which in 0..6 {
+    for (which, touched) in touched.iter_mut().enumerate() {
         let structure = various(which, &ground);
         let (rows, error) = motion(&structure, 0.001, 5000);
         assert!(error < 1e-12, "{which} {error}");
@@ -295,7 +294,7 @@ fn several_contacts_with_various_laws_obey_each_law() {
                 let law = &structure.contacts[c].law;
                 if law.is_impact() {
                     assert!(*s <= 0.0 && (*r < 1e-12 || *s == 0.0));
-                    touched[which] += usize::from(*s < 0.0);
+                    *touched += usize::from(*s < 0.0);
                 } else if !matches!(
                     law,
                     Relation::CurvedFriction {
@@ -395,7 +394,7 @@ fn a_mirrored_structure_has_mirrored_forces() {
 #[test]
 fn a_lane_with_curved_laws_has_its_own_bits_and_leaves_others_alone() {
     let ground = ground();
-    let mut cases = vec![
+    let mut cases = [
         various(0, &ground),
         mixed(4, 1.0, &ground),
         various(3, &ground),
