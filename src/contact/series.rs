@@ -4,7 +4,7 @@
 ///
 /// The motion of the structure is r_m = r + c0 S. A closed contact has r = r(S) with the slope C = dr/dS, so
 /// dS/dt = rdot_m/(C + c0) and rdot = rdot_m C/(C + c0). An open contact has the motion of the structure. `deflection` gives r(S) and C,
-/// see [`super::Law::deflection`]; without it, and for c0 = 0, nothing changes.
+/// see [`super::StoredEnergy::deflection`]; without it, and for c0 = 0, nothing changes.
 ///
 /// A spring with 1/k = 1 and c0 = 3 has a quarter of the motion:
 ///
