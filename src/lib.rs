@@ -83,6 +83,7 @@ pub mod problem;
 pub mod recommend;
 pub mod report;
 pub mod solve;
+pub mod statistics;
 pub mod study;
 pub mod study_figures;
 pub mod system;
