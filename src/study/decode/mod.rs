@@ -2,6 +2,7 @@
 
 pub(super) mod blocks;
 pub(super) mod checks;
+mod ensemble;
 mod references;
 pub(super) mod resolve;
 pub(super) mod units;
@@ -27,11 +28,12 @@ use crate::study::value::{self, name};
 use crate::study::{Check, Figure, Study, structure};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
+use ensemble::ensemble;
 use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(in crate::study) const KEYS: [(&str, &str); 11] = [
+pub(in crate::study) const KEYS: [(&str, &str); 12] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -53,6 +55,10 @@ pub(in crate::study) const KEYS: [(&str, &str); 11] = [
     (
         "metrics",
         "metrics to compute in addition to the default ones; each is a column of results.csv",
+    ),
+    (
+        "ensemble",
+        "a parameter or a list of parameters over which the cases are an ensemble, such as the seed of a record or what a design samples; for each set of values of the others, quantiles.csv has the distribution of every metric",
     ),
     (
         "units",
@@ -134,12 +140,14 @@ pub(in crate::study) fn study(
         faults.add(node.at, "iteration", message);
     }
     let measures = measure::measures(&*problem, units.as_ref());
-    let scope = Scope {
+    let mut scope = Scope {
         problem,
         measures,
         blocks,
+        ensemble: None,
         once,
     };
+    scope.ensemble = ensemble(&object, &scope, faults);
     let metrics = scope.metrics();
     let listed = object.items("metrics", faults, |node, path, faults| {
         name(node, path, "metric", &metrics, faults)
@@ -158,6 +166,7 @@ pub(in crate::study) fn study(
         metrics,
         measures: scope.measures,
         blocks: scope.blocks,
+        ensemble: scope.ensemble.unwrap_or_default(),
         figures,
         checks,
         settings: Vec::new(),
