@@ -1347,6 +1347,11 @@ fn ensembles() {
         ),
         (
             plain,
+            r#""ensemble": "gap", "figures": [{"name": "a", "kind": "quantiles", "x": "gamma", "by": §"gamma", "y": "peak_force"}]"#,
+            &["figures[0].by: must be a parameter other than x"],
+        ),
+        (
+            plain,
             r#""ensemble": "gap", "figures": [§{"name": "a", "kind": "fragility", "x": "gamma", "y": "peak_force"}]"#,
             &["figures[0].limit: missing"],
         ),

@@ -197,7 +197,7 @@ fn newton(points: &[Point], [a, b]: [f64; 2]) -> [f64; 2] {
         h = [h[0] + bend, h[1] + bend * p.z, h[2] + bend * p.z * p.z];
     }
     let determinant = h[0] * h[2] - h[1] * h[1];
-    if !(determinant > 0.0) {
+    if determinant.is_nan() || determinant <= 0.0 {
         return [0.0; 2];
     }
     [
@@ -210,8 +210,11 @@ fn newton(points: &[Point], [a, b]: [f64; 2]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn trials(rows: &[(f64, u64, u64)]) -> Vec<Trials> {
-        let of = |(at, exceeded, count): &(f64, u64, u64)| Trials {
+    /// Value, trials that exceed, and all trials.
+    type Row = (f64, u64, u64);
+
+    fn trials(rows: &[Row]) -> Vec<Trials> {
+        let of = |(at, exceeded, count): &Row| Trials {
             at: *at,
             exceeded: *exceeded,
             count: *count,
@@ -238,7 +241,7 @@ mod tests {
 
     #[test]
     fn data_without_a_fit_say_why() {
-        let why = |rows: &[(f64, u64, u64)]| Fragility::fit(&trials(rows)).unwrap_err();
+        let why = |rows: &[Row]| Fragility::fit(&trials(rows)).unwrap_err();
         assert_eq!(why(&[]), NoFit::None);
         assert_eq!(why(&[(1.0, 0, 5), (2.0, 0, 5)]), NoFit::None);
         assert_eq!(why(&[(1.0, 5, 5), (2.0, 5, 5)]), NoFit::All);
@@ -281,7 +284,7 @@ mod tests {
 
     /// Trials, and the median and dispersion where mpmath finds the derivatives of the likelihood to be zero, in 40 digits.
     /// The probit regression of statsmodels agrees to nine digits.
-    const MPMATH: [(&[(f64, u64, u64)], f64, f64); 4] = [
+    const MPMATH: [(&[Row], f64, f64); 4] = [
         (
             &[
                 (0.25, 0, 20),
@@ -291,7 +294,7 @@ mod tests {
                 (1.5, 16, 20),
                 (2.0, 20, 20),
             ],
-            0.91952033732199741,
+            0.919520337321997,
             0.45062880295815643,
         ),
         (
@@ -303,7 +306,7 @@ mod tests {
                 (0.8, 4, 5),
             ],
             0.48671126943513887,
-            1.3340888394005499,
+            1.33408883940055,
         ),
         (
             &[(1.0, 1, 2), (1.1, 0, 3), (1.2, 3, 3)],
@@ -312,7 +315,7 @@ mod tests {
         ),
         (
             &[(1e-3, 40, 100), (2e-3, 45, 100), (3e-3, 55, 100)],
-            0.0023517773925945562,
+            0.002351777392594556,
             3.0468863739221625,
         ),
     ];

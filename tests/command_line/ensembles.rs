@@ -30,10 +30,26 @@ fn the_tables_of_an_ensemble_are_those_of_its_cases() {
         assert_eq!(row[2..4], ["9", "0"]);
         let number = |place: usize| row[place].parse::<f64>().unwrap();
         // Of nine values the 5th is the median, the 3rd a quarter, the 2nd and 8th the ends of its interval.
-        let found = [number(4), number(7), number(8), number(12), number(15), number(16)];
-        assert_eq!(found, [values[0], values[2], values[4], values[8], values[1], values[7]]);
+        let found = [
+            number(4),
+            number(7),
+            number(8),
+            number(12),
+            number(15),
+            number(16),
+        ];
+        assert_eq!(
+            found,
+            [
+                values[0], values[2], values[4], values[8], values[1], values[7]
+            ]
+        );
     }
-    assert!(rows(&two_samples)[1..].iter().all(|row| row[1..4] == ["alpha", "0.1", "1"]));
+    assert!(
+        rows(&two_samples)[1..]
+            .iter()
+            .all(|row| row[1..4] == ["alpha", "0.1", "1"])
+    );
     let manifest = bench.text("figures/s/manifest.json");
     assert!(manifest.contains("quantiles.csv") && manifest.contains("two_samples.csv"));
     // The same bytes from the store, on one thread, and without results.csv.
@@ -56,7 +72,9 @@ fn outdated_tables_are_removed() {
     bench.file("s.json", &one);
     bench.expect(0, &["run", "s.json"]);
     assert!(exists("quantiles.csv") && !exists("two_samples.csv"));
-    let none = STUDY.replace("\"ensemble\": \"x0\",", "").replace("distribution", "convergence");
+    let none = STUDY
+        .replace("\"ensemble\": \"x0\",", "")
+        .replace("distribution", "convergence");
     bench.file("s.json", &none);
     bench.expect(0, &["run", "s.json"]);
     assert!(!exists("quantiles.csv") && exists("d.png"));

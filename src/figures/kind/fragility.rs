@@ -107,7 +107,7 @@ impl Draw for Fragility {
                 let [x, y] = panel.place([trials.at, part(trials)]);
                 let at = [x + shift, y];
                 let [low, high] = binomial::interval(trials.exceeded, trials.count);
-                let [low, high] = [low, high].map(|p| number::short(p));
+                let [low, high] = [low, high].map(number::short);
                 let label = match ensemble.label.as_str() {
                     "" => String::new(),
                     label => format!("{}: ", plain(label)),

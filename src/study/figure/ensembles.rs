@@ -36,6 +36,10 @@ pub(super) fn check(checker: &mut Checker, x: Option<usize>, by: Option<usize>, 
         checker.fault(key, message);
         suitable = false;
     }
+    if by.is_some() && by == x {
+        checker.fault("by", "must be a parameter other than x");
+        return;
+    }
     if let Some(by) = by.filter(|_| suitable) {
         let distinguished: Vec<usize> = ensemble.iter().copied().chain(x).chain([by]).collect();
         let what = match x {
