@@ -19,9 +19,9 @@ pub fn study(random: &mut RandomChoice) -> String {
             _ => block(&**problem, random).join(", "),
         },
     ];
-    if random.once_in(3) {
-        let over = quoted(parameter(&**problem, random));
-        keys.push(format!("\"ensemble\": {over}"));
+    let ensemble = ensemble(&**problem, &keys[1], random);
+    if let Some(over) = &ensemble {
+        keys.push(format!("\"ensemble\": {}", quoted(over)));
     }
     let some = |count: usize| 0..count;
     if random.once_in(3) {
@@ -32,7 +32,9 @@ pub fn study(random: &mut RandomChoice) -> String {
         ));
     }
     let count = [0, 1, 1, 2][random.below(4)];
-    let figures: Vec<String> = some(count).map(|i| figure(&**problem, i, random)).collect();
+    let figures: Vec<String> = some(count)
+        .map(|i| figure(&**problem, i, ensemble.is_some(), random))
+        .collect();
     keys.push(format!("\"figures\": [{}]", figures.join(", ")));
     if random.once_in(4) {
         let (metric, limit) = (metric(&**problem, random), number(random));
@@ -44,6 +46,21 @@ pub fn study(random: &mut RandomChoice) -> String {
         keys.push("\"iteration\": \"once\"".into());
     }
     braced(keys)
+}
+
+/// A parameter of an ensemble: mostly none, or one that has a list of values in the text of the blocks.
+fn ensemble(problem: &dyn Problem, blocks: &str, random: &mut RandomChoice) -> Option<String> {
+    if !random.once_in(4) {
+        return None;
+    }
+    let table = problem.parameters().iter();
+    let listed = |row: &&Parameter| blocks.contains(&format!("\"{}\": [", row.name));
+    let listed: Vec<&Parameter> = table.filter(listed).collect();
+    if random.once_in(20) {
+        return Some(parameter(problem, random).to_owned());
+    }
+    let row = listed.get(random.below(listed.len().max(1)))?;
+    Some(row.name.to_string())
 }
 
 fn braced(keys: Vec<String>) -> String {
@@ -197,7 +214,12 @@ fn number(random: &mut RandomChoice) -> String {
 }
 
 /// A figure of any kind, with the required keys and some optional ones.
-fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> String {
+fn figure(
+    problem: &dyn Problem,
+    index: usize,
+    ensemble: bool,
+    random: &mut RandomChoice,
+) -> String {
     // Kinds without conditions on the cases first.
     let kinds = [
         "metric",
@@ -210,11 +232,11 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         "wave",
         "map",
         "sobol",
-        "distribution",
-        "quantiles",
-        "fragility",
     ];
     let kind = match random.once_in(2) {
+        _ if ensemble && random.once_in(2) => {
+            random.of(&["distribution", "quantiles", "fragility"])
+        }
         true => kinds[random.below(4)],
         false => random.of(&kinds),
     };
