@@ -2,6 +2,7 @@
 
 mod contacts;
 pub(super) mod keys;
+mod labels;
 mod loads;
 mod names;
 mod parts;
