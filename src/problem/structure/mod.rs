@@ -10,6 +10,7 @@ mod describe;
 mod ground;
 mod judge;
 pub mod loads;
+mod made;
 pub mod metric;
 mod motion;
 pub mod node;

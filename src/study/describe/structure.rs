@@ -290,6 +290,7 @@ pub(super) fn reference() -> String {
     text += &table("`pulse`:", keys::PULSE);
     text += &table("`ricker`:", keys::RICKER);
     text += &table("`cosine`:", keys::COSINE);
+    text += &table("`synthetic`:", keys::SYNTHETIC);
     text += &table("`start`, for each node or bar:", keys::START);
     text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, the following of a contact, and sums and differences such as \
              `g1.right - p2`:\n";
