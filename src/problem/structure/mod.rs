@@ -19,6 +19,8 @@ pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+#[cfg(test)]
+mod tests;
 
 pub use ground::GroundMotion;
 pub use scheme::Scheme;
@@ -147,8 +149,8 @@ impl StructureProblem {
     }
 
     fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
-        let terms = self.drawn.iter().flat_map(|drawn| &drawn.channel.terms);
-        distinct(terms.filter_map(|(_, term)| term.number(numbering).ok().flatten()))
+        let drawn = self.drawn.iter();
+        distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
     }
 
     /// Every channel has its nodes in a case.
