@@ -27,7 +27,7 @@ pub fn add_histories(study: &Study, outcomes: &mut [Outcome]) {
     }
 }
 
-/// The result of `draw` for the cases that a figure shows.
+/// The result of `draw` for the cases that a figure shows; for one case of each group, if it shows reductions.
 pub fn with_cases<T>(
     study: &Study,
     figure: &Figure,
@@ -35,7 +35,12 @@ pub fn with_cases<T>(
     draw: impl FnOnce(&[DrawnCase]) -> T,
 ) -> T {
     let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
-    let chosen: Vec<&Outcome> = chosen.collect();
+    let mut chosen: Vec<&Outcome> = chosen.collect();
+    let shown = figure.kind.measures(&*study.problem);
+    let reduced = batch::reduced(study, &shown, &chosen);
+    if let Some(reduced) = &reduced {
+        chosen = reduced.iter().collect();
+    }
     let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
     let shown: Vec<DrawnCase> = chosen
         .iter()

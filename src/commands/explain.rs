@@ -64,6 +64,12 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         .map(|m| study.measures[*m].name.as_str())
         .collect();
     text += &format!("metrics: {}\n", metrics.join(", "));
+    text += &list(
+        "reductions",
+        study
+            .reductions()
+            .map(|(_, measure, _)| measure.name.as_str()),
+    );
     let figures = study
         .figures
         .iter()

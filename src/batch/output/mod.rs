@@ -3,11 +3,12 @@
 pub mod atomic;
 mod manifest;
 mod names;
+pub mod reductions;
 pub mod sobol;
 pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, problem_of};
-pub use names::{FAILURES, INDICES, RESULTS, history_name};
+pub use names::{FAILURES, INDICES, REDUCTIONS, RESULTS, history_name};
 
 use crate::error::Error;
 use crate::study::Study;
@@ -50,7 +51,7 @@ impl Folder {
         remove_leftovers(&self.path.join(HISTORIES));
         let pictures = |name: &String| ["png", "svg", "pdf"].map(|end| format!("{name}.{end}"));
         let figures = study.figures.iter().flat_map(|f| pictures(&f.name));
-        let tables = [RESULTS, FAILURES, INDICES].map(String::from);
+        let tables = [RESULTS, FAILURES, INDICES, REDUCTIONS].map(String::from);
         let names = tables.into_iter().chain(figures).collect();
         Manifest::read(&self.path)?.begin(&self.path, study, file, names, cases)
     }

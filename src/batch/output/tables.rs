@@ -137,7 +137,7 @@ pub fn write_history(
 }
 
 /// A number; empty if it is undefined.
-fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: Option<f64>) -> String {
     value
         .filter(|x| x.is_finite())
         .map(shortest)

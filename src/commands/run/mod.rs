@@ -12,9 +12,10 @@ use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{note, print, progress};
 use clap::ValueEnum;
+use slipgap::batch::output::reductions::ReducedMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::tables::write_history;
-use slipgap::batch::output::{Folder, INDICES, history_name};
+use slipgap::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, RunOptions};
 use slipgap::error::Error;
@@ -106,11 +107,13 @@ pub fn run_study(
     };
     let mut histories = Vec::new();
     let mut designs = DesignMetrics::new(study);
+    let mut reductions = ReducedMetrics::new(study);
     let mut without_contact = 0;
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
         designs.add(&part);
+        reductions.add(&part);
         // Cases are separated from the columns only if they are needed one by one.
         if !tables.has_results()
             && study.figures.is_empty()
@@ -149,6 +152,15 @@ pub fn run_study(
     }
     if let Some(indices) = indices(source, &designs)? {
         paths.push(folder.write(INDICES, &indices)?);
+    }
+    if let Some(table) = reductions.table()? {
+        for (name, empty, cases) in &table.empty {
+            note(&format!(
+                "{}: \"{name}\" is of the other cases: {empty} of {cases} have no value",
+                source.file.display()
+            ));
+        }
+        paths.push(folder.write(REDUCTIONS, &table.bytes)?);
     }
     figures::write(study, &mut shown, args.dpi, &mut folder, &mut paths)?;
     // An outdated part that cannot be removed is reported last, because the results are complete.

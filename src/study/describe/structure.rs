@@ -1,6 +1,6 @@
 //! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::schema::{block_keys, several, width_and_pair};
+use super::schema::{block_keys, reduction, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::Range;
@@ -52,7 +52,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
                 "required": ["kind"],
                 "allOf": figures,
             } },
-            "checks": { "items": check(&metric) },
+            "checks": { "items": check(&json!({ "anyOf": [metric, reduction()] })) },
         } },
         "else": { "properties": { "structure": false } },
     })
