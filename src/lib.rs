@@ -25,8 +25,8 @@
 //! ```
 //!
 //! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`checks`], [`compare`],
-//! [`recommend`], [`figures`], [`batch`] with the store, [`indices`], [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
-//! [`exact`], [`methods`], [`system`], [`contact`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
+//! [`recommend`], [`figures`], [`batch`] with the store, [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
+//! [`exact`], [`methods`], [`system`], [`contact`], [`statistics`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
 //! iteration, which the fast form is tested against.
 //!
 //! Structures with many contacts ([`system::structure`]) have the same data flow, with the forces of a step as a small convex
@@ -75,7 +75,6 @@ pub mod error;
 pub mod exact;
 pub mod figures;
 pub mod history;
-pub mod indices;
 pub mod lane;
 pub mod methods;
 pub mod metrics;

@@ -5,6 +5,7 @@ use super::run::{self, RunArgs, Tally};
 use super::sources::Source;
 use super::terminal::{note, print, progress};
 use indicatif::ProgressBar;
+use slipgap::batch::output::ensemble::EnsembleMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::{Folder, is_outdated};
 use slipgap::batch::store::Store;
@@ -14,7 +15,7 @@ use slipgap::claims::compute;
 use slipgap::error::Error;
 use slipgap::figures::style;
 use slipgap::report::{
-    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Results, Section, TestedReading,
+    self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
 };
 use slipgap::study_figures;
 use std::path::{Path, PathBuf};
@@ -67,9 +68,13 @@ fn section<'a>(
     let mut shown = Vec::new();
     let mut designs = DesignMetrics::new(study);
     let mut reduced = ReducedChecks::new(study);
+    let mut ensembles = EnsembleMetrics::new(study);
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         designs.add(&part);
+        if let Some(ensembles) = &mut ensembles {
+            ensembles.add(&part);
+        }
         for (number, outcome) in part.outcomes(study) {
             results.add(&outcome);
             counts.add(number, &outcome);
@@ -102,6 +107,7 @@ fn section<'a>(
         results,
         counts,
         indices: Indices::new(indices.as_deref().unwrap_or_default()),
+        quantiles: ensembles.as_ref().map(Quantiles::new),
         checks,
         claims,
     })

@@ -6,6 +6,7 @@ mod column;
 mod counts;
 mod drawing;
 mod indices;
+mod quantiles;
 mod results;
 mod text;
 
@@ -13,6 +14,7 @@ pub use checks::Checks;
 pub use counts::Counts;
 pub use drawing::Drawing;
 pub use indices::Indices;
+pub use quantiles::Quantiles;
 pub use results::{MOST_BYTES, Results};
 
 use crate::batch::key::SOLVER_VERSION;
@@ -49,6 +51,8 @@ pub struct Section<'a> {
     pub counts: Counts,
     /// The indices of its saltelli designs.
     pub indices: Indices,
+    /// The distributions of its metrics over ensembles, if it has some.
+    pub quantiles: Option<Quantiles>,
     /// Its checks.
     pub checks: Checks,
     /// The readings that it tests.
@@ -129,6 +133,9 @@ fn write_section(out: &mut impl Write, i: usize, section: &Section) -> io::Resul
         figure.write(out)?;
     }
     section.indices.write(out)?;
+    if let Some(quantiles) = &section.quantiles {
+        quantiles.write(out)?;
+    }
     section.checks.write(out)?;
     write_claims(out, &section.claims)?;
     section.results.write(out)?;

@@ -1,3 +1,16 @@
-//! Numbers that describe many values: quantiles, distributions and their intervals, tests. They know no studies.
+//! Numbers that describe many values: quantiles, distributions and their intervals, tests and fits, Sobol' indices. They
+//! know no studies.
 
+pub mod beta;
+pub mod binomial;
+pub mod empirical;
+pub mod kolmogorov_smirnov;
+pub mod lognormal;
+pub mod median;
+pub mod moments;
+pub mod normal;
 pub mod quantile;
+pub mod sobol;
+
+/// Confidence of all intervals and bands.
+pub const CONFIDENCE: f64 = 0.95;

@@ -63,6 +63,8 @@ pub struct Study {
     pub metrics: Vec<usize>,
     /// Rows of `measures` that are columns of results.csv: each metric, then the same in units.
     pub columns: Vec<usize>,
+    /// Rows of `problem.parameters()` over which the cases are an ensemble; empty if the study has none.
+    pub ensemble: Vec<usize>,
     /// Figures to draw.
     pub figures: Vec<Figure>,
     /// Limits to test.

@@ -36,6 +36,7 @@ fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String 
         results,
         counts,
         indices: Indices::default(),
+        quantiles: None,
         checks: Checks::default(),
         claims: Vec::new(),
     };

@@ -1,6 +1,7 @@
 //! The folder of a study's results. It has only complete files, and no outdated files of former runs.
 
 pub mod atomic;
+pub mod ensemble;
 mod manifest;
 mod names;
 pub mod reductions;
@@ -8,7 +9,7 @@ pub mod sobol;
 pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, problem_of};
-pub use names::{FAILURES, INDICES, REDUCTIONS, RESULTS, history_name};
+pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
 
 use crate::error::Error;
 use crate::study::Study;
@@ -51,7 +52,15 @@ impl Folder {
         remove_leftovers(&self.path.join(HISTORIES));
         let pictures = |name: &String| ["png", "svg", "pdf"].map(|end| format!("{name}.{end}"));
         let figures = study.figures.iter().flat_map(|f| pictures(&f.name));
-        let tables = [RESULTS, FAILURES, INDICES, REDUCTIONS].map(String::from);
+        let tables = [
+            RESULTS,
+            FAILURES,
+            INDICES,
+            REDUCTIONS,
+            QUANTILES,
+            TWO_SAMPLES,
+        ];
+        let tables = tables.map(String::from);
         let names = tables.into_iter().chain(figures).collect();
         Manifest::read(&self.path)?.begin(&self.path, study, file, names, cases)
     }
@@ -60,6 +69,16 @@ impl Folder {
     pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<PathBuf, Error> {
         self.written.push(name.to_owned());
         self.write_unlisted(name, |out| out.write_all(bytes))
+    }
+
+    /// Writes a file piece by piece and returns its path.
+    pub fn write_with(
+        &mut self,
+        name: &str,
+        write: impl FnOnce(&mut AtomicFile) -> io::Result<()>,
+    ) -> Result<PathBuf, Error> {
+        self.written.push(name.to_owned());
+        self.write_unlisted(name, write)
     }
 
     /// Writes a file, as in `histories/3.csv`, that is not listed as written; see [`Folder::list`].

@@ -12,6 +12,12 @@ pub const INDICES: &str = "sobol.csv";
 /// Name of the table of reductions.
 pub const REDUCTIONS: &str = "reductions.csv";
 
+/// Name of the table of the distributions of metrics over ensembles.
+pub const QUANTILES: &str = "quantiles.csv";
+
+/// Name of the table of tests between ensembles.
+pub const TWO_SAMPLES: &str = "two_samples.csv";
+
 /// Folder of the histories, each `CASE.csv`.
 pub const HISTORIES: &str = "histories";
 

@@ -2,8 +2,8 @@
 
 use crate::batch::PartResult;
 use crate::error::Error;
-use crate::indices::{Index, indices};
 use crate::problem::parameter::shortest;
+use crate::statistics::sobol::{Index, indices};
 use crate::study::{Block, Sampling, Study};
 
 /// The table's columns.

@@ -87,6 +87,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
             problem: study.problem.clone(),
             measures: study.measures.clone(),
             blocks: study.blocks.clone(),
+            ensemble: None,
             once: study.once,
         };
         (scope, figures, study.columns.clone())

@@ -12,16 +12,17 @@ use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{note, print, progress};
 use clap::ValueEnum;
+use slipgap::batch::output::ensemble::EnsembleMetrics;
 use slipgap::batch::output::reductions::ReducedMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::tables::write_history;
-use slipgap::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
+use slipgap::batch::output::{Folder, INDICES, QUANTILES, REDUCTIONS, TWO_SAMPLES, history_name};
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, RunOptions};
 use slipgap::error::Error;
 use slipgap::problem::{Solution, cases_without_contact};
 use slipgap::study_figures;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tables::Tables;
 
 /// Largest number of cases for which results.csv is written by default.
@@ -108,12 +109,16 @@ pub fn run_study(
     let mut histories = Vec::new();
     let mut designs = DesignMetrics::new(study);
     let mut reductions = ReducedMetrics::new(study);
+    let mut ensembles = EnsembleMetrics::new(study);
     let mut without_contact = 0;
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
         designs.add(&part);
         reductions.add(&part);
+        if let Some(ensembles) = &mut ensembles {
+            ensembles.add(&part);
+        }
         // Cases are separated from the columns only if they are needed one by one.
         if !tables.has_results()
             && study.figures.is_empty()
@@ -162,6 +167,9 @@ pub fn run_study(
         }
         paths.push(folder.write(REDUCTIONS, &table.bytes)?);
     }
+    if let Some(ensembles) = &ensembles {
+        write_ensembles(source, ensembles, &mut folder, &mut paths)?;
+    }
     figures::write(study, &mut shown, args.dpi, &mut folder, &mut paths)?;
     // An outdated part that cannot be removed is reported last, because the results are complete.
     let closed = store.close();
@@ -195,4 +203,29 @@ pub fn indices(source: &Source, designs: &DesignMetrics) -> Result<Option<Vec<u8
         ));
     }
     Ok(Some(table.bytes))
+}
+
+/// Writes the tables of a study with an ensemble, and reports metrics that are empty in some cases.
+fn write_ensembles(
+    source: &Source,
+    ensembles: &EnsembleMetrics,
+    folder: &mut Folder,
+    paths: &mut Vec<PathBuf>,
+) -> Result<(), Error> {
+    paths.push(folder.write_with(QUANTILES, |out| ensembles.write_quantiles(out))?);
+    if ensembles.has_pairs() {
+        paths.push(folder.write_with(TWO_SAMPLES, |out| ensembles.write_two_samples(out))?);
+    }
+    let empty = ensembles
+        .empty()
+        .map(|(metric, count)| format!("{metric} in {count}"));
+    let empty: Vec<String> = empty.collect();
+    if !empty.is_empty() {
+        let (file, all) = (source.file.display(), ensembles.cases());
+        let empty = empty.join(", ");
+        note(&format!(
+            "{file}: {QUANTILES} leaves out empty values: {empty} of {all} cases"
+        ));
+    }
+    Ok(())
 }

@@ -9,7 +9,7 @@ use crate::figures::layout::legend::Key;
 use crate::figures::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
 use crate::figures::layout::ticks;
 use crate::figures::style::{self, Marker, Stroke};
-use crate::indices::{Index, indices};
+use crate::statistics::sobol::{Index, indices};
 use crate::study::kinds::Sobol;
 use crate::study::{Figure, Scale, Study};
 

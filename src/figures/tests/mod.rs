@@ -76,6 +76,7 @@ pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
         sha256: String::new(),
         problem: problem.clone(),
         blocks: Vec::new(),
+        ensemble: Vec::new(),
         units: None,
         measures: crate::study::measures(&*problem, None),
         metrics: Vec::new(),

@@ -6,6 +6,7 @@ mod complete;
 mod counts;
 pub(super) mod derived;
 pub(super) mod design;
+pub(crate) mod ensemble;
 pub(super) mod filter;
 pub(super) mod group;
 pub(super) mod representative;

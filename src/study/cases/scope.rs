@@ -22,6 +22,8 @@ pub(crate) struct Scope {
     pub measures: Vec<Measure>,
     /// Empty if a block is faulty. The cases that a filter selects are then not tested.
     pub blocks: Vec<Block>,
+    /// Parameters over which the cases are an ensemble; `None` without one, empty if the key has a fault.
+    pub ensemble: Option<Vec<usize>>,
     /// Whether each step is solved once; there are then no profiles.
     pub once: bool,
 }

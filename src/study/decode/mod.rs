@@ -2,6 +2,7 @@
 
 pub(super) mod blocks;
 pub(super) mod checks;
+mod ensemble;
 mod references;
 pub(super) mod resolve;
 pub(super) mod units;
@@ -27,6 +28,7 @@ use crate::study::value::{self, name};
 use crate::study::{Check, Figure, Study, reduction, structure};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
+use ensemble::ensemble;
 use std::sync::Arc;
 use validate::MOST_CASES;
 
@@ -55,6 +57,10 @@ pub(in crate::study) const KEYS: [(&str, &str); 12] = [
         "metrics to compute in addition to the default ones; each is a column of results.csv",
     ),
     reduction::decode::KEY,
+    (
+        "ensemble",
+        "a parameter or a list of parameters over which the cases are an ensemble, such as the seed of a record or what a design samples; for each set of values of the others, quantiles.csv has the distribution of every metric",
+    ),
     (
         "units",
         "names of the units of the parameters; results.csv then has the results in these units, too; nothing is converted",
@@ -138,12 +144,14 @@ pub(in crate::study) fn study(
     let metrics: Vec<String> = measures.iter().map(|m| m.name.clone()).collect();
     let reductions = reduction::decode::measures(&object, &*problem, &measures, &blocks, faults);
     measures.extend(reductions);
-    let scope = Scope {
+    let mut scope = Scope {
         problem,
         measures,
         blocks,
+        ensemble: None,
         once,
     };
+    scope.ensemble = ensemble(&object, &scope, faults);
     let metrics: Vec<&str> = metrics.iter().map(String::as_str).collect();
     let listed = object.items("metrics", faults, |node, path, faults| {
         name(node, path, "metric", &metrics, faults)
@@ -162,6 +170,7 @@ pub(in crate::study) fn study(
         metrics,
         measures: scope.measures,
         blocks: scope.blocks,
+        ensemble: scope.ensemble.unwrap_or_default(),
         figures,
         checks,
         settings: Vec::new(),

@@ -112,6 +112,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "metrics": { "items": metric },
+            "ensemble": several(parameter_names(problem, false)),
             "units": if problem.schema().units.is_empty() { json!(false) } else { units() },
             "figures": { "items": figure },
             "checks": { "items": check(problem) },
@@ -195,13 +196,16 @@ fn of_kind(kind: &kinds::Kind, problem: &dyn Problem) -> Json {
     })
 }
 
+/// The name of a parameter; of one that is a number, if `numeric`.
+fn parameter_names(problem: &dyn Problem, numeric: bool) -> Json {
+    let table = problem.parameters().iter();
+    let suitable = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
+    names(suitable.map(|p| (&*p.name, &*p.meaning)))
+}
+
 /// The value of a key of a figure.
 fn taken(key: &Key, problem: &dyn Problem) -> Json {
-    let parameters = |numeric: bool| {
-        let table = problem.parameters().iter();
-        let suitable = table.filter(|p| !numeric || !matches!(p.kind, Kind::Choice(_)));
-        names(suitable.map(|p| (&*p.name, &*p.meaning)))
-    };
+    let parameters = |numeric: bool| parameter_names(problem, numeric);
     let profiles = || {
         names(
             problem

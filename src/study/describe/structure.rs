@@ -45,6 +45,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "structure": structure,
             "metrics": { "items": metric },
+            "ensemble": several(json!({ "type": "string" })),
             "units": false,
             "figures": { "items": {
                 "type": "object",

@@ -1,0 +1,55 @@
+//! two_samples.csv: whether the distributions of a metric differ between the values of a parameter.
+
+use super::pairs::Pair;
+use super::{EnsembleMetrics, text};
+use crate::problem::parameter::{Value, shortest};
+use crate::statistics::kolmogorov_smirnov::test;
+use rayon::prelude::*;
+use std::io::{self, Write};
+
+impl EnsembleMetrics<'_> {
+    /// Whether ensembles can be compared.
+    pub fn has_pairs(&self) -> bool {
+        !self.pairs().is_empty()
+    }
+
+    /// Writes two_samples.csv, metric by metric.
+    pub fn write_two_samples(&self, out: impl Write) -> io::Result<()> {
+        let (varying, pairs) = (self.varying(), self.pairs());
+        let mut writer = csv::Writer::from_writer(out);
+        let names = varying.iter().map(|place| self.column_name(*place));
+        let header = ["metric", "parameter", "value_1", "value_2"].into_iter();
+        writer.write_record(header.chain(names).chain(["n_1", "n_2", "D", "p"]))?;
+        for column in 0..self.columns.len() {
+            let samples = self.samples(column);
+            let rows = pairs.par_iter().map(|pair| {
+                let [a, b] = pair.ensembles.map(|ensemble| &samples[ensemble].rising);
+                let test = test(a, b);
+                let cells = test.map_or_else(Default::default, |test| {
+                    [test.distance, test.p].map(shortest)
+                });
+                let counts = [a.len(), b.len()].map(|count| count.to_string());
+                counts.into_iter().chain(cells).collect::<Vec<String>>()
+            });
+            let rows: Vec<Vec<String>> = rows.collect();
+            for (pair, numbers) in pairs.iter().zip(rows) {
+                let names = [self.metric(column), self.column_name(pair.place)];
+                let row = names.map(String::from).into_iter();
+                let row = row.chain(self.values(pair, &varying));
+                writer.write_record(row.chain(numbers))?;
+            }
+        }
+        writer.flush()
+    }
+
+    /// Both values of the parameter of a pair, and what both ensembles share, or one alone has.
+    fn values(&self, pair: &Pair, varying: &[usize]) -> Vec<String> {
+        let [a, b] = pair.ensembles.map(|ensemble| &self.ensembles[ensemble]);
+        let both = [a, b].map(|values| text(values[pair.place]));
+        let shared = varying.iter().map(|place| match (a[*place], b[*place]) {
+            (Some(a), Some(b)) if !Value::identical(Some(a), Some(b)) => String::new(),
+            (a, b) => text(a.or(b)),
+        });
+        both.into_iter().chain(shared).collect()
+    }
+}
