@@ -18,6 +18,7 @@ pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+mod units;
 
 pub use ground::GroundMotion;
 pub use scheme::Scheme;
