@@ -19,6 +19,8 @@ pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+mod units;
+
 #[cfg(test)]
 mod tests;
 

@@ -33,7 +33,7 @@ use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(in crate::study) const KEYS: [(&str, &str); 12] = [
+pub(in crate::study) const KEYS: [(&str, &str); 13] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
