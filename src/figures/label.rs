@@ -74,9 +74,21 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
         let mut blocks = study.blocks.iter();
         blocks.all(|block| block.follows(&all, *row, &[x]))
     };
+    // Blocks may give different values at the same place.
+    let one_a_place = |row: usize| {
+        let mut found = HashMap::new();
+        cases.iter().all(|shown| {
+            let (place, its) = (
+                shown.case.values[x].map(Value::identity),
+                shown.case.values[row],
+            );
+            same(*found.entry(place).or_insert(its), its)
+        })
+    };
     let (mut along, mut distinguishing) = (vec![x], Vec::new());
     for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
-        match !worked_out(&row) && !study.blocks.is_empty() && follows(&row) {
+        let follows = !study.blocks.is_empty() && follows(&row) && one_a_place(row);
+        match !worked_out(&row) && follows {
             true => along.push(row),
             false if !worked_out(&row) => distinguishing.push(row),
             false => {}

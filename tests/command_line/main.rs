@@ -14,6 +14,7 @@ mod files;
 mod interrupted;
 mod kept;
 mod pictures;
+mod reductions;
 mod same_bytes;
 mod settings;
 mod store;

@@ -181,26 +181,26 @@ impl Scope<'_> {
 
     /// The measure of a reduction, or of a text with a fault.
     fn measure(&self, name: String, reduction: Option<Reduction>) -> Measure {
-        let table = self.problem.parameters();
-        let of = &self.measures[reduction.as_ref().map_or(0, |reduction| reduction.of)];
-        let reduction = reduction.unwrap_or(Reduction {
+        let of = reduction
+            .as_ref()
+            .map(|reduction| &self.measures[reduction.of]);
+        let word = reduction.as_ref().map(|reduction| reduction.word.title());
+        let nothing = Reduction {
             word: Word::Least,
             of: 0,
             over: Vec::new(),
             lost: Vec::new(),
             kept: Vec::new(),
-        });
-        let over = reduction.over.iter().map(|row| &*table[*row].symbol);
-        let over: Vec<&str> = over.collect();
-        let word = reduction.word.title();
+        };
+        let text = |of: Option<&String>| of.cloned().unwrap_or_default();
         Measure {
-            symbol: format!("{word} {} over {}", of.symbol, over.join(", ")),
-            meaning: format!("{name}: {}", of.meaning),
+            symbol: format!("{} {}", text(word.as_ref()), text(of.map(|of| &of.symbol))),
+            meaning: format!("{name}: {}", text(of.map(|of| &of.meaning))),
             name,
-            unit: of.unit.clone(),
-            metric: of.metric,
-            dimension: of.dimension,
-            reduction: Some(reduction),
+            unit: text(of.map(|of| &of.unit)),
+            metric: of.map_or(0, |of| of.metric),
+            dimension: of.and_then(|of| of.dimension),
+            reduction: Some(reduction.unwrap_or(nothing)),
         }
     }
 }

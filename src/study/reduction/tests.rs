@@ -259,31 +259,31 @@ fn figures_show_reductions_over_the_same_parameters_and_nothing_of_these() {
         ),
         (
             format!(r#""kind": "metric", "x": "alpha", "y": {least}"#),
-            "figures[0].x: the metrics of the figure are reduced over alpha",
+            "figures[0].x: the metrics are reduced over alpha",
         ),
         (
             format!(r#""kind": "metric", "x": "x0", "by": "alpha", "y": {least}"#),
-            "figures[0].by: the metrics of the figure are reduced over alpha",
+            "figures[0].by: the metrics are reduced over alpha",
         ),
         (
             format!(r#""kind": "scatter", "x": "alpha", "y": {least}"#),
-            "figures[0].x: the metrics of the figure are reduced over alpha",
+            "figures[0].x: the metrics are reduced over alpha",
         ),
         (
             format!(r#""kind": "map", "x": "x0", "y": "beta", "z": {least}"#),
-            "figures[0].y: the metrics of the figure are reduced over beta",
+            "figures[0].y: the metrics are reduced over beta",
         ),
         (
             format!(r#""kind": "front", "x": {mean}, "y": {least}, "by": ["law", "beta"]"#),
-            "figures[0].by[1]: the metrics of the figure are reduced over beta",
+            "figures[0].by[1]: the metrics are reduced over beta",
         ),
         (
             format!(r#""kind": "convergence", "y": {over_steps}"#),
-            "figures[0].x: the metrics of the figure are reduced over dT",
+            "figures[0].x: the metrics are reduced over dT",
         ),
         (
             format!(r#""kind": "metric", "x": "duration", "y": {over_steps}"#),
-            "figures[0].x: duration changes with dT, which the metrics of the figure are reduced over",
+            "figures[0].x: duration changes with dT, which the metrics are reduced over",
         ),
         (
             format!(r#""kind": "metric", "x": "x0", "y": [{least}, "rms_error"]"#),
