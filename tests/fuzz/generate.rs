@@ -19,6 +19,10 @@ pub fn study(random: &mut RandomChoice) -> String {
             _ => block(&**problem, random).join(", "),
         },
     ];
+    if random.once_in(3) {
+        let over = quoted(parameter(&**problem, random));
+        keys.push(format!("\"ensemble\": {over}"));
+    }
     let some = |count: usize| 0..count;
     if random.once_in(3) {
         let metrics = some(2).map(|_| quoted(metric(&**problem, random)));
@@ -206,6 +210,9 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         "wave",
         "map",
         "sobol",
+        "distribution",
+        "quantiles",
+        "fragility",
     ];
     let kind = match random.once_in(2) {
         true => kinds[random.below(4)],
@@ -220,6 +227,17 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         "profile" => add("times", format!("[0, {}]", random.between(0.0, 0.6))),
         "metric" | "budget" if random.once_in(2) => add("x", quoted(problem.schema().step_name())),
         "metric" | "budget" => add("x", quoted(parameter(problem, random))),
+        "fragility" => {
+            add("x", quoted(parameter(problem, random)));
+            add("y", quoted(metric(problem, random)));
+            add("limit", random.between(-1.0, 2.0).to_string());
+        }
+        "quantiles" => {
+            add("x", quoted(parameter(problem, random)));
+            if random.once_in(3) {
+                add("band", format!("[{}, 1]", random.between(0.0, 1.1)));
+            }
+        }
         "map" => {
             add("x", quoted(parameter(problem, random)));
             add("y", quoted(parameter(problem, random)));
@@ -227,7 +245,15 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         }
         _ => {}
     }
-    if ["metric", "convergence", "sobol"].contains(&kind) {
+    if [
+        "metric",
+        "convergence",
+        "sobol",
+        "distribution",
+        "quantiles",
+    ]
+    .contains(&kind)
+    {
         add("y", format!("[\"{}\"]", metric(problem, random)));
     }
     if kind == "metric" && random.once_in(2) {
