@@ -3,6 +3,7 @@
 pub mod chunk;
 mod compute;
 pub mod cost;
+pub mod divergence;
 pub mod key;
 mod options;
 pub mod output;

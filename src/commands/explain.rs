@@ -4,7 +4,7 @@ use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{print, progress, table};
 use slipgap::batch::cost::{measure, total};
-use slipgap::batch::{RunOptions, chunk};
+use slipgap::batch::{RunOptions, chunk, divergence};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
@@ -58,6 +58,9 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         text += &format!("\nthis case cannot be solved: {why}\n");
     }
     text += &format!("\n{}", cost(study, &case)?);
+    if let Some(divergence) = divergence::sampled(study) {
+        text += &format!("divergence: {divergence}\n");
+    }
     let metrics: Vec<&str> = study
         .columns
         .iter()

@@ -77,7 +77,7 @@ fn section<'a>(
         }
         for (number, outcome) in part.outcomes(study) {
             results.add(&outcome);
-            counts.add(number, &outcome);
+            counts.add(study, number, &outcome);
             checks.judge(study, number, &outcome);
             reduced.add(number, &outcome.case, |metric| outcome.metrics[metric]);
             if study_figures::show(study, &outcome.case) {
@@ -88,6 +88,7 @@ fn section<'a>(
     })?;
     progress::finish(&bar, &source.name, &tally.summary(results.cases()));
     store.close()?;
+    counts.look_for_divergence(study);
     checks.judge_reduced(study, &reduced);
     let indices = run::indices(source, &designs)?;
     let mut drawings = Vec::new();

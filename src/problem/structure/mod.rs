@@ -7,6 +7,7 @@ mod columns;
 pub mod contacts;
 mod damping;
 mod describe;
+mod diverge;
 mod ground;
 mod judge;
 pub mod loads;
@@ -285,6 +286,14 @@ impl Problem for StructureProblem {
             Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact),
             Err(_) => Vec::new(),
         }
+    }
+
+    fn diverges(&self, case: &Case) -> Option<bool> {
+        self.case_diverges(case)
+    }
+
+    fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
+        self.metrics_say(metrics)
     }
 
     fn scheme(&self, case: &Case) -> Option<Scheme> {

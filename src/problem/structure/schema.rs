@@ -5,7 +5,7 @@ use super::metric::{Reduction, StructureMetric};
 use super::units::UnitNames;
 use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
-use crate::problem::schema::{Channel as Column, Metric, Quantity, TimeAxis};
+use crate::problem::schema::{Channel as Column, Metric, NO_VALUE, Quantity, TimeAxis};
 use crate::problem::unit::Dimension;
 use crate::problem::{Budget, Schema, Text, escape};
 use std::borrow::Cow::{self, Borrowed};
@@ -69,6 +69,10 @@ pub fn schema(
         unit: Borrowed("1"),
         meaning: Borrowed(metric.reduction.meaning()),
         default: true,
+        empty: Borrowed(match metric.reduction {
+            Reduction::Divergence => "never",
+            _ => NO_VALUE,
+        }),
     };
     let channel = |drawn: &Drawn| Column {
         name: drawn.name.clone().into(),
