@@ -9,6 +9,7 @@ mod compare;
 mod designs;
 #[cfg(unix)]
 mod ended;
+mod ensembles;
 mod files;
 #[cfg(unix)]
 mod interrupted;
