@@ -39,7 +39,7 @@ fn the_table_has_every_reduction_of_every_group() {
     );
     bench.file("s.json", &study);
     let done = bench.expect(0, &["run", "s.json"]);
-    let note = "s.json: \"worst rest_error over alpha, beta\" is of the other cases: 2 of 10 have no value";
+    let note = "s.json: \"worst rest_error over alpha, beta\" leaves out 2 of 10 cases, which have no value";
     assert!(done.err.contains(note), "{}", done.err);
     assert!(done.out.contains("reductions.csv"));
     assert!(
@@ -154,6 +154,15 @@ fn checks_choose_cases_before_they_are_reduced() {
         done.out
     );
     assert!(done.err.contains("6 checks, 1 not met"), "{}", done.err);
+    // What is left out is reported.
+    let rest = r#"{"metric": "worst rest_error over alpha, beta", "max": 1}"#;
+    let text = format!(
+        r#"{LAWS}, "reductions": ["worst rest_error over alpha, beta"], "checks": [{rest}]}}"#
+    );
+    bench.file("rest.json", text);
+    let done = bench.expect(0, &["check", "rest.json"]);
+    let note = "rest.json: \"worst rest_error over alpha, beta\" leaves out 2 of 10 cases";
+    assert!(done.err.contains(note), "{}", done.err);
     // The page has the same verdicts.
     bench.expect(0, &["report", "s.json"]);
     let page = bench.text("figures/report.html");

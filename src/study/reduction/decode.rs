@@ -164,12 +164,10 @@ impl Scope<'_> {
             };
             if rows.contains(&row) {
                 fault(format!("{name} given twice"));
-            } else if !self.blocks.is_empty() && !takes_several(self.blocks, row) {
-                let computed = matches!(table[row].default, Default::Follows(_));
-                let given = self.blocks.iter().any(|block| block.gives(row));
-                let why = match computed && !given {
+            } else if !self.blocks.is_empty() && !self.blocks.iter().any(|b| b.gives(row)) {
+                let why = match matches!(table[row].default, Default::Follows(_)) {
                     true => "is computed from other parameters; name one that the study gives",
-                    false => "does not vary; a reduction is over parameters that vary",
+                    false => "is not given; a reduction is over parameters that the study gives",
                 };
                 fault(format!("{name} {why}"));
             } else {
@@ -225,12 +223,9 @@ fn constant(block: &Block, row: usize) -> Constant {
 /// Whether the values that the study gives a parameter differ, or some of its blocks give none.
 pub(super) fn varies(blocks: &[Block], row: usize) -> bool {
     let missing = |block: &Block| matches!(constant(block, row), Constant::Missing);
-    let some = blocks.iter().any(missing) && !blocks.iter().all(missing);
-    some || takes_several(blocks, row)
-}
-
-/// Whether the study gives a parameter several values.
-fn takes_several(blocks: &[Block], row: usize) -> bool {
+    if blocks.iter().any(missing) && !blocks.iter().all(missing) {
+        return true;
+    }
     let mut first = None;
     blocks.iter().any(|block| match constant(block, row) {
         Constant::Missing => false,

@@ -141,6 +141,12 @@ fn faults_say_what_is_allowed() {
     for (text, message) in [
         (r#""least rms_error over alpha""#, ""),
         (r#""quantile 0.84 of rms_error over alpha , beta""#, ""),
+        // One value, as the command line may set it.
+        (r#""mean rms_error over duration""#, ""),
+        (
+            r#""minimum rms_error over alpha""#,
+            "reductions[0]: unknown word \"minimum\", did you mean \"least\"?",
+        ),
         (
             r#""leest rms_error over alpha""#,
             "s:6:26: reductions[0]: unknown word \"leest\", did you mean \"least\"?; allowed: least, greatest, best, worst, mean, median, quantile P of",
@@ -179,7 +185,7 @@ fn faults_say_what_is_allowed() {
         ),
         (
             r#""mean rms_error over static_ratio""#,
-            "reductions[0]: static_ratio does not vary; a reduction is over parameters that vary",
+            "reductions[0]: static_ratio is not given; a reduction is over parameters that the study gives",
         ),
         (r#"7"#, "reductions[0]: must be a string, got 7"),
     ] {
