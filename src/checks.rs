@@ -3,7 +3,7 @@
 use crate::batch::Outcome;
 use crate::problem::Case;
 use crate::problem::parameter::shortest;
-use crate::study::Study;
+use crate::study::{Groups, Study};
 
 /// One check on one case.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,14 +41,15 @@ impl Verdict {
     }
 }
 
-/// The checks that apply to a case, by their index in the study, each with the value that it tests.
+/// The checks of single cases that apply to a case, by their index in the study, each with the value that it tests.
 pub fn applicable(
     study: &Study,
     case: &Case,
     value: impl Fn(usize) -> Option<f64>,
 ) -> impl Iterator<Item = (usize, Option<f64>)> {
     let checks = study.checks.iter().enumerate();
-    let applicable = checks.filter(|(_, check)| check.filter.matches(case));
+    let applicable = checks
+        .filter(|(_, check)| study.reduction(check.metric).is_none() && check.filter.matches(case));
     applicable.map(move |(i, check)| (i, value(check.metric).filter(|x| !x.is_nan())))
 }
 
@@ -68,4 +69,56 @@ pub fn verdict(study: &Study, check: usize, case: u64, value: Option<f64>) -> Ve
 pub fn judge(study: &Study, number: u64, outcome: &Outcome, verdicts: &mut Vec<(usize, Verdict)>) {
     let values = applicable(study, &outcome.case, |metric| outcome.metrics[metric]);
     verdicts.extend(values.map(|(check, value)| (check, verdict(study, check, number, value))));
+}
+
+/// The values that the checks of reductions test, collected case by case.
+#[derive(Debug)]
+pub struct ReducedChecks<'a> {
+    study: &'a Study,
+    /// Each with its index in the study.
+    groups: Vec<(usize, Groups<'a>)>,
+}
+
+impl<'a> ReducedChecks<'a> {
+    /// No cases yet.
+    pub fn new(study: &'a Study) -> ReducedChecks<'a> {
+        let checks = study.checks.iter().enumerate();
+        let reduced = checks
+            .filter_map(|(i, check)| Some((i, Groups::new(vec![study.reduction(check.metric)?]))));
+        ReducedChecks {
+            study,
+            groups: reduced.collect(),
+        }
+    }
+
+    /// Adds a case; `value` gives its metrics by their rows of the measures.
+    pub fn add(&mut self, number: u64, case: &Case, value: impl Fn(usize) -> Option<f64>) {
+        for (check, groups) in &mut self.groups {
+            if self.study.checks[*check].filter.matches(case) {
+                groups.add(number, case, &value);
+            }
+        }
+    }
+
+    /// The reductions of cases without a value, check by check: the name, and how many of how many cases.
+    pub fn empty(&self) -> impl Iterator<Item = (&'a str, u64, u64)> {
+        let counted = self.groups.iter().map(|(check, groups)| {
+            let name = &self.study.measures[self.study.checks[*check].metric].name;
+            let counts = groups.values(0);
+            let (empty, cases) = counts.fold((0, 0), |(empty, cases), reduced| {
+                (empty + reduced.empty, cases + reduced.cases)
+            });
+            (name.as_str(), empty, cases)
+        });
+        counted.filter(|(_, empty, _)| *empty > 0)
+    }
+
+    /// The values by check and group: the index of the check in the study, the case that has the value, or the first one of
+    /// the group, and the value.
+    pub fn values(&self) -> impl Iterator<Item = (usize, u64, Option<f64>)> {
+        self.groups.iter().flat_map(|(check, groups)| {
+            let values = groups.values(0);
+            values.map(|reduced| (*check, reduced.at.unwrap_or(reduced.first), reduced.value))
+        })
+    }
 }

@@ -97,3 +97,48 @@ fn the_computed_work_converges_to_that_of_the_models() {
         );
     }
 }
+
+#[test]
+fn numerical_dissipation_of_moreau_and_jeans_method_is_that_of_its_theta() {
+    // The equations of a step, V' - V = -h (X_theta + S') and X' - X = h V_theta, times the mean velocity and the mean
+    // displacement: the energy falls by the work h S' (V + V')/2 and by h (theta - 1/2) ((V + V')/2 (X' - X) - (X + X')/2 (V' - V)).
+    for (law, theta) in [
+        ("velocity-control", 0.5),
+        ("velocity-control", 0.7),
+        ("coulomb", 1.0),
+    ] {
+        let step = PI / 20.0;
+        let mut given = vec![
+            ("law", Value::Name(law)),
+            ("dT", Value::Number(step)),
+            ("duration", Value::Number(END)),
+            ("x0", Value::Number(X0)),
+            ("method", Value::Name("moreau-jean")),
+            ("theta", Value::Number(theta)),
+        ];
+        if law == "velocity-control" {
+            given.push(("beta", Value::Number(0.1)));
+        }
+        let (case, broken) = Case::given(&FrictionOscillator, &given);
+        assert_eq!(broken, []);
+        let metrics = FrictionOscillator.metrics();
+        let row = metrics
+            .iter()
+            .position(|m| m.name == "numerical_dissipation");
+        let row = row.unwrap();
+        let solution = FrictionOscillator.solve(&case, &[row]).unwrap();
+        let c = solution.computed;
+        let pairs = c.velocity().windows(2).zip(c.displacement().windows(2));
+        let lost: f64 = pairs
+            .map(|(v, x)| 0.5 * ((v[0] + v[1]) * (x[1] - x[0]) - (x[0] + x[1]) * (v[1] - v[0])))
+            .sum();
+        // The metric is over x0^2/2.
+        let expected = step * (theta - 0.5) * lost / (0.5 * X0 * X0);
+        let found = solution.metrics[row].unwrap();
+        assert!(
+            (found - expected).abs() < 1e-13,
+            "{law} {theta}: {found} {expected}"
+        );
+        assert_eq!(theta > 0.5, expected > 0.01);
+    }
+}

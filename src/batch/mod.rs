@@ -3,10 +3,12 @@
 pub mod chunk;
 mod compute;
 pub mod cost;
+pub mod divergence;
 pub mod key;
 mod options;
 pub mod output;
 mod part_result;
+mod reduced;
 mod run_part;
 pub mod store;
 #[cfg(test)]
@@ -17,6 +19,7 @@ pub mod work_progress;
 pub use compute::{keep_memory, solution};
 pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
+pub use reduced::reduced;
 
 use crate::error::Error;
 use crate::study::Study;

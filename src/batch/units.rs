@@ -17,7 +17,7 @@ pub fn with_unit_columns(study: &Study, cases: &Cases, metrics: MetricTable) -> 
         let mut cells: Vec<f64> = cells.map(|x| x.unwrap_or(f64::NAN)).collect();
         let case = shown.at(row);
         for (column, measure) in study.measures.iter().enumerate() {
-            if let Some(dimension) = measure.dimension {
+            if let (Some(dimension), None) = (measure.dimension, &measure.reduction) {
                 let size = study.problem.size(case, dimension);
                 cells[column] = cells[measure.metric] * size.unwrap_or(f64::NAN);
             }

@@ -2,7 +2,7 @@
 
 use super::Finding;
 use super::ledger::{Demand, Expect, Over, Reading};
-use crate::batch::Outcome;
+use crate::batch::{self, Outcome};
 use crate::problem::{Lines, Problem, Snapshot};
 use crate::study::Study;
 
@@ -24,7 +24,16 @@ pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Findin
 
 fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, String) {
     let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
-    let cases: Vec<&Outcome> = cases.collect();
+    let mut cases: Vec<&Outcome> = cases.collect();
+    let reduced = match expect.demand {
+        Demand::Within { metric, .. }
+        | Demand::Trend { metric, .. }
+        | Demand::LeastAt { metric, .. } => batch::reduced(study, &[metric], &cases),
+        Demand::AwayFromFronts { .. } | Demand::LaterEvent { .. } => None,
+    };
+    if let Some(reduced) = &reduced {
+        cases = reduced.iter().collect();
+    }
     let problem = &*study.problem;
     let own = |o: &Outcome, metric: usize| o.metrics[metric].filter(|x| x.is_finite());
     let value = |o: &Outcome, metric: usize| match &expect.over {

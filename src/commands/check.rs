@@ -1,11 +1,11 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
-use super::run::UnsolvedCases;
+use super::run::{UnsolvedCases, without_value};
 use super::sources::Source;
 use super::terminal::{note, print_all, progress, table_lines};
 use super::{NOT_MET, UNSOLVED};
 use slipgap::batch::{self, RunOptions};
-use slipgap::checks::{self, Verdict};
+use slipgap::checks::{self, ReducedChecks, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 
@@ -48,6 +48,7 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     let study = &source.study;
     let bar = progress::bar(&source.name, study.len());
     let mut values = vec![Vec::new(); study.checks.len()];
+    let mut reduced = ReducedChecks::new(study);
     let mut unsolved = UnsolvedCases::new(source);
     batch::run(study, &bar, &RunOptions::METRICS, |part| {
         let mut shown = part.cases.shown();
@@ -56,6 +57,7 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
             for (check, value) in checks::applicable(study, shown.at(place), value) {
                 values[check].push((number, value.unwrap_or(f64::NAN)));
             }
+            reduced.add(number, shown.at(place), value);
             if let Some(why) = part.metrics.failure(place) {
                 unsolved.add(number, why);
             }
@@ -64,6 +66,12 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     })?;
     progress::finish(&bar, &source.name, &progress::cases_run(study.len()));
     unsolved.report();
+    for (name, empty, cases) in reduced.empty() {
+        note(&without_value(source, name, empty, cases));
+    }
+    for (check, case, value) in reduced.values() {
+        values[check].push((case, value.unwrap_or(f64::NAN)));
+    }
     Ok((CheckedValues { source, values }, unsolved.is_empty()))
 }
 

@@ -4,7 +4,7 @@ use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{print, progress, table};
 use slipgap::batch::cost::{measure, total};
-use slipgap::batch::{RunOptions, chunk};
+use slipgap::batch::{RunOptions, chunk, divergence};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
@@ -58,12 +58,21 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         text += &format!("\nthis case cannot be solved: {why}\n");
     }
     text += &format!("\n{}", cost(study, &case)?);
+    if let Some(divergence) = divergence::sampled(study) {
+        text += &format!("divergence: {divergence}\n");
+    }
     let metrics: Vec<&str> = study
         .columns
         .iter()
         .map(|m| study.measures[*m].name.as_str())
         .collect();
     text += &format!("metrics: {}\n", metrics.join(", "));
+    text += &list(
+        "reductions",
+        study
+            .reductions()
+            .map(|(_, measure, _)| measure.name.as_str()),
+    );
     let figures = study
         .figures
         .iter()

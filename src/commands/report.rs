@@ -10,6 +10,7 @@ use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::{Folder, is_outdated};
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, RunOptions};
+use slipgap::checks::ReducedChecks;
 use slipgap::claims::compute;
 use slipgap::error::Error;
 use slipgap::figures::style;
@@ -66,6 +67,7 @@ fn section<'a>(
     let (mut counts, mut checks) = (Counts::new(study), Checks::default());
     let mut shown = Vec::new();
     let mut designs = DesignMetrics::new(study);
+    let mut reduced = ReducedChecks::new(study);
     let mut ensembles = EnsembleMetrics::new(study);
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
@@ -75,8 +77,9 @@ fn section<'a>(
         }
         for (number, outcome) in part.outcomes(study) {
             results.add(&outcome);
-            counts.add(number, &outcome);
+            counts.add(study, number, &outcome);
             checks.judge(study, number, &outcome);
+            reduced.add(number, &outcome.case, |metric| outcome.metrics[metric]);
             if study_figures::show(study, &outcome.case) {
                 shown.push(outcome);
             }
@@ -85,6 +88,8 @@ fn section<'a>(
     })?;
     progress::finish(&bar, &source.name, &tally.summary(results.cases()));
     store.close()?;
+    counts.look_for_divergence(study);
+    checks.judge_reduced(study, &reduced);
     let indices = run::indices(source, &designs)?;
     let mut drawings = Vec::new();
     study_figures::add_histories(study, &mut shown);

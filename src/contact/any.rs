@@ -121,13 +121,6 @@ macro_rules! laws {
             }
         }
 
-        impl ContactLaw {
-            /// Whether r >= 0 holds without compliance.
-            pub fn rigid(&self) -> bool {
-                self.kind() == LawKind::Rigid
-            }
-        }
-
         impl StoredEnergy for ContactLaw {
             fn stored_energy(&self, r: f64, s: f64) -> f64 {
                 match self {

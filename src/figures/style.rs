@@ -43,6 +43,10 @@ pub const ZERO_LINE: f64 = 0.3;
 pub const EXACT_LINE: f64 = 0.6;
 /// Width of a contour line.
 pub const CONTOUR_LINE: f64 = 0.45;
+/// Width of the lines of hatched areas.
+pub const HATCH_LINE: f64 = 0.35;
+/// Distance of the lines of hatched areas along an axis.
+pub const HATCH: f64 = 6.0;
 /// Width of the line along the ridge of a map.
 pub const RIDGE_LINE: f64 = 1.3;
 /// Width of the light band under the best of all cases.
@@ -189,6 +193,8 @@ pub enum Marker {
     Dark,
     /// A light bar.
     Light,
+    /// A hatched area.
+    Hatched,
 }
 
 impl Marker {
@@ -217,7 +223,7 @@ impl Marker {
     pub fn corners(self) -> &'static [[f64; 2]] {
         const M: f64 = MARKER;
         match self {
-            Marker::Circle | Marker::Cross | Marker::Dark | Marker::Light => &[],
+            Marker::Circle | Marker::Cross | Marker::Dark | Marker::Light | Marker::Hatched => &[],
             Marker::Triangle => &[[0.0, -1.25 * M], [1.15 * M, 0.8 * M], [-1.15 * M, 0.8 * M]],
             Marker::InvertedTriangle => {
                 &[[0.0, 1.25 * M], [-1.15 * M, -0.8 * M], [1.15 * M, -0.8 * M]]

@@ -13,7 +13,7 @@
 //! each mode (`predictor`) and in their sum. The sum is the contact's motion without its forces. The law gives the root
 //! S(i+1). One pass then moves all modes: three additions for each mode and step.
 
-use super::{ContactState, Method, ModeStart, Start, Storage};
+use super::{ContactState, Method, MethodKind, ModeStart, Start, Storage};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
@@ -164,6 +164,7 @@ fn sum<const L: usize>(modes: &[ModeState<L>], of: impl Fn(&ModeState<L>) -> Lan
 }
 
 impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
+    const KIND: MethodKind = MethodKind::AverageAcceleration;
     const CONSERVES: bool = true;
 
     #[inline(always)]
@@ -205,10 +206,6 @@ impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
             by_impulse: false,
         };
         [on; 2]
-    }
-
-    fn work_weights(&self) -> [Lane<L>; 2] {
-        [Lane::splat(0.5); 2]
     }
 
     #[inline(always)]

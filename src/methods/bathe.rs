@@ -14,7 +14,7 @@
 //! is one pass over the modes.
 
 use super::storage::{Storage, sums};
-use super::{ContactState, Method, ModeStart, Start};
+use super::{ContactState, Method, MethodKind, ModeStart, Start};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
@@ -142,6 +142,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
 }
 
 impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
+    const KIND: MethodKind = MethodKind::Bathe;
     const CONSERVES: bool = false;
 
     #[inline(always)]
@@ -189,12 +190,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
             dt: self.dt,
             by_impulse: false,
         })
-    }
-
-    /// Of the ends of the step, as for all methods; the force between them enters the motion only.
-    #[inline(always)]
-    fn work_weights(&self) -> [Lane<L>; 2] {
-        [Lane::splat(0.5); 2]
     }
 
     #[inline(always)]

@@ -19,7 +19,7 @@
 //! known one step ahead, for each mode and in their sum. That sum and the sum of Q give the contact's motion without forces.
 
 use super::storage::{Storage, sums};
-use super::{Coefficients, ContactState, Method, MethodChoice, ModeStart, Start};
+use super::{Coefficients, ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
@@ -177,6 +177,7 @@ impl<const L: usize> ModeState<L> {
 }
 
 impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
+    const KIND: MethodKind = MethodKind::Family;
     const CONSERVES: bool = false;
 
     #[inline(always)]
@@ -230,12 +231,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
             by_impulse: false,
         };
         [flexibility; 2]
-    }
-
-    /// The trapezoidal rule: of second order for each method, and exact in a method without dissipation.
-    #[inline(always)]
-    fn work_weights(&self) -> [Lane<L>; 2] {
-        [Lane::splat(0.5); 2]
     }
 
     #[inline(always)]

@@ -7,10 +7,12 @@ mod critical_step;
 pub mod family;
 pub mod moreau_jean;
 mod storage;
+mod work;
 
 pub use crate::system::method::{Coefficients, MethodChoice, MethodKind};
 pub use critical_step::{highest_frequency, six_digits_below};
 pub use storage::Storage;
+pub use work::ContactWork;
 
 use crate::contact::{Answer, StepFlexibility};
 use crate::lane::Lane;
@@ -44,11 +46,11 @@ pub struct ModeStart<const L: usize> {
 
 /// A method for the modes of L structures with one contact each. For a mode x'' + omega2 x = -phi2 S, and r = gap + sum x.
 pub trait Method<const L: usize>: Clone {
+    /// Its kind.
+    const KIND: MethodKind;
+
     /// Whether the work of the contact is always the energy that the modes lose.
     const CONSERVES: bool;
-
-    /// Whether the contact acts by impulses on velocities.
-    const IMPULSES: bool = false;
 
     /// Modes at t = 0; equilibrium with S(0) gives a(0). `None` without a mode.
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self>;
@@ -59,9 +61,6 @@ pub trait Method<const L: usize>: Clone {
     /// Reduction of the motion of the contact by contact forces, for each of the sub-steps; the same twice in a method without
     /// sub-steps.
     fn flexibilities(&self) -> [StepFlexibility<L>; 2];
-
-    /// The work of the contact over a step is (w0 S(i) + w1 S(i+1)) (r(i+1) - r(i)) with these w0, w1.
-    fn work_weights(&self) -> [Lane<L>; 2];
 
     /// One step; `law` gives the force at the end of each sub-step.
     fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L>;

@@ -13,7 +13,7 @@
 //! projection of Acary 2013 for one contact: velocity and position hold together at the end of the step).
 
 use super::storage::{Storage, sums};
-use super::{ContactState, Method, MethodChoice, ModeStart, Start};
+use super::{ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
@@ -101,8 +101,8 @@ impl<const L: usize, M: Storage<ModeState<L>>> MoreauJean<L, M> {
 }
 
 impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
+    const KIND: MethodKind = MethodKind::MoreauJean;
     const CONSERVES: bool = false;
-    const IMPULSES: bool = true;
 
     /// The method does not use S(0).
     // A loop: with more than 16 lanes, maps of arrays are not inlined.
@@ -163,11 +163,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
             by_impulse: true,
         };
         [flexibility; 2]
-    }
-
-    #[inline(always)]
-    fn work_weights(&self) -> [Lane<L>; 2] {
-        [Lane::splat(0.0), Lane::splat(1.0)]
     }
 
     #[inline(always)]

@@ -76,6 +76,13 @@ pub fn divergence(c: &[f64], other: &[f64], threshold: f64) -> Option<usize> {
     pairs.position(|(c, other)| (c - other).abs() > most)
 }
 
+/// Largest difference of two motions over the peak of the first; `None` if the first is always 0.
+pub fn difference(c: &[f64], other: &[f64]) -> Option<f64> {
+    let peak = peak(c);
+    let differences = c.iter().zip(other).map(|(c, other)| (c - other).abs());
+    (peak > 0.0).then(|| differences.fold(0.0, f64::max) / peak)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,5 +113,8 @@ mod tests {
         let (c, other) = ([0.0, 2.0, 1.0, 0.0], [0.0, 2.01, 1.03, 0.0]);
         assert_eq!(divergence(&c, &other, 0.01), Some(2));
         assert_eq!(divergence(&c, &other, 0.02), None);
+        // The largest difference is 1.03 - 1, exact but for the round-off of 1.03.
+        assert_eq!(difference(&c, &other), Some((1.03f64 - 1.0) / 2.0));
+        assert_eq!(difference(&[0.0; 3], &[0.0; 3]), None);
     }
 }

@@ -96,6 +96,15 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn description(&self, _case: &Case) -> Option<String> {
         None
     }
+    /// Whether a change of 1e-10 in start and loads of a completed case reaches 1 % of the peak of a channel that metrics are of;
+    /// `None` if it cannot be solved, and for a problem without such a change.
+    fn diverges(&self, _case: &Case) -> Option<bool> {
+        None
+    }
+    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
+    fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
+        None
+    }
     /// The law of the one contact of a completed case, in the problem's scales; `None` for a problem with several contacts.
     fn contact_law(&self, _case: &Case) -> Option<ContactLaw> {
         None

@@ -129,7 +129,12 @@ pub struct Metric {
     pub meaning: Text,
     /// Whether all studies have the column; if not, a study selects it.
     pub default: bool,
+    /// What an empty value means, in a legend.
+    pub empty: Text,
 }
+
+/// What an empty value means, if the metric does not say more.
+pub const NO_VALUE: &str = "no value";
 
 impl Metric {
     /// A column of all studies, for tables.
@@ -153,6 +158,7 @@ impl Metric {
             unit: Cow::Borrowed(unit),
             meaning: Cow::Borrowed(meaning),
             default,
+            empty: Cow::Borrowed(NO_VALUE),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::text::{escape, verdict};
 use crate::batch::Outcome;
-use crate::checks::{self, Verdict};
+use crate::checks::{self, ReducedChecks, Verdict};
 use crate::study::Study;
 use std::io::{self, Write};
 
@@ -26,6 +26,13 @@ impl Checks {
         verdicts
             .into_iter()
             .for_each(|(check, verdict)| self.add(check, verdict));
+    }
+
+    /// Judges the reductions of all cases.
+    pub fn judge_reduced(&mut self, study: &Study, reduced: &ReducedChecks) {
+        for (check, case, value) in reduced.values() {
+            self.add(check, checks::verdict(study, check, case, value));
+        }
     }
 
     fn add(&mut self, check: usize, verdict: Verdict) {
@@ -70,9 +77,9 @@ impl Checks {
             b"<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table>\n\
               <thead><tr><th>case</th><th class=\"words\">metric</th><th>value</th><th class=\"words\">limits</th><th class=\"words\">verdict</th></tr></thead>\n<tbody>\n",
         )?;
-        // By check, then by case.
+        // By check, then by case; the groups of a reduction in their order.
         let mut listed: Vec<&(usize, Verdict)> = self.listed.iter().collect();
-        listed.sort_by_key(|(check, verdict)| (*check, verdict.case));
+        listed.sort_by_key(|(check, _)| *check);
         for (_, judged) in listed {
             let value = judged.value.map_or("undefined".into(), |x| x.to_string());
             let (class, word) = verdict(judged.holds(), "met", "not met");

@@ -2,6 +2,7 @@
 
 use super::text::escape;
 use crate::batch::Outcome;
+use crate::batch::divergence::{self, Divergence};
 use crate::solve::Unsolvable;
 use crate::study::Study;
 use std::io::{self, Write};
@@ -14,6 +15,8 @@ pub struct Counts {
     /// The first case that could not be solved, and why.
     first_unsolved: Option<(u64, Unsolvable)>,
     without_contact: u64,
+    /// The cases that diverge, by metrics that say it.
+    divergence: Divergence,
     /// Row of the metric that is undefined only in cases without contact, if the problem has one.
     contact_metric: Option<usize>,
     /// Name of the parameter that is the duration.
@@ -29,14 +32,20 @@ impl Counts {
             unsolved: 0,
             first_unsolved: None,
             without_contact: 0,
+            divergence: Divergence::default(),
             contact_metric: schema.contact_metric,
             duration: schema.parameters[schema.duration].name.to_string(),
         }
     }
 
     /// Counts the next case.
-    pub fn add(&mut self, number: u64, outcome: &Outcome) {
+    pub fn add(&mut self, study: &Study, number: u64, outcome: &Outcome) {
         self.cases += 1;
+        let problem = &study.problem;
+        let metrics = &outcome.metrics[..problem.metrics().len()];
+        let solved = outcome.failure.is_none();
+        let diverges = solved.then(|| problem.diverges_by(metrics)).flatten();
+        self.divergence.add(diverges);
         if let Some(why) = &outcome.failure {
             self.unsolved += 1;
             self.first_unsolved
@@ -46,6 +55,13 @@ impl Counts {
             .is_some_and(|row| outcome.metrics[row].is_none())
         {
             self.without_contact += 1;
+        }
+    }
+
+    /// Looks for cases that diverge, if no metric of the study says which do.
+    pub fn look_for_divergence(&mut self, study: &Study) {
+        if self.divergence.looked_at == 0 {
+            self.divergence = divergence::sampled(study).unwrap_or_default();
         }
     }
 
@@ -59,6 +75,10 @@ impl Counts {
                 self.cases,
                 escape(&self.duration)
             )?;
+        }
+        if self.divergence.looked_at > 0 {
+            let divergence = escape(&self.divergence.to_string());
+            writeln!(out, "<p>Divergence: {divergence}.</p>")?;
         }
         if let Some((number, why)) = &self.first_unsolved {
             writeln!(

@@ -17,7 +17,9 @@ use crate::methods::average_acceleration::{AverageAcceleration, Modes};
 use crate::methods::bathe::{self, Bathe};
 use crate::methods::family::{self, Family};
 use crate::methods::moreau_jean::{self, MoreauJean};
-use crate::methods::{ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
+use crate::methods::{
+    ContactState, ContactWork, Method, MethodChoice, MethodKind, ModeStart, Start,
+};
 use crate::system::System;
 use multiversion::multiversion;
 use std::cell::Cell;
@@ -279,8 +281,7 @@ impl<N: Method<1>> State for N {
 /// The flexibilities of a system for its contact in both sub-steps of its method; `None` without a mode.
 pub fn flexibilities(system: &System) -> Option<[StepFlexibility<1>; 2]> {
     fn of<N: Method<1>>(system: &System) -> Option<[StepFlexibility<1>; 2]> {
-        let (stepper, _) = start::<1, N, _>(&[*system])?;
-        Some(stepper.flexibilities())
+        Some(stepper::<1, N, _>(&[*system])?.flexibilities())
     }
     match system.method.kind() {
         MethodKind::AverageAcceleration => of::<Stepper>(system),
@@ -340,20 +341,15 @@ fn step_all<const L: usize, N: Method<L>, T: Track<L>, W: Answer<L> + Copy>(
 ) -> Lane<L> {
     let (mut own, mut own_law) = (stepper.take(), *law);
     let mut work = Lane::splat(0.0);
-    let weights = own.work_weights();
-    let half = own.flexibilities()[0].dt * 0.5;
+    let form = ContactWork::new(N::KIND, own.flexibilities()[0].dt);
     for row in track.rows(from, steps) {
         let before = own.contact();
         let after = own.step(&mut own_law);
         T::write(row, &after);
         if !N::CONSERVES {
-            let force = before.force * weights[0] + after.force * weights[1];
-            // An impulse does its work on the mean velocity, whatever the displacement of the step.
-            let moved = match N::IMPULSES {
-                true => (before.velocity + after.velocity) * half,
-                false => after.displacement - before.displacement,
-            };
-            work = work + force * moved;
+            let force = form.force([before.force, after.force]);
+            let r = [before.displacement, after.displacement];
+            work = work + force * form.displacement(r, [before.velocity, after.velocity]);
         }
     }
     (*stepper, *law) = (own, own_law);

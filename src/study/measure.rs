@@ -1,10 +1,11 @@
-//! The metrics of a study: those of its problem, and the same in the units of the study.
+//! The metrics of a study: those of its problem, the same in the units of the study, and their reductions.
 
+use super::reduction::Reduction;
 use super::units::Units;
 use crate::problem::Problem;
 use crate::problem::unit::Dimension;
 
-/// A column of results beyond the parameters.
+/// A column of results beyond the parameters, or a reduction of one.
 #[derive(Debug, Clone)]
 pub struct Measure {
     /// Column name.
@@ -15,10 +16,12 @@ pub struct Measure {
     pub unit: String,
     /// The formula as text.
     pub meaning: String,
-    /// Row of `problem.metrics()`: the metric itself.
+    /// Row of `problem.metrics()`: the metric itself, or the one that is reduced.
     pub metric: usize,
     /// The dimension of a metric in the units of the study; `None` for the scaled metric.
     pub dimension: Option<Dimension>,
+    /// How it is reduced; `None` for a metric, which each case has.
+    pub reduction: Option<Reduction>,
 }
 
 /// The metrics of a problem, row by row, and then those with a dimension in the units of the study, if it has any.
@@ -31,6 +34,7 @@ pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Meas
         meaning: metric.meaning.to_string(),
         metric: row,
         dimension: None,
+        reduction: None,
     });
     let in_units = units.into_iter().flat_map(|units| {
         metrics().filter_map(move |(row, metric)| {
@@ -43,6 +47,7 @@ pub(crate) fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Meas
                 meaning: format!("{} times {}", metric.name, scale.name),
                 metric: row,
                 dimension: Some(scale.dimension),
+                reduction: None,
             })
         })
     });
@@ -54,7 +59,7 @@ pub(super) fn columns(measures: &[Measure], metrics: &[usize]) -> Vec<usize> {
     let of = |metric: &usize| {
         let metric = *metric;
         let rows = measures.iter().enumerate();
-        rows.filter(move |(_, measure)| measure.metric == metric)
+        rows.filter(move |(_, measure)| measure.metric == metric && measure.reduction.is_none())
             .map(|(row, _)| row)
     };
     metrics.iter().flat_map(of).collect()

@@ -11,6 +11,7 @@ mod describe;
 pub mod expression;
 mod figure;
 mod measure;
+mod reduction;
 mod source;
 mod structure;
 #[cfg(test)]
@@ -20,6 +21,7 @@ pub(crate) mod value;
 
 // For the ledger of claims, which has the same syntax.
 pub(crate) use cases::{alike, scope};
+pub(crate) use figure::reduced;
 pub(crate) use source::{faults, input, object, place, tree};
 
 pub use cases::block::Block;
@@ -33,6 +35,7 @@ pub use figure::kinds::{self, FigureKind};
 pub use measure::Measure;
 #[cfg(test)]
 pub(crate) use measure::measures;
+pub use reduction::{Groups, Reduced, Reduction, Word};
 pub use source::input::{Input, STDIN};
 pub use source::plain::{printable, unprintable};
 pub use source::setting::Setting;
@@ -54,7 +57,7 @@ pub struct Study {
     pub blocks: Vec<Block>,
     /// Names of the units of its parameters, if the study has results in units.
     pub units: Option<Units>,
-    /// The rows of `problem.metrics()`, then those in the units of the study.
+    /// The rows of `problem.metrics()`, then those in the units of the study, then the reductions.
     pub measures: Vec<Measure>,
     /// Rows of `problem.metrics()` that are computed and stored, in the order of the table.
     pub metrics: Vec<usize>,

@@ -15,6 +15,7 @@ mod files;
 mod interrupted;
 mod kept;
 mod pictures;
+mod reductions;
 mod same_bytes;
 mod settings;
 mod store;

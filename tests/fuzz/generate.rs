@@ -35,7 +35,20 @@ pub fn study(random: &mut RandomChoice) -> String {
     let figures: Vec<String> = some(count)
         .map(|i| figure(&**problem, i, ensemble.is_some(), random))
         .collect();
-    keys.push(format!("\"figures\": [{}]", figures.join(", ")));
+    let mut figures = figures.join(", ");
+    if random.once_in(6) {
+        // Some figures show it instead of the metric.
+        let metric = metric(&**problem, random);
+        let word = random.of(&["least", "worst", "mean", "quantile 0.9 of"]);
+        let over = match random.once_in(4) {
+            true => parameter(&**problem, random),
+            false => problem.schema().step_name(),
+        };
+        let text = format!("{word} {metric} over {over}");
+        figures = figures.replace(&format!("[\"{metric}\"]"), &format!("[\"{text}\"]"));
+        keys.push(format!("\"reductions\": [\"{text}\"]"));
+    }
+    keys.push(format!("\"figures\": [{figures}]"));
     if random.once_in(4) {
         let (metric, limit) = (metric(&**problem, random), number(random));
         keys.push(format!(

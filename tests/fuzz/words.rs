@@ -73,12 +73,13 @@ pub const CHARACTERS: [&str; 14] = [
     "漢", "😀", "\"", "\\", "\u{301}",
 ];
 
-pub const KEYS: [&str; 32] = [
+pub const KEYS: [&str; 33] = [
     "title",
     "problem",
     "parameters",
     "blocks",
     "metrics",
+    "reductions",
     "iteration",
     "figures",
     "checks",

@@ -4,11 +4,12 @@ pub mod atomic;
 pub mod ensemble;
 mod manifest;
 mod names;
+pub mod reductions;
 pub mod sobol;
 pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, problem_of};
-pub use names::{FAILURES, INDICES, QUANTILES, RESULTS, TWO_SAMPLES, history_name};
+pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
 
 use crate::error::Error;
 use crate::study::Study;
@@ -51,7 +52,15 @@ impl Folder {
         remove_leftovers(&self.path.join(HISTORIES));
         let pictures = |name: &String| ["png", "svg", "pdf"].map(|end| format!("{name}.{end}"));
         let figures = study.figures.iter().flat_map(|f| pictures(&f.name));
-        let tables = [RESULTS, FAILURES, INDICES, QUANTILES, TWO_SAMPLES].map(String::from);
+        let tables = [
+            RESULTS,
+            FAILURES,
+            INDICES,
+            REDUCTIONS,
+            QUANTILES,
+            TWO_SAMPLES,
+        ];
+        let tables = tables.map(String::from);
         let names = tables.into_iter().chain(figures).collect();
         Manifest::read(&self.path)?.begin(&self.path, study, file, names, cases)
     }

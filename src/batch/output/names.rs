@@ -9,6 +9,9 @@ pub const FAILURES: &str = "failures.csv";
 /// Name of the table of the indices of saltelli designs.
 pub const INDICES: &str = "sobol.csv";
 
+/// Name of the table of reductions.
+pub const REDUCTIONS: &str = "reductions.csv";
+
 /// Name of the table of the distributions of metrics over ensembles.
 pub const QUANTILES: &str = "quantiles.csv";
 

@@ -6,6 +6,7 @@ use crate::problem::parameter::Range;
 use crate::study::Filter;
 use crate::study::faults::Faults;
 use crate::study::object::Object;
+use crate::study::reduced;
 use crate::study::scope::Scope;
 use crate::study::tree::Node;
 use crate::study::value::{name, number};
@@ -36,7 +37,8 @@ pub(super) fn expect(
         [Some(node), None, None] => {
             let all = scope.metrics();
             let row = name(node, &object.path("metric"), "metric", &all, faults)?;
-            if !columns.contains(&row) {
+            let reduced = scope.measures[row].reduction.is_some();
+            if !columns.contains(&row) && !reduced {
                 faults.add(
                     node.at,
                     &object.path("metric"),
@@ -62,6 +64,11 @@ pub(super) fn expect(
         }
     };
     let over = match (object.get("over"), &subject) {
+        (Some(node), Subject::Metric(row)) if scope.measures[*row].reduction.is_some() => {
+            let message = "is for metrics of single cases; a reduction is not divided";
+            faults.add(node.at, &object.path("over"), message);
+            return None;
+        }
         (Some(node), Subject::Metric(_)) => Some(over(
             node,
             &object.path("over"),
@@ -158,7 +165,14 @@ fn sequence(
     scope: &Scope,
     faults: &mut Faults,
 ) -> Option<Demand> {
-    let cases = scope.select(filter).count();
+    let reduction = scope.measures[metric].reduction.as_ref();
+    if let Some(message) =
+        reduction.and_then(|r| reduced::hidden(r, along, scope.cases(filter), scope))
+    {
+        object.fault(message, faults);
+        return None;
+    }
+    let cases = reduced::one_of_each(reduction, scope.cases(filter)).count();
     if cases != scope.levels(filter, along).len() || cases < 2 {
         let name = &scope.problem.parameters()[along].name;
         let message = format!("\"along\" needs one case for each {name}, but {cases} are chosen");

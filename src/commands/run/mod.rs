@@ -13,9 +13,10 @@ use super::sources::Source;
 use super::terminal::{note, print, progress};
 use clap::ValueEnum;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
+use slipgap::batch::output::reductions::ReducedMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::tables::write_history;
-use slipgap::batch::output::{Folder, INDICES, QUANTILES, TWO_SAMPLES, history_name};
+use slipgap::batch::output::{Folder, INDICES, QUANTILES, REDUCTIONS, TWO_SAMPLES, history_name};
 use slipgap::batch::store::Store;
 use slipgap::batch::{self, RunOptions};
 use slipgap::error::Error;
@@ -107,12 +108,14 @@ pub fn run_study(
     };
     let mut histories = Vec::new();
     let mut designs = DesignMetrics::new(study);
+    let mut reductions = ReducedMetrics::new(study);
     let mut ensembles = EnsembleMetrics::new(study);
     let mut without_contact = 0;
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
         designs.add(&part);
+        reductions.add(&part);
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);
         }
@@ -155,6 +158,12 @@ pub fn run_study(
     if let Some(indices) = indices(source, &designs)? {
         paths.push(folder.write(INDICES, &indices)?);
     }
+    if let Some(table) = reductions.table()? {
+        for (name, empty, cases) in &table.empty {
+            note(&without_value(source, name, *empty, *cases));
+        }
+        paths.push(folder.write(REDUCTIONS, &table.bytes)?);
+    }
     if let Some(ensembles) = &ensembles {
         write_ensembles(source, ensembles, &mut folder, &mut paths)?;
     }
@@ -169,6 +178,12 @@ pub fn run_study(
         .collect();
     print(&text)?;
     Ok(solved)
+}
+
+/// The note on a reduction of cases of which some have no value.
+pub fn without_value(source: &Source, name: &str, empty: u64, cases: u64) -> String {
+    let file = source.file.display();
+    format!("{file}: \"{name}\" leaves out {empty} of {cases} cases, which have no value")
 }
 
 /// The table of Sobol' indices, if a block has a saltelli design.

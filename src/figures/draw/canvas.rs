@@ -1,6 +1,7 @@
 //! The elements of figures, drawn with plotters in virtual units.
 
 use super::lettering::Lettering;
+use crate::figures::layout::clip;
 use crate::figures::layout::sheet::{Anchor, Panel, Rect};
 use crate::figures::style::{self, Marker, UNITS};
 use crate::figures::text;
@@ -116,6 +117,22 @@ impl<B: DrawingBackend> Canvas<B> {
         self.area.draw(&Rectangle::new(corners, blank()))
     }
 
+    /// Rising lines over a rectangle; those of neighbours join.
+    pub fn hatch(&mut self, area: &Rect) -> DrawResult<B> {
+        // A line has x + y = k HATCH.
+        let sum = |x: f64, y: f64| (x + y) / style::HATCH;
+        let first = sum(area.left, area.top).ceil() as i64;
+        let last = sum(area.right(), area.bottom()).floor() as i64;
+        for k in first..=last {
+            let sum = k as f64 * style::HATCH;
+            let [from, to] = [area.left, area.right()].map(|x| [x, sum - x]);
+            if let Some(line) = clip::segment(from, to, area) {
+                self.path(&line, style::HATCH_LINE)?;
+            }
+        }
+        Ok(())
+    }
+
     /// A line through points.
     pub fn path(&mut self, points: &[[f64; 2]], width: f64) -> DrawResult<B> {
         let points: Vec<_> = points.iter().copied().map(at).collect();
@@ -135,6 +152,17 @@ impl<B: DrawingBackend> Canvas<B> {
             Marker::Dark | Marker::Light => {
                 let half = style::MARKER * 1.1;
                 self.bar_of(x - half, y - half, 2.0 * half, 2.0 * half, marker.shade())
+            }
+            Marker::Hatched => {
+                let half = [style::SAMPLE / 2.0, style::CAP_HEIGHT * style::LABEL / 2.0];
+                let area = Rect {
+                    left: x - half[0],
+                    top: y - half[1],
+                    width: 2.0 * half[0],
+                    height: 2.0 * half[1],
+                };
+                self.hatch(&area)?;
+                self.frame(&area)
             }
             Marker::Cross => {
                 let d = style::MARKER * 0.9;

@@ -22,6 +22,18 @@ impl<B: DrawingBackend> Canvas<B> {
             [] => self.cells(panel, map)?,
             _ => self.bands(panel, map)?,
         }
+        for [from, to] in &map.hatched {
+            let [[left, bottom], [right, top]] = [*from, *to].map(|place| panel.place(place));
+            let frame = &panel.frame;
+            let [left, right] = [left, right].map(|x| x.clamp(frame.left, frame.right()));
+            let [top, bottom] = [top, bottom].map(|y| y.clamp(frame.top, frame.bottom()));
+            self.hatch(&Rect {
+                left,
+                top,
+                width: right - left,
+                height: bottom - top,
+            })?;
+        }
         map.bar.iter().try_for_each(|bar| self.bar(bar, map))
     }
 

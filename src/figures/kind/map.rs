@@ -10,9 +10,10 @@ use crate::figures::layout::legend::Key;
 use crate::figures::layout::points::Point;
 use crate::figures::layout::sheet::{Cell, FilledMap, Panel, Sheet};
 use crate::figures::layout::ticks;
-use crate::figures::style;
+use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::markup::plain;
 use crate::figures::text::number;
+use crate::problem::escape;
 use crate::study::kinds::Map;
 use crate::study::{Figure, Scale, Study};
 
@@ -41,6 +42,7 @@ impl Draw for Map {
         let (x_edges, y_edges) = (edges(&xs, scales[0]), edges(&ys, scales[1]));
         let mut values = vec![f64::NAN; xs.len() * ys.len()];
         let mut cells: Vec<Cell> = Vec::new();
+        let mut empty = vec![false; values.len()];
         for shown in cases {
             let found = |places: &[f64], row| {
                 let value = number(shown, row)?;
@@ -48,8 +50,11 @@ impl Draw for Map {
                 places.get(i).is_some_and(|p| same(*p, value)).then_some(i)
             };
             let value = shown.metrics.get(*z).copied().flatten();
-            if let (Some(column), Some(row), Some(value)) = (found(&xs, *x), found(&ys, *y), value)
-            {
+            let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) else {
+                continue;
+            };
+            empty[column * ys.len() + row] = value.is_none();
+            if let Some(value) = value {
                 values[column * ys.len() + row] = value;
                 cells.push(Cell {
                     x: [x_edges[column], x_edges[column + 1]],
@@ -58,6 +63,15 @@ impl Draw for Map {
                 });
             }
         }
+        let hatched = match contoured {
+            _ if !empty.contains(&true) => Vec::new(),
+            true => hatched([&xs, &ys], |i, j, rows| {
+                [i, i + 1]
+                    .iter()
+                    .any(|i| [j, j + 1].iter().any(|j| empty[i * rows + j]))
+            }),
+            false => hatched([&x_edges, &y_edges], |i, j, rows| empty[i * (rows - 1) + j]),
+        };
         let height = 190.0;
         let along = |row: usize, places: &[f64], edges: &[f64], scale, most| {
             // Contours reach from the first place to the last, cells half-way beyond them.
@@ -119,6 +133,15 @@ impl Draw for Map {
         } else {
             panel.map = Some(FilledMap::of_cells(cells, colours, bar_frame));
         }
+        if let (Some(map), false) = (&mut panel.map, hatched.is_empty()) {
+            map.hatched = hatched;
+            keys.push(Key {
+                label: escape(&study.problem.metrics()[metric.metric].empty),
+                stroke: Stroke::Solid,
+                width: 0.0,
+                marker: Some(Marker::Hatched),
+            });
+        }
         if let Some(marks) = marks {
             panel.series.push(bands::marks(marks));
             keys.extend(panel.series.last().map(Key::of));
@@ -161,6 +184,29 @@ impl Draw for Map {
         };
         cases.iter().filter_map(point).collect()
     }
+}
+
+/// The rectangles between neighbouring lines along x and y that `is_empty` accepts by their numbers and the number of lines along y;
+/// those above one another are one.
+fn hatched(
+    [xs, ys]: [&[f64]; 2],
+    is_empty: impl Fn(usize, usize, usize) -> bool,
+) -> Vec<[[f64; 2]; 2]> {
+    let mut found: Vec<[[f64; 2]; 2]> = Vec::new();
+    for i in 1..xs.len() {
+        for j in 1..ys.len() {
+            if !is_empty(i - 1, j - 1, ys.len()) {
+                continue;
+            }
+            match found.last_mut() {
+                Some([from, to]) if *to == [xs[i], ys[j - 1]] && from[0] == xs[i - 1] => {
+                    to[1] = ys[j];
+                }
+                _ => found.push([[xs[i - 1], ys[j - 1]], [xs[i], ys[j]]]),
+            }
+        }
+    }
+    found
 }
 
 /// How many values are outside of the range of the shades; `None` if none is.

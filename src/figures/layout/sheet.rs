@@ -286,6 +286,8 @@ pub struct FilledMap {
     pub areas: Vec<(usize, Vec<[f64; 2]>)>,
     /// Rectangles without values, as two corners: white.
     pub blank: Vec<[[f64; 2]; 2]>,
+    /// Rectangles of cases with an empty value, as two corners: hatched.
+    pub hatched: Vec<[[f64; 2]; 2]>,
     /// Numbers on the lines between bands, with their places on the sheet.
     pub labels: Vec<PlacedText>,
     /// Range and ticks of the colours.
@@ -302,6 +304,7 @@ impl FilledMap {
             levels: Vec::new(),
             areas: Vec::new(),
             blank: Vec::new(),
+            hatched: Vec::new(),
             labels: Vec::new(),
             colours,
             bar,

@@ -149,7 +149,7 @@ fn panels_keep_their_places_at_every_width() {
     }
 }
 
-/// A map of errors of alpha and dT, three by three or two by two, with these values.
+/// A map of errors of alpha and dT, three by three or two by two, with these values; NaN is an empty one.
 fn map_of(values: &[f64], z_range: Option<[f64; 2]>) -> Sheet {
     let alphas = [0.1, 1.0, 10.0];
     let steps = [PI / 20.0, PI / 10.0, PI / 5.0];
@@ -157,7 +157,7 @@ fn map_of(values: &[f64], z_range: Option<[f64; 2]>) -> Sheet {
     let places = (0..values.len()).map(|k| (alphas[k / side], steps[k % side], 12.0));
     let mut run = run(&places.collect::<Vec<_>>());
     for (metrics, value) in run.metrics.iter_mut().zip(values) {
-        metrics[0] = Some(*value);
+        metrics[0] = Some(*value).filter(|value| !value.is_nan());
     }
     let map = Map {
         x: 1,
@@ -217,6 +217,42 @@ fn maps_of_one_range_share_shades_and_contours() {
         colour_at(&cells, panel.place([1.0, PI / 10.0])),
         shade(127.0)
     );
+}
+
+#[test]
+fn empty_values_of_a_map_are_hatched_and_the_legend_says_so() {
+    let none = f64::NAN;
+    let [alphas, steps] = [[0.1, 1.0, 10.0], [PI / 20.0, PI / 10.0, PI / 5.0]];
+    // The places of the last alpha: their squares, one over the other, are one rectangle.
+    let contours = map_of(&[0.1, 0.2, 0.3, 0.2, 0.3, 0.4, none, none, none], None);
+    let map = contours.panels[0].map.as_ref().unwrap();
+    let [from, to] = [[alphas[1], steps[0]], [alphas[2], steps[2]]];
+    assert_eq!(map.hatched, [[from, to]]);
+    let cells = map_of(&[0.1, none, 0.3, 0.4], None);
+    let map = cells.panels[0].map.as_ref().unwrap();
+    let [[from, to]] = map.hatched[..] else {
+        panic!("{:?}", map.hatched);
+    };
+    assert!(from[0] < alphas[0] && to[0] < alphas[1] && from[1] < steps[1] && steps[1] < to[1]);
+    let without = map_of(&[0.1, 0.2, 0.3, 0.4], None);
+    assert!(without.panels[0].map.as_ref().unwrap().hatched.is_empty());
+    let labels = |sheet: &Sheet| -> Vec<String> {
+        let entries = sheet.legend.iter();
+        entries.map(|entry| entry.label.clone()).collect()
+    };
+    assert_eq!(labels(&contours), ["no value"]);
+    assert_eq!(labels(&cells), ["no value"]);
+    assert_eq!(labels(&without), [""; 0]);
+    // Without any value all of it is hatched: dark lines over white.
+    let empty = map_of(&[none; 9], None);
+    assert_eq!(empty.panels[0].map.as_ref().unwrap().hatched.len(), 2);
+    let frame = &empty.panels[0].frame;
+    let y = frame.top + frame.height / 2.0;
+    // One line crosses each distance between two lines.
+    let places = (0..12).map(|k| frame.left + 50.0 + style::HATCH / 12.0 * f64::from(k));
+    let greys: Vec<u8> = places.map(|x| colour_at(&empty, [x, y])[0]).collect();
+    let dark = greys.iter().filter(|grey| **grey < 160).count();
+    assert!((1..6).contains(&dark), "{greys:?}");
 }
 
 #[test]

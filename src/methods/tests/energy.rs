@@ -133,13 +133,14 @@ impl WithMethod for Work<'_> {
                 .map(|((x, v), own)| own.mode[0].energy(x.0[0], v.0[0]))
                 .sum()
         };
-        let (first, [before, after]) = (energy(&method), method.work_weights());
+        let (first, form) = (energy(&method), ContactWork::new(N::KIND, Lane([0.1])));
         let (mut work, mut most) = (0.0, 0.0_f64);
         for i in 0..1000 {
             let was = method.contact();
             let now = method.step(&mut Prescribed([libm::sin(0.1 * f64::from(i)); 2]));
-            let force = before * was.force + after * now.force;
-            work += (force * (now.displacement - was.displacement)).0[0];
+            let force = form.force([was.force, now.force]);
+            let r = [was.displacement, now.displacement];
+            work += (force * form.displacement(r, [was.velocity, now.velocity])).0[0];
             most = most.max(f64::abs(work));
             // Sums of 1000 terms of size up to 10.
             assert!((first - energy(&method) - work).abs() < 1e-11, "{i}");

@@ -11,7 +11,7 @@ mod step;
 use super::bathe::Bathe;
 use super::family::Family;
 use super::moreau_jean::MoreauJean;
-use super::{Coefficients, Method, MethodChoice, ModeStart, Start};
+use super::{Coefficients, ContactWork, Method, MethodChoice, ModeStart, Start};
 use crate::contact::{Answer, StepFlexibility, Trial};
 use crate::lane::Lane;
 use crate::system::Mode;

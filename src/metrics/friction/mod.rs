@@ -103,6 +103,7 @@ fn residual_motion<const L: usize>(c: &[Lane<L>], exact: &Sampled) -> Option<Lan
 mod tests {
     use super::*;
     use crate::history::History;
+    use crate::methods::ContactWork;
     use crate::metrics::cells;
     use crate::metrics::tests::assert_metrics;
 
@@ -125,7 +126,7 @@ mod tests {
             .collect();
         cells(evaluate(
             &x,
-            Lane([work_by_steps(&rows, x0, [0.5; 2])]),
+            Lane([work_by_steps(&rows, x0, &ContactWork::Trapezoids)]),
             &exact,
         ))
     }

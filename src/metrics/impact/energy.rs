@@ -3,8 +3,9 @@
 use super::Track;
 use crate::contact::StoredEnergy;
 use crate::lane::Lane;
+use crate::methods::{ContactWork, MethodKind};
 use crate::solve::ToSystem;
-use crate::system::{MethodKind, System};
+use crate::system::System;
 
 /// Energy with the spring, in the frame of the common mass centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +47,7 @@ impl Energy<1> {
             let [stored, force] = [law.stored_energy(r, s), law.conservative_force(r, s)];
             [Lane([stored]), Lane([force])]
         };
-        energy_of_books(track, start, &Work::of(&[*system]), books, count)
+        energy_of_books(track, start, &step_work(&[*system]), books, count)
     }
 
     /// From the energies at the steps; there must be at least one.
@@ -63,13 +64,28 @@ impl Energy<1> {
 /// the bars at t = 0. What a damped contact or a method dissipates is left in it, so that it changes by errors only.
 ///
 /// Constant average acceleration satisfies E(i+1) - E(i) = -(S(i) + S(i+1))/2 (r(i+1) - r(i)) exactly for the bars (reference:
-/// section 5); other methods have other forms of [`Work`]. `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
+/// section 5); other methods have other forms of [`ContactWork`]. `books` gives the energy that the contacts store at r under S, and the part of S that does its work on it; S = -F.
 /// The sum changes only in steps in which the contact opens or closes, and with a spring that is not linear.
 #[inline(always)]
 pub fn energy_of_books<const L: usize>(
     track: &Track<L>,
     start: Lane<L>,
-    work: &Work<L>,
+    work: &ContactWork<L>,
+    books: impl Fn(Lane<L>, Lane<L>) -> [Lane<L>; 2],
+    count: usize,
+) -> Energy<L> {
+    // A loop for each form: most runs are by trapezoids.
+    match work {
+        ContactWork::Trapezoids => sum(track, start, ContactWork::Trapezoids, books, count),
+        ContactWork::Impulses(dt) => sum(track, start, ContactWork::Impulses(*dt), books, count),
+    }
+}
+
+#[inline(always)]
+fn sum<const L: usize>(
+    track: &Track<L>,
+    start: Lane<L>,
+    work: ContactWork<L>,
     books: impl Fn(Lane<L>, Lane<L>) -> [Lane<L>; 2],
     count: usize,
 ) -> Energy<L> {
@@ -82,63 +98,50 @@ pub fn energy_of_books<const L: usize>(
     let [stored, mut s_before] = books(*r0, -*f0);
     let mut bars = start;
     let mut energy = Energy::new(start + stored);
-    // A loop for each form: most runs are by trapezoids.
-    match work {
-        Work::Trapezoids => {
-            for (r, f) in r.iter().zip(force).skip(1) {
-                let [stored, s] = books(*r, -*f);
-                bars = bars - (s_before + s) * (*r - r_before) * 0.5;
-                energy.update(bars + stored);
-                (r_before, s_before) = (*r, s);
-            }
-        }
-        Work::Impulses(dt) => {
-            let steps = r.iter().zip(force).skip(1);
-            for ((r, f), rdot) in steps.zip(rdot.windows(2)) {
-                let [stored, s] = books(*r, -*f);
-                bars = bars - s * (rdot[0] + rdot[1]) * *dt;
-                energy.update(bars + stored);
-            }
-        }
+    let steps = r.iter().zip(force).skip(1);
+    for ((r, f), rdot) in steps.zip(rdot.windows(2)) {
+        let [stored, s] = books(*r, -*f);
+        let moved = work.displacement([r_before, *r], rates([rdot[0], rdot[1]]));
+        bars = bars - work.force([s_before, s]) * moved;
+        energy.update(bars + stored);
+        (r_before, s_before) = (*r, s);
     }
     energy
 }
 
-/// How the contact's work of a step follows from its ends.
-#[derive(Debug, Clone, Copy)]
-pub enum Work<const L: usize> {
-    /// The mean of both forces on the displacement.
-    Trapezoids,
-    /// The impulse of the last force in this time step, on the mean velocity.
-    Impulses(Lane<L>),
+/// rdot in c as the rate of r in c T_I/2.
+#[inline(always)]
+fn rates<const L: usize>(rdot: [Lane<L>; 2]) -> [Lane<L>; 2] {
+    [rdot[0] * 2.0, rdot[1] * 2.0]
 }
 
-impl<const L: usize> Work<L> {
-    /// That of systems with methods of one kind.
-    pub fn of(systems: &[impl ToSystem; L]) -> Work<L> {
-        if systems[0].system().method.kind() != MethodKind::MoreauJean {
-            return Work::Trapezoids;
-        }
-        let mut dt = Lane::splat(0.0);
+/// The form of the contact's work in a step of systems with methods of one kind.
+pub fn step_work<const L: usize>(systems: &[impl ToSystem; L]) -> ContactWork<L> {
+    let kind = systems[0].system().method.kind();
+    let mut dt = Lane::splat(0.0);
+    // Most runs are by trapezoids, which need no time step.
+    if kind == MethodKind::MoreauJean {
         for (dt, system) in dt.0.iter_mut().zip(systems) {
             *dt = system.system().step;
         }
-        Work::Impulses(dt)
     }
+    ContactWork::new(kind, dt)
 }
 
 /// Energy that the damping of the contact of a case takes: the work of the part of S that does none on the stored energy.
 pub fn damping_work(track: &Track<1>, system: &System) -> f64 {
-    let form = Work::of(&[*system]);
-    let force = |Lane([r]): Lane<1>, Lane([f]): Lane<1>| -f - system.law.conservative_force(r, -f);
+    let form = step_work(&[*system]);
+    let force =
+        |Lane([r]): Lane<1>, Lane([f]): Lane<1>| Lane([-f - system.law.conservative_force(r, -f)]);
     let states = track.displacement.iter().zip(&track.force);
     let states = states.zip(&track.velocity);
-    let states: Vec<[f64; 3]> = states
-        .map(|((r, f), rdot)| [r.0[0], force(*r, *f), rdot.0[0]])
+    let states: Vec<[Lane<1>; 3]> = states
+        .map(|((r, f), rdot)| [*r, *rdot, force(*r, *f)])
         .collect();
-    let work = |step: &[[f64; 3]]| match form {
-        Work::Trapezoids => 0.5 * (step[0][1] + step[1][1]) * (step[1][0] - step[0][0]),
-        Work::Impulses(Lane([dt])) => step[1][1] * dt * (step[0][2] + step[1][2]),
+    let work = |step: &[[Lane<1>; 3]]| {
+        let ends = |i: usize| [step[0][i], step[1][i]];
+        let Lane([work]) = form.force(ends(2)) * form.displacement(ends(0), rates(ends(1)));
+        work
     };
     states.windows(2).map(work).sum()
 }

@@ -8,7 +8,7 @@ mod sampled;
 mod track;
 
 pub use budget::budget;
-pub use energy::{Energy, Work, damping_work, energy_of_books};
+pub use energy::{Energy, damping_work, energy_of_books, step_work};
 pub use reference::reference;
 pub use sampled::Sampled;
 pub use track::Track;

@@ -12,6 +12,7 @@ use crate::exact::coulomb::Coulomb;
 use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
+use crate::methods::ContactWork;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
 use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
@@ -63,7 +64,7 @@ impl Problem for FrictionOscillator {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
         solve::once::run(&own.system(), |structure| track.0.push(structure.contact()))?;
-        let work = work_by_steps(&track.0, own.x0, [0.5; 2]);
+        let work = work_by_steps(&track.0, own.x0, &ContactWork::Trapezoids);
         self.judge(&own, &track, work, wanted)
     }
 
@@ -122,7 +123,8 @@ impl FrictionOscillator {
 /// Numerical dissipation over the energy at t = 0, the cost, and the amplification of the method.
 fn taken(case: &OscillatorCase, track: &ContactTrack) -> [Option<f64>; 5] {
     let end = track.0.last().map(|[x, v, _]| [*x, *v]);
-    let work = work_by_steps(&track.0, case.x0, case.method.work_weights());
+    let form = ContactWork::new(case.method.kind(), Lane([case.step]));
+    let work = work_by_steps(&track.0, case.x0, &form);
     let step = case.method.amplification(case.step);
     let principal = step.principal.as_ref();
     let by_method = end.map(|end| work_by_energy(case.x0, end) - work);

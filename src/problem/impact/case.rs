@@ -5,8 +5,9 @@ use super::tables::rows;
 use crate::contact::{ContactLaw, LawsVisitor, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
+use crate::methods::ContactWork;
 use crate::methods::average_acceleration::ModeState;
-use crate::metrics::impact::{COUNT, Energy, Sampled, Track, Work, energy_of_books, evaluate};
+use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate, step_work};
 use crate::metrics::steps;
 use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
@@ -106,7 +107,7 @@ impl LaneCase<LANES> for ImpactCase {
         let evaluate = Evaluate {
             track: &motion.track,
             start,
-            work: Work::of(cases),
+            work: step_work(cases),
             restitution,
             exact,
         };
@@ -183,7 +184,7 @@ fn condense_all<const L: usize, W: StoredEnergy>(
 struct Evaluate<'a> {
     track: &'a Track<LANES>,
     start: Lane<LANES>,
-    work: Work<LANES>,
+    work: ContactWork<LANES>,
     restitution: Lane<LANES>,
     exact: &'a Sampled,
 }

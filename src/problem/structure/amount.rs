@@ -53,7 +53,11 @@ impl Amount {
 
     /// The value as a whole number from `least` to `most`.
     pub fn whole(&self, case: &Case, least: u32, most: u32) -> Result<u32, Violation> {
-        let x = self.value(case)?;
+        self.as_whole(self.value(case)?, least, most)
+    }
+
+    /// A value as a whole number from `least` to `most`.
+    pub fn as_whole(&self, x: f64, least: u32, most: u32) -> Result<u32, Violation> {
         let whole = x.round();
         let near = (x - whole).abs() <= 1e-9 * whole.abs();
         if near && whole >= f64::from(least) && whole <= f64::from(most) {

@@ -101,6 +101,12 @@ impl Channel {
         }
     }
 
+    /// The quantities of a structure with this numbering.
+    pub fn numbers<'a>(&'a self, numbering: &'a Numbering) -> impl Iterator<Item = Number> + 'a {
+        let terms = self.terms.iter();
+        terms.filter_map(|(_, term)| term.number(numbering).ok().flatten())
+    }
+
     /// What it measures; by its first quantity.
     pub fn dimension(&self) -> Dimension {
         let first = self.terms.first();

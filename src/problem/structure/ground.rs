@@ -1,6 +1,7 @@
 //! The acceleration of the ground in a case, for response spectra.
 
 use super::template::Template;
+use super::units::UnitNames;
 use crate::problem::Case;
 use crate::system::structure::{Signal, Table};
 use std::f64::consts::PI;
@@ -42,15 +43,11 @@ pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<
             Table::new(times, values)?
         }
     };
-    // The last two of mass, force, length and time.
-    let units: Vec<&str> = template.units.split(',').map(str::trim).collect();
-    let [length, time] = match units[..] {
-        [.., length, time] => [length, time].map(str::to_owned),
-        _ => Default::default(),
-    };
+    let units = UnitNames::of(&template.units);
+    let units = units.map(|units| [units.length, units.time].map(str::to_owned));
     Some(GroundMotion {
         acceleration,
-        units: [length, time],
+        units: units.unwrap_or_default(),
     })
 }
 

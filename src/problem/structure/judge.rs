@@ -39,10 +39,10 @@ impl Recorded {
     }
 }
 
-/// The quantities that a metric needs.
-pub fn needed(metric: &StructureMetric, numbering: &Numbering) -> Vec<Number> {
-    let terms = metric.channel.iter().flat_map(|channel| &channel.terms);
-    let of_channel = terms.filter_map(|(_, term)| term.number(numbering).ok().flatten());
+/// The quantities that a metric of a structure with so many contacts needs.
+pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) -> Vec<Number> {
+    let channel = metric.channel.iter();
+    let of_channel = channel.flat_map(|channel| channel.numbers(numbering));
     let of_contact = metric.contact.into_iter().flat_map(|contact| {
         let quantities: &[Quantity] = match metric.reduction {
             Reduction::OpenTime => &[Quantity::Force, Quantity::Limit],
@@ -54,7 +54,13 @@ pub fn needed(metric: &StructureMetric, numbering: &Numbering) -> Vec<Number> {
             .iter()
             .map(move |quantity| Number::Contact(contact, *quantity))
     });
-    of_channel.chain(of_contact).collect()
+    // Which of them are impacts, the case decides.
+    let all = match metric.reduction {
+        Reduction::ImpactsBeforeDivergence => 0..contacts,
+        _ => 0..0,
+    };
+    let forces = all.map(|contact| Number::Contact(contact, Quantity::Force));
+    of_channel.chain(of_contact).chain(forces).collect()
 }
 
 /// The motions that metrics compare; those that no metric needs are missing.
@@ -115,6 +121,7 @@ pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<
         Reduction::Rms => Some(reduce::rms(&c)),
         Reduction::TimeOfPeak => reduce::step_of_peak(&c).map(|step| step as f64 * of.dt),
         Reduction::RmsError => Some(reduce::rms_error(&c, &reference()?)),
+        Reduction::LastError => Some((c.last()? - reference()?.last()?).abs()),
         Reduction::PeakError => {
             let exact = reference()?;
             Some((reduce::peak(&c) - reduce::peak(&exact)).abs())
@@ -133,6 +140,18 @@ pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<
             let perturbed = exact(&motions.perturbed)?;
             let step = reduce::divergence(&c, &perturbed, metric.threshold)?;
             Some(step as f64 * of.dt)
+        }
+        Reduction::Difference => reduce::difference(&c, &exact(&motions.perturbed)?),
+        Reduction::ImpactsBeforeDivergence => {
+            let perturbed = exact(&motions.perturbed)?;
+            let end = reduce::divergence(&c, &perturbed, metric.threshold).unwrap_or(c.len());
+            let contacts = of.structure.contacts.iter().enumerate();
+            let impacts = contacts.filter(|(_, contact)| contact.law.is_impact());
+            let closings = impacts.map(|(place, _)| {
+                let force = motions.computed.of(Number::Contact(place, Quantity::Force));
+                reduce::closings(&force[..end.min(force.len())])
+            });
+            Some(closings.sum::<usize>() as f64)
         }
         Reduction::Impacts
         | Reduction::Impulse

@@ -1,11 +1,12 @@
 //! Functions of time in a study, as signals.
 
 use super::amount::Amount;
+use super::made::Made;
 use super::template::{Chosen, Scaled};
+use crate::problem::parameter::shortest;
 use crate::problem::{Case, Violation};
 use crate::system::loads::{pulse, synthetic};
 use crate::system::structure::{Signal, Table};
-use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A function of time. Cases with the same numbers share its signal, so that its samples are computed once.
@@ -14,7 +15,7 @@ pub struct Source {
     kind: Kind,
     /// Byte offset and path in the study.
     place: (usize, String),
-    made: Arc<Mutex<HashMap<Vec<u64>, Arc<Signal>>>>,
+    made: Arc<Mutex<Made>>,
 }
 
 /// The kinds of functions.
@@ -67,11 +68,13 @@ pub enum Kind {
     Synthetic {
         /// Seed.
         seed: Amount,
+        /// Circular frequency of the ground filter in rad/s; none for firm ground.
+        omega: Option<Amount>,
     },
 }
 
-/// Most signals that are kept: a sweep over a frequency makes one for each case.
-const MOST_KEPT: usize = 256;
+/// Largest seed of a synthetic acceleration.
+pub const LARGEST_SEED: u32 = u32::MAX;
 
 impl Source {
     /// A function at a place of the study.
@@ -100,13 +103,10 @@ impl Source {
         let key: Vec<u64> = numbers.iter().map(|x| x.to_bits()).collect();
         let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(signal) = made.get(&key) {
-            return Ok(signal.clone());
+            return Ok(signal);
         }
         let signal = Arc::new(self.make(&numbers, metre)?);
-        if made.len() >= MOST_KEPT {
-            made.clear();
-        }
-        made.insert(key, signal.clone());
+        made.keep(key, signal.clone());
         Ok(signal)
     }
 
@@ -137,9 +137,11 @@ impl Source {
                 period,
                 sampled,
             } => of(&[amplitude, period, sampled]),
-            Kind::Synthetic { seed } => {
-                let seed = seed.whole(case, 0, u32::MAX)?;
-                Ok(vec![f64::from(seed)])
+            Kind::Synthetic { seed, omega } => {
+                let seed = seed.whole(case, 0, LARGEST_SEED)?;
+                let omega = omega.as_ref().map(|omega| omega.value(case));
+                let omega = omega.unwrap_or(Ok(synthetic::FIRM_GROUND))?;
+                Ok(vec![f64::from(seed), omega])
             }
         }
     }
@@ -166,9 +168,12 @@ impl Source {
             (Kind::Cosine { .. }, &[amplitude, period, sampled]) => {
                 pulse::cosine(amplitude, period, sampled)
             }
-            (Kind::Synthetic { .. }, &[seed]) => {
-                let record = synthetic::synthetic(seed as u64);
-                record.scaled(1.0 / metre).ok_or_else(none)
+            (Kind::Synthetic { .. }, &[seed, omega]) => {
+                let record = synthetic::synthetic(seed as u64, omega).ok_or_else(|| {
+                    let omega = shortest(omega);
+                    format!("no motion from 1/30 to 25 Hz passes a ground filter of omega = {omega} rad/s")
+                });
+                record.and_then(|record| record.scaled(1.0 / metre).ok_or_else(none))
             }
             _ => Err(none()),
         };

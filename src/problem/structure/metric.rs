@@ -13,7 +13,7 @@ pub struct StructureMetric {
     pub channel: Option<Channel>,
     /// The contact of a reduction of contacts, by its place in the list.
     pub contact: Option<usize>,
-    /// The threshold of `divergence`, over the peak.
+    /// The threshold of a divergence, over the peak.
     pub threshold: f64,
     /// Byte offset and path of the text in the study.
     pub place: (usize, String),
@@ -59,14 +59,25 @@ reductions! {
     EnergyError "energy_error" Nothing "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, and stored in contacts); numerical dissipation does not count",
     NumericalDissipation "numerical_dissipation" Nothing "energy that the method takes from the structure up to the last step, over the largest energy (kinetic, strain, and stored in contacts); below 0 where it adds energy; 0 to round-off for average-acceleration",
     RmsError "rms_error" Channel "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",
+    LastError "last_error" Channel "abs(c - e) at the last step, such as the error of a residual displacement; e is the exact motion of contacts_reference",
     PeakError "peak_error" Channel "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
     RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",
     StepError "step_error" Channel "sqrt(mean (c - g)^2); g is the exact motion of the softened laws",
     MeshError "mesh_error" Channel "sqrt(mean (g - f)^2); g is the exact motion of the softened laws, f the same with 4 times as many elements in every bar and the same contacts",
     Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
+    ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold "number of times that the impacts of all contacts close at steps before divergence; all of them where it never comes",
+    Difference "difference" Channel "largest difference over the steps between this run and one with start and loads 1e-10 larger, over the peak; empty where the channel is always 0",
 }
 
 impl Reduction {
+    /// Whether it compares with the run with start and loads that are 1e-10 larger.
+    pub fn needs_perturbed(self) -> bool {
+        matches!(
+            self,
+            Reduction::Divergence | Reduction::ImpactsBeforeDivergence | Reduction::Difference
+        )
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         let place = ALL.iter().position(|known| known.0 == self);
@@ -139,9 +150,9 @@ impl StructureMetric {
                 metric.contact = Some(contact(inside, names)?);
             }
             (Takes::ChannelAndThreshold, Some(inside)) => {
-                let (channel, threshold) = inside.rsplit_once(',').ok_or(
-                    "divergence needs a channel and a threshold, as in divergence(p1, 0.01)",
-                )?;
+                let (channel, threshold) = inside.rsplit_once(',').ok_or_else(|| {
+                    format!("{name} needs a channel and a threshold, as in {name}(p1, 0.01)")
+                })?;
                 let threshold = threshold.trim();
                 let number: Option<f64> = threshold.parse().ok();
                 metric.threshold =

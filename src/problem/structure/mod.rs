@@ -7,9 +7,11 @@ mod columns;
 pub mod contacts;
 mod damping;
 mod describe;
+mod diverge;
 mod ground;
 mod judge;
 pub mod loads;
+mod made;
 pub mod metric;
 mod motion;
 pub mod node;
@@ -18,6 +20,10 @@ pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+mod units;
+
+#[cfg(test)]
+mod tests;
 
 pub use ground::GroundMotion;
 pub use scheme::Scheme;
@@ -146,8 +152,8 @@ impl StructureProblem {
     }
 
     fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
-        let terms = self.drawn.iter().flat_map(|drawn| &drawn.channel.terms);
-        distinct(terms.filter_map(|(_, term)| term.number(numbering).ok().flatten()))
+        let drawn = self.drawn.iter();
+        distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
     }
 
     /// Every channel has its nodes in a case.
@@ -280,6 +286,14 @@ impl Problem for StructureProblem {
             Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact),
             Err(_) => Vec::new(),
         }
+    }
+
+    fn diverges(&self, case: &Case) -> Option<bool> {
+        self.case_diverges(case)
+    }
+
+    fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
+        self.metrics_say(metrics)
     }
 
     fn scheme(&self, case: &Case) -> Option<Scheme> {

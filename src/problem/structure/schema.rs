@@ -2,9 +2,11 @@
 
 use super::channel::Channel;
 use super::metric::{Reduction, StructureMetric};
+use super::units::UnitNames;
 use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
-use crate::problem::schema::{Channel as Column, Metric, Quantity, TimeAxis};
+use crate::problem::schema::{Channel as Column, Metric, NO_VALUE, Quantity, TimeAxis};
+use crate::problem::unit::Dimension;
 use crate::problem::{Budget, Schema, Text, escape};
 use std::borrow::Cow::{self, Borrowed};
 use std::sync::Arc;
@@ -45,16 +47,32 @@ pub struct Drawn {
     pub place: (usize, String),
 }
 
-/// The schema of these parameters, metrics and quantities. Channel i is that of quantity i.
-pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> Arc<Schema> {
+/// The schema of these parameters, metrics and quantities. Channel i is that of quantity i. `units` are those of the study, such as
+/// `t, kN, m, s`; titles have them.
+pub fn schema(
+    named: &[Named],
+    metrics: &[StructureMetric],
+    drawn: &[Drawn],
+    units: &str,
+) -> Arc<Schema> {
+    let units = UnitNames::of(units);
+    let of = |dimension: Dimension| units.map(|units| units.of_dimension(dimension));
     let parameters: Vec<Parameter> = named.iter().map(parameter).collect();
     let row = |name: &str| named.iter().position(|p| p.name == name).unwrap_or(0);
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
-        symbol: title(&metric.name).into(),
+        symbol: in_unit(
+            title(&metric.name),
+            units.and_then(|units| units.of_metric(metric)),
+        )
+        .into(),
         unit: Borrowed("1"),
         meaning: Borrowed(metric.reduction.meaning()),
         default: true,
+        empty: Borrowed(match metric.reduction {
+            Reduction::Divergence => "never",
+            _ => NO_VALUE,
+        }),
     };
     let channel = |drawn: &Drawn| Column {
         name: drawn.name.clone().into(),
@@ -63,7 +81,7 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
     };
     let quantity = |(channel, drawn): (usize, &Drawn)| Quantity {
         name: drawn.name.clone().into(),
-        title: title(&drawn.name).into(),
+        title: in_unit(title(&drawn.name), of(drawn.channel.dimension())).into(),
         channel,
         error: drawn.error,
     };
@@ -83,10 +101,10 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
             .collect::<Vec<_>>()
             .into(),
         profiles: Cow::default(),
-        budgets: budgets(metrics).into(),
+        budgets: budgets(metrics, units.as_ref()).into(),
         time: TimeAxis {
             column: Borrowed("t"),
-            title: Borrowed("Time *t*"),
+            title: in_unit("Time *t*".to_owned(), of(Dimension::Time)).into(),
             in_pi: false,
         },
         place_title: Borrowed(""),
@@ -98,7 +116,7 @@ pub fn schema(named: &[Named], metrics: &[StructureMetric], drawn: &[Drawn]) -> 
 }
 
 /// A budget of each channel of which the study has the error and its parts.
-fn budgets(metrics: &[StructureMetric]) -> Vec<Budget> {
+fn budgets(metrics: &[StructureMetric], units: Option<&UnitNames>) -> Vec<Budget> {
     let row = |reduction: Reduction, channel: &Channel| {
         let same = |metric: &StructureMetric| {
             metric.reduction == reduction && metric.channel.as_ref() == Some(channel)
@@ -118,7 +136,11 @@ fn budgets(metrics: &[StructureMetric]) -> Vec<Budget> {
         let parts: Vec<(Text, usize)> = parts.collect();
         (!parts.is_empty()).then(|| Budget {
             name: channel.name.clone().into(),
-            title: format!("rms error of {}", title(&channel.name)).into(),
+            title: in_unit(
+                format!("rms error of {}", title(&channel.name)),
+                units.map(|units| units.of_dimension(channel.dimension())),
+            )
+            .into(),
             total,
             parts: parts.into(),
         })
@@ -219,6 +241,14 @@ fn symbol(name: &str) -> String {
         markup += &format!("_{}_", escape(below));
     }
     markup
+}
+
+/// A title with a unit behind it.
+fn in_unit(title: String, unit: Option<String>) -> String {
+    match unit {
+        Some(unit) => format!("{title} ({})", escape(&unit)),
+        None => title,
+    }
 }
 
 /// A metric or channel as an axis title.

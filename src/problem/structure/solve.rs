@@ -10,13 +10,15 @@ use super::sweep::Ready;
 use super::template::Reference;
 use crate::methods::MethodKind;
 use crate::solve::Unsolvable;
+use crate::solve::structure::Prepared;
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
 
 /// Reductions that compare with an exact motion.
-const ERRORS: [Reduction; 5] = [
+const ERRORS: [Reduction; 6] = [
     Reduction::RmsError,
+    Reduction::LastError,
     Reduction::PeakError,
     Reduction::StepError,
     Reduction::RegularisationError,
@@ -24,7 +26,11 @@ const ERRORS: [Reduction; 5] = [
 ];
 
 /// Reductions that compare with the motion of `contacts_reference`.
-const AGAINST_REFERENCE: [Reduction; 2] = [Reduction::RmsError, Reduction::PeakError];
+const AGAINST_REFERENCE: [Reduction; 3] = [
+    Reduction::RmsError,
+    Reduction::LastError,
+    Reduction::PeakError,
+];
 
 /// Reductions that always need the motion of the softened laws.
 const SOFTENED: [Reduction; 3] = [
@@ -58,7 +64,8 @@ impl StructureProblem {
         chosen: impl Fn(&StructureMetric) -> bool,
     ) -> Vec<Number> {
         let metrics = self.metrics.iter().filter(|metric| chosen(metric));
-        distinct(metrics.flat_map(|metric| judge::needed(metric, numbering)))
+        let contacts = self.template.contacts.len();
+        distinct(metrics.flat_map(|metric| judge::needed(metric, numbering, contacts)))
     }
 
     /// Whether errors are against the motion of the rigid laws.
@@ -76,8 +83,32 @@ impl StructureProblem {
         let numbers = self.numbers(&ready.numbering, |_| true);
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);
-        let run = motion::computed(&ready.structure, &ready.method, ready.dt, recording);
-        self.judge(ready, run, more)
+        let prepared = motion::prepare(&ready.structure, &ready.method, ready.dt)?;
+        let [run] = motion::steps(&[&ready.structure], &prepared, recording);
+        let [perturbed] = self.perturbed([ready], &prepared);
+        self.judge(ready, run, perturbed, more)
+    }
+
+    /// The runs with start and loads that are 1e-10 larger, by the same linear part; none if no metric compares with them.
+    pub(super) fn perturbed<const L: usize>(
+        &self,
+        cases: [&Ready; L],
+        prepared: &Prepared,
+    ) -> [Option<Run>; L] {
+        let needs = |metric: &StructureMetric| metric.reduction.needs_perturbed();
+        let (Some(first), true) = (cases.first(), self.metrics.iter().any(needs)) else {
+            return [const { None }; L];
+        };
+        let channels = self.metrics.iter().filter(|metric| needs(metric));
+        let channels = channels.filter_map(|metric| metric.channel.as_ref());
+        let numbers = distinct(channels.flat_map(|channel| channel.numbers(&first.numbering)));
+        let recording = Recording {
+            last: first.last,
+            numbers: &numbers,
+            energy: false,
+        };
+        let others = cases.map(|ready| motion::perturbed(&ready.structure));
+        motion::steps(&others.each_ref(), prepared, recording).map(Some)
     }
 
     pub(super) fn recording<'a>(&self, ready: &Ready, numbers: &'a [Number]) -> Recording<'a> {
@@ -88,11 +119,13 @@ impl StructureProblem {
         }
     }
 
-    /// The metrics of a case from its run, with the other motions that they need; the reference has these quantities more.
+    /// The metrics of a case from its run and the perturbed one, with the other motions that they need; the reference has these
+    /// quantities more.
     pub(super) fn judge(
         &self,
         ready: &Ready,
         run: Run,
+        perturbed: Option<Run>,
         more: &[Number],
     ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
         let (computed, energies) = run?;
@@ -109,17 +142,8 @@ impl StructureProblem {
             energies,
             ..Motions::default()
         };
-        if self.has(&[Reduction::Divergence]) {
-            let numbers = self.numbers(numbering, |metric| {
-                metric.reduction == Reduction::Divergence
-            });
-            let recording = Recording {
-                last: *last,
-                numbers: &numbers,
-                energy: false,
-            };
-            let other = motion::perturbed(structure);
-            motions.perturbed = Some(motion::computed(&other, method, *dt, recording)?.0);
+        if let Some(run) = perturbed {
+            motions.perturbed = Some(run?.0);
         }
         let numbers = self.numbers(numbering, |metric| ERRORS.contains(&metric.reduction));
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));

@@ -137,10 +137,9 @@ fn solve_lanes<const L: usize>(
     let structures = cases.each_ref().map(|ready| &ready.structure);
     let recording = problem.recording(&cases[0], &numbers);
     let runs = motion::steps(&structures, prepared, recording);
-    for (ready, run) in cases.iter().zip(runs) {
-        table.put(
-            ready.place,
-            problem.judge(ready, run, &[]).map(|judged| judged.1),
-        );
+    let perturbed = problem.perturbed(cases.each_ref(), prepared);
+    for (ready, (run, perturbed)) in cases.iter().zip(runs.into_iter().zip(perturbed)) {
+        let judged = problem.judge(ready, run, perturbed, &[]);
+        table.put(ready.place, judged.map(|judged| judged.1));
     }
 }

@@ -3,7 +3,9 @@
 
 use crate::contact::StoredEnergy;
 use crate::history::History;
-use crate::methods::{MethodChoice, MethodKind};
+use crate::lane::Lane;
+use crate::methods::{ContactWork, MethodChoice};
+use crate::metrics::impact::step_work;
 use crate::problem::Case;
 use crate::problem::impact::BarImpact;
 use crate::recommend::EnergyChange;
@@ -33,7 +35,7 @@ pub fn energy_change(case: &Case, computed: &History) -> Option<EnergyChange> {
 
 /// The drift of the energy of bars and contact at every step, and what the damping of the contact takes.
 fn by_contact(system: &System, computed: &History) -> (Vec<f64>, f64) {
-    let [before, after] = system.method.work_weights();
+    let form = step_work(&[*system]);
     let (mut bars, mut damping) = (0.0, 0.0);
     let mut last: Option<[f64; 4]> = None;
     let states = computed.displacement().iter().zip(computed.velocity());
@@ -42,9 +44,9 @@ fn by_contact(system: &System, computed: &History) -> (Vec<f64>, f64) {
         let (r, rate, s) = (*r, 2.0 * rdot, -force);
         let kept = system.law.conservative_force(r, s);
         if let Some([r_last, rate_last, kept_last, damped_last]) = last {
-            let moved = moved(system, [r_last, r], [rate_last, rate]);
-            bars -= (before * kept_last + after * kept) * moved;
-            damping += (before * damped_last + after * (s - kept)) * moved;
+            let ends = [[r_last, r], [rate_last, rate]];
+            bars -= work(&form, [kept_last, kept], ends);
+            damping += work(&form, [damped_last, s - kept], ends);
         }
         last = Some([r, rate, kept, s - kept]);
         bars + system.law.stored_energy(r, s)
@@ -52,34 +54,32 @@ fn by_contact(system: &System, computed: &History) -> (Vec<f64>, f64) {
     (drifts.collect(), damping)
 }
 
-/// The displacement on which the contact's force of a step does its work; an impulse does it on the mean velocity.
-fn moved(system: &System, r: [f64; 2], rate: [f64; 2]) -> f64 {
-    match system.method.kind() {
-        MethodKind::MoreauJean => 0.5 * system.step * (rate[0] + rate[1]),
-        _ => r[1] - r[0],
-    }
+/// The work of a force over a step, from both ends of force, r and rdot.
+fn work(form: &ContactWork<1>, force: [f64; 2], [r, rdot]: [[f64; 2]; 2]) -> f64 {
+    let lanes = |ends: [f64; 2]| ends.map(|x| Lane([x]));
+    let Lane([work]) = form.force(lanes(force)) * form.displacement(lanes(r), lanes(rdot));
+    work
 }
 
 /// What the method adds to the energy of the modes, up to every step.
 fn by_method(system: &System) -> Vec<f64> {
-    let [before, after] = system.method.work_weights();
+    let form = step_work(&[*system]);
     let start = system.linear.energy();
-    let mut work = 0.0;
+    let mut sum = 0.0;
     let mut last: Option<[f64; 3]> = None;
     let mut added = Vec::new();
     solve::visit(system, |_, state| {
         let contact = state.contact();
         let [r, rate, s] = [contact.displacement, contact.velocity, contact.force].map(|x| x.0[0]);
         if let Some([r_last, rate_last, s_last]) = last {
-            let moved = moved(system, [r_last, r], [rate_last, rate]);
-            work += (before * s_last + after * s) * moved;
+            sum += work(&form, [s_last, s], [[r_last, r], [rate_last, rate]]);
         }
         last = Some([r, rate, s]);
         let modes = state.modes().into_iter().enumerate();
         let energy: f64 = modes
             .map(|(j, [x, v])| system.linear.mode(j).mode.energy(x, v))
             .sum();
-        added.push(energy + work - start);
+        added.push(energy + sum - start);
     });
     added
 }

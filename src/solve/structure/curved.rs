@@ -107,10 +107,8 @@ impl Curved {
     pub(super) fn ambiguous(&self) -> Option<usize> {
         let answers = |contact: &Contact| {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
-            has_one_root(
-                &contact.relation.law(limit),
-                &self.scale.steps(contact.own)[0],
-            )
+            let law = contact.relation.law(limit);
+            law.has_one_root(&self.scale.steps(contact.own)[0])
         };
         self.contacts.iter().position(|contact| !answers(contact))
     }
@@ -275,15 +273,6 @@ fn reach(law: &ContactLaw, [low, high]: [f64; 2]) -> [f64; 2] {
         ContactLaw::Stribeck(law) => friction(law.static_limit),
         ContactLaw::Lugre(_) => [f64::NEG_INFINITY, f64::INFINITY],
         _ => [low, high],
-    }
-}
-
-/// Whether each answer of a law is the only one.
-fn has_one_root(law: &ContactLaw, on: &StepFlexibility<1>) -> bool {
-    match law {
-        ContactLaw::Stribeck(law) => law.has_one_root(on),
-        ContactLaw::Lugre(law) => law.has_one_root(on),
-        _ => true,
     }
 }
 

@@ -54,6 +54,7 @@
 
 mod books;
 mod curved;
+mod curved_lanes;
 mod forces;
 mod general;
 mod initial;

@@ -1,5 +1,6 @@
 //! Steps of structures in lanes.
 
+use super::curved_lanes::meet_lane;
 use super::general::General;
 use super::laws::friction;
 use super::links::Link;
@@ -202,24 +203,8 @@ impl<const L: usize> Average<'_, L> {
                 continue;
             };
             let contacts = &self.contacts;
-            let finite = |c: &ContactState<L>| c.change.0[l].is_finite() && c.w.0[l].is_finite();
-            let solved = curved.solve(|c| contacts[c].motion(l, dt));
-            match solved {
-                Ok(forces) => {
-                    for (force, own) in self.force.iter_mut().zip(forces) {
-                        force.0[l] = *own;
-                    }
-                }
-                Err(why) => {
-                    // A motion that is not finite is not a fault of the contacts.
-                    if contacts.iter().all(finite) {
-                        self.forces.fail(l, step, why);
-                    }
-                    for force in &mut self.force {
-                        force.0[l] = f64::NAN;
-                    }
-                }
-            }
+            let motion = |c: usize| contacts[c].motion(l, dt);
+            meet_lane(curved, motion, &mut self.force, &mut self.forces, (l, step));
         }
     }
 

@@ -1,12 +1,12 @@
 //! The state of structures in lanes, by the constant average acceleration method.
 
 use super::curved::{Curved, Motion};
+use super::curved_lanes::curved_lanes;
 use super::forces::Forces;
 use super::initial;
 use super::laws::{Line, bounds};
 use super::loads::Inputs;
 use super::{ContactStep, Prepared};
-use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::system::structure::Structure;
 
@@ -173,22 +173,7 @@ impl<'a, const L: usize> Average<'a, L> {
         for (lane, why) in failures {
             forces.fail(lane, 0, why);
         }
-        let mut curved = Vec::new();
-        if cases
-            .iter()
-            .any(|case| case.contacts.iter().any(|c| c.law.is_curved()))
-        {
-            let of = |case: &&Structure| Curved::new(case, &prepared.flexibility, 2.0 / dt, dt);
-            curved.extend(cases.iter().map(of));
-            let mut others = [false; L];
-            for (l, (other, curved)) in others.iter_mut().zip(&curved).enumerate() {
-                *other = curved.is_some();
-                if curved.as_ref().is_some_and(|c| c.ambiguous().is_some()) {
-                    forces.fail(l, 0, Unsolved::Falling);
-                }
-            }
-            forces.leave(others);
-        }
+        let curved = curved_lanes(cases, &prepared.flexibility, 2.0 / dt, dt, &mut forces);
         let mut state = Average {
             prepared,
             p,

@@ -25,7 +25,7 @@ use crate::study::source::setting;
 use crate::study::source::tree::{Node, Tree};
 use crate::study::units::Units;
 use crate::study::value::{self, name};
-use crate::study::{Check, Figure, Study, structure};
+use crate::study::{Check, Figure, Study, reduction, structure};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use ensemble::ensemble;
@@ -33,7 +33,7 @@ use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(in crate::study) const KEYS: [(&str, &str); 12] = [
+pub(in crate::study) const KEYS: [(&str, &str); 13] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -56,6 +56,7 @@ pub(in crate::study) const KEYS: [(&str, &str); 12] = [
         "metrics",
         "metrics to compute in addition to the default ones; each is a column of results.csv",
     ),
+    reduction::decode::KEY,
     (
         "ensemble",
         "a parameter or a list of parameters over which the cases are an ensemble, such as the seed of a record or what a design samples; for each set of values of the others, quantiles.csv has the distribution of every metric",
@@ -139,7 +140,10 @@ pub(in crate::study) fn study(
         let message = "a structure has no un-iterated form; allowed: converged";
         faults.add(node.at, "iteration", message);
     }
-    let measures = measure::measures(&*problem, units.as_ref());
+    let mut measures = measure::measures(&*problem, units.as_ref());
+    let metrics: Vec<String> = measures.iter().map(|m| m.name.clone()).collect();
+    let reductions = reduction::decode::measures(&object, &*problem, &measures, &blocks, faults);
+    measures.extend(reductions);
     let mut scope = Scope {
         problem,
         measures,
@@ -148,7 +152,7 @@ pub(in crate::study) fn study(
         once,
     };
     scope.ensemble = ensemble(&object, &scope, faults);
-    let metrics = scope.metrics();
+    let metrics: Vec<&str> = metrics.iter().map(String::as_str).collect();
     let listed = object.items("metrics", faults, |node, path, faults| {
         name(node, path, "metric", &metrics, faults)
     });
@@ -197,7 +201,7 @@ fn problem(
     }
 }
 
-/// The metrics that are default, that the study lists, and that a figure or check needs, in the order of the table.
+/// The metrics that are default, that the study lists or reduces, and that a figure or check needs, in the order of the table.
 fn columns(
     problem: &dyn Problem,
     measures: &[Measure],
@@ -208,7 +212,9 @@ fn columns(
     let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
     let drawn = figures.iter().flat_map(shown);
     let checked = checks.iter().map(|check| check.metric);
-    let named = listed.iter().copied().chain(checked);
+    let reduced = measures.iter().enumerate();
+    let reduced = reduced.filter_map(|(row, measure)| measure.reduction.as_ref().map(|_| row));
+    let named = listed.iter().copied().chain(checked).chain(reduced);
     let needed = named.chain(drawn).map(|row| measures[row].metric);
     let needed: Vec<usize> = needed.collect();
     let metrics = problem.metrics().iter().enumerate();

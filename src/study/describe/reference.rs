@@ -14,6 +14,8 @@ use crate::study::decode::{self, checks, units};
 use crate::study::expression::tokens::{CONSTANTS, FUNCTIONS};
 use crate::study::figure::keys::{COMMON, Key};
 use crate::study::figure::kinds::KINDS;
+use crate::study::figure::reduced;
+use crate::study::reduction::WORDS;
 
 /// docs/study-files.md.
 pub fn reference() -> String {
@@ -37,6 +39,8 @@ pub fn reference() -> String {
         .replace("{{design}}", &pairs(&design::KEYS))
         .replace("{{common}}", &keys(&COMMON))
         .replace("{{kinds}}", &kinds.join("\n"))
+        .replace("{{words}}", &pairs(&WORDS))
+        .replace("{{reduced}}", &code(&reduced::KINDS))
         .replace("{{checks}}", &pairs(&checks::KEYS))
         .replace("{{problems}}\n", &problems.join("\n"))
 }

@@ -18,6 +18,7 @@ use crate::study::figure::extent::WIDTHS;
 use crate::study::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{self, KINDS};
 use crate::study::figure::taken::MARKS;
+use crate::study::reduction::WORDS;
 use crate::study::units::IN;
 use std::sync::Arc;
 
@@ -35,10 +36,11 @@ pub fn schema() -> String {
     ] {
         properties[key]["type"] = kind.into();
     }
-    for key in ["blocks", "metrics", "figures", "checks"] {
+    for key in ["blocks", "metrics", "reductions", "figures", "checks"] {
         properties[key]["type"] = "array".into();
     }
     let problems: Vec<&str> = problem::names().collect();
+    properties["reductions"]["items"] = reduction();
     properties["problem"]["enum"] = json!(problems);
     properties["iteration"]["enum"] = json!(decode::ITERATIONS);
     let mut definitions = Map::new();
@@ -92,6 +94,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     };
     let parameters = define("parameters", parameters(problem.parameters(), ""));
     let metric = define("metric", metric(problem));
+    define("column", json!({ "anyOf": [metric, reduction()] }));
     define("where", filter(problem));
     let mut block = block_keys();
     block.insert("parameters".into(), parameters.clone());
@@ -138,6 +141,16 @@ fn metric(problem: &dyn Problem) -> Json {
         "description": "a metric in the units of the study",
     });
     json!({ "anyOf": [scaled, in_units] })
+}
+
+/// The text of a reduction.
+pub(super) fn reduction() -> Json {
+    let words = WORDS.map(|word| word.0.replace('P', "[^ ]+"));
+    json!({
+        "type": "string",
+        "pattern": format!("^({}) .+ over .+$", words.join("|")),
+        "description": "a metric reduced over parameters, such as least rms_error over alpha",
+    })
 }
 
 /// A name of a unit, as a regular expression.
@@ -223,11 +236,11 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Ratios => several(ratio()),
         Takes::Periods | Takes::Probabilities => pair(),
         Takes::Number => number(Range::Any),
-        Takes::Column => json!({ "anyOf": [parameters(true), defined("metric")] }),
+        Takes::Column => json!({ "anyOf": [parameters(true), defined("column")] }),
         Takes::Profile => profiles(),
         Takes::Profiles => several(profiles()),
-        Takes::Metric => defined("metric"),
-        Takes::Metrics => several(defined("metric")),
+        Takes::Metric => defined("column"),
+        Takes::Metrics => several(defined("column")),
         Takes::Times => several(number(Range::NotNegative)),
         Takes::Budgets => several(names(
             problem
@@ -298,7 +311,8 @@ fn check(problem: &dyn Problem) -> Json {
     let mut properties = Map::new();
     for (key, meaning) in checks::KEYS {
         let mut schema = match key {
-            "metric" | "where" => refer(&name_of(problem, key)),
+            "metric" => refer(&name_of(problem, "column")),
+            "where" => refer(&name_of(problem, key)),
             _ => number(Range::Any),
         };
         schema["description"] = meaning.into();

@@ -1,6 +1,6 @@
 //! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::schema::{block_keys, several, width_and_pair};
+use super::schema::{block_keys, reduction, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::Range;
@@ -53,7 +53,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
                 "required": ["kind"],
                 "allOf": figures,
             } },
-            "checks": { "items": check(&metric) },
+            "checks": { "items": check(&json!({ "anyOf": [metric, reduction()] })) },
         } },
         "else": { "properties": { "structure": false } },
     })
@@ -292,6 +292,7 @@ pub(super) fn reference() -> String {
     text += &table("`pulse`:", keys::PULSE);
     text += &table("`ricker`:", keys::RICKER);
     text += &table("`cosine`:", keys::COSINE);
+    text += &table("`synthetic`:", keys::SYNTHETIC);
     text += &table("`start`, for each node or bar:", keys::START);
     text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, the following of a contact, and sums and differences such as \
              `g1.right - p2`:\n";

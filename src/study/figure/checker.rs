@@ -1,11 +1,12 @@
 //! The checks of a figure that several kinds need.
 
+use super::reduced;
 use super::taken::Values;
 use crate::problem::Case;
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::study::faults::{Faults, join};
 use crate::study::scope::Scope;
-use crate::study::{Figure, Scale};
+use crate::study::{Figure, Reduction, Scale};
 
 /// What to do about too many cases.
 pub(super) const NARROW: &str = "narrow the cases with \"where\"";
@@ -18,6 +19,8 @@ pub(in crate::study) struct Checker<'a> {
     pub figure: &'a Figure,
     pub values: &'a Values<'a>,
     pub scope: &'a Scope,
+    /// One of the reductions that the figure shows, if it shows any.
+    pub reduced: Option<&'a Reduction>,
     pub faults: &'a mut Faults,
 }
 
@@ -39,9 +42,9 @@ impl<'a> Checker<'a> {
         self.scope.levels(&self.figure.filter, row)
     }
 
-    /// The cases of the figure.
+    /// The cases of the figure; one of each group, if it shows reductions.
     pub fn cases(&self) -> impl Iterator<Item = Case> + use<'a> {
-        self.scope.cases(&self.figure.filter)
+        reduced::one_of_each(self.reduced, self.scope.cases(&self.figure.filter))
     }
 
     /// Whether the figure has more than `most` cases.
@@ -49,8 +52,18 @@ impl<'a> Checker<'a> {
         self.scope.select(&self.figure.filter).nth(most).is_some()
     }
 
-    /// Reports a parameter that none of the cases has.
+    /// Why the figure cannot show a parameter, because it shows reductions over it; `None` if it can.
+    pub fn hidden(&self, row: usize) -> Option<String> {
+        let cases = self.scope.cases(&self.figure.filter);
+        reduced::hidden(self.reduced?, row, cases, self.scope)
+    }
+
+    /// Reports a parameter that none of the cases has, or that the figure cannot show.
     pub fn has_values(&mut self, key: &str, row: usize) {
+        if let Some(message) = self.hidden(row) {
+            self.fault(key, message);
+            return;
+        }
         let parameter = &self.scope.problem.parameters()[row];
         let known = !matches!(parameter.default, Default::Follows(_));
         if known && self.levels(row).is_empty() {

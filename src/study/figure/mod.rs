@@ -6,6 +6,7 @@ pub(super) mod extent;
 pub(super) mod keys;
 pub mod kinds;
 mod limits;
+pub(crate) mod reduced;
 mod sampled;
 pub(super) mod taken;
 mod vary;
@@ -86,13 +87,16 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         filter: values.filter(),
         kind: (kind?.decode)(&values, scope)?,
     };
-    let kind = figure.kind.decoded();
     let mut checker = Checker {
         figure: &figure,
         values: &values,
         scope,
+        reduced: None,
         faults,
     };
+    let table = kind?;
+    checker.reduced = reduced::check(table.name, table.keys, &mut checker);
+    let kind = figure.kind.decoded();
     limits::check(&mut checker);
     kind.check_keys(&mut checker);
     let at = values.at("where");

@@ -33,7 +33,15 @@ pub(super) fn parameters(scope: &Scope, filter: &Filter) -> Vec<(usize, Scale)> 
 /// are any.
 pub(super) fn refused(checker: &mut Checker, kind: &str) -> bool {
     let table = checker.scope.problem.parameters();
-    let sampled = parameters(checker.scope, &checker.figure.filter);
+    let mut sampled = parameters(checker.scope, &checker.figure.filter);
+    // Cases of all samples may be reduced to one value.
+    let lost = |row: &usize| {
+        checker
+            .reduced
+            .iter()
+            .any(|reduced| reduced.lost.contains(row))
+    };
+    sampled.retain(|(row, _)| !lost(row));
     let names: Vec<&str> = sampled.iter().map(|(row, _)| &*table[*row].name).collect();
     let are = match names.as_slice() {
         [] => return false,

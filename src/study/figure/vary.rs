@@ -14,7 +14,12 @@ pub(super) fn check(checker: &mut Checker, distinguished: &[usize], what: &str, 
     let (figure, scope) = (checker.figure, checker.scope);
     let table = scope.problem.parameters();
     let free = |row: &usize| {
-        !distinguished.contains(row)
+        let lost = checker
+            .reduced
+            .iter()
+            .any(|reduced| reduced.lost.contains(row));
+        !lost
+            && !distinguished.contains(row)
             && checker.levels(*row).len() > 1
             && !scope.follows(&figure.filter, *row, distinguished)
     };
@@ -46,7 +51,7 @@ pub(super) fn check(checker: &mut Checker, distinguished: &[usize], what: &str, 
     checker.fault("where", message);
 }
 
-/// Whether no two cases have the same values of the distinguished parameters.
+/// Whether no two cases, or groups of reduced cases, have the same values of the distinguished parameters.
 fn one_case_a_place(checker: &Checker, distinguished: &[usize]) -> bool {
     let mut places = HashSet::new();
     checker.cases().all(|case| {

@@ -166,7 +166,10 @@ pub(in crate::study) const FUNCTION: Keys = &[
         "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, CSV), or a parameter that chooses it",
     ),
     ("pulse", "a pulse of acceleration"),
-    ("synthetic", "a synthetic acceleration by its seed"),
+    (
+        "synthetic",
+        "a synthetic acceleration by its seed, or by its seed and the frequency of its ground filter",
+    ),
     ("unit", "unit of a record: g, m/s2 or cm/s2"),
     ("scale", "factor of the function"),
 ];
@@ -212,7 +215,13 @@ pub(in crate::study) const COSINE: Keys = &[
 ];
 
 /// Keys of `synthetic`.
-pub(in crate::study) const SYNTHETIC: Keys = &[("seed", "a whole number")];
+pub(in crate::study) const SYNTHETIC: Keys = &[
+    ("seed", "a whole number from 0 to 4294967295"),
+    (
+        "omega",
+        "circular frequency of the ground filter in rad/s, > 0; 15.6 (firm ground) if left out; the second filter is at omega/10",
+    ),
+];
 
 /// Keys of a load: the node, and those of a function.
 pub(in crate::study) const LOAD_AT: (&str, &str) = ("at", "node on which the force acts");

@@ -6,8 +6,8 @@ use super::keys::{
 use super::reader::{Reader, open};
 use super::records::record;
 use crate::problem::parameter::Range;
-use crate::problem::structure::amount::Amount;
-use crate::problem::structure::loads::{Kind, Source};
+use crate::problem::structure::amount::{self, Amount};
+use crate::problem::structure::loads::{Kind, LARGEST_SEED, Source};
 use crate::problem::structure::template::{Load, Scaled};
 use crate::study::source::faults::{Faults, join};
 use crate::study::source::object::Object;
@@ -167,14 +167,31 @@ fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Optio
     })
 }
 
-/// A seed, plain or as the one key of an object.
+/// A seed, plain or in an object with the frequency of the ground filter.
 fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
-    let seed = match &node.tree {
-        Tree::Object(_) => {
-            let object = open(node, path, SYNTHETIC, faults)?;
-            reader.needed(&object, SYNTHETIC, "seed", Range::NotNegative, faults)
-        }
-        _ => reader.amount(node, path, Range::NotNegative, faults),
+    let Tree::Object(_) = &node.tree else {
+        let seed = reader.amount(node, path, Range::NotNegative, faults);
+        return Some(Kind::Synthetic {
+            seed: whole(seed?, faults)?,
+            omega: None,
+        });
     };
-    Some(Kind::Synthetic { seed: seed? })
+    let object = open(node, path, SYNTHETIC, faults)?;
+    let before = faults.count();
+    let seed = reader.needed(&object, SYNTHETIC, "seed", Range::NotNegative, faults);
+    let seed = seed.and_then(|seed| whole(seed, faults));
+    let omega = reader.optional(&object, "omega", Range::Positive, faults);
+    let complete = faults.count() == before;
+    Some(Kind::Synthetic { seed: seed?, omega }).filter(|_| complete)
+}
+
+/// A seed; a plain number is reported here if it is not whole, so that all faults are reported together.
+fn whole(seed: Amount, faults: &mut Faults) -> Option<Amount> {
+    if let amount::Source::Number(x) = seed.source
+        && let Err(violation) = seed.as_whole(x, 0, LARGEST_SEED)
+    {
+        faults.add(seed.at, &seed.path, violation.message);
+        return None;
+    }
+    Some(seed)
 }

@@ -2,6 +2,7 @@
 
 mod contacts;
 pub(super) mod keys;
+mod labels;
 mod loads;
 mod names;
 mod parts;
@@ -34,7 +35,7 @@ pub(super) fn problem(
     let node = root.need("structure", "masses, bars, springs and contacts", faults)?;
     let choices = names::choices(node, root_node);
     let parameters = names::parameters(root_node, &choices, faults);
-    let first = schema::schema(&parameters, &[], &[]);
+    let first = schema::schema(&parameters, &[], &[], "");
     let object = open(node, "structure", STRUCTURE, faults)?;
     let mut taken = Vec::new();
     let mut parts = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
@@ -118,7 +119,7 @@ pub(super) fn problem(
         names::report_unused(root_node, &parameters, &first.parameters, faults);
     }
     let identity = names::identity(node, &reader.records.borrow());
-    let schema = schema::schema(&parameters, &metrics, &drawn);
+    let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
             template, schema, metrics, drawn, identity,

@@ -1,5 +1,6 @@
 //! The names that a study gives its parameters, and the identity of its structure.
 
+use super::labels::{is_label, labels};
 use super::reader::{Reader, is_name};
 use crate::problem::interned;
 use crate::problem::method::PARAMETERS;
@@ -14,10 +15,10 @@ use crate::study::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
 
 /// The names that a parameter chooses from, each with its meaning.
-type Choices = &'static [(&'static str, &'static str)];
+pub(super) type Choices = &'static [(&'static str, &'static str)];
 
 /// The members of an object; none of another value.
-fn members(node: &Node) -> &[Member] {
+pub(super) fn members(node: &Node) -> &[Member] {
     match &node.tree {
         Tree::Object(members) => members,
         _ => &[],
@@ -25,7 +26,7 @@ fn members(node: &Node) -> &[Member] {
 }
 
 /// The value of a key of an object.
-fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
+pub(super) fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
     let mut members = members(node).iter();
     members
         .find(|member| member.key == key)
@@ -33,7 +34,7 @@ fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
 }
 
 /// The members of all `parameters` of a study, each with its path.
-fn given(root: &Node) -> Vec<(&Member, String)> {
+pub(super) fn given(root: &Node) -> Vec<(&Member, String)> {
     let of = |node: &Node, path: &str| -> Vec<(usize, String)> {
         let members = members(node).iter().enumerate();
         let real = members.filter(|(_, member)| member.key != "//");
@@ -60,7 +61,7 @@ fn given(root: &Node) -> Vec<(&Member, String)> {
 }
 
 /// The texts of a value: of one text, or of a list.
-fn texts(node: &Node) -> Vec<&str> {
+pub(super) fn texts(node: &Node) -> Vec<&str> {
     match &node.tree {
         Tree::Text(text) => vec![text],
         Tree::List(items) => items.iter().flat_map(texts).collect(),
@@ -95,8 +96,24 @@ pub(super) fn has_key(node: &Node, keys: &[&str]) -> bool {
     }
 }
 
+/// The parameters whose values are names: those that choose a law or a record, and labels.
+pub(super) struct Choosing {
+    /// Those that choose a law or a record, with what they choose from.
+    pub parts: Vec<(String, Choices)>,
+    /// Labels, with their texts.
+    pub labels: Vec<(String, Choices)>,
+}
+
+/// The parameters of a study whose values are names.
+pub(super) fn choices(structure: &Node, root: &Node) -> Choosing {
+    Choosing {
+        parts: parts(structure, root),
+        labels: labels(structure, root),
+    }
+}
+
 /// The parameters that choose a law or a record, with what they choose from.
-pub(super) fn choices(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
+fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
     let given = given(root);
     let values = |name: &str| -> Vec<&str> {
         let own = given.iter().filter(|(member, _)| member.key == name);
@@ -131,25 +148,21 @@ pub(super) fn choices(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
 }
 
 /// A table of names that lives as long as the program, one for equal lists.
-fn interned_choices(files: Vec<(&'static str, &'static str)>) -> Choices {
+pub(super) fn interned_choices(names: Vec<(&'static str, &'static str)>) -> Choices {
     use std::collections::BTreeSet;
     use std::sync::{Mutex, PoisonError};
     static TABLES: Mutex<BTreeSet<Choices>> = Mutex::new(BTreeSet::new());
     let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = tables.get(&files[..]) {
+    if let Some(known) = tables.get(&names[..]) {
         return known;
     }
-    let table: Choices = Box::leak(files.into_boxed_slice());
+    let table: Choices = Box::leak(names.into_boxed_slice());
     tables.insert(table);
     table
 }
 
 /// The parameters of all blocks in the order of the file. dt, duration and those of the method are always among them.
-pub(super) fn parameters(
-    root: &Node,
-    choices: &[(String, Choices)],
-    faults: &mut Faults,
-) -> Vec<Named> {
+pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -> Vec<Named> {
     let mut parameters: Vec<Named> = Vec::new();
     for (member, path) in given(root) {
         let name = &member.key;
@@ -177,11 +190,15 @@ pub(super) fn parameters(
             };
             faults.add(member.at, &path, message);
         }
-        let choice = choices.iter().find(|known| known.0 == *name);
+        let of = |all: &[(String, Choices)]| {
+            let known = all.iter().find(|known| known.0 == *name);
+            known.map(|known| known.1)
+        };
+        let (part, label) = (of(&choices.parts), of(&choices.labels));
         parameters.push(Named {
             name: name.clone(),
-            choices: choice.map(|known| known.1),
-            required: choice.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
+            choices: part.or(label),
+            required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
         });
     }
     for (name, _) in FIXED {
@@ -202,7 +219,7 @@ pub(super) fn parameters(
     parameters
 }
 
-/// Reports the parameters that neither the structure nor another parameter nor a condition contains.
+/// Reports the parameters that neither the structure nor another parameter nor a condition contains, and that are no labels.
 pub(super) fn report_unused(
     root: &Node,
     parameters: &[Named],
@@ -220,15 +237,24 @@ pub(super) fn report_unused(
     for formula in formulas.chain(conditions) {
         formula.uses().iter().for_each(|row| used[*row] = true);
     }
+    let is_used = |row: usize| {
+        let named = &parameters[row];
+        named.required || used[row] && named.choices.is_none()
+    };
+    let is_used_name = |name: &str| {
+        let row = parameters.iter().position(|named| named.name == name);
+        row.is_some_and(is_used)
+    };
     for (row, named) in parameters.iter().enumerate() {
-        if named.required || used[row] {
+        if is_used(row) || is_label(root, &named.name, &is_used_name) {
             continue;
         }
         let own = given.iter().find(|(member, _)| member.key == named.name);
         if let Some((member, path)) = own {
             let name = quoted(&named.name);
             let message = format!(
-                "{name} is not used: no part of the structure and no expression contains it"
+                "{name} is not used: no part of the structure and no expression contains it; a label of the cases is allowed as a \
+                 list in a \"zip\" with a parameter that is used"
             );
             faults.add(member.at, path, message);
         }

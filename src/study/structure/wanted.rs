@@ -3,11 +3,12 @@
 use crate::problem::structure::channel::{Channel, Names};
 use crate::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
 use crate::problem::structure::schema::Drawn;
+use crate::study::reduction::decode;
 use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::object::Object;
 use crate::study::source::tree::{Node, Tree};
 
-/// The metrics in the list `metrics`, and those that checks and figures name.
+/// The metrics in the list `metrics`, and those that reductions, checks and figures name.
 pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<StructureMetric> {
     let mut metrics: Vec<StructureMetric> = Vec::new();
     let mut add = |text: &str, at: usize, path: &str, faults: &mut Faults| {
@@ -36,6 +37,13 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
     if let Some(node) = root.get("metrics") {
         each_text(node, "metrics", &mut |text, at, path| {
             add(text, at, path, faults)
+        });
+    }
+    if let Some(node) = root.get(decode::KEY.0) {
+        each_text(node, decode::KEY.0, &mut |text, at, path| {
+            if let Some(parts) = decode::parts(text) {
+                add(parts.metric, at, path, faults);
+            }
         });
     }
     for key in ["checks", "figures"] {

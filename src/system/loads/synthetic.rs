@@ -13,25 +13,28 @@ const STEPS: usize = 3000;
 const COSINES: usize = 750;
 /// The peak in g.
 const PEAK: f64 = 0.3;
+/// Circular frequency of the ground filter in rad/s for firm ground `[Clough and Penzien 1975]`.
+pub const FIRM_GROUND: f64 = 15.6;
 
-/// The synthetic acceleration of a seed in m/s2, at 0, 0.01, .. 30 s, with a peak of 0.3 g.
+/// The synthetic acceleration of a seed in m/s2, at 0, 0.01, .. 30 s, with a peak of 0.3 g. omega > 0 is the circular frequency of the
+/// ground filter in rad/s, [`FIRM_GROUND`] for the rule's own. `None` if omega is so small or large that no motion is left.
 ///
 /// The sum of sqrt(S(w)) cos(w t + 2 pi u_k) at the circular frequencies w = 2 pi k/30 s, k = 1 .. 750, with
 ///
 /// ```text
-/// S(w) = (1 + 1.44 x)/((1 - x)^2 + 1.44 x)  y^2/((1 - y)^2 + 1.44 y),  x = (w/15.6)^2, y = (w/1.56)^2
+/// S(w) = (1 + 1.44 x)/((1 - x)^2 + 1.44 x)  y^2/((1 - y)^2 + 1.44 y),  x = (w/omega)^2, y = (10 w/omega)^2
 /// ```
 ///
-/// (firm ground, `[Clough and Penzien 1975]`; both damping ratios 0.6), times (t/2)^2 until 2 s, 1 until 10 s and
+/// (`[Clough and Penzien 1975]`; both damping ratios 0.6, the second filter at omega/10), times (t/2)^2 until 2 s, 1 until 10 s and
 /// exp(-(t - 10)/4) after (`[Jennings et al. 1968]`), scaled to the peak. u_k is the k-th number of SplitMix64.
-pub fn synthetic(seed: u64) -> Table {
+pub fn synthetic(seed: u64, omega: f64) -> Option<Table> {
     // w t = 2 pi (k i mod 3000)/3000 at step i: all angles are multiples of one.
     let angle = |n: usize| 2.0 * PI * (n as f64 / STEPS as f64);
     let turns: Vec<[f64; 2]> = (0..STEPS).map(|n| [cos(angle(n)), sin(angle(n))]).collect();
     let mut sum = vec![0.0; STEPS + 1];
     let mut random = SplitMix64(seed);
     for k in 1..=COSINES {
-        let amplitude = spectral_density(2.0 * PI * k as f64 / (STEPS as f64 * STEP)).sqrt();
+        let amplitude = spectral_density(2.0 * PI * k as f64 / (STEPS as f64 * STEP), omega).sqrt();
         let phase = 2.0 * PI * random.uniform();
         let [c, s] = [amplitude * cos(phase), amplitude * sin(phase)];
         let mut n = 0;
@@ -52,12 +55,12 @@ pub fn synthetic(seed: u64) -> Table {
         .collect();
     let peak = shaped.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()));
     let scale = PEAK * STANDARD_GRAVITY / peak;
-    zero_beyond(times, shaped.iter().map(|a| a * scale).collect()).expect("a finite sum of cosines")
+    zero_beyond(times, shaped.iter().map(|a| a * scale).collect())
 }
 
-/// S(w) of ground with omega_g = 15.6, zeta_g = 0.6, omega_f = 1.56, zeta_f = 0.6.
-fn spectral_density(w: f64) -> f64 {
-    let [x, y] = [15.6, 1.56].map(|corner| (w / corner) * (w / corner));
+/// S(w) of ground with omega_g = omega, zeta_g = 0.6, omega_f = omega/10, zeta_f = 0.6.
+fn spectral_density(w: f64, omega: f64) -> f64 {
+    let [x, y] = [omega, omega / 10.0].map(|corner| (w / corner) * (w / corner));
     let soil = (1.0 + 1.44 * x) / ((1.0 - x) * (1.0 - x) + 1.44 * x);
     soil * (y * y / ((1.0 - y) * (1.0 - y) + 1.44 * y))
 }
@@ -101,7 +104,7 @@ mod tests {
 
     #[test]
     fn the_record_of_seed_1_has_the_printed_intensity_and_peak() {
-        let record = synthetic(1);
+        let record = synthetic(1, FIRM_GROUND).unwrap();
         // Half a unit of the last printed digit.
         assert!((arias(&record, STANDARD_GRAVITY) - 1.8006723669).abs() < 5e-11);
         let (mut at, mut peak) = (0.0, 0.0);
@@ -118,7 +121,7 @@ mod tests {
     #[test]
     fn the_sum_is_the_rule_term_by_term() {
         // Points of the rule, computed with numpy's cosine of w t + 2 pi u_k for seed 1.
-        let record = synthetic(1);
+        let record = synthetic(1, FIRM_GROUND).unwrap();
         for (i, a) in [
             (0, 0.0),
             (1, -9.687694883518868e-06),
@@ -135,6 +138,25 @@ mod tests {
                 "{i} {} {a}",
                 record.values()[i]
             );
+        }
+    }
+
+    #[test]
+    fn another_ground_filter_gives_the_points_of_another_program() {
+        // numpy, as above, for seed 7 and omega = 8.
+        let record = synthetic(7, 8.0).unwrap();
+        for (i, a) in [
+            (1, -1.3213589629819991e-05),
+            (137, -0.10028052766048313),
+            (652, -2.19378707157089),
+            (1000, -1.0649441612226678),
+            (2999, -0.0002167355736162065),
+        ] {
+            assert!((record.values()[i] - a).abs() < 1e-12, "{i}");
+        }
+        // No motion is left beyond the cosines of the rule.
+        for omega in [1e-200, 1e200] {
+            assert!(synthetic(1, omega).is_none());
         }
     }
 }

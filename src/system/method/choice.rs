@@ -32,19 +32,6 @@ pub enum MethodKind {
 }
 
 impl MethodChoice {
-    /// The work of the contact over a step is (w0 S(i) + w1 S(i+1)) (r(i+1) - r(i)) with these w0, w1.
-    ///
-    /// The trapezoidal rule for all methods whose forces are functions of time: of second order, and exact for a linear spring.
-    /// Moreau and Jean's S(i+1) is the mean force of the step.
-    pub fn work_weights(&self) -> [f64; 2] {
-        match self {
-            MethodChoice::AverageAcceleration | MethodChoice::Family(_) | MethodChoice::Bathe => {
-                [0.5, 0.5]
-            }
-            MethodChoice::MoreauJean { .. } => [0.0, 1.0],
-        }
-    }
-
     /// Number of sub-steps of a step.
     pub fn sub_steps(&self) -> u64 {
         match self {

@@ -15,6 +15,10 @@ pub const SEVERAL: &str = "exact (thin, dashed like its curve)";
 /// among the `listed`.
 pub fn row(table: &[Measure], listed: &[usize], metric: usize) -> Option<usize> {
     let own = &table[metric];
+    // The exact values of reduced cases are not reduced.
+    if own.reduction.is_some() {
+        return None;
+    }
     let name = format!("{}_exact", table[own.metric].name);
     let exact = table.iter().position(|metric| metric.name == name)?;
     let is_it = |row: &Measure| row.metric == exact && row.dimension == own.dimension;
@@ -77,6 +81,7 @@ mod tests {
                 meaning: String::new(),
                 metric,
                 dimension,
+                reduction: None,
             };
             names.iter().enumerate().map(one).collect::<Vec<_>>()
         };

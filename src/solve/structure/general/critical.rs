@@ -122,9 +122,18 @@ pub fn critical_fault(
 fn with_contacts(structure: &Structure) -> Symmetric {
     let mut stiffness = structure.stiffness.clone();
     for contact in &structure.contacts {
-        if let Relation::ImpactSpring { stiffness: k }
-        | Relation::DisplacementControl { stiffness: k, .. } = contact.law
-        {
+        let k = match &contact.law {
+            Relation::ImpactSpring { stiffness }
+            | Relation::DisplacementControl { stiffness, .. } => *stiffness,
+            // The stiffness of delta^1.5 grows with an overlap that is not known: only an unstable step without it is certain.
+            Relation::CurvedImpact { law, .. } | Relation::CurvedFriction { law, .. } => {
+                law.largest_stiffness(0.0)
+            }
+            Relation::RigidStop { .. }
+            | Relation::VelocityControl { .. }
+            | Relation::Coulomb { .. } => 0.0,
+        };
+        if k > 0.0 {
             stiffness.add_spring(contact.between, k);
         }
     }

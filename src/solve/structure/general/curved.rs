@@ -2,11 +2,11 @@
 
 use super::linear::Linear;
 use super::stepper::General;
-use crate::contact::Unsolved;
 use crate::lane::Lane;
 use crate::methods::MethodChoice;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::{Curved, Motion};
+use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
 use crate::solve::structure::forces::Forces;
 use crate::system::structure::{Relation, Structure};
 
@@ -16,24 +16,13 @@ pub(super) fn contacts<const L: usize>(
     parts: &[Linear],
     forces: &mut [Forces<L>],
 ) -> Vec<Vec<Option<Curved>>> {
-    let curved = |case: &&Structure| case.contacts.iter().any(|c| c.law.is_curved());
-    if !cases.iter().any(curved) {
+    if !any_curved(cases) {
         return Vec::new();
     }
     let of_part = |(linear, forces): (&Linear, &mut Forces<L>)| {
         let own = &linear.sub_step;
         let pace = 1.0 / own.of_velocity();
-        let of = |case: &&Structure| Curved::new(case, &linear.flexibility, pace, own.length);
-        let all: Vec<Option<Curved>> = cases.iter().map(of).collect();
-        let mut others = [false; L];
-        for (l, (other, curved)) in others.iter_mut().zip(&all).enumerate() {
-            *other = curved.is_some();
-            if curved.as_ref().is_some_and(|c| c.ambiguous().is_some()) {
-                forces.fail(l, 0, Unsolved::Falling);
-            }
-        }
-        forces.leave(others);
-        all
+        curved_lanes(cases, &linear.flexibility, pace, own.length, forces)
     };
     parts.iter().zip(forces).map(of_part).collect()
 }
@@ -89,23 +78,8 @@ impl<const L: usize> General<'_, L> {
                     size: displacement.abs() + change.abs(),
                 }
             };
-            let finite = (0..contacts.len()).all(|c| motion(c).change.is_finite());
-            match curved.solve(motion) {
-                Ok(forces) => {
-                    for (force, own) in self.force.iter_mut().zip(forces) {
-                        force.0[l] = *own;
-                    }
-                }
-                Err(why) => {
-                    // A motion that is not finite is not a fault of the contacts.
-                    if finite {
-                        self.forces[part].fail(l, end, why);
-                    }
-                    for force in &mut self.force {
-                        force.0[l] = f64::NAN;
-                    }
-                }
-            }
+            let forces = &mut self.forces[part];
+            meet_lane(curved, motion, &mut self.force, forces, (l, end));
         }
         // The first sub-step of the next step goes on from the last one.
         if part > 0 {

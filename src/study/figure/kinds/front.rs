@@ -96,7 +96,9 @@ impl Decoded for Front {
         for (i, row) in self.by.iter().enumerate() {
             let name = checker.scope.problem.parameters()[*row].name.clone();
             let count = checker.levels(*row).len();
-            if count == 0 {
+            if let Some(message) = checker.hidden(*row) {
+                checker.fault_of_item("by", i, message);
+            } else if count == 0 {
                 let message = format!("{name} is given in none of the cases shown");
                 checker.fault_of_item("by", i, message);
             } else if count > MOST_LINES {

@@ -134,6 +134,11 @@ impl FigureKind {
         self.decoded().draws_histories()
     }
 
+    /// The rows of the study's measures that it shows.
+    pub fn measures(&self, problem: &dyn Problem) -> Vec<usize> {
+        self.decoded().measures(problem)
+    }
+
     /// The times at which it draws quantities along the structure of a case; none for kinds without them.
     pub fn snapshot_times(&self, problem: &dyn Problem, case: &Case) -> Vec<f64> {
         let end = case.at(problem.schema().duration).unwrap_or(0.0);

@@ -1,7 +1,7 @@
 //! Peaks compared with closed forms, another program and a time step method.
 
 use super::*;
-use crate::system::loads::synthetic::synthetic;
+use crate::system::loads::synthetic::{FIRM_GROUND, synthetic};
 use proptest::prelude::*;
 
 fn table(points: &[[f64; 2]]) -> Table {
@@ -87,7 +87,7 @@ fn a_still_ground_has_no_response() {
 fn the_peaks_of_the_synthetic_record_are_those_of_another_program() {
     // numpy: matrix exponentials of the 4 x 4 system, sampled 1000 times in each step, so up to (1e-5 s)^2/8 |u''| below the peak;
     // |u''| is about omega^2 times the peak. Half a printed digit is 1.2e-9 of the smallest one.
-    let record = synthetic(1);
+    let record = synthetic(1, FIRM_GROUND).unwrap();
     for (period, ratio, peak, time) in [
         (0.5, 0.05, 0.048384866357, 11.50564),
         (1.0, 0.05, 0.095284412375, 8.29986),
@@ -124,7 +124,7 @@ fn average_acceleration(record: &Table, period: f64, ratio: f64, dt: f64) -> f64
 
 #[test]
 fn average_acceleration_has_the_printed_displacements_and_converges_to_the_exact_ones() {
-    let record = synthetic(1);
+    let record = synthetic(1, FIRM_GROUND).unwrap();
     for (period, printed) in [(0.5, 0.048366), (1.0, 0.095253), (2.0, 0.227229)] {
         let step = |dt| average_acceleration(&record, period, 0.05, dt);
         // The printed displacements are those of dt = 0.005 s; half a unit of the last digit.

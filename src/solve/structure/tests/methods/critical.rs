@@ -1,6 +1,7 @@
 //! The critical step of central differences.
 
 use super::*;
+use crate::contact::{ContactLaw, Dahl, KelvinVoigt};
 use crate::solve::Unsolvable;
 use crate::solve::structure::critical_step;
 use nalgebra::DMatrix;
@@ -114,5 +115,32 @@ fn a_rigid_impact_is_refused() {
     assert!(
         why.contains("no stable step with rigid contact, such as 'contact'"),
         "{why}"
+    );
+}
+
+#[test]
+fn curved_laws_shorten_it_by_their_largest_stiffness() {
+    // One mass of 1 on the ground: omega^2 = k, and the critical step of linear acceleration is 2 sqrt(3/k).
+    let critical = |law: Relation| {
+        let mut structure = masses(&[1.0]);
+        structure.contacts = vec![contact([None, Some(0)], 1.0, law)];
+        critical_step(&structure, &Coefficients::linear_acceleration())
+    };
+    let step = |k: f64| 2.0 * (3.0 / k).sqrt();
+    let (stiffness, restitution) = (64.0, 0.5);
+    let law = ContactLaw::KelvinVoigt(KelvinVoigt::new(stiffness, restitution, 1.0));
+    let found = critical(Relation::CurvedImpact { law, restitution }).unwrap();
+    assert!((found / step(stiffness) - 1.0).abs() < 1e-11, "{found}");
+    // Dahl's law unloads from the limit with 2^exponent times its stiffness at S = 0.
+    let law = ContactLaw::Dahl(Dahl {
+        compliance: 1.0 / stiffness,
+        limit: 2.0,
+        exponent: 1.0,
+    });
+    let limit = Limit::constant(2.0);
+    let found = critical(Relation::CurvedFriction { law, limit }).unwrap();
+    assert!(
+        (found / step(2.0 * stiffness) - 1.0).abs() < 1e-11,
+        "{found}"
     );
 }

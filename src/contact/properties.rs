@@ -1,8 +1,13 @@
-//! Numbers of any law: its largest stiffness, for the critical step of a method; whether it falls; its reach in figures.
+//! Properties of any law: whether it is rigid, its largest stiffness, whether it falls; its reach in figures.
 
-use super::{ContactLaw, StepFlexibility};
+use super::{ContactLaw, LawKind, StepFlexibility};
 
 impl ContactLaw {
+    /// Whether r >= 0 holds without compliance.
+    pub fn rigid(&self) -> bool {
+        self.kind() == LawKind::Rigid
+    }
+
     /// The largest dS/dr; of a law with delta^1.5 that at this overlap. A viscous law has none, rigid contact an infinite one.
     pub fn largest_stiffness(&self, overlap: f64) -> f64 {
         let curved = |k_h: f64| 1.5 * k_h * overlap.sqrt();

@@ -1,0 +1,43 @@
+//! Outcomes reduced to one for each group.
+
+use super::Outcome;
+use crate::problem::parameter::Value;
+use crate::study::{Groups, Reduction, Study};
+
+/// One outcome for each group of the chosen ones, with the reductions among `shown`, which are rows of the study's measures;
+/// `None` if none of these is a reduction. A parameter that is reduced over, or that differs in a group, has no value.
+pub fn reduced(study: &Study, shown: &[usize], chosen: &[&Outcome]) -> Option<Vec<Outcome>> {
+    let reductions = shown
+        .iter()
+        .filter_map(|row| Some((*row, study.reduction(*row)?)));
+    let reductions: Vec<(usize, &Reduction)> = reductions.collect();
+    let (_, first) = reductions.first()?;
+    let mut groups = Groups::new(reductions.iter().map(|(_, reduction)| *reduction).collect());
+    let mut found: Vec<Outcome> = Vec::new();
+    for (number, outcome) in (0..).zip(chosen) {
+        let value = |metric: usize| outcome.metrics.get(metric).copied().flatten();
+        let (place, is_new) = groups.add(number, &outcome.case, value);
+        if is_new {
+            let mut case = outcome.case.clone();
+            first.lost.iter().for_each(|row| case.values[*row] = None);
+            found.push(Outcome {
+                case,
+                metrics: vec![None; study.measures.len()],
+                solution: None,
+                failure: None,
+            });
+        }
+        let values = found[place].case.values.iter_mut();
+        for (own, other) in values.zip(&outcome.case.values) {
+            if !Value::identical(*own, *other) {
+                *own = None;
+            }
+        }
+    }
+    for (which, (row, _)) in reductions.iter().enumerate() {
+        for (outcome, reduced) in found.iter_mut().zip(groups.values(which)) {
+            outcome.metrics[*row] = reduced.value;
+        }
+    }
+    Some(found)
+}
