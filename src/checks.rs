@@ -100,6 +100,19 @@ impl<'a> ReducedChecks<'a> {
         }
     }
 
+    /// The reductions of cases without a value, check by check: the name, and how many of how many cases.
+    pub fn empty(&self) -> impl Iterator<Item = (&'a str, u64, u64)> {
+        let counted = self.groups.iter().map(|(check, groups)| {
+            let name = &self.study.measures[self.study.checks[*check].metric].name;
+            let counts = groups.values(0);
+            let (empty, cases) = counts.fold((0, 0), |(empty, cases), reduced| {
+                (empty + reduced.empty, cases + reduced.cases)
+            });
+            (name.as_str(), empty, cases)
+        });
+        counted.filter(|(_, empty, _)| *empty > 0)
+    }
+
     /// The values by check and group: the index of the check in the study, the case that has the value, or the first one of
     /// the group, and the value.
     pub fn values(&self) -> impl Iterator<Item = (usize, u64, Option<f64>)> {

@@ -64,3 +64,129 @@ fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot>
     }
     problem.snapshots(case, &times)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures;
+    use crate::study::parse;
+
+    /// Outcomes with made-up errors: the x0 of the case, times its step, plus the distance of its width from 0.3.
+    fn outcomes(study: &Study) -> Vec<Outcome> {
+        let row = |name: &str| study.measures.iter().position(|m| m.name == name).unwrap();
+        let outcome = |case: Case| {
+            let number = |name: &str| case.number(name);
+            let width = number("alpha").or(number("beta")).unwrap();
+            let (x0, step) = (number("x0").unwrap(), number("dT").unwrap());
+            let mut metrics = vec![None; study.measures.len()];
+            metrics[row("rms_error")] = Some(x0 * step + (width - 0.3).abs());
+            metrics[row("max_error")] = (width > 0.3).then_some(x0);
+            Outcome {
+                case,
+                metrics,
+                solution: None,
+                failure: None,
+            }
+        };
+        study.cases().map(outcome).collect()
+    }
+
+    fn study(figure: &str) -> Study {
+        let text = format!(
+            r#"{{"problem": "friction-oscillator", "blocks": [
+              {{"parameters": {{"law": "displacement-control", "alpha": [0.1, 0.2, 1], "dT": [0.5, 0.25], "x0": [8, 12],
+                               "duration": 9}}}},
+              {{"parameters": {{"law": "velocity-control", "beta": [0.3, 0.4], "dT": [0.5, 0.25], "x0": 8, "duration": 9}}}}],
+              "reductions": ["least rms_error over beta, alpha", "worst max_error over alpha, beta"],
+              "figures": [{{"name": "f", {figure}}}]}}"#
+        );
+        parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// Label and points of the curves of each panel.
+    fn curves(study: &Study) -> Vec<Vec<(String, Vec<[f64; 2]>)>> {
+        let outcomes = outcomes(study);
+        let figure = &study.figures[0];
+        let sheet = with_cases(study, figure, &outcomes, |cases| {
+            figures::sheet(study, figure, cases)
+        });
+        let last = sheet.small_print.last().unwrap();
+        assert!(format!("{:?}", last.text).contains("Each value is taken over"));
+        assert!(sheet.description.contains("Each value is taken over"));
+        let panel = |panel: &figures::sheet::Panel| {
+            let series = panel.series.iter();
+            series
+                .map(|series| (series.label.clone(), series.points.clone()))
+                .collect()
+        };
+        sheet.panels.iter().map(panel).collect()
+    }
+
+    #[test]
+    fn curves_have_one_point_for_each_group_and_no_label_of_what_is_reduced() {
+        let reductions =
+            r#""y": ["least rms_error over beta, alpha", "worst max_error over alpha, beta"]"#;
+        let study = study(&format!(
+            r#""kind": "metric", "x": "dT", {reductions}, "where": {{"x0": 8}}"#
+        ));
+        let drawn = curves(&study);
+        // The best widths are 0.2 and 0.3: errors of 8 dT + 0.1 and 8 dT.
+        assert_eq!(
+            drawn[0],
+            [
+                (
+                    "displacement-control".into(),
+                    vec![
+                        [0.25, 2.0 + (0.2_f64 - 0.3).abs()],
+                        [0.5, 4.0 + (0.2_f64 - 0.3).abs()]
+                    ]
+                ),
+                ("velocity-control".into(), vec![[0.25, 2.0], [0.5, 4.0]])
+            ]
+        );
+        assert_eq!(drawn[1][0].1, [[0.25, 8.0], [0.5, 8.0]]);
+    }
+
+    #[test]
+    fn the_filter_chooses_cases_before_they_are_reduced() {
+        let study = study(
+            r#""kind": "convergence", "by": "law", "y": "worst max_error over alpha, beta",
+                "where": {"x0": 8, "alpha": [0.1, 0.2]}"#,
+        );
+        let [panel] = &curves(&study)[..] else {
+            panic!("one panel");
+        };
+        // No width above 0.3 is left, so that the group has no value; velocity-control has no alpha.
+        let points = &panel[0].1;
+        assert_eq!(points.iter().map(|p| p[0]).collect::<Vec<_>>(), [0.25, 0.5]);
+        assert!(points.iter().all(|point| point[1].is_nan()));
+        let of_laws = panel.iter().filter(|(label, _)| label.contains("control"));
+        assert!(of_laws.count() <= 1);
+    }
+
+    #[test]
+    fn groups_keep_what_their_cases_share_and_lose_the_rest() {
+        let study = study(
+            r#""kind": "front", "x": "worst max_error over alpha, beta", "y": "least rms_error over beta, alpha", "by": "law""#,
+        );
+        let outcomes = outcomes(&study);
+        let cases = with_cases(&study, &study.figures[0], &outcomes, |cases| {
+            cases
+                .iter()
+                .map(|shown| (shown.case.clone(), shown.metrics.to_vec()))
+                .collect::<Vec<_>>()
+        });
+        assert_eq!(cases.len(), 6);
+        for (case, metrics) in &cases {
+            assert_eq!([case.number("alpha"), case.number("beta")], [None, None]);
+            let (x0, step) = (case.number("x0").unwrap(), case.number("dT").unwrap());
+            let off = match case.choice("law") {
+                "velocity-control" => 0.0,
+                _ => (0.2_f64 - 0.3).abs(),
+            };
+            let found: Vec<Option<f64>> =
+                study.reductions().map(|(row, ..)| metrics[row]).collect();
+            assert_eq!(found, [Some(x0 * step + off), Some(x0)]);
+        }
+    }
+}

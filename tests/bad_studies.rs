@@ -691,7 +691,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"histroy\"",
             &[
-                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, profile, wave, metric, convergence, budget, map, scatter, front, samples, sobol, law, spectrum, scheme",
+                "6:23: figures[0].kind: unknown kind \"histroy\", did you mean \"history\"?; allowed: history, curve, profile, wave, metric, convergence, budget, map, scatter, front, samples, sobol, distribution, quantiles, fragility, law, spectrum, scheme",
             ],
         ),
         (
@@ -717,7 +717,7 @@ fn figures() {
         (
             "\"name\": \"a\", \"kind\": \"wave\"",
             &[
-                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, curve, metric, convergence, budget, map, scatter, front, samples, sobol, law",
+                "6:23: figures[0].kind: friction-oscillator has no profiles; allowed: history, curve, metric, convergence, budget, map, scatter, front, samples, sobol, distribution, quantiles, fragility, law",
             ],
         ),
         (
@@ -1246,4 +1246,111 @@ fn results_in_units_need_the_units_of_the_study() {
     );
     let none = faults(&bars(&format!("{units}{}", check("restitution_in_m"))));
     assert!(none[0].starts_with("5:23: checks[0].metric: unknown metric \"restitution_in_m\""));
+}
+
+#[test]
+fn ensembles() {
+    let study = |parameters: &str, keys: &str| {
+        format!(
+            "{{\n\"problem\": \"bar-impact\",\n\"parameters\": {{ {parameters} }},\n{keys}\n}}\n"
+        )
+    };
+    let plain = r#""gamma": [1, 2], "n": [4, 8], "gap": [0, 0.1], "dt": "0.1/n", "duration": 1"#;
+    let sampled = r#""gamma": {"uniform": [1, 2]}, "gap": {"uniform": [0, 0.1]}, "n": [4, 8], "dt": 0.01, "duration": 1"#;
+    for (parameters, keys, expected) in [
+        (plain, r#""ensemble": "gap""#, &[][..]),
+        (plain, r#""ensemble": ["gap", "n"]"#, &[]),
+        (
+            plain,
+            r#""ensemble": §"gop""#,
+            &["ensemble: unknown parameter \"gop\", did you mean \"gap\"?"],
+        ),
+        (
+            plain,
+            r#""ensemble": ["gap", §"gap", §3]"#,
+            &[
+                "ensemble[1]: \"gap\" given twice",
+                "ensemble[2]: must be a name in quotes",
+            ],
+        ),
+        (
+            plain,
+            r#""ensemble": §[]"#,
+            &["ensemble: must be the name of a parameter or a non-empty list of names, got []"],
+        ),
+        (
+            plain,
+            r#""ensemble": [§"duration", §"dt", §"k_I"]"#,
+            &[
+                "ensemble[0]: duration is 1 in all cases; an ensemble needs a parameter with several values",
+                "ensemble[1]: dt is given by an expression; name the parameters that it follows from",
+                "ensemble[2]: k_I is given in none of the cases",
+            ],
+        ),
+        (
+            r#""gamma": 1, "n": 4, "gap": {"linspace": [0, 0.1, 5000]}, "dt": {"linspace": [0.01, 0.02, 5000]}, "duration": 1"#,
+            r#""ensemble": §"gap""#,
+            &["ensemble: 25000000 combinations; a study with an ensemble has at most 10000000"],
+        ),
+        // Figures.
+        (
+            plain,
+            r#""figures": [{"name": "a", "kind": §"distribution", "y": "peak_force"}]"#,
+            &[
+                "figures[0].kind: a distribution figure needs the key \"ensemble\" of the study, as in \"ensemble\": \"seed\"",
+            ],
+        ),
+        // The fault of the key alone.
+        (
+            plain,
+            r#""ensemble": §"gop", "figures": [{"name": "a", "kind": "quantiles", "x": "gap", "y": "peak_force"}]"#,
+            &["ensemble: unknown parameter"],
+        ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [{"name": "a", "kind": "quantiles", "x": §"gap", "y": "peak_force"}]"#,
+            &["figures[0].x: gap is a parameter of the ensemble; choose another one"],
+        ),
+        (
+            plain,
+            r#""ensemble": "n", "figures": [{"name": "a", "kind": "fragility", "x": §"dt", "by": §"n", "y": "peak_force", "limit": 1}]"#,
+            &[
+                "figures[0].x: dt changes with the ensemble over n; choose another one",
+                "figures[0].by: n is a parameter of the ensemble; choose another one",
+            ],
+        ),
+        (
+            sampled,
+            r#""design": {"kind": "sobol", "n": 8}, "ensemble": "gap", "figures": [{"name": "a", "kind": "quantiles", "x": §"gamma", "y": "peak_force"}]"#,
+            &["figures[0].x: gamma changes with the ensemble over gap; choose another one"],
+        ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [§{"name": "a", "kind": "distribution", "by": "n", "y": "peak_force"}]"#,
+            &[
+                "figures[0].where: a distribution figure with \"by\" shows one ensemble for each value of it, but gamma varies; choose one value in \"where\" or leave out \"by\"",
+            ],
+        ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [{"name": "a", "kind": "distribution", "x_range": §[0, 1], "y": ["peak_force", "max_overlap"]}]"#,
+            &["figures[0].x_range: takes one metric in \"y\", and the figure has 2"],
+        ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [{"name": "a", "kind": "quantiles", "x": "gamma", "y": "peak_force", "band": §[-0.1, 0.5]},
+               {"name": "b", "kind": "quantiles", "x": "gamma", "y": "peak_force", "band": §[0.5, 0.5]}]"#,
+            &[
+                "figures[0].band: must be two probabilities from 0 to 1, got -0.1 and 0.5",
+                "figures[1].band: the first value must be less than the last, got 0.5 and 0.5",
+            ],
+        ),
+        (
+            plain,
+            r#""ensemble": "gap", "figures": [§{"name": "a", "kind": "fragility", "x": "gamma", "y": "peak_force"}]"#,
+            &["figures[0].limit: missing"],
+        ),
+    ] {
+        assert_marked(&study(parameters, keys), expected);
+    }
 }

@@ -419,7 +419,7 @@ fn errors_are_the_differences_of_the_motions_they_name() {
                 "contacts": {{"wall": {{"law": "impact", "between": ["ground", "b.left"], "gap": 0.1, "k": 300}}}},
                 "start": {{"b": {{"v": -0.5}}}}, "contacts_reference": "{reference}"}},
                 "metrics": ["rms_error(b.right)", "step_error(b.right)", "mesh_error(b.right)", "regularisation_error(b.right)",
-                            "peak_error(b.right)"],
+                            "peak_error(b.right)", "last_error(b.right)"],
                 "figures": [{{"name": "h", "kind": "history", "y": "b.right"}}]}}"#
         ))
     };
@@ -447,6 +447,9 @@ fn errors_are_the_differences_of_the_motions_they_name() {
     }
     let peak = |x: &[f64]| x.iter().fold(0.0, |peak: f64, x| peak.max(x.abs()));
     assert!((metrics[4] - (peak(computed) - peak(&g)).abs()).abs() < 1e-15);
+    let last = |x: &[f64]| *x.last().unwrap();
+    assert!((metrics[5] - (last(computed) - last(&g)).abs()).abs() < 1e-15);
+    assert!(metrics[5] > 1e-6);
     let against_rigid = rigid.problem.solve(&rigid.case(0).unwrap(), &[]).unwrap();
     let found = against_rigid.metrics[0].unwrap();
     assert!((found - between(computed, &e)).abs() < 1e-13);

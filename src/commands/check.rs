@@ -1,6 +1,6 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
-use super::run::UnsolvedCases;
+use super::run::{UnsolvedCases, without_value};
 use super::sources::Source;
 use super::terminal::{note, print_all, progress, table_lines};
 use super::{NOT_MET, UNSOLVED};
@@ -66,6 +66,9 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     })?;
     progress::finish(&bar, &source.name, &progress::cases_run(study.len()));
     unsolved.report();
+    for (name, empty, cases) in reduced.empty() {
+        note(&without_value(source, name, empty, cases));
+    }
     for (check, case, value) in reduced.values() {
         values[check].push((case, value.unwrap_or(f64::NAN)));
     }

@@ -74,9 +74,21 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
         let mut blocks = study.blocks.iter();
         blocks.all(|block| block.follows(&all, *row, &[x]))
     };
+    // Blocks may give different values at the same place.
+    let one_a_place = |row: usize| {
+        let mut found = HashMap::new();
+        cases.iter().all(|shown| {
+            let (place, its) = (
+                shown.case.values[x].map(Value::identity),
+                shown.case.values[row],
+            );
+            same(*found.entry(place).or_insert(its), its)
+        })
+    };
     let (mut along, mut distinguishing) = (vec![x], Vec::new());
     for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
-        match !worked_out(&row) && !study.blocks.is_empty() && follows(&row) {
+        let follows = !study.blocks.is_empty() && follows(&row) && one_a_place(row);
+        match !worked_out(&row) && follows {
             true => along.push(row),
             false if !worked_out(&row) => distinguishing.push(row),
             false => {}
@@ -112,6 +124,25 @@ fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
     (0..row).any(repeats)
 }
 
+/// Whether a label of cases has one value of a parameter, together with the parameters `except`: its name is enough.
+fn behind_a_label(table: &[Parameter], cases: &[DrawnCase], row: usize, except: &[usize]) -> bool {
+    let labels: Vec<usize> = (0..table.len())
+        .filter(|row| table[*row].is_label())
+        .collect();
+    if labels.is_empty() || table[row].is_label() {
+        return false;
+    }
+    let mut found = HashMap::new();
+    cases.iter().all(|shown| {
+        let rows = labels.iter().chain(except);
+        let key: Vec<_> = rows
+            .map(|row| shown.case.values[*row].map(Value::identity))
+            .collect();
+        let its = shown.case.values[row];
+        same(*found.entry(key).or_insert(its), its)
+    })
+}
+
 /// The parameters that labels name: `by`, or else all that vary but the rows `except`.
 pub fn named(
     table: &[Parameter],
@@ -121,11 +152,14 @@ pub fn named(
 ) -> Vec<usize> {
     let rows = match by {
         Some(row) => vec![row],
-        None => (0..table.len())
-            .filter(|row| {
+        None => {
+            let varies = (0..table.len()).filter(|row| {
                 !except.contains(row) && varies(cases, *row) && !repeats_another(cases, *row)
-            })
-            .collect(),
+            });
+            varies
+                .filter(|row| !behind_a_label(table, cases, *row, except))
+                .collect()
+        }
     };
     // A choice is not named if each case has a parameter that applies only to its choice.
     let implied = |row: usize| {

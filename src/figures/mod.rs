@@ -65,13 +65,28 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
         }
     }
     let bands = envelope::any(&sheet).then_some(envelope::MEANING);
-    let notes = bands.into_iter().chain(figure.note.as_deref());
+    let over = taken_over(study, figure);
+    let notes = bands.into_iter().chain(over.as_deref());
+    let notes = notes.chain(figure.note.as_deref());
     parts.extend(notes.map(markup::plain));
     sheet.description = parts.join("; ");
+    if let Some(over) = &over {
+        layout::small_print(&mut sheet, over);
+    }
     if let Some(note) = &figure.note {
         layout::small_print(&mut sheet, note);
     }
     sheet
+}
+
+/// The remark on a figure of reductions, in markup: axis titles are too short for it.
+fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
+    let rows = figure.kind.measures(&*study.problem).into_iter();
+    let reduction = { rows }.find_map(|row| study.reduction(row))?;
+    let table = study.problem.parameters();
+    let over = reduction.over.iter().map(|row| &*table[*row].symbol);
+    let over: Vec<&str> = over.collect();
+    Some(format!("Each value is taken over {}", over.join(", ")))
 }
 
 /// The sheet as a PNG file of `dpi` pixels an inch; an error if the sheet has too many of them.

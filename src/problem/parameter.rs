@@ -26,7 +26,15 @@ pub struct Parameter {
     pub meaning: Text,
 }
 
+/// The meaning of the names of a parameter that only labels cases.
+pub const LABEL: &str = "label";
+
 impl Parameter {
+    /// Whether the parameter only labels cases: no part of the problem contains it.
+    pub fn is_label(&self) -> bool {
+        matches!(self.kind, Kind::Choice(names) if names.iter().all(|name| name.1 == LABEL))
+    }
+
     /// A parameter that always applies, for tables.
     pub const fn new(
         names: [&'static str; 3],

@@ -33,7 +33,7 @@ pub struct Fragility {
 /// Why data have no fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoFit {
-    /// A value is not positive, so that it has no logarithm.
+    /// A trial exceeds at a value that is not positive, where the probability is zero.
     NotPositive,
     /// No trial exceeds.
     None,
@@ -48,7 +48,7 @@ pub enum NoFit {
 impl fmt::Display for NoFit {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(match self {
-            NoFit::NotPositive => "a value is not positive",
+            NoFit::NotPositive => "a case exceeds the limit at a value that is not positive",
             NoFit::None => "no case exceeds the limit",
             NoFit::All => "every case exceeds the limit",
             NoFit::Separable => {
@@ -75,7 +75,10 @@ impl Fragility {
     /// # Errors
     /// Why there is none.
     pub fn fit(trials: &[Trials]) -> Result<Fragility, NoFit> {
-        solvable(trials)?;
+        // Without one that exceeds, trials at zero are certain for any median and dispersion.
+        let certain = |t: &&Trials| t.at > 0.0 || t.exceeded > 0;
+        let trials: Vec<Trials> = trials.iter().filter(certain).copied().collect();
+        solvable(&trials)?;
         let points: Vec<Point> = trials.iter().map(Point::of).collect();
         // About the middle of the logarithms, so that both unknowns are of order 1.
         let weight: f64 = points.iter().map(Point::count).sum();
@@ -248,6 +251,7 @@ mod tests {
         assert_eq!(why(&[(1.0, 5, 5), (2.0, 0, 5)]), NoFit::NotRising);
         assert_eq!(why(&[(1.0, 4, 5), (2.0, 1, 5)]), NoFit::NotRising);
         assert_eq!(why(&[(0.0, 1, 5), (2.0, 3, 5)]), NoFit::NotPositive);
+        assert_eq!(why(&[(-1.0, 1, 5), (2.0, 3, 5)]), NoFit::NotPositive);
     }
 
     #[test]
@@ -263,6 +267,16 @@ mod tests {
                 "{found:?} {dispersion}"
             );
         }
+    }
+
+    #[test]
+    fn trials_at_zero_that_do_not_exceed_change_nothing() {
+        let rows = [(0.5, 1, 9), (1.0, 4, 9), (2.0, 8, 9)];
+        let with: Vec<_> = [(0.0, 0, 9)].iter().chain(&rows).copied().collect();
+        assert_eq!(
+            Fragility::fit(&trials(&with)),
+            Fragility::fit(&trials(&rows))
+        );
     }
 
     /// Trials, and the median and dispersion where mpmath finds the derivatives of the likelihood to be zero, in 40 digits.

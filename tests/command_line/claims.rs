@@ -423,3 +423,51 @@ fn an_unknown_later_event_is_a_fault() {
         assert!(done.err.contains(message), "{expect}: {}", done.err);
     }
 }
+
+#[test]
+fn expectations_of_reductions_apply_to_groups() {
+    let study = r#"{ "problem": "friction-oscillator",
+      "parameters": { "law": "displacement-control", "alpha": [0.1, 1, 5], "dT": ["pi/10", "pi/20"], "duration": "8*pi" },
+      "reductions": ["greatest rms_error over alpha", "least rms_error over alpha"],
+      "figures": [{ "name": "history", "kind": "history" }] }"#;
+    let judged = |expect: &str| {
+        let bench = bench(&[
+            ("studies/fig.json", study),
+            ("claims/a.json", &ledger(&reading(expect, true))),
+        ]);
+        let done = bench.run(&["claims"]);
+        (done.code, done.err + &done.out + &page(&bench))
+    };
+    fn page(bench: &Bench) -> String {
+        std::fs::read_to_string(bench.path("figures/claims.md")).unwrap_or_default()
+    }
+    // The smallest error of both steps is that of alpha = 0.1; see WITHIN for that of the larger step.
+    let within = r#"{ "metric": "least rms_error over alpha", "where": { "dT": "pi/10" }, "min": 0.024, "max": 0.025 }"#;
+    let (code, text) = judged(within);
+    assert_eq!(code, Some(0), "{text}");
+    // The filter chooses first.
+    let (code, text) = judged(&within.replace("\"pi/10\"", "\"pi/10\", \"alpha\": [1, 5]"));
+    assert_eq!(code, Some(5), "{text}");
+    // 0.0300 at pi/20: the law causes most of the error.
+    let along = r#"{ "metric": "least rms_error over alpha", "along": "dT", "trend": "falling" }"#;
+    let (code, text) = judged(along);
+    assert_eq!(code, Some(0), "{text}");
+    for (expect, message) in [
+        (
+            along.replace("\"dT\"", "\"alpha\""),
+            "the metrics are reduced over alpha",
+        ),
+        (
+            along.replace("\"along\"", "\"over\": { \"alpha\": 1 }, \"along\""),
+            "is for metrics of single cases; a reduction is not divided",
+        ),
+        (
+            along.replace("least rms", "leest rms"),
+            "did you mean \"least rms_error over alpha\"?",
+        ),
+    ] {
+        let (code, text) = judged(&expect);
+        assert_eq!(code, Some(2), "{expect}: {text}");
+        assert!(text.contains(message), "{expect}: {text}");
+    }
+}

@@ -9,11 +9,13 @@ mod compare;
 mod designs;
 #[cfg(unix)]
 mod ended;
+mod ensembles;
 mod files;
 #[cfg(unix)]
 mod interrupted;
 mod kept;
 mod pictures;
+mod reductions;
 mod same_bytes;
 mod settings;
 mod store;

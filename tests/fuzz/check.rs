@@ -4,6 +4,7 @@
 use crate::random_choice::RandomChoice;
 use crate::xml;
 use indicatif::ProgressBar;
+use slipgap::batch::output::reductions::ReducedMetrics;
 use slipgap::batch::{self, Outcome, RunOptions};
 use slipgap::error::{Error, Fault};
 use slipgap::figures;
@@ -147,12 +148,16 @@ fn drawn(study: &Study) {
         keep_history: &|_| true,
         ..RunOptions::METRICS
     };
+    let mut reductions = ReducedMetrics::new(study);
     let run = batch::run(study, &ProgressBar::hidden(), &options, |part| {
+        reductions.add(&part);
         let numbered = part.outcomes(study).into_iter();
         outcomes.extend(numbered.map(|(_, outcome)| outcome));
         Ok(())
     });
     run.expect("a run");
+    let table = reductions.table().expect("a table");
+    assert_eq!(table.is_some(), study.reductions().next().is_some());
     assert_eq!(outcomes.len() as u64, study.len());
     for figure in &study.figures {
         let svg = svg(study, figure, &outcomes);

@@ -19,6 +19,10 @@ pub fn study(random: &mut RandomChoice) -> String {
             _ => block(&**problem, random).join(", "),
         },
     ];
+    if random.once_in(3) {
+        let over = quoted(parameter(&**problem, random));
+        keys.push(format!("\"ensemble\": {over}"));
+    }
     let some = |count: usize| 0..count;
     if random.once_in(3) {
         let metrics = some(2).map(|_| quoted(metric(&**problem, random)));
@@ -29,7 +33,20 @@ pub fn study(random: &mut RandomChoice) -> String {
     }
     let count = [0, 1, 1, 2][random.below(4)];
     let figures: Vec<String> = some(count).map(|i| figure(&**problem, i, random)).collect();
-    keys.push(format!("\"figures\": [{}]", figures.join(", ")));
+    let mut figures = figures.join(", ");
+    if random.once_in(6) {
+        // Some figures show it instead of the metric.
+        let metric = metric(&**problem, random);
+        let word = random.of(&["least", "worst", "mean", "quantile 0.9 of"]);
+        let over = match random.once_in(4) {
+            true => parameter(&**problem, random),
+            false => problem.schema().step_name(),
+        };
+        let text = format!("{word} {metric} over {over}");
+        figures = figures.replace(&format!("[\"{metric}\"]"), &format!("[\"{text}\"]"));
+        keys.push(format!("\"reductions\": [\"{text}\"]"));
+    }
+    keys.push(format!("\"figures\": [{figures}]"));
     if random.once_in(4) {
         let (metric, limit) = (metric(&**problem, random), number(random));
         keys.push(format!(
@@ -206,6 +223,9 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         "wave",
         "map",
         "sobol",
+        "distribution",
+        "quantiles",
+        "fragility",
     ];
     let kind = match random.once_in(2) {
         true => kinds[random.below(4)],
@@ -220,6 +240,17 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         "profile" => add("times", format!("[0, {}]", random.between(0.0, 0.6))),
         "metric" | "budget" if random.once_in(2) => add("x", quoted(problem.schema().step_name())),
         "metric" | "budget" => add("x", quoted(parameter(problem, random))),
+        "fragility" => {
+            add("x", quoted(parameter(problem, random)));
+            add("y", quoted(metric(problem, random)));
+            add("limit", random.between(-1.0, 2.0).to_string());
+        }
+        "quantiles" => {
+            add("x", quoted(parameter(problem, random)));
+            if random.once_in(3) {
+                add("band", format!("[{}, 1]", random.between(0.0, 1.1)));
+            }
+        }
         "map" => {
             add("x", quoted(parameter(problem, random)));
             add("y", quoted(parameter(problem, random)));
@@ -227,7 +258,15 @@ fn figure(problem: &dyn Problem, index: usize, random: &mut RandomChoice) -> Str
         }
         _ => {}
     }
-    if ["metric", "convergence", "sobol"].contains(&kind) {
+    if [
+        "metric",
+        "convergence",
+        "sobol",
+        "distribution",
+        "quantiles",
+    ]
+    .contains(&kind)
+    {
         add("y", format!("[\"{}\"]", metric(problem, random)));
     }
     if kind == "metric" && random.once_in(2) {

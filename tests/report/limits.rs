@@ -25,7 +25,7 @@ fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String 
     let mut counts = Counts::new(study);
     for (number, outcome) in (0..).zip(outcomes) {
         results.add(outcome);
-        counts.add(number, outcome);
+        counts.add(study, number, outcome);
     }
     let section = Section {
         name: "s\u{1b}[31m",

@@ -167,3 +167,37 @@ fn in_a_browser_it_loads_sorts_filters_and_prints() {
     let printed = fs::read(folder.path().join("page.pdf")).unwrap();
     assert!(printed.starts_with(b"%PDF") && printed.len() > 10_000);
 }
+
+#[test]
+fn distributions_on_the_page_are_those_of_the_table() {
+    let study = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
+        "beta": [0.5, 2], "x0": [5, 7, 9, 11, 13, 15], "dT": 0.5, "duration": 10}, "ensemble": "x0"}"#;
+    let (folder, page) = page_of(study, &["run", "report"]);
+    let table = fs::read_to_string(folder.path().join("out/s/quantiles.csv")).unwrap();
+    let rounded = |cell: &str| -> String {
+        let x: f64 = cell.parse().unwrap();
+        let x: f64 = format!("{x:.3e}").parse().unwrap();
+        slipgap::problem::parameter::shortest(x)
+    };
+    let mut with_numbers = 0;
+    for row in table.lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        if cells[3] != "0" {
+            continue;
+        }
+        with_numbers += 1;
+        let range = |a: usize, b: usize| format!("{} to {}", rounded(cells[a]), rounded(cells[b]));
+        let expected = format!(
+            "<td class=\"words\">{}</td><td class=\"words\">{}</td><td>6</td><td>0</td><td>{} ({})</td><td>{}</td><td>{}</td><td>{}</td>",
+            cells[0],
+            cells[1],
+            rounded(cells[8]),
+            range(15, 16),
+            range(6, 10),
+            range(5, 11),
+            range(4, 12)
+        );
+        assert!(page.contains(&expected), "{expected}");
+    }
+    assert!(with_numbers > 2, "{table}");
+}

@@ -160,10 +160,7 @@ pub fn run_study(
     }
     if let Some(table) = reductions.table()? {
         for (name, empty, cases) in &table.empty {
-            note(&format!(
-                "{}: \"{name}\" is of the other cases: {empty} of {cases} have no value",
-                source.file.display()
-            ));
+            note(&without_value(source, name, *empty, *cases));
         }
         paths.push(folder.write(REDUCTIONS, &table.bytes)?);
     }
@@ -181,6 +178,12 @@ pub fn run_study(
         .collect();
     print(&text)?;
     Ok(solved)
+}
+
+/// The note on a reduction of cases of which some have no value.
+pub fn without_value(source: &Source, name: &str, empty: u64, cases: u64) -> String {
+    let file = source.file.display();
+    format!("{file}: \"{name}\" leaves out {empty} of {cases} cases, which have no value")
 }
 
 /// The table of Sobol' indices, if a block has a saltelli design.

@@ -1,8 +1,8 @@
 //! Draws the ticks, numbers and titles of the axes of a panel.
 
 use super::canvas::{Canvas, DrawResult, line, unit};
-use crate::figures::layout::below;
 use crate::figures::layout::sheet::{Anchor, Panel};
+use crate::figures::layout::{TITLE_LINE, below, vertical_title};
 use crate::figures::style;
 use plotters::element::{EmptyElement, PathElement};
 use plotters_backend::DrawingBackend;
@@ -58,13 +58,11 @@ impl<B: DrawingBackend> Canvas<B> {
         }
         let middle = frame.top + frame.height / 2.0;
         let x = frame.left - panel.margin + style::TITLE * 0.75;
-        self.text(
-            &panel.y.title,
-            style::TITLE,
-            [x, middle],
-            Anchor::Middle,
-            true,
-        )?;
+        let lines = vertical_title(&panel.y.title, frame.height);
+        for (i, text) in lines.iter().enumerate() {
+            let place = [x + i as f64 * TITLE_LINE, middle];
+            self.text(text, style::TITLE, place, Anchor::Middle, true)?;
+        }
         let place = [frame.left, frame.top - style::LABEL_GAP];
         self.text(&panel.caption, style::TITLE, place, Anchor::Start, false)?;
         panel

@@ -3,6 +3,9 @@
 mod budget;
 mod convergence;
 mod curve;
+mod distribution;
+mod ensembles;
+mod fragility;
 mod front;
 mod history;
 mod law;
@@ -10,6 +13,7 @@ mod map;
 mod metric;
 mod over_parameter;
 mod profile;
+mod quantiles;
 mod samples;
 mod scatter;
 mod scheme;
@@ -53,6 +57,9 @@ pub fn of(kind: &FigureKind) -> &dyn Draw {
         FigureKind::Front(kind) => kind,
         FigureKind::Samples(kind) => kind,
         FigureKind::Sobol(kind) => kind,
+        FigureKind::Distribution(kind) => kind,
+        FigureKind::Quantiles(kind) => kind,
+        FigureKind::Fragility(kind) => kind,
         FigureKind::Law(kind) => kind,
         FigureKind::Curve(kind) => kind,
         FigureKind::Spectrum(kind) => kind,

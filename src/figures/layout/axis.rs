@@ -27,6 +27,15 @@ pub struct Tick {
 }
 
 impl Axis {
+    /// The value at a fraction of the range.
+    pub fn value(&self, fraction: f64) -> f64 {
+        let [a, b] = self.range;
+        match self.scale {
+            Scale::Linear => a + (b - a) * fraction,
+            Scale::Log => a * libm::pow(b / a, fraction),
+        }
+    }
+
     /// The fraction of the range at `value`: 0 at its first, 1 at its last value; not finite for a value without a place.
     pub fn fraction(&self, value: f64) -> f64 {
         let [a, b] = self.range;

@@ -128,8 +128,17 @@ pub fn is_free(panel: &Panel, area: &Rect) -> bool {
         .arrows
         .iter()
         .all(|[a, b]| clear(panel.place(*a), panel.place(*b)));
+    let bands = panel
+        .bands
+        .iter()
+        .flat_map(|band| [&band.upper, &band.lower])
+        .all(|edge| {
+            let places: Vec<_> = edge.iter().map(|p| panel.place(*p)).collect();
+            places.windows(2).all(|pair| clear(pair[0], pair[1]))
+        });
     notes
         && arrows
+        && bands
         && panel.series.iter().all(|series| {
             let places: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
             places.windows(2).all(|pair| clear(pair[0], pair[1]))

@@ -20,6 +20,15 @@ use sheet::{Anchor, Panel, PlacedText, Rect, Shape, Sheet};
 /// Height of the caption over each frame.
 pub const CAPTION_LINE: f64 = style::TITLE + style::LABEL_GAP;
 
+/// Distance of the lines of a title.
+pub const TITLE_LINE: f64 = style::TITLE + 3.0;
+
+/// The lines of the title of a vertical axis of this length.
+pub fn vertical_title(title: &str, length: f64) -> Vec<String> {
+    // It may reach over the captions at both ends.
+    text::wrap(title, style::TITLE, length + CAPTION_LINE)
+}
+
 /// Least width of each of several panels side by side that share a vertical axis.
 const SHARED: f64 = 130.0;
 /// Least width of each of several panels side by side that have separate vertical axes.
@@ -58,7 +67,14 @@ pub fn grid(sheet_width: f64, columns: usize, heights: &[f64], y: &[Axis], right
     let numbers = labels
         .map(|label| text::width(label, style::LABEL))
         .fold(0.0, f64::max);
-    let margin = style::TITLE + style::TITLE_GAP + numbers + style::LABEL_GAP;
+    // Titles longer than their panel take several lines.
+    let lines = |(i, height): (usize, &f64)| match y.get(i).or(y.last()) {
+        Some(axis) => vertical_title(&axis.title, *height).len(),
+        None => 1,
+    };
+    let lines = heights.iter().enumerate().map(lines).max().unwrap_or(1);
+    let titles = style::TITLE + lines.saturating_sub(1) as f64 * TITLE_LINE;
+    let margin = titles + style::TITLE_GAP + numbers + style::LABEL_GAP;
     // Wide enough for the last number of one axis and the first of the next.
     let between = 18.0;
     let columns_wide = columns as f64;

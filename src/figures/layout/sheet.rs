@@ -104,6 +104,8 @@ pub struct Panel {
     pub series: Vec<Series>,
     /// Bands instead of parts of curves, filled in this order.
     pub envelopes: Vec<Envelope>,
+    /// Areas between two lines below the curves, filled in this order.
+    pub bands: Vec<Band>,
     /// Bars below the curves.
     pub bars: Vec<Bar>,
     /// A filled map below the curves.
@@ -130,6 +132,7 @@ impl Panel {
             y,
             series: Vec::new(),
             envelopes: Vec::new(),
+            bands: Vec::new(),
             bars: Vec::new(),
             map: None,
             cloud: None,
@@ -202,6 +205,17 @@ pub struct Envelope {
     pub upper: Vec<usize>,
     /// The lower edge.
     pub lower: Vec<usize>,
+}
+
+/// An area between two lines through points in the axes' units, all of them finite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// The upper line, from left to right.
+    pub upper: Vec<[f64; 2]>,
+    /// The lower line, from left to right.
+    pub lower: Vec<[f64; 2]>,
+    /// Pattern of both lines.
+    pub stroke: Stroke,
 }
 
 /// A bar between two corners in the axes' units.

@@ -1,6 +1,7 @@
 //! The data of the sheets first, then their pixels.
 
 mod contents;
+mod ensembles;
 mod extent;
 mod front;
 mod guides;

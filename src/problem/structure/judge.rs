@@ -121,6 +121,7 @@ pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<
         Reduction::Rms => Some(reduce::rms(&c)),
         Reduction::TimeOfPeak => reduce::step_of_peak(&c).map(|step| step as f64 * of.dt),
         Reduction::RmsError => Some(reduce::rms_error(&c, &reference()?)),
+        Reduction::LastError => Some((c.last()? - reference()?.last()?).abs()),
         Reduction::PeakError => {
             let exact = reference()?;
             Some((reduce::peak(&c) - reduce::peak(&exact)).abs())

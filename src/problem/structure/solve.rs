@@ -16,8 +16,9 @@ use crate::solve::structure::Prepared;
 const FINER: u32 = 4;
 
 /// Reductions that compare with an exact motion.
-const ERRORS: [Reduction; 5] = [
+const ERRORS: [Reduction; 6] = [
     Reduction::RmsError,
+    Reduction::LastError,
     Reduction::PeakError,
     Reduction::StepError,
     Reduction::RegularisationError,
@@ -25,7 +26,11 @@ const ERRORS: [Reduction; 5] = [
 ];
 
 /// Reductions that compare with the motion of `contacts_reference`.
-const AGAINST_REFERENCE: [Reduction; 2] = [Reduction::RmsError, Reduction::PeakError];
+const AGAINST_REFERENCE: [Reduction; 3] = [
+    Reduction::RmsError,
+    Reduction::LastError,
+    Reduction::PeakError,
+];
 
 /// Reductions that always need the motion of the softened laws.
 const SOFTENED: [Reduction; 3] = [

@@ -46,6 +46,7 @@ impl UnitNames<'_> {
             | Reduction::Max
             | Reduction::Rms
             | Reduction::RmsError
+            | Reduction::LastError
             | Reduction::PeakError
             | Reduction::RegularisationError
             | Reduction::StepError

@@ -200,9 +200,20 @@ impl Scope {
     /// Whether the parameters in `from` decide a parameter, in every block with cases that a filter selects.
     pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
         let selected = |block: &&Block| block.select(&*self.problem, filter).next().is_some();
-        let default = &self.problem.parameters()[parameter].default;
-        // A block that does not give a parameter without default has no value of it.
-        let lacks = |block: &Block| !matches!(default, Default::Is(_)) && !block.gives(parameter);
+        let table = self.problem.parameters();
+        let own = &table[parameter];
+        let has_default = matches!(own.default, Default::Is(_));
+        // Whether no case of a block has a name that the parameter applies to.
+        let unsuitable = |block: &Block| {
+            own.applies.as_ref().is_some_and(|on| {
+                let row = table.iter().position(|p| p.name == on.governor);
+                let names = row.map(|row| block.levels(&*self.problem, filter, row));
+                let mut names = names.iter().flatten();
+                names.all(|name| !on.allows(name.name()))
+            })
+        };
+        // Such a block has no value of it, nor a block that does not give a parameter without default.
+        let lacks = |block: &Block| !block.gives(parameter) && (!has_default || unsuitable(block));
         let mut blocks = self.blocks.iter().filter(selected);
         blocks.all(|block| lacks(block) || block.follows(filter, parameter, from))
     }

@@ -63,6 +63,10 @@ pub(in crate::study) enum Takes {
     Ratios,
     /// The first and last period of a spectrum.
     Periods,
+    /// A number.
+    Number,
+    /// Two probabilities, rising.
+    Probabilities,
 }
 
 /// Names of the ordinates of spectra, as `Ordinate` has them, each with its formula.
@@ -150,6 +154,12 @@ pub(super) const BY: Key = key(
     Takes::Parameter,
     false,
     "parameter with one line style for each value; if left out, all parameters that vary",
+);
+pub(super) const BY_OUTSIDE: Key = key(
+    "by",
+    Takes::Parameter,
+    false,
+    "parameter with one line style for each value, not of the ensemble; if left out, all parameters outside of the ensemble that vary",
 );
 pub(super) const PANELS: Key = key(
     "panels",

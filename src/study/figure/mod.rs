@@ -1,6 +1,7 @@
 //! The `figures` of a study.
 
 mod checker;
+mod ensembles;
 pub(super) mod extent;
 pub(super) mod keys;
 pub mod kinds;
@@ -137,6 +138,13 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
         {
             faults.add(member.node.at, &object.path("kind"), message);
         }
+        if member.key == "kind" && kind.needs == Needs::Ensemble && scope.ensemble.is_none() {
+            let message = format!(
+                "a {} figure needs the key \"ensemble\" of the study, as in \"ensemble\": \"seed\"",
+                kind.name
+            );
+            faults.add(member.node.at, &object.path("kind"), message);
+        }
         if member.key == "kind" && kind.needs_convergence() && scope.once {
             let message = format!(
                 "a {} figure needs converged steps (\"iteration\": \"converged\")",
@@ -148,7 +156,7 @@ fn unsuitable(object: &Object, kind: &Kind, scope: &Scope, faults: &mut Faults) 
             let lacks = match kind.needs {
                 Needs::Structure => "no structure to draw",
                 Needs::OneContact => "no single contact",
-                Needs::Profiles | Needs::Nothing => "no profiles",
+                Needs::Profiles | Needs::Nothing | Needs::Ensemble => "no profiles",
             };
             let others = KINDS.iter().filter(|other| other.suits(&*scope.problem));
             let others: Vec<&str> = others.map(|other| other.name).collect();

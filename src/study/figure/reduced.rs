@@ -95,11 +95,11 @@ pub(crate) fn hidden(
     let over = reduction.over.iter().map(|row| &*table[*row].name);
     let over = over.collect::<Vec<_>>().join(", ");
     if reduction.over.contains(&row) {
-        return Some(format!("the metrics of the figure are reduced over {name}"));
+        return Some(format!("the metrics are reduced over {name}"));
     }
     let changes = || {
         Some(format!(
-            "{name} changes with {over}, which the metrics of the figure are reduced over"
+            "{name} changes with {over}, which the metrics are reduced over"
         ))
     };
     if reduction.lost.contains(&row) {

@@ -219,6 +219,20 @@ pub(in crate::study) fn take(
             let all = ORDINATES.map(|ordinate| ordinate.0);
             names(node, path, "ordinate", &all, faults)
         }
+        Takes::Number => {
+            return number(node, path, Range::Any, faults).map(|x| Taken::Numbers(vec![x]));
+        }
+        Takes::Probabilities => {
+            let [low, high] = extent::range(node, path, faults)?;
+            if low < 0.0 || high > 1.0 {
+                let (low, high) = (parameter::shortest(low), parameter::shortest(high));
+                let message =
+                    format!("must be two probabilities from 0 to 1, got {low} and {high}");
+                faults.add(node.at, path, message);
+                return None;
+            }
+            return Some(Taken::Range([low, high]));
+        }
         Takes::Ratios => return ratios(node, path, faults).map(Taken::Numbers),
         Takes::Profile => {
             name(node, path, "profile", &scope.profiles(), faults).map(|row| vec![row])

@@ -164,12 +164,10 @@ impl Scope<'_> {
             };
             if rows.contains(&row) {
                 fault(format!("{name} given twice"));
-            } else if !self.blocks.is_empty() && !takes_several(self.blocks, row) {
-                let computed = matches!(table[row].default, Default::Follows(_));
-                let given = self.blocks.iter().any(|block| block.gives(row));
-                let why = match computed && !given {
+            } else if !self.blocks.is_empty() && !self.blocks.iter().any(|b| b.gives(row)) {
+                let why = match matches!(table[row].default, Default::Follows(_)) {
                     true => "is computed from other parameters; name one that the study gives",
-                    false => "does not vary; a reduction is over parameters that vary",
+                    false => "is not given; a reduction is over parameters that the study gives",
                 };
                 fault(format!("{name} {why}"));
             } else {
@@ -181,26 +179,26 @@ impl Scope<'_> {
 
     /// The measure of a reduction, or of a text with a fault.
     fn measure(&self, name: String, reduction: Option<Reduction>) -> Measure {
-        let table = self.problem.parameters();
-        let of = &self.measures[reduction.as_ref().map_or(0, |reduction| reduction.of)];
-        let reduction = reduction.unwrap_or(Reduction {
+        let of = reduction
+            .as_ref()
+            .map(|reduction| &self.measures[reduction.of]);
+        let word = reduction.as_ref().map(|reduction| reduction.word.title());
+        let nothing = Reduction {
             word: Word::Least,
             of: 0,
             over: Vec::new(),
             lost: Vec::new(),
             kept: Vec::new(),
-        });
-        let over = reduction.over.iter().map(|row| &*table[*row].symbol);
-        let over: Vec<&str> = over.collect();
-        let word = reduction.word.title();
+        };
+        let text = |of: Option<&String>| of.cloned().unwrap_or_default();
         Measure {
-            symbol: format!("{word} {} over {}", of.symbol, over.join(", ")),
-            meaning: format!("{name}: {}", of.meaning),
+            symbol: format!("{} {}", text(word.as_ref()), text(of.map(|of| &of.symbol))),
+            meaning: format!("{name}: {}", text(of.map(|of| &of.meaning))),
             name,
-            unit: of.unit.clone(),
-            metric: of.metric,
-            dimension: of.dimension,
-            reduction: Some(reduction),
+            unit: text(of.map(|of| &of.unit)),
+            metric: of.map_or(0, |of| of.metric),
+            dimension: of.and_then(|of| of.dimension),
+            reduction: Some(reduction.unwrap_or(nothing)),
         }
     }
 }
@@ -225,12 +223,9 @@ fn constant(block: &Block, row: usize) -> Constant {
 /// Whether the values that the study gives a parameter differ, or some of its blocks give none.
 pub(super) fn varies(blocks: &[Block], row: usize) -> bool {
     let missing = |block: &Block| matches!(constant(block, row), Constant::Missing);
-    let some = blocks.iter().any(missing) && !blocks.iter().all(missing);
-    some || takes_several(blocks, row)
-}
-
-/// Whether the study gives a parameter several values.
-fn takes_several(blocks: &[Block], row: usize) -> bool {
+    if blocks.iter().any(missing) && !blocks.iter().all(missing) {
+        return true;
+    }
     let mut first = None;
     blocks.iter().any(|block| match constant(block, row) {
         Constant::Missing => false,

@@ -141,6 +141,12 @@ fn faults_say_what_is_allowed() {
     for (text, message) in [
         (r#""least rms_error over alpha""#, ""),
         (r#""quantile 0.84 of rms_error over alpha , beta""#, ""),
+        // One value, as the command line may set it.
+        (r#""mean rms_error over duration""#, ""),
+        (
+            r#""minimum rms_error over alpha""#,
+            "reductions[0]: unknown word \"minimum\", did you mean \"least\"?",
+        ),
         (
             r#""leest rms_error over alpha""#,
             "s:6:26: reductions[0]: unknown word \"leest\", did you mean \"least\"?; allowed: least, greatest, best, worst, mean, median, quantile P of",
@@ -179,7 +185,7 @@ fn faults_say_what_is_allowed() {
         ),
         (
             r#""mean rms_error over static_ratio""#,
-            "reductions[0]: static_ratio does not vary; a reduction is over parameters that vary",
+            "reductions[0]: static_ratio is not given; a reduction is over parameters that the study gives",
         ),
         (r#"7"#, "reductions[0]: must be a string, got 7"),
     ] {
@@ -259,31 +265,31 @@ fn figures_show_reductions_over_the_same_parameters_and_nothing_of_these() {
         ),
         (
             format!(r#""kind": "metric", "x": "alpha", "y": {least}"#),
-            "figures[0].x: the metrics of the figure are reduced over alpha",
+            "figures[0].x: the metrics are reduced over alpha",
         ),
         (
             format!(r#""kind": "metric", "x": "x0", "by": "alpha", "y": {least}"#),
-            "figures[0].by: the metrics of the figure are reduced over alpha",
+            "figures[0].by: the metrics are reduced over alpha",
         ),
         (
             format!(r#""kind": "scatter", "x": "alpha", "y": {least}"#),
-            "figures[0].x: the metrics of the figure are reduced over alpha",
+            "figures[0].x: the metrics are reduced over alpha",
         ),
         (
             format!(r#""kind": "map", "x": "x0", "y": "beta", "z": {least}"#),
-            "figures[0].y: the metrics of the figure are reduced over beta",
+            "figures[0].y: the metrics are reduced over beta",
         ),
         (
             format!(r#""kind": "front", "x": {mean}, "y": {least}, "by": ["law", "beta"]"#),
-            "figures[0].by[1]: the metrics of the figure are reduced over beta",
+            "figures[0].by[1]: the metrics are reduced over beta",
         ),
         (
             format!(r#""kind": "convergence", "y": {over_steps}"#),
-            "figures[0].x: the metrics of the figure are reduced over dT",
+            "figures[0].x: the metrics are reduced over dT",
         ),
         (
             format!(r#""kind": "metric", "x": "duration", "y": {over_steps}"#),
-            "figures[0].x: duration changes with dT, which the metrics of the figure are reduced over",
+            "figures[0].x: duration changes with dT, which the metrics are reduced over",
         ),
         (
             format!(r#""kind": "metric", "x": "x0", "y": [{least}, "rms_error"]"#),

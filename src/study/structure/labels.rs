@@ -2,6 +2,7 @@
 
 use super::names::{Choices, given, interned_choices, member, members, texts};
 use crate::problem::interned;
+use crate::problem::parameter::LABEL;
 use crate::problem::structure::schema::{FIXED, named, of_method};
 use crate::study::expression::Formula;
 use crate::study::source::tree::{Node, Tree};
@@ -34,7 +35,7 @@ pub(super) fn labels(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
         let mut choices: Vec<(&str, &str)> = Vec::new();
         for text in values.into_iter().map(interned) {
             if !choices.iter().any(|known| known.0 == text) {
-                choices.push((text, "label"));
+                choices.push((text, LABEL));
             }
         }
         found.push((name.to_owned(), interned_choices(choices)));

@@ -151,7 +151,8 @@ impl Curves<'_> {
         if let (true, [panel]) = (orders, &sheet.panels[..]) {
             for (label, series) in labels.iter_mut().zip(&panel.series) {
                 if let Some(stretch) = slope::straight(&series.points) {
-                    *label = format!("{label}: {:.2}", stretch.slope).replace('-', "−");
+                    let slope = format!("{:.2}", stretch.slope).replace('-', "−");
+                    *label = format!("{label}: {slope}");
                 }
             }
         }

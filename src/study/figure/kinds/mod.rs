@@ -4,12 +4,15 @@
 mod budget;
 mod convergence;
 mod curve;
+mod distribution;
+mod fragility;
 mod front;
 mod history;
 mod law;
 mod map;
 mod metric;
 mod profile;
+mod quantiles;
 mod samples;
 mod scatter;
 mod scheme;
@@ -47,6 +50,8 @@ pub(in crate::study) enum Needs {
     Structure,
     /// One contact, whose law is among the parameters.
     OneContact,
+    /// Nothing of the problem; the study has an ensemble.
+    Ensemble,
 }
 
 /// A kind of figure with its values.
@@ -115,6 +120,9 @@ kinds! {
     front::Front,
     samples::Samples,
     sobol::Sobol,
+    distribution::Distribution,
+    quantiles::Quantiles,
+    fragility::Fragility,
     law::Law,
     spectrum::Spectrum,
     scheme::Scheme,
@@ -142,7 +150,7 @@ impl Kind {
     /// Whether the problem has what it needs.
     pub fn suits(&self, problem: &dyn Problem) -> bool {
         match self.needs {
-            Needs::Nothing => true,
+            Needs::Nothing | Needs::Ensemble => true,
             Needs::Profiles => !problem.schema().profiles.is_empty(),
             Needs::Structure => problem.name() == structure::schema::NAME,
             Needs::OneContact => problem.name() != structure::schema::NAME,
@@ -189,7 +197,7 @@ mod tests {
     use std::mem::discriminant;
 
     /// A study of bars with a figure of each kind.
-    fn studies() -> [Study; 3] {
+    fn studies() -> [Study; 4] {
         let study = |parameters: &str, figures: &str| {
             let text = format!(
                 r#"{{"problem": "bar-impact", "parameters": {{"n": 4, "duration": 1, {parameters}, "figures": [{figures}]}}"#
@@ -214,6 +222,12 @@ mod tests {
                    "design": {"kind": "saltelli", "n": 4}"#,
                 r#"{"name": "a", "kind": "samples", "y": "peak_force"},
                    {"name": "b", "kind": "sobol", "y": "peak_force"}"#,
+            ),
+            study(
+                r#""gamma": [1, 2], "gap": [0, 0.1], "dt": 0.01}, "ensemble": "gap""#,
+                r#"{"name": "a", "kind": "distribution", "y": "peak_force"},
+                   {"name": "b", "kind": "quantiles", "x": "gamma", "y": "peak_force"},
+                   {"name": "c", "kind": "fragility", "x": "gamma", "y": "peak_force", "limit": 1}"#,
             ),
             parse(
                 "s",

@@ -72,6 +72,10 @@ pub(in crate::study) const SYNONYMS: &[(&[&str], &[&str])] = &[
     (&["timehistory"], &["history"]),
     (&["contour", "heatmap"], &["map"]),
     (&["filter", "select"], &["where", "when"]),
+    (&["smallest", "lowest", "minimum"], &["least", "min"]),
+    (&["largest", "highest", "maximum"], &["greatest", "max"]),
+    (&["average", "arithmeticmean"], &["mean"]),
+    (&["percentile", "fractile"], &["quantile P of"]),
 ];
 
 /// Words for quantities that only structures have, and the quantity.

@@ -1,0 +1,226 @@
+//! The part of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
+
+use super::Draw;
+use super::ensembles::{Ensemble, MOST_CURVES, ensembles, stroke, value, without_value};
+use crate::figures::DrawnCase;
+use crate::figures::layout;
+use crate::figures::layout::legend::Key;
+use crate::figures::layout::limits;
+use crate::figures::layout::points::Point;
+use crate::figures::layout::sheet::{Panel, Series, Sheet};
+use crate::figures::style::{self, Marker};
+use crate::figures::text::markup::plain;
+use crate::figures::text::number;
+use crate::problem::parameter::Value;
+use crate::statistics::binomial;
+use crate::statistics::lognormal::{Fragility as Fit, NoFit, Trials};
+use crate::study::kinds::Fragility;
+use crate::study::{Figure, Scale, Study};
+use std::collections::HashMap;
+
+/// Points of a fitted curve.
+const POINTS: u32 = 200;
+
+/// Distance of the intervals of different curves at one value of x.
+const APART: f64 = 2.4 * style::MARKER;
+
+/// What points and intervals are.
+const POINTS_ARE: &str = "Points: part of the cases, with 95 % intervals (Clopper and Pearson).";
+
+/// What curves are.
+const CURVES_ARE: &str = "Curves: the lognormal function of the largest likelihood.";
+
+/// How points of several curves are drawn.
+const BESIDE: &str = "Points at the same value are drawn side by side.";
+
+impl Draw for Fragility {
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+        let mut found = ensembles(study, cases, self.by, Some(self.x));
+        let all = found.len();
+        found.truncate(MOST_CURVES);
+        let trials: Vec<Vec<Trials>> = found.iter().map(|of| self.trials(of)).collect();
+        let fits: Vec<Result<Fit, NoFit>> = trials.iter().map(|of| Fit::fit(of)).collect();
+        let height = 190.0;
+        let width = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let [x_range, y_range] = figure.ranges;
+        let y_axis = limits::axis(
+            &self.title(study),
+            [0.0, 1.0].into_iter(),
+            Scale::Linear,
+            y_range,
+            height / 24.0,
+        );
+        let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), 4.0);
+        let places = trials.iter().flatten().map(|trials| trials.at);
+        let title = &study.problem.parameters()[self.x].symbol;
+        let x_axis = limits::axis(title, places, self.x_scale, x_range, grid.width / 40.0);
+        let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
+        for (k, (trials, fit)) in trials.iter().zip(&fits).enumerate() {
+            if let Ok(fit) = fit {
+                let curve = curve(&panel, fit, k);
+                panel.series.push(curve);
+            }
+            let shift = APART * (k as f64 - 0.5 * (found.len() as f64 - 1.0));
+            points(&mut panel, trials, shift, k, &found[k].label);
+        }
+        let mut sheet = Sheet {
+            width,
+            panels: vec![panel],
+            ..Sheet::default()
+        };
+        layout::left_out(&mut sheet, found.len(), all);
+        let key = |(k, (ensemble, fit)): (usize, (&Ensemble, &Result<Fit, NoFit>))| Key {
+            label: label(&ensemble.label, fit),
+            stroke: stroke(k),
+            width: fit.map_or(0.0, |_| style::CASE_LINE),
+            marker: Some(Marker::of_case(k)),
+        };
+        let keys = found.iter().zip(&fits).enumerate().map(key).collect();
+        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        let parts = [
+            Some(POINTS_ARE),
+            fits.iter().any(Result::is_ok).then_some(CURVES_ARE),
+            (found.len() > 1).then_some(BESIDE),
+        ];
+        let parts: Vec<&str> = parts.into_iter().flatten().collect();
+        layout::small_print(&mut sheet, &parts.join(" "));
+        without_value(&mut sheet, study, cases, &[self.y]);
+        sheet
+    }
+
+    /// The numbers of cases at each point.
+    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+        let mut found = ensembles(study, cases, self.by, Some(self.x));
+        found.truncate(MOST_CURVES);
+        let Some(panel) = sheet.panels.first() else {
+            return Vec::new();
+        };
+        let symbol = plain(&study.problem.parameters()[self.x].symbol);
+        let mut points = Vec::new();
+        for (k, ensemble) in found.iter().enumerate() {
+            let shift = APART * (k as f64 - 0.5 * (found.len() as f64 - 1.0));
+            for trials in self
+                .trials(ensemble)
+                .iter()
+                .filter(|trials| trials.count > 0)
+            {
+                let [x, y] = panel.place([trials.at, part(trials)]);
+                let at = [x + shift, y];
+                let [low, high] = binomial::interval(trials.exceeded, trials.count);
+                let [low, high] = [low, high].map(|p| number::short(p));
+                let label = match ensemble.label.as_str() {
+                    "" => String::new(),
+                    label => format!("{}: ", plain(label)),
+                };
+                let x = number::plain_text(trials.at);
+                let Trials {
+                    exceeded, count, ..
+                } = trials;
+                let text = format!(
+                    "{label}{symbol} = {x}, {exceeded} of {count} cases exceed, interval {low} to {high}"
+                );
+                if panel.frame.contains(at) {
+                    points.push(Point { at, text });
+                }
+            }
+        }
+        points
+    }
+}
+
+impl Fragility {
+    fn title(&self, study: &Study) -> String {
+        let metric = &study.measures[self.y].symbol;
+        format!("P({metric} > {})", number::short(self.limit))
+    }
+
+    /// The trials of an ensemble at each x, rising; of cases without a value none.
+    fn trials(&self, ensemble: &Ensemble) -> Vec<Trials> {
+        let mut found: Vec<Trials> = Vec::new();
+        let mut known = HashMap::new();
+        for shown in &ensemble.cases {
+            let at = shown.case.values[self.x];
+            let at = at.and_then(|value| Some((value, value.as_f64()?)));
+            let (Some((at, x)), Some(value)) = (at, value(shown, self.y)) else {
+                continue;
+            };
+            let place = *known.entry(Value::identity(at)).or_insert_with(|| {
+                found.push(Trials {
+                    at: x,
+                    exceeded: 0,
+                    count: 0,
+                });
+                found.len() - 1
+            });
+            found[place].count += 1;
+            found[place].exceeded += u64::from(value > self.limit);
+        }
+        found.sort_by(|a, b| a.at.total_cmp(&b.at));
+        found
+    }
+}
+
+/// The part of the cases that exceeds.
+fn part(trials: &Trials) -> f64 {
+    trials.exceeded as f64 / trials.count as f64
+}
+
+/// The fitted function over the whole axis.
+fn curve(panel: &Panel, fit: &Fit, k: usize) -> Series {
+    let place = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
+    let point = |i: u32| [place(i), fit.probability(place(i))];
+    Series {
+        label: String::new(),
+        points: (0..=POINTS).map(point).collect(),
+        stroke: stroke(k),
+        width: style::CASE_LINE,
+        marker: None,
+        marked: Vec::new(),
+    }
+}
+
+/// Adds the points of an ensemble with their intervals, `shift` beside their place.
+fn points(panel: &mut Panel, trials: &[Trials], shift: f64, k: usize, label: &str) {
+    let beside = |x: f64| {
+        let moved = panel.x.fraction(x) + shift / panel.frame.width;
+        if shift == 0.0 {
+            x
+        } else {
+            panel.x.value(moved)
+        }
+    };
+    let mut new: Vec<Series> = Vec::new();
+    for trials in trials {
+        let x = beside(trials.at);
+        let ends = binomial::interval(trials.exceeded, trials.count);
+        new.push(Series {
+            width: style::EXACT_LINE,
+            ..Series::rule(ends.map(|p| [x, p]))
+        });
+        // A point alone, so that no line joins it with the next.
+        new.push(Series {
+            label: label.into(),
+            points: vec![[x, part(trials)]],
+            stroke: stroke(k),
+            width: style::CASE_LINE,
+            marker: Some(Marker::of_case(k)),
+            marked: vec![0],
+        });
+    }
+    panel.series.extend(new);
+}
+
+/// The label of an ensemble with its fit.
+fn label(name: &str, fit: &Result<Fit, NoFit>) -> String {
+    let fit = match fit {
+        Ok(fit) => {
+            let [median, dispersion] = [fit.median, fit.dispersion].map(|x| number::rounded(x, 3));
+            format!("median {median}, dispersion {dispersion}")
+        }
+        Err(why) => format!("no fit, {why}"),
+    };
+    match name {
+        "" => fit,
+        name => format!("{name}: {fit}"),
+    }
+}

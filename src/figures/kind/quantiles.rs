@@ -1,0 +1,155 @@
+//! Quantiles of metrics over a parameter: the median as a line on a band, a panel for each metric.
+
+use super::Draw;
+use super::ensembles::{Ensemble, MOST_CURVES, ensembles, keys, stroke, value, without_value};
+use crate::figures::DrawnCase;
+use crate::figures::layout;
+use crate::figures::layout::axis::Axis;
+use crate::figures::layout::guides;
+use crate::figures::layout::legend::Key;
+use crate::figures::layout::limits;
+use crate::figures::layout::sheet::{Band, Panel, Series, Sheet};
+use crate::figures::style::{self, Marker};
+use crate::figures::text::number;
+use crate::problem::parameter::Value;
+use crate::statistics::quantile::quantile;
+use crate::study::kinds::Quantiles;
+use crate::study::{Figure, Scale, Study};
+use std::collections::HashMap;
+
+/// Most points of a curve that each have a marker.
+const MOST_MARKED: usize = 40;
+
+/// A value of x with the lower edge of the band, the median and the upper edge; not finite without values.
+type Point = (f64, [f64; 3]);
+
+impl Draw for Quantiles {
+    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+        let mut found = ensembles(study, cases, self.by, Some(self.x));
+        let all = found.len();
+        found.truncate(MOST_CURVES);
+        let points = |metric: &usize| -> Vec<Vec<Point>> {
+            let of = |ensemble: &Ensemble| self.points_of(ensemble, *metric);
+            found.iter().map(of).collect()
+        };
+        let panels: Vec<Vec<Vec<Point>>> = self.y.iter().map(points).collect();
+        let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
+        let width = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let [x_range, y_range] = figure.ranges;
+        let [x_scale, y_scale] = self.scales;
+        let up = |(metric, curves): (&usize, &Vec<Vec<Point>>)| {
+            let points = curves.iter().flatten();
+            let all = points.flat_map(|(x, of)| of.map(|y| [*x, y]));
+            let all: Vec<[f64; 2]> = all.collect();
+            let values = limits::heights(all.iter(), x_range).into_iter();
+            let title = &study.measures[*metric].symbol;
+            limits::axis(title, values, y_scale, y_range, height / 24.0)
+        };
+        let axes: Vec<Axis> = self.y.iter().zip(&panels).map(up).collect();
+        let grid = layout::grid(width, 1, &vec![height; self.y.len()], &axes, 4.0);
+        let places = panels.iter().flatten().flatten().map(|(x, _)| *x);
+        let title = &study.problem.parameters()[self.x].symbol;
+        let across = limits::axis(title, places, x_scale, x_range, grid.width / 40.0);
+        let longest = panels.iter().flatten().map(Vec::len).max().unwrap_or(0);
+        let marker = |k: usize| (longest <= MOST_MARKED).then_some(Marker::of_case(k));
+        let mut sheet = Sheet {
+            width,
+            ..Sheet::default()
+        };
+        let count = axes.len();
+        for (i, (curves, y)) in panels.iter().zip(axes).enumerate() {
+            let mut x = across.clone();
+            if i + 1 < count {
+                x.title.clear();
+                x.numbered = false;
+            }
+            let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
+            panel.zero =
+                y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
+            for (k, points) in curves.iter().enumerate() {
+                bands(&mut panel, points, k);
+                panel.series.push(Series {
+                    label: found[k].label.clone(),
+                    points: points
+                        .iter()
+                        .map(|(x, [_, median, _])| [*x, *median])
+                        .collect(),
+                    stroke: stroke(k),
+                    width: style::CASE_LINE,
+                    marker: marker(k),
+                    marked: (0..points.len()).collect(),
+                });
+            }
+            sheet.panels.push(panel);
+        }
+        layout::letter_panels(&mut sheet.panels);
+        layout::left_out(&mut sheet, found.len(), all);
+        let curves = found.iter().enumerate().map(|(k, ensemble)| Key {
+            label: ensemble.label.clone(),
+            stroke: stroke(k),
+            width: style::CASE_LINE,
+            marker: marker(k),
+        });
+        let mut keys = keys(curves);
+        keys.extend(guides::key(&sheet.panels, None));
+        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        layout::small_print(&mut sheet, &self.meaning());
+        without_value(&mut sheet, study, cases, &self.y);
+        sheet
+    }
+}
+
+impl Quantiles {
+    /// What lines and bands are.
+    fn meaning(&self) -> String {
+        let [low, high] = self.band.map(|p| number::plain(1e-9 * (1e11 * p).round()));
+        format!("Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases.")
+    }
+
+    /// The points of a curve, by rising x.
+    fn points_of(&self, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
+        let mut found: Vec<(f64, Vec<f64>)> = Vec::new();
+        let mut known = HashMap::new();
+        for shown in &ensemble.cases {
+            let at = shown.case.values[self.x];
+            let Some((at, x)) = at.and_then(|value| Some((value, value.as_f64()?))) else {
+                continue;
+            };
+            let place = *known.entry(Value::identity(at)).or_insert_with(|| {
+                found.push((x, Vec::new()));
+                found.len() - 1
+            });
+            found[place].1.extend(value(shown, metric));
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let [low, high] = self.band;
+        let point = |(x, mut values): (f64, Vec<f64>)| {
+            values.sort_unstable_by(f64::total_cmp);
+            let of = |p| {
+                quantile(&values, p)
+                    .filter(|y| y.is_finite())
+                    .unwrap_or(f64::NAN)
+            };
+            (x, [of(low), of(0.5), of(high)])
+        };
+        found.into_iter().map(point).collect()
+    }
+}
+
+/// Adds the bands of a curve: one for each part without a gap.
+fn bands(panel: &mut Panel, points: &[Point], k: usize) {
+    let has_place = |(x, of): &Point| {
+        let mut ends = of.iter().map(|y| panel.place([*x, *y]));
+        ends.all(|place| place.iter().all(|v| v.is_finite()))
+    };
+    let parts = points.chunk_by(|a, b| has_place(a) == has_place(b));
+    let parts: Vec<&[Point]> = parts.filter(|part| has_place(&part[0])).collect();
+    for part in parts {
+        let edge = |which: usize| part.iter().map(|(x, of)| [*x, of[which]]).collect();
+        panel.bands.push(Band {
+            upper: edge(2),
+            lower: edge(0),
+            stroke: stroke(k),
+        });
+    }
+}
