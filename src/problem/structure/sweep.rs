@@ -34,6 +34,9 @@ const MOST_GROUPS: usize = 16;
 /// Cases of a group that are solved together, some lanes at a time.
 const FULL: usize = 8 * LANES;
 
+/// Most cases that are solved one after the other: that many take as long as full lanes.
+const ALONE: usize = 5;
+
 /// Cases with the same linear part.
 #[derive(Debug)]
 struct Group {
@@ -120,25 +123,35 @@ fn solve(
 ) {
     let (lanes, rest) = cases.as_chunks::<LANES>();
     for cases in lanes {
-        solve_lanes(problem, prepared, cases, table);
+        solve_lanes(problem, prepared, cases.each_ref(), LANES, table);
+    }
+    if rest.len() > ALONE {
+        // The other lanes repeat the last case.
+        let case = |lane: usize| &rest[lane.min(rest.len() - 1)];
+        let cases: [&Ready; LANES] = std::array::from_fn(case);
+        solve_lanes(problem, prepared, cases, rest.len(), table);
+        return;
     }
     for case in rest {
-        solve_lanes(problem, prepared, std::array::from_ref(case), table);
+        solve_lanes(problem, prepared, [case], 1, table);
     }
 }
 
+/// Solves cases side by side, of which the first `used` are wanted.
 fn solve_lanes<const L: usize>(
     problem: &StructureProblem,
     prepared: &Prepared,
-    cases: &[Ready; L],
+    cases: [&Ready; L],
+    used: usize,
     table: &mut MetricTable,
 ) {
     let numbers = problem.numbers(&cases[0].numbering, |_| true);
-    let structures = cases.each_ref().map(|ready| &ready.structure);
-    let recording = problem.recording(&cases[0], &numbers);
+    let structures = cases.map(|ready| &ready.structure);
+    let recording = problem.recording(cases[0], &numbers);
     let runs = motion::steps(&structures, prepared, recording);
-    let perturbed = problem.perturbed(cases.each_ref(), prepared);
-    for (ready, (run, perturbed)) in cases.iter().zip(runs.into_iter().zip(perturbed)) {
+    let perturbed = problem.perturbed(cases, prepared);
+    let runs = runs.into_iter().zip(perturbed);
+    for (ready, (run, perturbed)) in cases.iter().zip(runs).take(used) {
         let judged = problem.judge(ready, run, perturbed, &[]);
         table.put(ready.place, judged.map(|judged| judged.1));
     }

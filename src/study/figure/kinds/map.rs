@@ -10,7 +10,7 @@ use crate::study::{Marks, Ridge, Scale};
 pub(super) const KIND: Kind = Kind {
     name: "map",
     needs: Needs::Nothing,
-    meaning: "one metric over two parameters, as filled contours with a colour bar",
+    meaning: "one metric over two parameters, as filled contours with a colour bar; hatched where its value is empty",
     keys: &[
         X,
         key(
