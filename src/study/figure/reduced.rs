@@ -87,7 +87,7 @@ fn metrics(keys: &'static [Key], values: &Values) -> Vec<(&'static str, usize, u
 pub(crate) fn hidden(
     reduction: &Reduction,
     row: usize,
-    cases: impl Iterator<Item = Case>,
+    mut cases: impl Iterator<Item = Case>,
     scope: &Scope,
 ) -> Option<String> {
     let table = scope.problem.parameters();
@@ -115,7 +115,7 @@ pub(crate) fn hidden(
         let first = *found.entry(reduction.group(&case)).or_insert(own);
         Value::identical(first, own)
     };
-    match cases.map(same).all(|same| same) {
+    match cases.all(same) {
         true => None,
         false => changes(),
     }

@@ -325,3 +325,21 @@ fn figures_show_reductions_over_the_same_parameters_and_nothing_of_these() {
         );
     }
 }
+
+#[test]
+fn what_the_problem_computes_is_shown_if_all_cases_of_each_group_share_it() {
+    let wrong = |over: &str| {
+        let text = format!(
+            r#"{{"problem": "bar-impact", "parameters": {{"k_I": [10, 100], "n": [4, 8], "dt": [0.01, 0.02], "duration": 1}},
+              "reductions": ["mean peak_force over {over}"],
+              "figures": [{{"name": "f", "kind": "metric", "x": "gamma", "y": "mean peak_force over {over}"}}]}}"#
+        );
+        let wrong = parse("s", &text).err().map(|e| e.to_string());
+        wrong.unwrap_or_default()
+    };
+    // gamma follows from k_I and n.
+    assert_eq!(wrong("dt"), "");
+    let told = wrong("dt, n");
+    let message = "figures[0].x: gamma changes with dt, n, which the metrics are reduced over";
+    assert!(told.contains(message), "{told}");
+}
