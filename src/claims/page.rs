@@ -34,8 +34,8 @@ impl Judged {
 pub fn page(all: &[Judged]) -> String {
     let mut page = String::from(
         "# The statements of the papers and of the literature, tested by computation\n\n\
-         This page lists every statement of the two papers that a computation can test, and statements of the literature on \
-         laws and methods that studies can decide, each with its place or source and in our words. A reading is one way to \
+         This page lists every statement of the two papers that a computation can test, and statements of the literature and of \
+         practice on laws, methods and bridges that studies can decide, each with its place or source and in our words. A reading is one way to \
          understand a statement; each is tested by a study. `slipgap claims` computes the verdicts. If a statement fails \
          in a reading, the reason is below the table. If a statement has no number, the limit is our choice; it is in \
          brackets next to each value. A metric over that of other values is the quotient of two cases that are otherwise the \

@@ -6,6 +6,7 @@ use crate::problem::structure::schema::Drawn;
 use crate::study::reduction::decode;
 use crate::study::source::faults::{Faults, join, quoted};
 use crate::study::source::object::Object;
+use crate::study::source::plain::printable;
 use crate::study::source::tree::{Node, Tree};
 
 /// The metrics in the list `metrics`, and those that reductions, checks and figures name.
@@ -21,7 +22,7 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
                 ..metric
             }),
             Err(why) => {
-                faults.add(at, path, format!("{}: {why}", quoted(text)));
+                faults.add(at, path, format!("{}: {}", quoted(text), printable(&why)));
                 // The name is known from here on, so that it is reported once.
                 metrics.push(StructureMetric {
                     name: text.trim().to_owned(),
@@ -88,7 +89,7 @@ pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Dr
                     .strip_prefix("error(")
                     .and_then(|rest| rest.strip_suffix(')'));
                 let channel = Channel::parse(inside.unwrap_or(text), names).unwrap_or_else(|why| {
-                    faults.add(at, path, format!("{}: {why}", quoted(text)));
+                    faults.add(at, path, format!("{}: {}", quoted(text), printable(&why)));
                     Channel {
                         name: text.to_owned(),
                         terms: Vec::new(),
