@@ -2,8 +2,8 @@
 
 use super::reduction::Reduction;
 use super::units::Units;
-use crate::problem::Problem;
 use crate::problem::unit::Dimension;
+use crate::problem::{Problem, escape};
 
 /// A column of results beyond the parameters, or a reduction of one.
 #[derive(Debug, Clone)]
@@ -22,6 +22,14 @@ pub struct Measure {
     pub dimension: Option<Dimension>,
     /// How it is reduced; `None` for a metric, which each case has.
     pub reduction: Option<Reduction>,
+}
+
+impl Measure {
+    /// The symbol without its unit, for a number that has none, such as an index.
+    pub fn bare_symbol(&self) -> &str {
+        let unit = format!(" ({})", escape(&self.unit));
+        self.symbol.strip_suffix(&unit).unwrap_or(&self.symbol)
+    }
 }
 
 /// The metrics of a problem, row by row, and then those with a dimension in the units of the study, if it has any.

@@ -51,7 +51,7 @@ impl Draw for Sobol {
             .map(|(&metric, found)| {
                 let both = found.iter().flatten().flat_map(|i| [i.first, i.total]);
                 let ends = both.flat_map(|i| [i.interval[0], i.interval[1], i.value]);
-                let title = format!("indices of {}", study.measures[metric].symbol);
+                let title = format!("indices of {}", study.measures[metric].bare_symbol());
                 ticks::around(&title, ends.chain([0.0, 1.0]), height / 24.0)
             })
             .collect();

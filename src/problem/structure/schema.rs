@@ -59,14 +59,11 @@ pub fn schema(
     let of = |dimension: Dimension| units.map(|units| units.of_dimension(dimension));
     let parameters: Vec<Parameter> = named.iter().map(parameter).collect();
     let row = |name: &str| named.iter().position(|p| p.name == name).unwrap_or(0);
+    let unit_of = |metric: &StructureMetric| units.and_then(|units| units.of_metric(metric));
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
-        symbol: in_unit(
-            title(&metric.name),
-            units.and_then(|units| units.of_metric(metric)),
-        )
-        .into(),
-        unit: Borrowed("1"),
+        symbol: in_unit(title(&metric.name), unit_of(metric)).into(),
+        unit: unit_of(metric).map_or(Borrowed("1"), Text::Owned),
         meaning: Borrowed(metric.reduction.meaning()),
         default: true,
         empty: Borrowed(match metric.reduction {
@@ -227,16 +224,15 @@ const GREEK: [(&str, &str); 18] = [
     ("omega", "ω"),
 ];
 
-/// A name as figures write it, in their markup: `k_I` as an italic k with the subscript I.
+/// A name as figures write it, in their markup: `k_I` as an italic k with the subscript I. A word keeps its `_`.
 fn symbol(name: &str) -> String {
     let (base, below) = name.split_once('_').unwrap_or((name, ""));
     let greek = GREEK.iter().find(|letter| letter.0 == base);
     let base = greek.map_or(base, |letter| letter.1);
-    let italic = base.chars().count() <= 2;
-    let mut markup = match italic {
-        true => format!("*{}*", escape(base)),
-        false => escape(base),
-    };
+    if base.chars().count() > 2 {
+        return escape(name);
+    }
+    let mut markup = format!("*{}*", escape(base));
     if !below.is_empty() {
         markup += &format!("_{}_", escape(below));
     }
@@ -267,6 +263,7 @@ mod tests {
             ("k_I", "*k*_I_"),
             ("EA", "*EA*"),
             ("scale", "scale"),
+            ("gap_factor", "gap\\_factor"),
             ("r_E_2", "*r*_E\\_2_"),
         ] {
             assert_eq!(symbol(name), markup);
