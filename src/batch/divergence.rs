@@ -78,7 +78,7 @@ impl fmt::Display for Divergence {
         }?;
         match diverging {
             0 => Ok(()),
-            _ => f.write_str("; after that their single histories mean nothing"),
+            _ => f.write_str("; after that their histories are not reproducible"),
         }
     }
 }
@@ -157,7 +157,7 @@ mod tests {
             divergence.to_string()
         };
         let change = "a change of 1e-10 in start and loads reaches 1 % of the peak in";
-        let meaning = "after that their single histories mean nothing";
+        let meaning = "after that their histories are not reproducible";
         assert_eq!(text(9, 9, 0), format!("{change} 0 of 9 cases"));
         assert_eq!(
             text(2000, 64, 7),

@@ -30,6 +30,16 @@ impl Measure {
         let unit = format!(" ({})", escape(&self.unit));
         self.symbol.strip_suffix(&unit).unwrap_or(&self.symbol)
     }
+
+    /// That the metric is above a limit, in markup: `symbol > limit unit`.
+    pub fn above(&self, limit: &str) -> String {
+        let symbol = self.bare_symbol();
+        let unit = match symbol.len() < self.symbol.len() {
+            true => format!(" {}", escape(&self.unit)),
+            false => String::new(),
+        };
+        format!("{symbol} > {limit}{unit}")
+    }
 }
 
 /// The metrics of a problem, row by row, and then those with a dimension in the units of the study, if it has any.

@@ -130,8 +130,8 @@ impl Draw for Fragility {
 
 impl Fragility {
     fn title(&self, study: &Study) -> String {
-        let metric = &study.measures[self.y].symbol;
-        format!("P({metric} > {})", number::short(self.limit))
+        let above = study.measures[self.y].above(&number::short(self.limit));
+        format!("P({above})")
     }
 
     /// The trials of an ensemble at each x, rising; of cases without a value none.
