@@ -45,7 +45,7 @@ fn every_command_of_the_guide_works_in_its_order() {
             commands += 1;
         }
     }
-    assert_eq!((commands, studies), (12, 2));
+    assert_eq!((commands, studies), (13, 3));
     assert!(folder.path().join("figures/knock/force.png").is_file());
     assert!(
         folder
@@ -53,6 +53,7 @@ fn every_command_of_the_guide_works_in_its_order() {
             .join("figures/what-matters/sobol.csv")
             .is_file()
     );
+    assert!(folder.path().join("figures/seats/fragility.png").is_file());
     assert!(folder.path().join("figures/report.html").is_file());
 }
 
