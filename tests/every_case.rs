@@ -29,7 +29,7 @@ fn text(parameters: &str, keys: &str) -> String {
 fn run(text: &str) -> (Study, Vec<Outcome>) {
     let study = parse("s.json", text).unwrap_or_else(|e| panic!("{e}"));
     assert!(study.raw_len() > 1_000_000);
-    let outcomes = all(&study, &ProgressBar::hidden()).unwrap();
+    let outcomes = all(&study, None, &ProgressBar::hidden()).unwrap();
     assert_eq!(outcomes.len() as u64, study.len());
     (study, outcomes)
 }
@@ -139,7 +139,7 @@ fn sound_cases_among_refused_ones_have_the_numbers_of_a_study_without_those() {
     let (_, among) = run(&study);
     let alone = r#"{"problem": "bar-impact", "parameters": {"n": 2, "gap": 1, "gamma": 1, "dt": 0.5, "duration": 2.5}}"#;
     let alone = parse("s.json", alone).unwrap();
-    let alone = all(&alone, &ProgressBar::hidden()).unwrap();
+    let alone = all(&alone, None, &ProgressBar::hidden()).unwrap();
     let bits = |outcome: &Outcome| -> Vec<Option<u64>> {
         let metrics = outcome.metrics.iter();
         metrics.map(|metric| metric.map(f64::to_bits)).collect()

@@ -36,7 +36,7 @@ fn table(study: &Study) -> Vec<Vec<String>> {
 }
 
 fn outcomes(study: &Study) -> Vec<Outcome> {
-    batch::all(study, &ProgressBar::hidden()).unwrap()
+    batch::all(study, None, &ProgressBar::hidden()).unwrap()
 }
 
 fn cells(bytes: &[u8]) -> Vec<Vec<String>> {

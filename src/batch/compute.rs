@@ -10,8 +10,21 @@ use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 use rayon::prelude::*;
 
-/// Cases of one sweep if there are several threads.
-pub(super) const SLICE: usize = 4096;
+/// Largest number of cases of one sweep if there are several threads.
+const MOST_CASES: u64 = 4096;
+
+/// Smallest number of cases of one sweep: several times the number of lanes.
+const FEWEST_CASES: u64 = 64;
+
+/// Largest work of one sweep of more cases, which takes a fraction of a second.
+pub(super) const SWEEP_WORK: f64 = 2e7;
+
+/// Cases of one sweep if there are several threads, of `cases` with this work together. Only cases with the same modes share
+/// lanes, so that each case of a small sweep takes longer than in a large one.
+pub(super) fn slice(cases: u64, work: f64) -> u64 {
+    let slice = SWEEP_WORK / work * cases as f64;
+    (slice as u64).clamp(FEWEST_CASES, MOST_CASES)
+}
 
 /// Whether cases of the study can be computed in lanes. Histories, budgets and the papers' own iteration need one case
 /// at a time.
@@ -27,7 +40,10 @@ pub(super) fn parallel_tasks(study: &Study, options: &RunOptions, total: f64) ->
     let cases = study.len() as usize;
     let parts = (total / WORK as f64).ceil() as usize;
     match lanes_possible(study, options) {
-        true => cases.div_ceil(SLICE).max(parts).min(cases),
+        true => cases
+            .div_ceil(slice(cases as u64, total) as usize)
+            .max(parts)
+            .min(cases),
         false => cases,
     }
 }
@@ -39,12 +55,12 @@ pub(super) fn solvable_rows(cases: &Cases) -> Vec<u32> {
         .collect()
 }
 
-/// The metrics of these rows of a part, and the histories to keep. `tick` receives the number of finished rows, some at a
+/// The metrics of these rows of a part, which have this work, and the histories to keep. `tick` receives the number of finished rows, some at a
 /// time.
 pub(super) fn compute_rows(
     study: &Study,
     first: u64,
-    (cases, rows): (&Cases, &[u32]),
+    (cases, rows, work): (&Cases, &[u32], f64),
     tick: &(dyn Fn(usize) + Sync),
     options: &RunOptions,
 ) -> Result<(MetricTable, Solutions), Error> {
@@ -56,7 +72,7 @@ pub(super) fn compute_rows(
         .partition(|row| lanes && !(options.keep_history)(shown.at(**row as usize)));
     let slice = match rayon::current_num_threads() {
         1 => cases.len().max(1),
-        _ => SLICE,
+        _ => slice(rows.len() as u64, work) as usize,
     };
     let sweep = |rows: &[u32]| {
         let swept = study.problem.sweep(cases, rows);

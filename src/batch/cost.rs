@@ -1,6 +1,6 @@
 //! The cost of a study: its work, and the time that some of its cases take on this machine.
 
-use super::compute::{SLICE, compute_rows, keep_memory, parallel_tasks, solvable_rows};
+use super::compute::{SWEEP_WORK, compute_rows, keep_memory, parallel_tasks, slice, solvable_rows};
 use super::options::RunOptions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
@@ -13,12 +13,6 @@ use std::time::{Duration, Instant};
 
 /// Largest number of cases whose work is summed.
 const MOST_SUMMED: u64 = 100_000;
-
-/// Smallest number of combinations in a group: several times the number of lanes.
-const SMALLEST_GROUP: u64 = 64;
-
-/// Largest work of a group, which takes a fraction of a second.
-const GROUP_WORK: f64 = 2e7;
 
 /// A measurement of some cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +60,8 @@ pub fn measure(
     keep_memory();
     let tasks = parallel_tasks(study, options, total).max(1);
     let threads = rayon::current_num_threads().min(tasks);
-    let size = group_size(study, total);
+    // As many combinations as in one sweep of a run.
+    let size = slice(study.raw_len(), total);
     let groups = study.raw_len().div_ceil(size);
     let (next, sum) = (AtomicU64::new(0), Mutex::new((0_u64, 0.0)));
     let stride = stride(groups);
@@ -81,7 +76,7 @@ pub fn measure(
             let cases = sample(study, group * size, size);
             let rows = solvable_rows(&cases);
             let work = work(study, &cases, &rows);
-            compute_rows(study, 0, (&cases, &rows), &|_| (), options)?;
+            compute_rows(study, 0, (&cases, &rows, work), &|_| (), options)?;
             let mut sum = sum.lock().unwrap_or_else(PoisonError::into_inner);
             *sum = (sum.0 + rows.len() as u64, sum.1 + work);
         }
@@ -97,18 +92,11 @@ pub fn measure(
     })
 }
 
-/// Combinations of a group: as many as in one sweep of a run if that is little work. Only bars of the same mesh share
-/// lanes, so that each case of a small sample takes longer than in a large one.
-fn group_size(study: &Study, total: f64) -> u64 {
-    let cases = GROUP_WORK / total * study.raw_len() as f64;
-    (cases as u64).clamp(SMALLEST_GROUP, SLICE as u64)
-}
-
 /// The cases of `size` raw combinations from `from` on, with a shorter duration if they are much work.
 fn sample(study: &Study, from: u64, size: u64) -> Cases {
     let (_, cases) = study.columns(from, (from + size).min(study.raw_len()));
     let rows = solvable_rows(&cases);
-    let share = GROUP_WORK / work(study, &cases, &rows);
+    let share = SWEEP_WORK / work(study, &cases, &rows);
     if share >= 1.0 {
         return cases;
     }
@@ -198,11 +186,11 @@ mod tests {
     fn cases_of_much_work_are_measured_with_a_shorter_duration() {
         // 3e7 steps in each of 64 cases. All together are shortened to the limit.
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
-        let cases = sample(&study, 0, group_size(&study, total(&study)));
+        let cases = sample(&study, 0, slice(study.raw_len(), total(&study)));
         assert_eq!(cases.len(), 64);
         let work = work(&study, &cases, &solvable_rows(&cases));
         // The number of steps is rounded: up to one step in each case.
-        assert!((work - GROUP_WORK).abs() <= 64.0, "{work}");
+        assert!((work - SWEEP_WORK).abs() <= 64.0, "{work}");
     }
 
     #[test]

@@ -29,6 +29,7 @@ use rayon::prelude::*;
 use run_part::run_part;
 use std::collections::VecDeque;
 use std::ops::Range;
+use store::Store;
 
 /// Runs every case, part by part. `take` receives the parts in order, each as soon as it and all parts before it are
 /// finished. An error of `take` ends the run.
@@ -100,10 +101,17 @@ impl<'a> PartQueue<'a> {
     }
 }
 
-/// The outcomes of all cases at once, for small studies.
-pub fn all(study: &Study, bar: &ProgressBar) -> Result<Vec<Outcome>, Error> {
+/// The outcomes of all cases at once, for small studies. Cases in a store are not computed again.
+///
+/// # Errors
+/// The first of the store.
+pub fn all(study: &Study, store: Option<&Store>, bar: &ProgressBar) -> Result<Vec<Outcome>, Error> {
+    let options = RunOptions {
+        store,
+        ..RunOptions::METRICS
+    };
     let mut outcomes = Vec::new();
-    run(study, bar, &RunOptions::METRICS, |part| {
+    run(study, bar, &options, |part| {
         let numbered = part.outcomes(study).into_iter();
         outcomes.extend(numbered.map(|(_, outcome)| outcome));
         Ok(())

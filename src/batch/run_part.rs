@@ -97,6 +97,7 @@ impl<'a> Missing<'a> {
         let (cases, rows) = (self.cases, &self.rows[..]);
         let solvable = rows.len() + self.reused.len();
         let work_per_case = work / solvable.max(1) as f64;
+        let computed = work_per_case * rows.len() as f64;
         bar.inc((cases.len() - rows.len()) as u64);
         if let Some(progress) = options.progress {
             progress.add_stored(work_per_case * self.reused.len() as f64);
@@ -109,7 +110,7 @@ impl<'a> Missing<'a> {
             }
         };
         let (mut metrics, solutions) =
-            compute::compute_rows(study, first, (cases, rows), &tick, options)?;
+            compute::compute_rows(study, first, (cases, rows, computed), &tick, options)?;
         for (row, from, place) in &self.reused {
             metrics.copy(*row as usize, from, *place);
         }

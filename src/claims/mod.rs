@@ -7,9 +7,11 @@ mod page;
 pub use page::{Judged, page};
 
 use crate::batch;
+use crate::batch::store::{STORE, Store};
 use crate::error::Error;
 use indicatif::ProgressBar;
 use ledger::{Claim, Ledger};
+use std::path::Path;
 
 /// The result of testing a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +49,17 @@ impl Verdict {
     }
 }
 
+/// The store of a folder of results; none without results, or while another command uses it.
+fn store(results: &Path) -> Result<Option<Store>, Error> {
+    if !results.join(STORE).is_dir() {
+        return Ok(None);
+    }
+    match Store::open(results) {
+        Err(Error::Busy(_)) => Ok(None),
+        opened => opened.map(Some),
+    }
+}
+
 /// The computed result of a reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
@@ -56,14 +69,16 @@ pub struct Finding {
     pub found: Vec<String>,
 }
 
-/// Tests every claim of a ledger, reading by reading. Each study is run once.
+/// Tests every claim of a ledger, reading by reading. Each study is run once. Cases in the store of its folder in `out` are not
+/// computed again.
 ///
 /// # Errors
-/// Only internal ones. An expectation of a case without a solution does not hold.
-pub fn compute(ledger: &Ledger, bar: &ProgressBar) -> Result<Vec<Vec<Finding>>, Error> {
+/// Of the store, and internal ones. An expectation of a case without a solution does not hold.
+pub fn compute(ledger: &Ledger, out: &Path, bar: &ProgressBar) -> Result<Vec<Vec<Finding>>, Error> {
     let mut outcomes = Vec::new();
     for ledger_study in &ledger.studies {
-        outcomes.push(batch::all(&ledger_study.study, bar)?);
+        let store = store(&out.join(&ledger_study.name))?;
+        outcomes.push(batch::all(&ledger_study.study, store.as_ref(), bar)?);
     }
     let claim = |claim: &Claim| {
         let readings = claim.readings.iter();

@@ -20,7 +20,7 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     for ledger in ledgers {
         let cases = ledger.studies.iter().map(|s| s.study.len()).sum();
         let bar = progress::bar(&ledger.paper, cases);
-        let findings = claims::compute(&ledger, &bar)?;
+        let findings = claims::compute(&ledger, out, &bar)?;
         progress::finish(&bar, &ledger.paper, &progress::cases_run(cases));
         all.push(Judged { ledger, findings });
     }

@@ -29,7 +29,7 @@ const LEDGERS: &str = "claims";
 /// Runs the studies with the stores in `out` and writes the page there; returns the exit code.
 pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     let folder = Folder::open(out)?;
-    let mut readings = tested_readings(sources)?;
+    let mut readings = tested_readings(sources, out)?;
     let mut sections = Vec::new();
     let mut bytes_left = MOST_BYTES;
     for (i, source) in sources.iter().enumerate() {
@@ -140,7 +140,7 @@ fn update_results(source: &Source, results: &Path) -> Result<(), Error> {
 }
 
 /// For each study the readings of claims that it tests, tested now; none if there are no ledgers.
-fn tested_readings(sources: &[Source]) -> Result<Vec<Vec<TestedReading>>, Error> {
+fn tested_readings(sources: &[Source], out: &Path) -> Result<Vec<Vec<TestedReading>>, Error> {
     let mut readings: Vec<Vec<TestedReading>> = sources.iter().map(|_| Vec::new()).collect();
     if !Path::new(LEDGERS).is_dir() {
         return Ok(readings);
@@ -161,7 +161,7 @@ fn tested_readings(sources: &[Source]) -> Result<Vec<Vec<TestedReading>>, Error>
         if (0..ledger.studies.len()).all(|study| index(study).is_none()) {
             continue;
         }
-        let findings = compute(&ledger, &ProgressBar::hidden())?;
+        let findings = compute(&ledger, out, &ProgressBar::hidden())?;
         note(&format!("{}: judged", ledger.paper));
         for (claim, findings) in ledger.claims.iter().zip(findings) {
             for (reading, finding) in claim.readings.iter().zip(findings) {

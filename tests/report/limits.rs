@@ -16,7 +16,7 @@ const BARS: &str = r#"{ "problem": "bar-impact", "metrics": ["max_overlap", "rms
   "parameters": { "gamma": 1, "n": [2, 3, 4], "dt": 0.25, "duration": 1, "L": 10, "E": 100, "V0": 0.1 } }"#;
 
 fn outcomes(study: &Study) -> Vec<Outcome> {
-    batch::all(study, &indicatif::ProgressBar::hidden()).unwrap()
+    batch::all(study, None, &indicatif::ProgressBar::hidden()).unwrap()
 }
 
 /// The page of one study with at most `most` bytes of results.
