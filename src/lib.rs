@@ -25,7 +25,7 @@
 //! ```
 //!
 //! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`checks`], [`compare`],
-//! [`recommend`], [`figures`], [`batch`] with the store, [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
+//! [`recommend`], [`run`], [`figures`], [`batch`] with the store, [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
 //! [`exact`], [`methods`], [`system`], [`contact`], [`statistics`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
 //! iteration, which the fast form is tested against.
 //!
@@ -81,6 +81,7 @@ pub mod metrics;
 pub mod problem;
 pub mod recommend;
 pub mod report;
+pub mod run;
 pub mod solve;
 pub mod statistics;
 pub mod study;

@@ -5,10 +5,11 @@ mod commands;
 use clap::{Args, Parser, Subcommand};
 use commands::Jobs;
 use commands::recommend::RecommendArgs;
-use commands::run::{Format, RunArgs};
+use commands::run::Format;
 use commands::sources::Source;
 use slipgap::error::Error;
 use slipgap::figures::style;
+use slipgap::run::OutputOptions;
 use slipgap::study::Setting;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -196,14 +197,14 @@ fn execute(cli: Cli) -> Result<u8, Error> {
     match cli.verb {
         Verb::Run(run) => {
             let studies = run.studies.read()?;
-            let args = RunArgs {
+            let output = OutputOptions {
                 histories: run.histories,
                 fail_fast: run.fail_fast,
-                format: run.format,
+                table: run.format.map(Format::has_table),
                 dpi: run.dpi,
             };
             let pool = run.jobs.thread_pool()?;
-            pool.install(|| commands::run::run(&studies, &run.out, &args))
+            pool.install(|| commands::run::run(&studies, &run.out, &output))
         }
         Verb::Check(check) => {
             let studies = check.studies.read()?;

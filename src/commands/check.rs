@@ -1,6 +1,5 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
-use super::run::{UnsolvedCases, without_value};
 use super::sources::Source;
 use super::terminal::{note, print_all, progress, table_lines};
 use super::{NOT_MET, UNSOLVED};
@@ -8,6 +7,7 @@ use slipgap::batch::{self, RunOptions};
 use slipgap::checks::{self, ReducedChecks, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
+use slipgap::run::{UnsolvedCases, cases_run, without_value};
 
 /// The cases and values that the checks of a study test, check by check; NaN if a value is undefined. The lines are made
 /// one by one, because a million lines take half a gigabyte.
@@ -64,8 +64,8 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &progress::cases_run(study.len()));
-    unsolved.report();
+    progress::finish(&bar, &source.name, &cases_run(study.len()));
+    unsolved.lines().for_each(|line| note(&line));
     for (name, empty, cases) in reduced.empty() {
         note(&without_value(source, name, empty, cases));
     }

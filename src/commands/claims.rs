@@ -7,6 +7,7 @@ use slipgap::batch::output::Folder;
 use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
+use slipgap::run::cases_run;
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
@@ -21,7 +22,7 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
         let cases = ledger.studies.iter().map(|s| s.study.len()).sum();
         let bar = progress::bar(&ledger.paper, cases);
         let findings = claims::compute(&ledger, out, &bar)?;
-        progress::finish(&bar, &ledger.paper, &progress::cases_run(cases));
+        progress::finish(&bar, &ledger.paper, &cases_run(cases));
         all.push(Judged { ledger, findings });
     }
     let path = folder.write(PAGE, claims::page(&all).as_bytes())?;

@@ -1,9 +1,8 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
 use super::claims;
-use super::run::{self, RunArgs, Tally};
 use super::sources::Source;
-use super::terminal::{note, print, progress};
+use super::terminal::{Terminal, note, print, progress};
 use indicatif::ProgressBar;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
@@ -13,10 +12,10 @@ use slipgap::batch::{self, RunOptions};
 use slipgap::checks::ReducedChecks;
 use slipgap::claims::compute;
 use slipgap::error::Error;
-use slipgap::figures::style;
 use slipgap::report::{
     self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
 };
+use slipgap::run::{self, OutputOptions, Tally};
 use slipgap::study_figures;
 use std::path::{Path, PathBuf};
 
@@ -90,7 +89,7 @@ fn section<'a>(
     store.close()?;
     counts.look_for_divergence(study);
     checks.judge_reduced(study, &reduced);
-    let indices = run::indices(source, &designs)?;
+    let indices = run::indices(source, &designs, &mut Terminal)?;
     let mut drawings = Vec::new();
     study_figures::add_histories(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {
@@ -129,14 +128,16 @@ fn update_results(source: &Source, results: &Path) -> Result<(), Error> {
         "{}: the results are of an earlier version of the study; running it again",
         source.name
     ));
-    let args = RunArgs {
-        histories: false,
-        fail_fast: false,
-        format: None,
-        dpi: style::DPI,
-    };
     // Cases without a solution do not end the command; the page reports them.
-    run::run_study(source, folder, store, &args).map(|_| ())
+    let written = run::run_study(
+        source,
+        folder,
+        store,
+        &OutputOptions::default(),
+        &mut Terminal,
+    )?;
+    print(&written.list())?;
+    Ok(())
 }
 
 /// For each study the readings of claims that it tests, tested now; none if there are no ledgers.

@@ -4,33 +4,11 @@ pub mod files;
 
 use slipgap::batch::output;
 use slipgap::error::Error;
-use slipgap::study::{self, Input, Setting, Study};
+pub use slipgap::run::Source;
+use slipgap::study::{self, Input, Setting};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use walkdir::DirEntry;
-
-/// A study and its origin.
-pub struct Source {
-    /// The file as in the command, or the name of standard input.
-    pub file: PathBuf,
-    /// Its folder in the output folder, as in `claims/friction`.
-    pub name: String,
-    /// The text of the file.
-    pub text: String,
-    /// The study.
-    pub study: Study,
-}
-
-impl Source {
-    /// The file and the settings of the command line.
-    pub fn origin(&self) -> String {
-        let mut origin = self.file.display().to_string();
-        for setting in &self.study.settings {
-            origin += &format!(" --set '{}'", setting.text());
-        }
-        origin
-    }
-}
 
 /// Reads the studies in files and folders, in order, with the settings and at most `limit` raw combinations each. All
 /// faults of all files are reported. `-` is standard input.

@@ -1,6 +1,9 @@
 //! Output on the terminal: results to stdout, notes and errors to stderr.
 
+mod observer;
 pub mod progress;
+
+pub use observer::Terminal;
 
 use slipgap::error::Error;
 use slipgap::study::printable;

@@ -83,11 +83,3 @@ pub fn finish(bar: &ProgressBar, name: &str, summary: &str) {
     bar.finish_and_clear();
     note(&format!("{name}: {summary}"));
 }
-
-/// The number of cases in words.
-pub fn cases_run(cases: u64) -> String {
-    match cases {
-        1 => "1 case run".into(),
-        _ => format!("{cases} cases run"),
-    }
-}

@@ -1,8 +1,7 @@
 //! Cases that could not be solved: lines about the first ones, and the number of the others.
 
-use super::super::sources::Source;
-use super::super::terminal::note;
-use slipgap::solve::Unsolvable;
+use super::Source;
+use crate::solve::Unsolvable;
 
 /// Largest number of cases with a line each.
 const MOST_LISTED: usize = 20;
@@ -37,21 +36,19 @@ impl<'a> UnsolvedCases<'a> {
         self.count == 0
     }
 
-    /// Writes the lines to stderr.
-    pub fn report(&self) {
-        self.lines.iter().for_each(|line| note(line));
+    /// A line about each of the first cases, and one about the number of the others.
+    pub fn lines(&self) -> impl Iterator<Item = String> {
         let more = self.count - self.lines.len() as u64;
-        if more > 0 {
-            note(&format!(
-                "{}: {more} more cases could not be solved",
-                self.source.file.display()
-            ));
-        }
+        let others = || {
+            let what = format!("{more} more cases could not be solved");
+            self.source.line(&what)
+        };
+        let others = (more > 0).then(others);
+        self.lines.iter().cloned().chain(others)
     }
 }
 
 /// The line about one case.
 pub fn line(source: &Source, number: u64, why: &Unsolvable) -> String {
-    let file = source.file.display();
-    format!("{file}: case {number} could not be solved: {why}")
+    source.line(&format!("case {number} could not be solved: {why}"))
 }

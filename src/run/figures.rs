@@ -1,11 +1,11 @@
 //! The figures of a study, drawn and written.
 
-use slipgap::batch::Outcome;
-use slipgap::batch::output::Folder;
-use slipgap::error::Error;
-use slipgap::figures;
-use slipgap::study::Study;
-use slipgap::study_figures;
+use crate::batch::Outcome;
+use crate::batch::output::Folder;
+use crate::error::Error;
+use crate::figures;
+use crate::study::Study;
+use crate::study_figures;
 use std::path::PathBuf;
 
 /// Draws every figure of a study with `dpi` pixels per inch, and adds the paths of the files to `paths`.

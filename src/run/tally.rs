@@ -1,7 +1,6 @@
 //! The number of cases from the store, and why the others were computed.
 
-use super::super::terminal::progress;
-use slipgap::batch::PartResult;
+use crate::batch::PartResult;
 
 /// Largest number of reasons in the summary.
 const MOST_REASONS: usize = 3;
@@ -45,7 +44,7 @@ impl Tally {
             return format!("{cases} of {cases} cases from the store");
         }
         if self.new_store {
-            return progress::cases_run(cases);
+            return cases_run(cases);
         }
         let text = |(reason, count): &(String, u64)| match count {
             1 => reason.clone(),
@@ -58,11 +57,19 @@ impl Tally {
                 self.reasons.len() - MOST_REASONS
             ));
         }
-        let run = progress::cases_run(cases - self.from_store);
+        let run = cases_run(cases - self.from_store);
         let from_store = match self.from_store {
             0 => String::new(),
             count => format!("{count} of {cases} cases from the store, "),
         };
         format!("{from_store}{run}: {}", reasons.join(", "))
+    }
+}
+
+/// The number of cases in words.
+pub fn cases_run(cases: u64) -> String {
+    match cases {
+        1 => "1 case run".into(),
+        _ => format!("{cases} cases run"),
     }
 }

@@ -1,13 +1,13 @@
 //! The tables that are written during a run: results.csv if wanted, and failures.csv if a case has no solution.
 
-use super::super::sources::Source;
 use super::unsolved::UnsolvedCases;
-use slipgap::batch::Outcome;
-use slipgap::batch::output::atomic::AtomicFile;
-use slipgap::batch::output::tables::{FailureTable, ResultTable};
-use slipgap::batch::output::{FAILURES, Folder, RESULTS};
-use slipgap::batch::store::Store;
-use slipgap::error::Error;
+use super::{Observer, Source};
+use crate::batch::Outcome;
+use crate::batch::output::atomic::AtomicFile;
+use crate::batch::output::tables::{FailureTable, ResultTable};
+use crate::batch::output::{FAILURES, Folder, RESULTS};
+use crate::batch::store::Store;
+use crate::error::Error;
 use std::io;
 use std::path::PathBuf;
 
@@ -69,6 +69,7 @@ impl<'a> Tables<'a> {
         folder: &mut Folder,
         store: &Store,
         paths: &mut Vec<PathBuf>,
+        observer: &mut dyn Observer,
     ) -> Result<bool, Error> {
         paths.push(match self.results {
             Some(table) => {
@@ -77,7 +78,7 @@ impl<'a> Tables<'a> {
             }
             None => store.folder().to_owned(),
         });
-        self.unsolved.report();
+        self.unsolved.lines().for_each(|line| observer.note(&line));
         if let Some(table) = self.failures {
             let file = table.finish().map_err(write_error(folder, FAILURES))?;
             paths.push(folder.commit(file, FAILURES)?);

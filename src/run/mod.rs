@@ -1,0 +1,178 @@
+//! Runs a study into its folder of results: the store, tables, figures, manifest. The program and the Python package write
+//! the same bytes, because both call [`run_study`].
+
+mod ensembles;
+mod figures;
+mod observer;
+mod source;
+mod tables;
+mod tally;
+mod unsolved;
+
+pub use ensembles::{indices, without_value};
+pub use observer::Observer;
+pub use source::Source;
+pub use tally::{Tally, cases_run};
+pub use unsolved::UnsolvedCases;
+
+use crate::batch::output::ensemble::EnsembleMetrics;
+use crate::batch::output::reductions::ReducedMetrics;
+use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::output::tables::write_history;
+use crate::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
+use crate::batch::store::Store;
+use crate::batch::{self, RunOptions};
+use crate::error::Error;
+use crate::figures::style;
+use crate::problem::{Solution, cases_without_contact};
+use crate::study_figures;
+use std::path::PathBuf;
+use tables::Tables;
+
+/// Largest number of cases for which results.csv is written by default.
+const MOST_ROWS: u64 = 100_000;
+
+/// What a run writes.
+#[derive(Debug, Clone, Copy)]
+pub struct OutputOptions {
+    /// Whether the history of every case is written.
+    pub histories: bool,
+    /// Whether the first case without a solution ends the run.
+    pub fail_fast: bool,
+    /// Whether results.csv is written; `None` for up to 10^5 cases.
+    pub table: Option<bool>,
+    /// Pixels per inch of figures.
+    pub dpi: u32,
+}
+
+impl Default for OutputOptions {
+    fn default() -> OutputOptions {
+        OutputOptions {
+            histories: false,
+            fail_fast: false,
+            table: None,
+            dpi: style::DPI,
+        }
+    }
+}
+
+/// What a run wrote.
+#[derive(Debug)]
+pub struct Written {
+    /// Its files, and the store if there is no results.csv.
+    pub paths: Vec<PathBuf>,
+    /// Whether every case was solved.
+    pub solved: bool,
+}
+
+impl Written {
+    /// The paths, one in each line.
+    pub fn list(&self) -> String {
+        let paths = self.paths.iter();
+        paths.map(|path| format!("{}\n", path.display())).collect()
+    }
+}
+
+/// Runs a study into its folder. Cases in the store are not computed again.
+///
+/// # Errors
+/// A file that cannot be written, and with `fail_fast` the first case without a solution.
+pub fn run_study(
+    source: &Source,
+    mut folder: Folder,
+    store: Store,
+    output: &OutputOptions,
+    observer: &mut dyn Observer,
+) -> Result<Written, Error> {
+    let study = &source.study;
+    let cases = study.len();
+    let histories_of = if output.histories { cases } else { 0 };
+    folder.begin(study, &source.file, histories_of)?;
+    let (bar, work) = observer.begin_cases(source);
+    let mut tables = Tables::create(source, &folder, output.table.unwrap_or(cases <= MOST_ROWS))?;
+    let mut tally = Tally::new(store.is_empty());
+    let mut shown = Vec::new();
+    let on_solution = |number: u64, solution: &Solution| {
+        if let Some(case) = &study.case(number) {
+            folder.write_unlisted(&history_name(number), |out| {
+                write_history(study, case, solution, out)
+            })?;
+        }
+        Ok(())
+    };
+    let options = RunOptions {
+        store: Some(&store),
+        // The store has no histories.
+        recompute: output.histories,
+        keep_history: &|case| study_figures::show_history(study, case),
+        on_solution: output.histories.then_some(&on_solution),
+        progress: Some(&*work),
+    };
+    let mut histories = Vec::new();
+    let mut designs = DesignMetrics::new(study);
+    let mut reductions = ReducedMetrics::new(study);
+    let mut ensembles = EnsembleMetrics::new(study);
+    let mut without_contact = 0;
+    batch::run(study, &bar, &options, |part| {
+        tally.add(&part);
+        without_contact += cases_without_contact(&*study.problem, &part.metrics);
+        designs.add(&part);
+        reductions.add(&part);
+        if let Some(ensembles) = &mut ensembles {
+            ensembles.add(&part);
+        }
+        // Cases are separated from the columns only if they are needed one by one.
+        if !tables.has_results()
+            && study.figures.is_empty()
+            && !output.histories
+            && part.metrics.failures().next().is_none()
+        {
+            return Ok(());
+        }
+        for (number, outcome) in part.outcomes(study) {
+            tables.add(&folder, number, &outcome)?;
+            match &outcome.failure {
+                Some(why) if output.fail_fast => {
+                    bar.finish_and_clear();
+                    return Err(Error::Unsolved(unsolved::line(source, number, why)));
+                }
+                None if output.histories => histories.push(history_name(number)),
+                Some(_) | None => {}
+            }
+            if study_figures::show(study, &outcome.case) {
+                shown.push(outcome);
+            }
+        }
+        Ok(())
+    })?;
+    observer.end_cases(source, &bar, &tally.summary(cases));
+    folder.list(histories.into_iter());
+    let mut paths = Vec::new();
+    let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
+    if without_contact > 0 {
+        let schema = study.problem.schema();
+        let duration = &schema.parameters[schema.duration].name;
+        let what = format!(
+            "{without_contact} of {cases} cases have no contact before `{duration}`; their contact metrics are undefined"
+        );
+        observer.note(&source.line(&what));
+    }
+    if let Some(indices) = indices(source, &designs, observer)? {
+        paths.push(folder.write(INDICES, &indices)?);
+    }
+    if let Some(table) = reductions.table()? {
+        for (name, empty, cases) in &table.empty {
+            observer.note(&without_value(source, name, *empty, *cases));
+        }
+        paths.push(folder.write(REDUCTIONS, &table.bytes)?);
+    }
+    if let Some(metrics) = &ensembles {
+        ensembles::write(source, metrics, &mut folder, &mut paths, observer)?;
+    }
+    figures::write(study, &mut shown, output.dpi, &mut folder, &mut paths)?;
+    // An outdated part that cannot be removed is reported last, because the results are complete.
+    let closed = store.close();
+    folder.close(study, &source.file, without_contact)?;
+    closed?;
+    Ok(Written { paths, solved })
+}

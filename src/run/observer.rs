@@ -1,0 +1,21 @@
+//! What a run reports while it goes on.
+
+use super::Source;
+use crate::batch::work_progress::WorkProgress;
+use indicatif::ProgressBar;
+use std::sync::Arc;
+
+/// Receives the progress and the notes of a run.
+pub trait Observer {
+    /// The cases begin: the bar that counts them, and the counter of their work.
+    fn begin_cases(&mut self, source: &Source) -> (ProgressBar, Arc<WorkProgress>);
+
+    /// All cases are finished; `summary` says in a line how many were computed.
+    fn end_cases(&mut self, source: &Source, bar: &ProgressBar, summary: &str);
+
+    /// The bar that counts the estimates of Sobol' indices.
+    fn begin_indices(&mut self, source: &Source, estimates: usize) -> ProgressBar;
+
+    /// A line about the results, as about cases without a solution.
+    fn note(&mut self, line: &str);
+}
