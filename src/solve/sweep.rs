@@ -104,13 +104,13 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
     // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
     fn group<C>(
         &mut self,
-        members: impl ExactSizeIterator<Item = (usize, C)> + Clone,
+        members: impl ExactSizeIterator<Item = (usize, C)> + DoubleEndedIterator + Clone,
         table: &mut MetricTable,
     ) where
         C: LaneCase<L, Reference = E, Track = T>,
     {
         let count = members.len();
-        let Some((row, last)) = members.clone().last() else {
+        let Some((row, last)) = members.clone().next_back() else {
             return;
         };
         // The last group of a kind fills its lanes with its last case.
@@ -144,7 +144,7 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
 
 /// Whether numbers are the same in all bits.
 fn same(a: ReferenceKey, b: ReferenceKey) -> bool {
-    a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+    (0..a.len()).all(|i| a[i].to_bits() == b[i].to_bits())
 }
 
 /// The runs of cases with the same steps and exact solution.
