@@ -126,16 +126,19 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
                 Some((key, reference)) if same(*key, first.reference_key()) => reference,
                 other => &mut other.insert((first.reference_key(), first.reference())).1,
             };
-            let all = (range.len() >= SHARED).then(|| C::metrics(&lanes, &self.motion, reference));
-            for l in range {
-                let row = rows[l];
-                if !finite[l] {
-                    table.fail(row, Unsolvable::OutOfRange);
-                } else if let Some(all) = &all {
-                    table.set(row, all.as_ref().iter().map(|metric| metric.0[l]));
-                } else {
+            for l in range.clone().filter(|l| !finite[*l]) {
+                table.fail(rows[l], Unsolvable::OutOfRange);
+            }
+            let solved = range.clone().filter(|l| finite[*l]);
+            if range.len() >= SHARED {
+                let all = C::metrics(&lanes, &self.motion, reference);
+                for l in solved {
+                    table.set(rows[l], all.as_ref().iter().map(|metric| metric.0[l]));
+                }
+            } else {
+                for l in solved {
                     let one = lanes[l].metrics_of_one(&self.motion, l, reference);
-                    table.set(row, one.as_ref().iter().map(|metric| metric.0[0]));
+                    table.set(rows[l], one.as_ref().iter().map(|metric| metric.0[0]));
                 }
             }
         }
