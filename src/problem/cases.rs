@@ -97,11 +97,11 @@ impl Cases {
     }
 
     /// A case with the values in these rows of the table, if all cases have the same.
-    pub fn common(&self, rows: &[usize]) -> Option<Case> {
+    pub fn common(&self, rows: impl Iterator<Item = usize>) -> Option<Case> {
         let mut case = Case::new(&self.schema);
         for row in rows {
-            match &self.columns[*row] {
-                Column::Same(value) => case.values[*row] = *value,
+            match &self.columns[row] {
+                Column::Same(value) => case.values[row] = *value,
                 Column::Each(_) => return None,
             }
         }

@@ -85,7 +85,10 @@ impl MetricTable {
     #[inline]
     pub fn set(&mut self, case: usize, metrics: impl Iterator<Item = f64>) {
         let row = &mut self.metrics[case * self.width..(case + 1) * self.width];
-        for (x, metric) in row.iter_mut().zip(metrics) {
+        let mut cells = row.iter_mut();
+        // In a sweep the number of metrics is known to the compiler, that of cells is not: a zip would not be unrolled.
+        for metric in metrics {
+            let Some(x) = cells.next() else { return };
             *x = finite_or_nan(metric);
         }
     }

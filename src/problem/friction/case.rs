@@ -74,10 +74,7 @@ impl OscillatorCase {
 }
 
 impl PlainCase {
-    /// Rows of the names that decide whether a case has this form.
-    pub const NAMES: [usize; 3] = [rows::METHOD, rows::LAW, rows::INITIAL_SLIP];
-
-    /// The law by the names of a case; `None` for another law or method.
+    /// The law of a case; `None` for another law or method. It depends on the parameters [`PlainCase::deciding`].
     pub fn law_name(case: &Case) -> Option<PlainLawName> {
         match method::has_rules(case, rows::METHOD) {
             true => None,
@@ -85,7 +82,12 @@ impl PlainCase {
         }
     }
 
-    /// The parameters of a case with this law; `None` if one is not given, and for the law of a bearing.
+    /// The parameters that decide whether a case has this form.
+    pub fn deciding() -> impl Iterator<Item = usize> {
+        PlainLawName::ROWS.into_iter().chain([rows::METHOD])
+    }
+
+    /// The parameters of a case with this law; `None` if one is not given.
     #[inline(always)]
     pub fn plain(case: &Case, name: PlainLawName) -> Option<PlainCase> {
         let (law, force) = plain_law(name, case)?;

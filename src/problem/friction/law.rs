@@ -87,7 +87,7 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
     })
 }
 
-/// Which law of `[F]` a case has by its names.
+/// Which law of `[F]` a case has.
 #[derive(Debug, Clone, Copy)]
 pub enum PlainLawName {
     Displacement(InitialSlip),
@@ -95,6 +95,9 @@ pub enum PlainLawName {
 }
 
 impl PlainLawName {
+    /// The parameters that it depends on.
+    pub const ROWS: [usize; 3] = [rows::LAW, rows::INITIAL_SLIP, rows::NU_RATIO];
+
     /// `None` for another law.
     pub fn of(case: &Case) -> Option<PlainLawName> {
         match LawName::parse(case.name_at(rows::LAW))? {
@@ -102,13 +105,16 @@ impl PlainLawName {
                 let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
                 Some(PlainLawName::Displacement(slip))
             }
-            LawName::VelocityControl => Some(PlainLawName::Velocity),
+            // With another ratio it is the law of a bearing.
+            LawName::VelocityControl if case.at(rows::NU_RATIO)? == 1.0 => {
+                Some(PlainLawName::Velocity)
+            }
             _ => None,
         }
     }
 }
 
-/// A law of `[F]` with S(0); `None` if a parameter is not given, and for another law.
+/// This law of `[F]` with S(0); `None` if a parameter is not given.
 #[inline(always)]
 pub fn plain_law(name: PlainLawName, case: &Case) -> Option<(PlainLaw, f64)> {
     let limit = LIMIT;
@@ -122,8 +128,7 @@ pub fn plain_law(name: PlainLawName, case: &Case) -> Option<(PlainLaw, f64)> {
         PlainLawName::Velocity => {
             let compliance = case.at(rows::BETA)?;
             let law = VelocityControl { compliance, limit };
-            // With another ratio it is the law of a bearing.
-            (case.at(rows::NU_RATIO)? == 1.0).then_some((PlainLaw::Velocity(law), 0.0))
+            Some((PlainLaw::Velocity(law), 0.0))
         }
     }
 }

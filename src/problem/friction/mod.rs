@@ -54,9 +54,8 @@ impl Problem for FrictionOscillator {
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
         // Names are compared once, if all cases have the same.
-        let common = cases
-            .common(&PlainCase::NAMES)
-            .map(|case| PlainCase::law_name(&case));
+        let common = cases.common(PlainCase::deciding());
+        let common = common.map(|case| PlainCase::law_name(&case));
         let own = |case: &Case| {
             let name = common.unwrap_or_else(|| PlainCase::law_name(case));
             match name.and_then(|name| PlainCase::plain(case, name)) {
