@@ -1,6 +1,6 @@
 # `make` alone lists the targets. Everything is built by cargo; nothing else is needed.
 
-# `make test` and `make licences` share one build, which stops at an overflow; `make fresh` and `make guard` share a release build.
+# Most tests run in a build that stops at an overflow. `make fresh`, `make guard` and what computes all studies share a release build.
 
 .PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture
 
@@ -14,9 +14,10 @@ figures: ## run every study in studies/, judge the claims, write tables, picture
 report: ## one page about all studies, figures/report.html: tables to sort and filter, figures with values on hover
 	cargo run --release --locked -- report
 
-# The tests come last, so that their summary ends the output. Among them are the checks of all shipped studies and the claims.
-# `cargo run` would compile the program again, without what only tests need of the crates below it.
+# The tests come last, so that their summary ends the output. `cargo run` would compile the program again, without what only
+# tests need of the crates below it.
 test: ## check results and verdicts against recorded values, run all tests
+	cargo test --release --locked --test shipped -- --ignored --test-threads 1
 	for example in one_case sweep figure own_metric; do cargo run --locked --quiet --example $$example > target/$$example.txt || exit 1; done
 	cargo test --locked
 

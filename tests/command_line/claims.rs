@@ -40,17 +40,6 @@ const TWO_OF_THREE: &str = r#"{ "metric": "rms_error", "where": { "alpha": [1, 5
     "least_at": [0.9, 1.1] }"#;
 const UNDEFINED: &str = r#"{ "metric": "residual_motion", "max": 1 }"#;
 
-/// With the studies that `make fresh` computed, if this version did; the stores of another version are not used.
-#[test]
-fn the_shipped_claims_have_their_recorded_verdicts() {
-    let ledgers = concat!(env!("CARGO_MANIFEST_DIR"), "/claims");
-    let fresh = concat!(env!("CARGO_TARGET_TMPDIR"), "/fresh");
-    let done = Bench::new().expect(0, &["claims", ledgers, "--out", fresh]);
-    assert!(!done.out.contains("CHANGED"), "{}", done.out);
-    let none = "claims, 0 with a verdict other than recorded";
-    assert!(done.err.contains(none), "{}", done.err);
-}
-
 #[test]
 fn verdicts_follow_from_the_readings() {
     for (expect, holds) in [
