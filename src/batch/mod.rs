@@ -5,11 +5,15 @@ mod compute;
 pub mod cost;
 pub mod divergence;
 pub mod key;
+mod locks;
+mod missing;
 mod options;
 pub mod output;
 mod part_result;
+mod queue;
 mod reduced;
 mod run_part;
+mod shard;
 pub mod store;
 #[cfg(test)]
 mod tests_columns;
@@ -17,18 +21,18 @@ mod units;
 pub mod work_progress;
 
 pub use compute::{keep_memory, solution};
+pub use missing::{MissingParts, missing_parts};
 pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
+pub use shard::{Shard, ShardResult, run_shard, shard_of};
 
 use crate::error::Error;
 use crate::study::Study;
-use chunk::Part;
 use indicatif::ProgressBar;
+use queue::PartQueue;
 use rayon::prelude::*;
 use run_part::run_part;
-use std::collections::VecDeque;
-use std::ops::Range;
 use store::Store;
 
 /// Runs every case, part by part. `take` receives the parts in order, each as soon as it and all parts before it are
@@ -47,7 +51,7 @@ pub fn run(
     let mut compute = |count: usize| -> Vec<Result<PartResult, Error>> {
         let parts = queue.next(count).into_par_iter();
         parts
-            .map(|part| run_part(study, part, bar, options))
+            .map(|(_, part)| run_part(study, part, bar, options))
             .collect()
     };
     // The number of parts at a time grows: the first results come soon, and later no thread waits often for the others.
@@ -66,38 +70,6 @@ pub fn run(
             return Ok(());
         }
         (window, finished) = (largest.min(2 * window), next);
-    }
-}
-
-/// The parts of a study, made from its chunks on demand.
-struct PartQueue<'a> {
-    study: &'a Study,
-    chunks: Range<u64>,
-    parts: VecDeque<Part>,
-}
-
-impl<'a> PartQueue<'a> {
-    fn new(study: &'a Study) -> PartQueue<'a> {
-        PartQueue {
-            study,
-            chunks: 0..chunk::count(study),
-            parts: VecDeque::new(),
-        }
-    }
-
-    /// The next `count` parts, fewer at the end.
-    fn next(&mut self, count: usize) -> Vec<Part> {
-        while self.parts.len() < count && !self.chunks.is_empty() {
-            let missing = (count - self.parts.len()) as u64;
-            let end = self.chunks.end.min(self.chunks.start + missing);
-            let chunks = (self.chunks.start..end).into_par_iter();
-            let parts = |chunk| chunk::parts(self.study, chunk);
-            let new: Vec<Vec<Part>> = chunks.map(parts).collect();
-            self.parts.extend(new.into_iter().flatten());
-            self.chunks.start = end;
-        }
-        let count = count.min(self.parts.len());
-        self.parts.drain(..count).collect()
     }
 }
 

@@ -4,7 +4,7 @@ use super::chunk::Part;
 use super::key::{Key, case_hash};
 use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
-use super::store::{EarlierCases, Miss};
+use super::store::{EarlierCases, Miss, Store};
 use super::{compute, units};
 use crate::error::Error;
 use crate::problem::cases::Cases;
@@ -57,6 +57,42 @@ pub(super) fn run_part(
         solutions,
         stored,
         from_store,
+    })
+}
+
+/// A part that is in the store now.
+pub(super) struct KeptPart {
+    /// Whether it was computed; else it was there.
+    pub computed: bool,
+    /// Number of its computed cases that could not be solved.
+    pub unsolved: u64,
+}
+
+/// Computes and stores a part unless the store has it. Cases of other parts are not used: a shard would read the parts of all
+/// others for each of its own.
+pub(super) fn keep_part(
+    study: &Study,
+    part: Part,
+    bar: &ProgressBar,
+    store: &Store,
+) -> Result<KeptPart, Error> {
+    let (start, first, work) = (part.start, part.first, part.work as f64);
+    let cases = part.cases();
+    let key = Key::new(study, first, &cases);
+    if store.check(start, &key, cases.len()).is_ok() {
+        bar.inc(cases.len() as u64);
+        return Ok(KeptPart {
+            computed: false,
+            unsolved: 0,
+        });
+    }
+    let earlier = EarlierCases::default();
+    let missing = Missing::new(&cases, &earlier);
+    let (metrics, _) = missing.compute(study, (first, work), bar, &RunOptions::METRICS)?;
+    store.save(study, start, &key, (first, &cases), &metrics)?;
+    Ok(KeptPart {
+        computed: true,
+        unsolved: metrics.failures().count() as u64,
     })
 }
 

@@ -3,6 +3,7 @@
 //! The temporary name is random and new, so that no other process and no link can have it. The file is locked while it is
 //! written, which distinguishes the files of another run from those that a killed run left.
 
+use crate::batch::locks::{self, Locked};
 use crate::error::Error;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -10,10 +11,14 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
+use std::time::Duration;
 use tempfile::{Builder, NamedTempFile};
 
 /// Beginning and end of every temporary name.
 const NAME: [&str; 2] = [".slipgap-", ".partial"];
+
+/// Age at which a temporary file is surely of a killed run, on a file system without locks.
+const DEAD: Duration = Duration::from_secs(24 * 3600);
 
 /// Number of random letters and digits between them.
 const RANDOM: usize = 12;
@@ -126,7 +131,7 @@ impl Drop for AtomicFile {
 }
 
 /// Whether files can be written in a folder.
-pub(super) fn can_write(folder: &Path) -> io::Result<()> {
+pub(in crate::batch) fn can_write(folder: &Path) -> io::Result<()> {
     new_temporary(folder).map(drop)
 }
 
@@ -137,12 +142,26 @@ pub(in crate::batch) fn remove_leftovers(folder: &Path) {
         if !temporary || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
             continue;
         }
-        // A file that is being written is locked.
-        if let Ok(file) = File::open(entry.path())
-            && file.try_lock().is_ok()
-        {
+        if is_dead(&entry.path()) {
             let _ = fs::remove_file(entry.path());
         }
+    }
+}
+
+/// Whether nobody writes a temporary file any more. A file that is being written is locked. Where files cannot be locked, the
+/// age decides: a file is written within seconds.
+fn is_dead(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else {
+        return false;
+    };
+    match locks::lock(&file, |file| file.try_lock()) {
+        Ok(Locked::Here) => true,
+        Ok(Locked::Unknown) => {
+            let modified = file.metadata().and_then(|metadata| metadata.modified());
+            let age = modified.ok().and_then(|time| time.elapsed().ok());
+            age.is_some_and(|age| age > DEAD)
+        }
+        Ok(Locked::Elsewhere) | Err(_) => false,
     }
 }
 
@@ -163,7 +182,7 @@ fn new_temporary(folder: &Path) -> io::Result<NamedTempFile> {
             .suffix(NAME[1])
             .rand_bytes(RANDOM)
             .make_in(folder, new)?;
-        // A file system without locks: `remove_leftovers` cannot lock files there, and removes none.
+        // A file system may have no locks; see `is_dead`.
         let _ = file.as_file().lock();
         // Another run may have removed the file before it was locked.
         if fs::symlink_metadata(file.path()).is_ok() {

@@ -1,5 +1,6 @@
 //! The lock of a store: one run uses it at a time.
 
+use crate::batch::locks::{self, Locked};
 use crate::error::Error;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
@@ -11,7 +12,7 @@ const LOCK: &str = ".lock";
 /// The name in an earlier version, which these programs read as a part.
 const FORMER_LOCK: &str = "lock";
 
-/// Opens the lock file and locks it by `acquire`.
+/// Opens the lock file and locks it by `acquire`. On a file system without locks the run goes on without.
 pub fn acquire(
     folder: &Path,
     acquire: impl Fn(&File) -> Result<(), TryLockError>,
@@ -27,10 +28,10 @@ pub fn acquire(
     let lock = options
         .open(&path)
         .map_err(Error::io("cannot write", &path))?;
-    match acquire(&lock) {
-        Ok(()) => Ok(lock),
-        Err(TryLockError::WouldBlock) => Err(Error::Busy(folder.to_owned())),
-        Err(TryLockError::Error(e)) => Err(Error::io("cannot lock", path)(e)),
+    match locks::lock(&lock, acquire) {
+        Ok(Locked::Here | Locked::Unknown) => Ok(lock),
+        Ok(Locked::Elsewhere) => Err(Error::Busy(folder.to_owned())),
+        Err(e) => Err(Error::io("cannot lock", path)(e)),
     }
 }
 

@@ -23,7 +23,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::chunk::starts_in_same_chunk;
 use super::key::{Difference, Key, checksum};
-use super::output::atomic::{remove_leftovers, write_atomically};
+use super::output::atomic::{can_write, remove_leftovers, write_atomically};
 use crate::error::Error;
 use crate::problem::cases::Cases;
 use crate::solve::MetricTable;
@@ -31,7 +31,10 @@ use crate::study::Study;
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
 
-/// A store, opened and locked.
+/// How often a part is written again whose temporary file another process has removed.
+const ATTEMPTS: usize = 5;
+
+/// A store. The run that opens it alone has locked it, if the file system has locks.
 #[derive(Debug)]
 pub struct Store {
     folder: PathBuf,
@@ -40,7 +43,9 @@ pub struct Store {
     /// Parts of this run: loaded or saved.
     current: Mutex<BTreeSet<PathBuf>>,
     constant_columns: ConstantColumns,
-    _lock: File,
+    /// Whether other processes write to the store.
+    shared: bool,
+    _lock: Option<File>,
 }
 
 /// Why the store does not have a part.
@@ -78,26 +83,58 @@ impl Store {
         Store::open_with(results, |lock| lock.lock().map_err(TryLockError::Error))
     }
 
+    /// Opens the store for a shard, beside others, or makes it. No lock is taken and no file removed.
+    pub fn open_shared(results: &Path) -> Result<Store, Error> {
+        let folder = Store::make_folder(results)?;
+        Store::of_folder(folder, None)
+    }
+
     fn open_with(
         results: &Path,
         acquire: impl Fn(&File) -> Result<(), TryLockError>,
     ) -> Result<Store, Error> {
-        let folder = results.join(STORE);
-        fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
+        let folder = Store::make_folder(results)?;
         let lock = lock::acquire(&folder, acquire)?;
         lock::remove_former(&folder);
         remove_leftovers(&folder);
-        let mut parts: BTreeMap<u64, Vec<PathBuf>> = BTreeMap::new();
-        for (start, path) in part_file::all_in(&folder)? {
-            parts.entry(start).or_default().push(path);
-        }
-        Ok(Store {
+        Store::of_folder(folder, Some(lock))
+    }
+
+    fn make_folder(results: &Path) -> Result<PathBuf, Error> {
+        let folder = results.join(STORE);
+        fs::create_dir_all(&folder).map_err(Error::io("cannot make folder", &folder))?;
+        Ok(folder)
+    }
+
+    fn of_folder(folder: PathBuf, lock: Option<File>) -> Result<Store, Error> {
+        let mut store = Store {
             folder,
-            parts,
+            parts: BTreeMap::new(),
             current: Mutex::default(),
             constant_columns: ConstantColumns::default(),
+            shared: lock.is_none(),
             _lock: lock,
-        })
+        };
+        store.list_parts()?;
+        Ok(store)
+    }
+
+    /// Lists the parts again, also those that other machines have saved.
+    ///
+    /// # Errors
+    /// A folder that cannot be written or read.
+    pub fn list_again(&mut self) -> Result<(), Error> {
+        // A client of NFS may list a folder as it was up to a minute ago, unless it has changed the folder itself.
+        can_write(&self.folder).map_err(Error::io("cannot write in folder", &self.folder))?;
+        self.list_parts()
+    }
+
+    fn list_parts(&mut self) -> Result<(), Error> {
+        self.parts.clear();
+        for (start, path) in part_file::all_in(&self.folder)? {
+            self.parts.entry(start).or_default().push(path);
+        }
+        Ok(())
     }
 
     /// The folder.
@@ -118,16 +155,24 @@ impl Store {
         key: &Key,
         cases: usize,
     ) -> Result<MetricTable, Miss> {
+        self.find(start, |bytes| reading::read(study, bytes, key, cases))
+    }
+
+    /// What `read` finds in the first undamaged part with this start and the right key.
+    fn find<T>(
+        &self,
+        start: u64,
+        read: impl Fn(Vec<u8>) -> parquet::errors::Result<Result<T, Difference>>,
+    ) -> Result<T, Miss> {
         let mut miss = Miss::Absent;
         for path in self.parts.get(&start).into_iter().flatten() {
             let bytes = part_file::read_checked(path);
             // The checksum is not a signature: a manipulated part can have any content.
-            let read =
-                |bytes| catch_panic(|| reading::read(study, bytes, key, cases).ok()).flatten();
+            let read = |bytes| catch_panic(|| read(bytes).ok()).flatten();
             match bytes.and_then(read) {
-                Some(Ok(metrics)) => {
+                Some(Ok(found)) => {
                     self.current().insert(path.clone());
-                    return Ok(metrics);
+                    return Ok(found);
                 }
                 Some(Err(difference)) if miss == Miss::Absent => miss = Miss::Outdated(difference),
                 Some(Err(_)) => {}
@@ -135,6 +180,11 @@ impl Store {
             }
         }
         Err(miss)
+    }
+
+    /// Whether [`Store::load`] would give the metrics of the part. They are not decoded.
+    pub fn check(&self, start: u64, key: &Key, cases: usize) -> Result<(), Miss> {
+        self.find(start, |bytes| reading::check(bytes, key, cases))
     }
 
     /// The cases of stored parts of the same chunk.
@@ -168,11 +218,33 @@ impl Store {
         let bytes = writing::encode(study, key, cases, metrics, &self.constant_columns)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
         let path = self.folder.join(part_file::name(start, &checksum(&bytes)));
-        // The run does not wait for the disk. After a power failure the checksum shows a damaged part.
-        write_atomically(&path, |out| out.write_all(&bytes))?;
+        self.write(&path, &bytes)?;
         // The parts that it replaces remain until `close`: other parts may use their cases.
         self.current().insert(path);
         Ok(())
+    }
+
+    /// Writes the file of a part.
+    fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), Error> {
+        let write = || {
+            write_atomically(path, |out| {
+                out.write_all(bytes)?;
+                // A run does not wait for the disk: after a power failure the checksum shows a damaged part. A shard reports
+                // its parts as kept to other machines, and only now is it certain that the server has them, and the space.
+                if self.shared { out.sync() } else { Ok(()) }
+            })
+        };
+        let mut written = write();
+        // Locks may hold only on one machine, so that a run on another one takes the temporary file for a leftover.
+        for _ in 0..ATTEMPTS {
+            match &written {
+                Err(Error::Io { source, .. }) if source.kind() == ErrorKind::NotFound => {
+                    written = write();
+                }
+                _ => break,
+            }
+        }
+        written
     }
 
     /// Removes every part that is not of this run, after all cases were run. All files `part-*.parquet` are removed, also

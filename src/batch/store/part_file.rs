@@ -6,7 +6,7 @@ use crate::batch::key::checksum;
 use crate::compare::Rows;
 use crate::error::Error;
 use std::fs;
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Name of the store in a folder of results.
@@ -46,7 +46,10 @@ pub fn similar_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
         let name = entry.file_name();
         let name = name.to_string_lossy();
         let similar = name.starts_with("part-") && name.ends_with(".parquet");
-        if similar && !entry.file_type().map_err(unread)?.is_dir() {
+        let kind = entry.file_type();
+        // Another process may have removed it.
+        let removed = |e: &io::Error| e.kind() == ErrorKind::NotFound;
+        if similar && !kind.as_ref().is_err_and(removed) && !kind.map_err(unread)?.is_dir() {
             paths.push(entry.path());
         }
     }

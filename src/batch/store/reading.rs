@@ -30,14 +30,33 @@ pub fn read(
     cases: usize,
 ) -> Result<std::result::Result<MetricTable, Difference>> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
-    if let Some(difference) = key.difference(&stored_key(&file)) {
+    match check_file(&file, key, cases)? {
+        Ok(()) => Ok(Ok(metrics(study, &file, cases)?)),
+        Err(difference) => Ok(Err(difference)),
+    }
+}
+
+/// Whether a part has this key and so many cases, or the difference of its key.
+pub fn check(
+    bytes: Vec<u8>,
+    key: &Key,
+    cases: usize,
+) -> Result<std::result::Result<(), Difference>> {
+    check_file(&SerializedFileReader::new(Bytes::from(bytes))?, key, cases)
+}
+
+fn check_file(
+    file: &SerializedFileReader<Bytes>,
+    key: &Key,
+    cases: usize,
+) -> Result<std::result::Result<(), Difference>> {
+    if let Some(difference) = key.difference(&stored_key(file)) {
         return Ok(Err(difference));
     }
-    let count = rows(&file)?;
-    if count != cases {
-        return Err(general("wrong number of rows"));
+    match rows(file)? == cases {
+        true => Ok(Ok(())),
+        false => Err(general("wrong number of rows")),
     }
-    Ok(Ok(metrics(study, &file, count)?))
 }
 
 /// The metrics of a part and the hashes of its cases; `None` if another solver computed it or it has other columns.

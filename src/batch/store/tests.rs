@@ -145,3 +145,52 @@ fn only_names_that_a_run_writes_are_parts() {
         assert_eq!(start(other.clone()), None, "{other}");
     }
 }
+
+#[test]
+fn a_shard_opens_a_locked_store_and_removes_nothing() {
+    let (folder, study) = (tempfile::tempdir().unwrap(), study());
+    let (key, cases, metrics) = part(&study);
+    let alone = Store::open(folder.path()).unwrap();
+    let leftover = folder
+        .path()
+        .join(STORE)
+        .join(".slipgap-0123456789aB.partial");
+    fs::write(&leftover, "rest").unwrap();
+    // Twice, from two shards, and by the run: one file.
+    let [first, second] = [(); 2].map(|()| Store::open_shared(folder.path()).unwrap());
+    for store in [&first, &second, &alone] {
+        store.save(&study, 0, &key, (0, &cases), &metrics).unwrap();
+        part_path(folder.path());
+    }
+    assert!(leftover.exists());
+    let busy = Store::open(folder.path());
+    assert!(matches!(busy, Err(Error::Busy(_))), "{busy:?}");
+    drop(alone);
+    Store::open(folder.path()).unwrap();
+    assert!(!leftover.exists());
+}
+
+#[test]
+fn parts_of_other_shards_are_listed_again() {
+    let (folder, study) = (tempfile::tempdir().unwrap(), study());
+    let (key, cases, metrics) = part(&study);
+    let mut merge = Store::open(folder.path()).unwrap();
+    let shard = Store::open_shared(folder.path()).unwrap();
+    shard.save(&study, 0, &key, (0, &cases), &metrics).unwrap();
+    assert_eq!(merge.check(0, &key, cases.len()), Err(Miss::Absent));
+    merge.list_again().unwrap();
+    assert_eq!(merge.check(0, &key, cases.len()), Ok(()));
+    // Another number of rows with the right key is damage; another key is another version.
+    let path = part_path(folder.path());
+    let damaged = merge.check(0, &key, cases.len() + 1);
+    assert_eq!(damaged, Err(Miss::Damaged(path)));
+    let other = Key {
+        cases: String::new(),
+        ..key
+    };
+    let outdated = merge.check(0, &other, cases.len());
+    assert_eq!(outdated, Err(Miss::Outdated(Difference::Parameters)));
+    // No part is removed that was found.
+    merge.close().unwrap();
+    part_path(folder.path());
+}

@@ -1,0 +1,113 @@
+//! The parts of a study in order, numbered from 0, made from its chunks on demand.
+
+use super::chunk::{self, Part};
+use super::shard::Shard;
+use crate::study::Study;
+use rayon::prelude::*;
+use std::collections::VecDeque;
+use std::ops::Range;
+
+/// The parts that are left.
+pub(super) struct PartQueue<'a> {
+    study: &'a Study,
+    /// Only parts of this shard are left, if there is one.
+    shard: Option<Shard>,
+    chunks: Range<u64>,
+    /// Number of the first part of the next chunk: of the parts in all chunks before it, also those of other shards.
+    number: u64,
+    parts: VecDeque<(u64, Part)>,
+}
+
+impl<'a> PartQueue<'a> {
+    /// All parts of a study.
+    pub(super) fn new(study: &'a Study) -> PartQueue<'a> {
+        PartQueue {
+            study,
+            shard: None,
+            chunks: 0..chunk::count(study),
+            number: 0,
+            parts: VecDeque::new(),
+        }
+    }
+
+    /// The parts of one shard.
+    pub(super) fn of_shard(study: &'a Study, shard: Shard) -> PartQueue<'a> {
+        PartQueue {
+            shard: Some(shard),
+            ..PartQueue::new(study)
+        }
+    }
+
+    /// The next `count` parts with their numbers, fewer at the end.
+    pub(super) fn next(&mut self, count: usize) -> Vec<(u64, Part)> {
+        while self.parts.len() < count && !self.chunks.is_empty() {
+            let missing = (count - self.parts.len()) as u64;
+            let end = self.chunks.end.min(self.chunks.start + missing);
+            let chunks = (self.chunks.start..end).into_par_iter();
+            let parts = |chunk| chunk::parts(self.study, chunk);
+            let new: Vec<Vec<Part>> = chunks.map(parts).collect();
+            let numbered = (self.number..).zip(new.into_iter().flatten());
+            for (number, part) in numbered {
+                self.number = number + 1;
+                if self.shard.is_none_or(|shard| shard.has(number)) {
+                    self.parts.push_back((number, part));
+                }
+            }
+            self.chunks.start = end;
+        }
+        let count = count.min(self.parts.len());
+        self.parts.drain(..count).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::parse;
+
+    #[test]
+    fn the_shards_have_every_part_once_and_in_order() {
+        // 400 betas with 3e6 steps at the smallest dT: parts of unequal numbers of cases in three chunks.
+        let study = parse(
+            "s.json",
+            r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "duration": 3,
+            "beta": {"linspace": [1, 400, 400]}, "dT": {"geomspace": [0.5, 1e-6, 100]}}}"#,
+        )
+        .unwrap();
+        let all = |mut queue: PartQueue, count: usize| {
+            let mut found = Vec::new();
+            loop {
+                let next = queue.next(count);
+                if next.is_empty() {
+                    return found;
+                }
+                assert!(next.len() <= count);
+                found.extend(
+                    next.into_iter()
+                        .map(|(n, part)| (n, part.start, part.first)),
+                );
+            }
+        };
+        let whole = all(PartQueue::new(&study), 3);
+        let chunks = chunk::count(&study);
+        let direct = (0..chunks).flat_map(|chunk| chunk::parts(&study, chunk));
+        let direct = (0..)
+            .zip(direct)
+            .map(|(n, part)| (n, part.start, part.first));
+        assert!(whole.iter().copied().eq(direct));
+        assert!(chunks == 3 && whole.len() > 8);
+        for of in [1, 2, 5, 100] {
+            let mut joined = Vec::new();
+            for index in 1..=of {
+                let shard: Shard = format!("{index}/{of}").parse().unwrap();
+                let own = all(PartQueue::of_shard(&study, shard), 1 + index as usize);
+                // Every N-th part, beginning with part I.
+                let numbers = (index - 1..whole.len() as u64).step_by(of as usize);
+                assert!(own.iter().map(|part| part.0).eq(numbers), "{shard}");
+                joined.extend(own);
+            }
+            joined.sort_unstable();
+            assert_eq!(joined, whole);
+        }
+    }
+}
