@@ -50,6 +50,8 @@ pub enum Error {
     },
     /// A case that could not be solved, if the run ends at the first one.
     Unsolved(String),
+    /// Parts that a merge needs and the store does not have.
+    PartsMissing(String),
     /// A folder of results that another run uses.
     Busy(PathBuf),
     /// An error of this program.
@@ -57,11 +59,12 @@ pub enum Error {
 }
 
 impl Error {
-    /// The process exit code: 2 for usage and studies, 3 for a case without a solution, 1 for the rest.
+    /// The process exit code: 2 for usage and studies, 3 for a case without a solution, 4 for missing parts, 1 for the rest.
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::Faults(_) | Error::Usage(_) => 2,
             Error::Unsolved(_) => 3,
+            Error::PartsMissing(_) => 4,
             Error::Io { .. } | Error::Busy(_) | Error::Internal(_) => 1,
         }
     }
@@ -92,9 +95,10 @@ impl fmt::Display for Error {
                 }
                 Ok(())
             }
-            Error::Usage(message) | Error::Unsolved(message) | Error::Internal(message) => {
-                f.write_str(message)
-            }
+            Error::Usage(message)
+            | Error::Unsolved(message)
+            | Error::PartsMissing(message)
+            | Error::Internal(message) => f.write_str(message),
             Error::Busy(path) => write!(
                 f,
                 "{} is in use by another run; wait for it, or give another folder with --out",

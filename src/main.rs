@@ -6,7 +6,9 @@ use clap::{Args, Parser, Subcommand};
 use commands::Jobs;
 use commands::recommend::RecommendArgs;
 use commands::run::Format;
+use commands::sbatch::{SbatchArgs, TimeLimit};
 use commands::sources::Source;
+use slipgap::batch::Shard;
 use slipgap::error::Error;
 use slipgap::figures::style;
 use slipgap::run::OutputOptions;
@@ -23,7 +25,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 success; 1 internal error or I/O error; 2 mistake on the command line or in a study; 3 a case could not be solved; \
-5 a check is not met, a verdict differs from the recorded one, results differ, or no case reaches the target; 130 interrupted.";
+4 parts of a merge are missing; 5 a check is not met, a verdict differs from the recorded one, results differ, or no case reaches the target; 130 interrupted.";
 
 #[derive(Subcommand)]
 enum Verb {
@@ -31,6 +33,10 @@ enum Verb {
     Init(Init),
     /// Run studies; write results.csv and figures to one folder for each study
     Run(Run),
+    /// Write the results of studies whose cases `run --shard` has computed; compute none
+    Merge(Merge),
+    /// Print a script that submits the shards of a study to Slurm as an array, and then the merge
+    Sbatch(Sbatch),
     /// Run studies and test their checks; write no files
     Check(Check),
     /// Show studies with their axes, cases and steps; compute nothing
@@ -95,8 +101,59 @@ struct Run {
     /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
     #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = clap::value_parser!(u32).range(72..=1200))]
     dpi: u32,
+    /// Only compute the parts of shard I of N into the store in DIR: every N-th part, beginning with part I; `merge` writes the
+    /// results
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["histories", "fail_fast", "format", "dpi"])]
+    shard: Option<Shard>,
     #[command(flatten)]
     jobs: Jobs,
+}
+
+#[derive(Args)]
+struct Merge {
+    #[command(flatten)]
+    studies: Studies,
+    /// Folder of the results, in which the shards have their stores
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    /// Number of shards; if parts are missing, the message then names the shards to run again
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    shards: Option<u64>,
+    /// Format of the results; by default the store, and results.csv for up to 10^5 cases
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
+    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = clap::value_parser!(u32).range(72..=1200))]
+    dpi: u32,
+    #[command(flatten)]
+    jobs: Jobs,
+}
+
+#[derive(Args)]
+struct Sbatch {
+    /// Study file, or a folder with all sub-folders
+    #[arg(value_name = "STUDY|FOLDER")]
+    study: PathBuf,
+    /// Number of shards, each a task of the array
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    shards: u32,
+    /// Folder for the results, which all nodes must see
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    /// Time limit of a task and of the merge; if left out, that of the partition
+    #[arg(long, value_name = "HH:MM:SS")]
+    time: Option<TimeLimit>,
+    /// Partition of the cluster; if left out, its default
+    #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    partition: Option<String>,
+    /// Let each task put itself into the queue again a minute before its time is over
+    #[arg(long)]
+    requeue: bool,
+    /// Largest number of raw combinations in a study
+    #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES)]
+    limit: u64,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 #[derive(Args)]
@@ -197,6 +254,10 @@ fn execute(cli: Cli) -> Result<u8, Error> {
     match cli.verb {
         Verb::Run(run) => {
             let studies = run.studies.read()?;
+            if let Some(shard) = run.shard {
+                let pool = run.jobs.thread_pool()?;
+                return pool.install(|| commands::shard::run(&studies, &run.out, shard));
+            }
             let output = OutputOptions {
                 histories: run.histories,
                 fail_fast: run.fail_fast,
@@ -205,6 +266,28 @@ fn execute(cli: Cli) -> Result<u8, Error> {
             };
             let pool = run.jobs.thread_pool()?;
             pool.install(|| commands::run::run(&studies, &run.out, &output))
+        }
+        Verb::Merge(merge) => {
+            let studies = merge.studies.read()?;
+            let output = OutputOptions {
+                table: merge.format.map(Format::has_table),
+                dpi: merge.dpi,
+                ..OutputOptions::default()
+            };
+            let pool = merge.jobs.thread_pool()?;
+            pool.install(|| commands::merge::merge(&studies, &merge.out, merge.shards, &output))
+        }
+        Verb::Sbatch(args) => {
+            let sbatch = SbatchArgs {
+                study: args.study,
+                out: args.out,
+                limit: args.limit,
+                shards: args.shards,
+                time: args.time,
+                partition: args.partition,
+                requeue: args.requeue,
+            };
+            commands::sbatch::sbatch(&sbatch, &args.settings.set)
         }
         Verb::Check(check) => {
             let studies = check.studies.read()?;

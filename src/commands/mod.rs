@@ -6,9 +6,12 @@ pub mod compare;
 pub mod explain;
 pub mod init;
 pub mod list;
+pub mod merge;
 pub mod recommend;
 pub mod report;
 pub mod run;
+pub mod sbatch;
+pub mod shard;
 pub mod sources;
 pub mod terminal;
 

@@ -3,6 +3,7 @@
 
 mod ensembles;
 mod figures;
+mod merge;
 mod observer;
 mod source;
 mod tables;
@@ -10,6 +11,7 @@ mod tally;
 mod unsolved;
 
 pub use ensembles::{indices, without_value};
+pub use merge::merge_study;
 pub use observer::Observer;
 pub use source::Source;
 pub use tally::{Tally, cases_run};

@@ -18,6 +18,7 @@ mod pictures;
 mod reductions;
 mod same_bytes;
 mod settings;
+mod shards;
 mod store;
 mod units;
 mod untouched;

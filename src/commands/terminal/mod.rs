@@ -27,9 +27,10 @@ pub fn print_all(pieces: impl IntoIterator<Item = impl AsRef<str>>) -> Result<u8
     }
 }
 
-/// Writes a line about the run to stderr. A closed stderr is no error.
+/// Writes a line about the run to stderr, at once: several processes may have the same stderr. A closed stderr is no error.
 pub fn note(line: &str) {
-    let _ = writeln!(stderr(), "{}", printable(line));
+    let line = format!("{}\n", printable(line));
+    let _ = stderr().write_all(line.as_bytes());
 }
 
 /// Writes an error to stderr; each fault of a study with its line and a caret.

@@ -27,6 +27,20 @@ pub fn bar(name: &str, cases: u64) -> ProgressBar {
         .with_prefix(name.to_owned())
 }
 
+/// A counter of cases, for work of which the number of cases is not known before; hidden without a terminal.
+pub fn counter(name: &str) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{prefix} {spinner} {human_pos} cases, {per_sec}")
+        .unwrap_or_else(|_| ProgressStyle::default_spinner());
+    let bar = ProgressBar::no_length()
+        .with_style(style)
+        .with_prefix(name.to_owned());
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
 /// The progress bar of a run with a store, and the counter of its work. The time left is computed from the work of this
 /// run, without the cases from the store.
 pub fn bar_with_store(name: &str, study: &Study) -> (ProgressBar, Arc<WorkProgress>) {

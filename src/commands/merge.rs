@@ -1,0 +1,39 @@
+//! `slipgap merge`: tables, figures and manifest of studies whose cases shards have computed.
+
+use super::UNSOLVED;
+use super::sources::Source;
+use super::terminal::{Terminal, print, report_error};
+use slipgap::batch::output::Folder;
+use slipgap::batch::store::Store;
+use slipgap::error::Error;
+use slipgap::run::{OutputOptions, merge_study};
+use std::path::Path;
+
+/// Merges every study into its folder in `out`; returns the exit code. `shards` is the number of shards, if it is known. Of a
+/// study with missing parts nothing is written; the others are merged.
+pub fn merge(
+    sources: &[Source],
+    out: &Path,
+    shards: Option<u64>,
+    output: &OutputOptions,
+) -> Result<u8, Error> {
+    let (mut unsolved, mut missing) = (None, None);
+    for source in sources {
+        let path = out.join(&source.name);
+        let (folder, store) = (Folder::of_study(&path)?, Store::open(&path)?);
+        match merge_study(source, folder, store, shards, output, &mut Terminal) {
+            Ok(written) => {
+                print(&written.list())?;
+                if !written.solved {
+                    unsolved = Some(UNSOLVED);
+                }
+            }
+            Err(error @ Error::PartsMissing(_)) => {
+                report_error(&error);
+                missing = Some(error.exit_code());
+            }
+            Err(other) => return Err(other),
+        }
+    }
+    Ok(missing.or(unsolved).unwrap_or(0))
+}

@@ -1,0 +1,5 @@
+array=$(sbatch "${options[@]}" --job-name="$name" --array="${SHARDS:-1-$shards}" << JOB
+#!/bin/bash
+exec $run --shard "\$SLURM_ARRAY_TASK_ID/$shards"
+JOB
+)
