@@ -2,10 +2,10 @@
 
 # Most tests run in a build that stops at an overflow. `make fresh`, `make guard` and what computes all studies share a release build.
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture
+.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture slurm-test
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
 
 figures: ## run every study in studies/, judge the claims, write tables, pictures and claims.md to figures/
 	cargo run --release --locked -- run
@@ -54,6 +54,11 @@ fuzz: ## read, list, solve and draw random and randomly changed studies, for min
 # 1 to 16 threads. Minutes, and not part of CI, which runs the short forms; TORTURE=10 takes ten times as long.
 torture: ## kill and disturb runs in many ways, and check that the next run gives the same bytes
 	cargo test --locked --test torture -- --ignored --nocapture --test-threads 2
+
+# The daemons run in a temporary folder with free ports; nothing is written elsewhere. Debian: apt-get install
+# --no-install-recommends slurm-wlm munge. Without them the test says that it did not run.
+slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
+	cargo test --locked --test slurm -- --ignored --nocapture
 
 # A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
 # `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a pattern.
