@@ -1,48 +1,32 @@
-//! Sums up the sources that decide results, so that a store made by other ones is not taken for this one's.
+//! Sums up what decides results, so that a store that another solver made is not taken for one of this solver.
 
-use std::fs;
+#[path = "build/solver.rs"]
+mod solver;
+
+use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
-/// What no result depends on is left out: the command line, studies, figures, claims.
-const SOLVER: [&str; 11] = [
-    "src/contact",
-    "src/exact",
-    "src/history.rs",
-    "src/lane.rs",
-    "src/methods",
-    "src/metrics",
-    "src/problem",
-    "src/solve",
-    "src/system",
-    "src/textbook",
-    "Cargo.lock",
-];
-
-fn main() {
-    let mut files = Vec::new();
-    for path in SOLVER {
-        println!("cargo::rerun-if-changed={path}");
-        gather(Path::new(path), &mut files);
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
+    for source in solver::SOURCES {
+        println!("cargo::rerun-if-changed={source}");
     }
-    files.sort();
-    // FNV-1a: no dependency, and the same everywhere. Carriage returns come and go with the checkout.
-    let mut sum: u64 = 0xcbf2_9ce4_8422_2325;
-    for byte in files
-        .iter()
-        .flat_map(|file| fs::read(file).unwrap_or_default())
-    {
-        if byte != b'\r' {
-            sum = (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+    let mut texts = Vec::new();
+    for file in solver::files(&root)? {
+        texts.push(solver::without_tests(&fs::read_to_string(&file)?));
     }
+    let lock = lock(&root).ok_or("no Cargo.lock in the folder of the package or above it")?;
+    println!("cargo::rerun-if-changed={}", lock.display());
+    let crates = solver::locked(&fs::read_to_string(&lock)?, &solver::CRATES);
+    texts.push(crates.map_err(|name| format!("{name} is not in {}", lock.display()))?);
+    let sum = solver::sum(texts.iter().map(String::as_str));
     println!("cargo::rustc-env=SLIPGAP_SOLVER={sum:016x}");
+    Ok(())
 }
 
-fn gather(path: &Path, files: &mut Vec<PathBuf>) {
-    match fs::read_dir(path) {
-        Ok(entries) => entries
-            .flatten()
-            .for_each(|entry| gather(&entry.path(), files)),
-        Err(_) => files.push(path.to_owned()),
-    }
+/// The `Cargo.lock` of the package or of its workspace. The package that cargo makes contains one.
+fn lock(root: &Path) -> Option<PathBuf> {
+    let mut locks = root.ancestors().map(|folder| folder.join("Cargo.lock"));
+    locks.find(|lock| lock.is_file())
 }

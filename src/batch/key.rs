@@ -9,7 +9,8 @@ use twox_hash::XxHash3_128;
 /// Version of all code that determines results. It changes when any result may change.
 pub const SOLVER_VERSION: u32 = 2;
 
-/// Hash of the sources that determine results. A change there makes stores outdated, also without a new version.
+/// Hash of the sources and crates that determine results (`build/solver.rs`). A change there makes stores outdated, also without
+/// a new version.
 const SOLVER_SOURCES: &str = env!("SLIPGAP_SOLVER");
 
 /// Everything that determines the results of a part. It has several fields so that a message can name the difference.
