@@ -220,7 +220,12 @@ impl Problem for StructureProblem {
         let contacts = self.template.contacts.len();
         let size = assemble::check(&self.template, case);
         let size = size.map_or(1, |numbering| numbering.nodes() + 5 * contacts);
-        self.steps(case).saturating_mul(size as u64)
+        let parts = self.method(case).map_or(1, |method| method.sub_steps());
+        self.steps(case).saturating_mul(size as u64 * parts)
+    }
+
+    fn reference_work(&self, case: &Case, _wanted: &[usize]) -> u64 {
+        self.exact_work(case)
     }
 
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {

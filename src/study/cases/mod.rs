@@ -60,7 +60,11 @@ impl Study {
     /// The cost of a completed case: steps times modes, and the references of the study's metrics.
     pub fn work(&self, case: &Case) -> u64 {
         let references = self.problem.reference_work(case, &self.metrics);
-        self.problem.work(case).saturating_add(references)
+        let steps = match self.once {
+            true => self.problem.once_work(case),
+            false => self.problem.work(case),
+        };
+        steps.saturating_add(references)
     }
 
     /// Rows of the parameters that are columns of tables, in the order of the problem's table.
