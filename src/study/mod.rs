@@ -28,6 +28,7 @@ pub use cases::block::Block;
 pub use cases::design::{Design, Sampling};
 pub use cases::filter::Filter;
 pub use cases::group::{Axis, Group};
+pub use cases::values::Values;
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{reference, schema, start};

@@ -4,6 +4,7 @@ use super::draft::{BlockDraft, ParameterDraft};
 use super::interval::Interval;
 use crate::problem::parameter::{Parameter, Range, shortest};
 use crate::study::cases::design::{Design, Sampling};
+use crate::study::cases::values::Sampled;
 use crate::study::source::faults::Faults;
 use crate::study::source::object::Object;
 use crate::study::source::tree::Node;
@@ -92,11 +93,11 @@ impl BlockDraft {
             let mut sampled = design.parameters.iter();
             let dimension = sampled.position(|row| *row == given.parameter);
             if let (Some(dimension), Some(interval)) = (dimension, given.interval) {
-                let parameter = &table[given.parameter];
-                let points = design.coordinates(dimension).into_iter();
-                given.values = points
-                    .map(|u| (interval.at(u, parameter), given.at))
-                    .collect();
+                given.sampled = Some(Sampled {
+                    coordinates: design.line(dimension),
+                    points: design.points(),
+                    distribution: interval.distribution(&table[given.parameter]),
+                });
             }
         }
     }

@@ -4,6 +4,7 @@ use super::interval::Interval;
 use crate::problem::parameter::Value;
 use crate::study::cases::design::Design;
 use crate::study::cases::group::{Axis, Group};
+use crate::study::cases::values::{Sampled, Values};
 use crate::study::expression::Formula;
 
 /// A parameter that a block gives, with the place of every value.
@@ -21,8 +22,10 @@ pub(in crate::study) struct ParameterDraft {
     pub axis: bool,
     /// An expression of other parameters and its text, instead of values.
     pub formula: Option<(Formula, String)>,
-    /// The range that a design samples. The values follow from the design.
+    /// The range that a design samples.
     pub interval: Option<Interval>,
+    /// The values that the design gives.
+    pub sampled: Option<Sampled>,
 }
 
 /// The parameters of a block with their places, for faults that are found later.
@@ -78,7 +81,10 @@ impl BlockDraft {
     pub fn axes(&self) -> Vec<Group> {
         let axis = |given: &ParameterDraft| Axis {
             parameter: given.parameter,
-            values: given.values.iter().map(|(value, _)| *value).collect(),
+            values: match &given.sampled {
+                Some(sampled) => Values::Sampled(sampled.clone()),
+                None => given.values.iter().map(|(value, _)| *value).collect(),
+            },
         };
         let group = |members: Vec<usize>| Group {
             axes: members.iter().map(|i| axis(&self.parameters[*i])).collect(),

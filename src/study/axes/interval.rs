@@ -1,7 +1,8 @@
 //! The range of a parameter that a design samples.
 
-use crate::problem::parameter::{Kind, Parameter, Range, Value, shortest};
+use crate::problem::parameter::{Kind, Parameter, Range, shortest};
 use crate::study::Scale;
+use crate::study::cases::values::Distribution;
 use crate::study::source::faults::{Faults, join};
 use crate::study::source::object::Object;
 use crate::study::source::tree::{Node, Tree};
@@ -99,17 +100,12 @@ impl Interval {
         }
     }
 
-    /// The value at `u`, 0 < u < 1. For `uniform` all whole numbers are equally likely; for `loguniform` the value is rounded.
-    pub fn at(self, u: f64, parameter: &Parameter) -> Value {
-        let Interval { low, high, log } = self;
-        let by_ratio = || (low * libm::pow(high / low, u)).clamp(low, high);
-        match parameter.kind {
-            Kind::Whole { .. } if log => Value::Whole(by_ratio().round() as u64),
-            Kind::Whole { .. } => {
-                Value::Whole((low + u * (high - low + 1.0)).floor().min(high) as u64)
-            }
-            Kind::Number(_) | Kind::Choice(_) if log => Value::Number(by_ratio()),
-            Kind::Number(_) | Kind::Choice(_) => Value::Number(low + u * (high - low)),
+    /// The distribution of a parameter.
+    pub fn distribution(self, parameter: &Parameter) -> Distribution {
+        Distribution {
+            ends: [self.low, self.high],
+            log: self.log,
+            whole: matches!(parameter.kind, Kind::Whole { .. }),
         }
     }
 }

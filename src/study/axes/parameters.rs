@@ -96,6 +96,7 @@ fn axis(
         axis: matches!(node.tree, Tree::List(_) | Tree::Object(_)),
         formula: None,
         interval: None,
+        sampled: None,
     };
     let path = &given.path;
     match &node.tree {

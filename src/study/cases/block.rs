@@ -87,7 +87,7 @@ impl Block {
         let varying = shared.varying.iter().rev();
         for group in varying.map(|group| &self.groups[*group]) {
             for axis in &group.axes {
-                case.values[axis.parameter] = Some(axis.values[(rest % group.len()) as usize]);
+                case.values[axis.parameter] = Some(axis.values.at((rest % group.len()) as usize));
             }
             rest /= group.len();
         }
@@ -121,7 +121,7 @@ impl Block {
     pub(super) fn fill(&self, case: &mut Case, positions: &[u64], derived: usize) {
         for (group, position) in self.groups.iter().zip(positions) {
             for axis in &group.axes {
-                case.values[axis.parameter] = Some(axis.values[*position as usize]);
+                case.values[axis.parameter] = Some(axis.values.at(*position as usize));
             }
         }
         drop_unsuitable(case);

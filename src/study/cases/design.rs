@@ -6,6 +6,7 @@ use sobol::Sobol;
 use sobol::params::JoeKuoD6;
 
 use crate::study::Scale;
+use std::sync::Arc;
 
 /// How points are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,23 +46,27 @@ impl Design {
 
     /// The coordinates of all points in one dimension, each in 0 < u < 1.
     pub fn coordinates(&self, dimension: usize) -> Vec<f64> {
+        let coordinates = self.line(dimension);
+        (0..self.points())
+            .map(|point| coordinates.at(point))
+            .collect()
+    }
+
+    /// The points in one dimension.
+    pub(in crate::study) fn line(&self, dimension: usize) -> Coordinates {
         match self.sampling {
-            Sampling::LatinHypercube => latin(self.n, self.random(dimension)),
-            Sampling::Sobol => self.sobol(dimension),
+            Sampling::LatinHypercube => {
+                Coordinates::Listed(latin(self.n, self.random(dimension)).into())
+            }
+            Sampling::Sobol => Coordinates::Sobol(self.sobol(dimension)),
             Sampling::Saltelli => {
                 let count = self.parameters.len();
-                let (a, b) = (self.sobol(dimension), self.sobol(count + dimension));
-                let row = |i: usize| {
-                    // A, AB_1 ... AB_k, B
-                    let mixed = (0..count).map(move |other| other == dimension);
-                    std::iter::once(false)
-                        .chain(mixed)
-                        .chain([true])
-                        .map(move |of_b| (i, of_b))
-                };
-                let rows = (0..a.len()).flat_map(row);
-                rows.map(|(i, of_b)| if of_b { b[i] } else { a[i] })
-                    .collect()
+                Coordinates::Saltelli {
+                    a: self.sobol(dimension),
+                    b: self.sobol(count + dimension),
+                    rows: count as u64 + 2,
+                    own: dimension as u64 + 1,
+                }
             }
         }
     }
@@ -73,16 +78,70 @@ impl Design {
         random
     }
 
-    fn sobol(&self, dimension: usize) -> Vec<f64> {
-        let shift = self.random(dimension).next_u64() >> 12;
-        let sequence = Sobol::<f64>::new(dimension + 1, &JoeKuoD6::minimal());
-        let points = sequence
-            .take(self.n as usize)
-            .filter_map(|point| point.last().copied());
-        let shifted = points.map(|x| (x * EXACT) as u64 ^ shift);
-        shifted.map(|bits| (bits as f64 + 0.5) / EXACT).collect()
+    fn sobol(&self, dimension: usize) -> ShiftedSobol {
+        let parameters = JoeKuoD6::minimal();
+        let mut all = Sobol::<f64>::init_direction_vals(dimension + 1, RESOLUTION, &parameters);
+        ShiftedSobol {
+            directions: all.pop().unwrap_or_default().into(),
+            shift: self.random(dimension).next_u64() >> 12,
+        }
     }
 }
+
+/// Coordinates of points in one dimension. Those of a Sobol' sequence are computed when they are needed.
+#[derive(Debug, Clone)]
+pub(in crate::study) enum Coordinates {
+    /// One by one.
+    Listed(Arc<[f64]>),
+    /// A Sobol' sequence.
+    Sobol(ShiftedSobol),
+    /// Base by base the rows A, AB_1 ... AB_k, B of two sequences.
+    Saltelli {
+        a: ShiftedSobol,
+        b: ShiftedSobol,
+        /// Number of rows of a base: k + 2.
+        rows: u64,
+        /// The row in which this dimension comes from B, in addition to the last row.
+        own: u64,
+    },
+}
+
+impl Coordinates {
+    /// The coordinate of a point, in 0 < u < 1.
+    pub fn at(&self, point: u64) -> f64 {
+        match self {
+            Coordinates::Listed(all) => all[point as usize],
+            Coordinates::Sobol(sequence) => sequence.at(point),
+            Coordinates::Saltelli { a, b, rows, own } => {
+                let (base, row) = (point / rows, point % rows);
+                let of_b = row == *own || row + 1 == *rows;
+                if of_b { b.at(base) } else { a.at(base) }
+            }
+        }
+    }
+}
+
+/// One dimension of the Sobol' sequence with a random digital shift.
+#[derive(Debug, Clone)]
+pub(in crate::study) struct ShiftedSobol {
+    directions: Arc<[u64]>,
+    shift: u64,
+}
+
+impl ShiftedSobol {
+    /// Point `index`: the sum of the directions of the bits in the Gray code of the index (Antonov and Saleev, 1979).
+    fn at(&self, index: u64) -> f64 {
+        let (mut gray, mut sum) = (index ^ (index >> 1), 0);
+        while gray != 0 {
+            sum ^= self.directions[gray.trailing_zeros() as usize];
+            gray &= gray - 1;
+        }
+        (((sum >> 12) ^ self.shift) as f64 + 0.5) / EXACT
+    }
+}
+
+/// Binary digits of a coordinate of the Sobol' sequence: those of a double.
+const RESOLUTION: usize = 53;
 
 /// Number of steps between 0 and 1 that doubles represent exactly.
 const EXACT: f64 = (1_u64 << 52) as f64;
@@ -145,6 +204,20 @@ mod tests {
                     .map(|(x, y)| ((x * across) as u64, (y * up) as u64))
                     .collect();
                 assert_eq!(boxes.len(), 256);
+            }
+        }
+    }
+
+    /// The shift is taken out again, and its digits are those of the crate's sequence, point by point.
+    #[test]
+    fn points_by_their_index_are_those_of_the_sequence() {
+        let design = design(Sampling::Sobol, 5000, 0, 1);
+        for dimension in [0, 1, 7] {
+            let sequence = Sobol::<f64>::new(dimension + 1, &JoeKuoD6::minimal());
+            let line = design.sobol(dimension);
+            for (index, point) in (0..5000).zip(sequence) {
+                let digits = (line.at(index) * EXACT - 0.5) as u64 ^ line.shift;
+                assert_eq!(digits, (point[dimension] * EXACT) as u64);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The axes of a block, in groups.
 
 use super::filter::Filter;
-use crate::problem::parameter::Value;
+use super::values::Values;
 
 /// Axes that advance together.
 #[derive(Debug, Clone)]
@@ -16,7 +16,7 @@ pub struct Axis {
     /// Row of `problem.parameters()`.
     pub parameter: usize,
     /// At least one value.
-    pub values: Vec<Value>,
+    pub values: Values,
 }
 
 impl Group {
@@ -40,7 +40,7 @@ impl Group {
         let accepted = |position: u64| {
             self.axes.iter().all(|axis| {
                 let mut terms = filter.0.iter().filter(|(row, _)| *row == axis.parameter);
-                terms.all(|(_, wanted)| axis.values[position as usize].is_one_of(wanted))
+                terms.all(|(_, wanted)| axis.values.at(position as usize).is_one_of(wanted))
             })
         };
         (0..self.len())

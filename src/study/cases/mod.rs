@@ -14,6 +14,7 @@ pub(crate) mod scope;
 mod select;
 mod tabulate;
 pub(super) mod tabulated;
+pub(super) mod values;
 
 pub(super) use select::{case, distinct, select};
 

@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::group::{Axis, Group};
 use super::select::distinct;
+use super::values::Values;
 use crate::problem::Case;
 use crate::problem::parameter::Value;
 use crate::study::Study;
@@ -47,7 +48,7 @@ pub(in crate::study) fn all_positions(block: &Block) -> Vec<Vec<usize>> {
 /// and that some case breaks is broken there.
 pub(in crate::study) fn ends(block: &Block) -> Vec<Vec<usize>> {
     let of_axis = |axis: &Axis| -> Vec<usize> {
-        let numbers: Vec<f64> = axis.values.iter().filter_map(|v| v.as_f64()).collect();
+        let numbers: Vec<f64> = axis.values.iter().filter_map(Value::as_f64).collect();
         if numbers.len() < axis.values.len() {
             return first_of_each(&axis.values);
         }
@@ -65,9 +66,9 @@ pub(in crate::study) fn ends(block: &Block) -> Vec<Vec<usize>> {
     block.groups.iter().map(of_group).collect()
 }
 
-fn first_of_each(values: &[Value]) -> Vec<usize> {
-    let names = distinct(values.iter().copied());
-    let first = |value: &Value| values.iter().position(|v| v == value);
+fn first_of_each(values: &Values) -> Vec<usize> {
+    let names = distinct(values.iter());
+    let first = |value: &Value| values.iter().position(|v| v == *value);
     names.iter().filter_map(first).collect()
 }
 
@@ -75,7 +76,10 @@ fn first_of_each(values: &[Value]) -> Vec<usize> {
 pub(in crate::study) fn restricted(block: &Block, positions: &[Vec<usize>]) -> Block {
     let axis = |axis: &Axis, positions: &[usize]| Axis {
         parameter: axis.parameter,
-        values: positions.iter().map(|i| axis.values[*i]).collect(),
+        values: match positions.len() == axis.values.len() {
+            true => axis.values.clone(),
+            false => positions.iter().map(|i| axis.values.at(*i)).collect(),
+        },
     };
     let groups = block.groups.iter().zip(positions);
     let groups = groups.map(|(group, positions)| Group {

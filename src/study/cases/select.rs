@@ -98,8 +98,8 @@ impl Block {
         }
         let positions = group.positions(filter);
         let axis = group.axes.iter().find(|axis| axis.parameter == parameter);
-        let values = axis.map_or(&[][..], |axis| &axis.values);
-        distinct(positions.iter().map(|i| values[*i as usize]))
+        let values = axis.map(|axis| &axis.values);
+        distinct(positions.iter().filter_map(|i| Some(values?.at(*i as usize))))
     }
 
     /// Whether the parameters in `from` decide a parameter among the cases that a filter selects: it advances together with one

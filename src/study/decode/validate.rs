@@ -115,7 +115,8 @@ fn place(
         true => format!("{}[{position}]", given.path),
         false => given.path.clone(),
     };
-    (given.values[position].1, path)
+    let at = given.values.get(position).map_or(given.at, |value| value.1);
+    (at, path)
 }
 
 fn row_of(problem: &dyn Problem, violation: &Violation) -> Option<usize> {

@@ -212,8 +212,8 @@ enum Constant {
 
 fn constant(block: &Block, row: usize) -> Constant {
     let axis = block.axes().find(|axis| axis.parameter == row);
-    match axis.map(|axis| &axis.values[..]) {
-        Some([value]) => Constant::Is(*value),
+    match axis.map(|axis| &axis.values) {
+        Some(values) if values.len() == 1 => Constant::Is(values.at(0)),
         Some(_) => Constant::Varies,
         None if block.gives(row) => Constant::Varies,
         None => Constant::Missing,
