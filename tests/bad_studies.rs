@@ -135,19 +135,28 @@ fn a_condition_is_tried_for_every_combination() {
             "6:9: when: \"sqrt(abs(beta - 500) + abs(x0 - 500) - 0.5) > 1490\" with beta = 500, x0 = 500: must be finite",
         ],
     );
-    // Of 10^12 combinations none is tried.
+    // Of more than 10^8 combinations none is tested. The one without a value is a case that cannot be solved.
     let text = text
         .replace("\"range\": [1, 1100, 1]", "\"linspace\": [1, 1e6, 1000000]")
         .replace("1000, 1000]", "1e6, 1000000]");
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), text).unwrap();
     let input = slipgap::study::Input::of_file(file.path()).unwrap();
-    let message = input.study(u64::MAX).unwrap_err().to_string();
-    assert!(
-        message
-            .contains("must be tested for 1000000000000 combinations; allowed: at most 1000000000"),
-        "{message}"
+    let study = input.study(u64::MAX).unwrap();
+    assert!(!study.is_counted());
+    assert_eq!(study.len(), 1_000_000_000_000);
+    let number = |beta: u64, x0: u64| (beta - 1) * 1_000_000 + x0 - 1;
+    assert!(study.case(number(500, 501)).is_none());
+    assert_eq!(study.violations(number(500, 2000)), []);
+    let (first, cases) = study.columns(number(500, 500), number(500, 2001));
+    let refused: Vec<(usize, &str)> = cases.refused().collect();
+    let message = format!("when: \"{when}\" with beta = 500, x0 = 500: must be finite, got NaN");
+    assert_eq!(
+        (first, &refused[..]),
+        (number(500, 500), &[(0, &*message)][..])
     );
+    let broken = &study.violations(first)[..];
+    assert_eq!(slipgap::problem::Violation::all(broken), Some(message));
 }
 
 #[test]

@@ -88,7 +88,7 @@ pub(super) fn compute_rows(
     let single = single.into_iter().map(|row| row as usize);
     let single: Vec<(usize, Case)> = single.map(|row| (row, shown.at(row).clone())).collect();
     let solve = |(row, case): &(usize, Case)| {
-        let solved = solve_case(study, first + *row as u64, case, options);
+        let solved = solve_case(study, first + cases.offset(*row), case, options);
         tick(1);
         solved.map(|solved| (*row, solved))
     };

@@ -56,6 +56,9 @@ impl Key {
             hasher.write(&bytes);
             bytes.clear();
         }
+        for offset in cases.offsets().into_iter().flatten() {
+            hasher.write(&offset.to_le_bytes());
+        }
         for (row, why) in cases.refused() {
             hasher.write(&row.to_le_bytes());
             hasher.write(why.as_bytes());

@@ -1,5 +1,6 @@
 //! The parts of a study that its store does not have: what is left for shards to compute.
 
+use super::chunk;
 use super::key::Key;
 use super::queue::PartQueue;
 use super::shard::shard_of;
@@ -48,7 +49,7 @@ pub fn missing_parts(
         ..MissingParts::default()
     };
     let mut queue = PartQueue::new(study);
-    let count = PARTS * rayon::current_num_threads();
+    let count = chunk::parts_at_a_time(study, PARTS * rayon::current_num_threads());
     loop {
         let parts = queue.next(count);
         if parts.is_empty() {

@@ -57,7 +57,8 @@ pub fn run(
     // The number of parts at a time grows: the first results come soon, and later no thread waits often for the others.
     // Memory does not grow with the number of cases.
     let threads = rayon::current_num_threads();
-    let (mut window, largest) = (threads, (4 * threads).max(16));
+    let largest = chunk::parts_at_a_time(study, (4 * threads).max(16));
+    let mut window = threads;
     let mut finished = Vec::new();
     loop {
         // `take` receives finished parts while the next ones are computed.

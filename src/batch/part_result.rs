@@ -27,7 +27,7 @@ pub(super) type Solutions = BTreeMap<usize, Box<Solution>>;
 /// The results of a part.
 #[derive(Debug)]
 pub struct PartResult {
-    /// Number of the first case; the others follow.
+    /// Number of the first case.
     pub first: u64,
     /// The cases.
     pub cases: Cases,
@@ -51,10 +51,15 @@ impl PartResult {
         self.cases.is_empty()
     }
 
+    /// The number of the case in a row.
+    pub fn number(&self, row: usize) -> u64 {
+        self.first + self.cases.offset(row)
+    }
+
     /// The outcomes one by one, with the numbers of their cases.
     pub fn outcomes(mut self, study: &Study) -> Vec<(u64, Outcome)> {
         let width = study.measures.len();
-        let mut shown = self.cases.shown();
+        let (mut shown, first) = (self.cases.shown(), self.first);
         let outcome = |row: usize| {
             let mut metrics = self.metrics.row(row).collect::<Vec<_>>();
             metrics.resize(width, None);
@@ -64,7 +69,7 @@ impl PartResult {
                 solution: self.solutions.remove(&row),
                 failure: self.metrics.failure(row).cloned(),
             };
-            (self.first + row as u64, outcome)
+            (first + self.cases.offset(row), outcome)
         };
         (0..self.cases.len()).map(outcome).collect()
     }

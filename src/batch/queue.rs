@@ -38,22 +38,27 @@ impl<'a> PartQueue<'a> {
         }
     }
 
-    /// The next `count` parts with their numbers, fewer at the end.
+    /// The next `count` parts with the numbers that decide their shards, fewer at the end. In a large study this is the number of
+    /// the chunk, so that a shard makes only its own chunks; else the number of the part.
     pub(super) fn next(&mut self, count: usize) -> Vec<(u64, Part)> {
+        let (study, shard) = (self.study, self.shard);
+        let whole = chunk::owned_whole(study);
+        let has = |number: u64| shard.is_none_or(|shard| shard.has(number));
         while self.parts.len() < count && !self.chunks.is_empty() {
-            let missing = (count - self.parts.len()) as u64;
-            let end = self.chunks.end.min(self.chunks.start + missing);
-            let chunks = (self.chunks.start..end).into_par_iter();
-            let parts = |chunk| chunk::parts(self.study, chunk);
-            let new: Vec<Vec<Part>> = chunks.map(parts).collect();
-            let numbered = (self.number..).zip(new.into_iter().flatten());
-            for (number, part) in numbered {
-                self.number = number + 1;
-                if self.shard.is_none_or(|shard| shard.has(number)) {
-                    self.parts.push_back((number, part));
+            let missing = count - self.parts.len();
+            let own = self.chunks.by_ref().filter(|chunk| !whole || has(*chunk));
+            let chunks: Vec<u64> = own.take(missing).collect();
+            let parts = |chunk: &u64| (*chunk, chunk::parts(study, *chunk));
+            let new: Vec<(u64, Vec<Part>)> = chunks.par_iter().map(parts).collect();
+            for (chunk, parts) in new {
+                for part in parts {
+                    let number = if whole { chunk } else { self.number };
+                    self.number += 1;
+                    if has(number) {
+                        self.parts.push_back((number, part));
+                    }
                 }
             }
-            self.chunks.start = end;
         }
         let count = count.min(self.parts.len());
         self.parts.drain(..count).collect()
@@ -109,5 +114,29 @@ mod tests {
             joined.sort_unstable();
             assert_eq!(joined, whole);
         }
+    }
+
+    #[test]
+    fn a_shard_of_a_large_study_makes_only_its_own_chunks() {
+        // 10^9 combinations in 3815 chunks. All would take minutes.
+        let study = parse(
+            "s.json",
+            r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "duration": 3, "dT": 0.5,
+            "beta": {"linspace": [1, 2, 100000]}, "x0": {"linspace": [1, 2, 10000]}}}"#,
+        )
+        .unwrap();
+        assert_eq!(chunk::count(&study), 3815);
+        let mut queue = PartQueue::of_shard(&study, "814/1000".parse().unwrap());
+        let found: Vec<(u64, u64)> = std::iter::from_fn(|| queue.next(2).pop())
+            .map(|(number, part)| (number, part.start))
+            .collect();
+        assert_eq!(found, [(1813, 1813 << 18), (3813, 3813 << 18)]);
+        let mut queue = PartQueue::of_shard(&study, "815/1000".parse().unwrap());
+        let found: Vec<u64> = queue
+            .next(9)
+            .into_iter()
+            .map(|(number, _)| number)
+            .collect();
+        assert_eq!(found, [814, 1814, 2814, 3814]);
     }
 }

@@ -3,6 +3,7 @@
 //! Shard I of N has every N-th part, beginning with part I. It takes no lock and removes no file. A part has the same bytes and,
 //! with its checksum, the same name from every process, so that a part written twice is one file.
 
+use super::chunk;
 use super::compute;
 use super::queue::PartQueue;
 use super::run_part::{KeptPart, keep_part};
@@ -80,7 +81,7 @@ pub fn run_shard(
 ) -> Result<ShardResult, Error> {
     compute::keep_memory();
     let mut queue = PartQueue::of_shard(study, shard);
-    let count = PARTS * rayon::current_num_threads();
+    let count = chunk::parts_at_a_time(study, PARTS * rayon::current_num_threads());
     let mut result = ShardResult::default();
     loop {
         let parts = queue.next(count);

@@ -50,9 +50,12 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     let mut values = vec![Vec::new(); study.checks.len()];
     let mut reduced = ReducedChecks::new(study);
     let mut unsolved = UnsolvedCases::new(source);
+    let mut cases = 0;
     batch::run(study, &bar, &RunOptions::METRICS, |part| {
+        cases += part.len() as u64;
         let mut shown = part.cases.shown();
-        for (place, number) in (0..part.len()).zip(part.first..) {
+        for place in 0..part.len() {
+            let number = part.number(place);
             let value = |metric| part.metrics.row(place).nth(metric).flatten();
             for (check, value) in checks::applicable(study, shown.at(place), value) {
                 values[check].push((number, value.unwrap_or(f64::NAN)));
@@ -64,7 +67,7 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &cases_run(study.len()));
+    progress::finish(&bar, &source.name, &cases_run(cases));
     unsolved.lines().for_each(|line| note(&line));
     for (name, empty, cases) in reduced.empty() {
         note(&without_value(source, name, empty, cases));

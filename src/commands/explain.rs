@@ -1,6 +1,7 @@
 //! `slipgap explain`: one case of a study, its metrics and its cost.
 
 use super::UNSOLVED;
+use super::list::cases;
 use super::sources::Source;
 use super::terminal::{print, progress, table};
 use slipgap::batch::cost::{measure, total};
@@ -19,17 +20,17 @@ const MEASURING: Duration = Duration::from_millis(200);
 pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     let study = &source.study;
     let Some(case) = study.case(number) else {
-        let what = format!(
-            "case {number}: {} has cases 0 to {}",
-            source.name,
-            study.len() - 1
-        );
-        return Err(Error::Usage(what));
+        let (name, last) = (&source.name, study.len() - 1);
+        let allowed = match number > last {
+            true => format!("{name} has cases 0 to {last}"),
+            false => "this combination does not meet the condition".into(),
+        };
+        return Err(Error::Usage(format!("case {number}: {allowed}")));
     };
     let mut text = format!(
         "{}: case {number} of {} ({})\n\n",
         source.name,
-        study.len(),
+        cases(study),
         study.problem.schema().meaning
     );
     let mut rows = vec![

@@ -20,7 +20,7 @@ pub fn list(sources: &[Source]) -> Result<u8, Error> {
         rows.push(vec![
             source.name.clone(),
             study.problem.name().to_owned(),
-            study.len().to_string(),
+            cases(study),
             steps(study),
             axes(study),
             figures.join(" "),
@@ -28,6 +28,12 @@ pub fn list(sources: &[Source]) -> Result<u8, Error> {
         ]);
     }
     print(&table(&rows))
+}
+
+/// The number of cases, or the largest number possible.
+pub fn cases(study: &Study) -> String {
+    let at_most = if study.is_counted() { "" } else { "at most " };
+    format!("{at_most}{}", study.len())
 }
 
 /// The axes of every block, as in `alpha(3) dT+duration(2)`. Zipped axes are joined by `+`.

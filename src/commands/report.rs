@@ -95,7 +95,7 @@ fn section<'a>(
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &tally.summary(results.cases()));
+    progress::finish(&bar, &source.name, &tally.summary());
     store.close()?;
     counts.look_for_divergence(study);
     checks.judge_reduced(study, &reduced);

@@ -14,6 +14,8 @@ pub struct Cases {
     len: usize,
     columns: Vec<Column>,
     refused: BTreeMap<usize, String>,
+    /// By how much the number of each case is above that of the first; `None` if the cases are consecutive.
+    offsets: Option<Vec<u64>>,
 }
 
 /// The values of one parameter over many cases; `None` if it does not apply.
@@ -33,13 +35,34 @@ impl Cases {
             len: 0,
             columns: vec![Column::Same(None); schema.parameters.len()],
             refused: BTreeMap::new(),
+            offsets: None,
         }
     }
 
-    /// Adds a case that cannot be solved, and why.
-    pub fn push_refused(&mut self, case: &Case, why: String) {
-        self.refused.insert(self.len, why);
-        self.push(case);
+    /// Adds a case, the number of which is `offset` above that of the first, and why it cannot be solved, if so.
+    pub fn push_at(&mut self, offset: u64, case: &Case, refused: Option<String>) {
+        let row = self.len as u64;
+        if offset != row && self.offsets.is_none() {
+            self.offsets = Some((0..row).collect());
+        }
+        if let Some(offsets) = &mut self.offsets {
+            offsets.push(offset);
+        }
+        if let Some(why) = refused {
+            self.refused.insert(self.len, why);
+        }
+        self.push_values(case);
+    }
+
+    /// By how much the number of a case is above that of the first.
+    pub fn offset(&self, row: usize) -> u64 {
+        let offsets = self.offsets.as_ref();
+        offsets.map_or(row as u64, |offsets| offsets[row])
+    }
+
+    /// The same of all cases; `None` if they are consecutive.
+    pub fn offsets(&self) -> Option<&[u64]> {
+        self.offsets.as_deref()
     }
 
     /// The cases that cannot be solved, in increasing order, and why.
@@ -52,8 +75,16 @@ impl Cases {
         !self.refused.contains_key(&case)
     }
 
-    /// Adds a case of the same table.
+    /// Adds a case of the same table, consecutive to the last.
     pub fn push(&mut self, case: &Case) {
+        let next = self
+            .len
+            .checked_sub(1)
+            .map_or(0, |last| self.offset(last) + 1);
+        self.push_at(next, case, None);
+    }
+
+    fn push_values(&mut self, case: &Case) {
         for (column, value) in self.columns.iter_mut().zip(&case.values) {
             match column {
                 Column::Each(values) => values.push(*value),
@@ -72,11 +103,10 @@ impl Cases {
     /// Some of the cases.
     pub fn only(&self, rows: Range<usize>) -> Cases {
         let (mut some, mut shown) = (Cases::new(&self.schema), self.shown());
+        let start = rows.start;
         for row in rows {
-            match self.refused.get(&row) {
-                Some(why) => some.push_refused(shown.at(row), why.clone()),
-                None => some.push(shown.at(row)),
-            }
+            let offset = self.offset(row) - self.offset(start);
+            some.push_at(offset, shown.at(row), self.refused.get(&row).cloned());
         }
         some
     }

@@ -147,13 +147,14 @@ pub fn run_study(
         }
         Ok(())
     })?;
-    observer.end_cases(source, &bar, &tally.summary(cases));
+    observer.end_cases(source, &bar, &tally.summary());
     folder.list(histories.into_iter());
     let mut paths = Vec::new();
     let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
     if without_contact > 0 {
         let schema = study.problem.schema();
         let duration = &schema.parameters[schema.duration].name;
+        let cases = tally.cases();
         let what = format!(
             "{without_contact} of {cases} cases have no contact before `{duration}`; their contact metrics are undefined"
         );

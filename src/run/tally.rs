@@ -10,6 +10,8 @@ const MOST_REASONS: usize = 3;
 pub struct Tally {
     /// Whether the store was empty.
     new_store: bool,
+    /// Number of all cases.
+    cases: u64,
     from_store: u64,
     /// Reasons, with the number of parts of each.
     reasons: Vec<(String, u64)>,
@@ -20,6 +22,7 @@ impl Tally {
     pub fn new(new_store: bool) -> Tally {
         Tally {
             new_store,
+            cases: 0,
             from_store: 0,
             reasons: Vec::new(),
         }
@@ -27,6 +30,7 @@ impl Tally {
 
     /// Counts a part.
     pub fn add(&mut self, part: &PartResult) {
+        self.cases += part.len() as u64;
         self.from_store += part.from_store;
         let Err(miss) = &part.stored else {
             return;
@@ -38,8 +42,14 @@ impl Tally {
         }
     }
 
-    /// One line about a run of so many cases.
-    pub fn summary(&self, cases: u64) -> String {
+    /// Number of cases.
+    pub fn cases(&self) -> u64 {
+        self.cases
+    }
+
+    /// One line about the run.
+    pub fn summary(&self) -> String {
+        let cases = self.cases;
         if self.from_store == cases {
             return format!("{cases} of {cases} cases from the store");
         }

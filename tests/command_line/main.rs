@@ -14,6 +14,7 @@ mod files;
 #[cfg(unix)]
 mod interrupted;
 mod kept;
+mod large;
 mod pictures;
 mod reductions;
 mod same_bytes;

@@ -64,8 +64,7 @@ impl<'a> DesignMetrics<'a> {
     pub fn add(&mut self, part: &PartResult) {
         for (first, block, columns) in &mut self.designs {
             let end = *first + self.study.blocks[*block].raw_len();
-            let of_design = (part.first..).take(part.len());
-            let of_design = of_design.map(|number| (*first..end).contains(&number));
+            let of_design = (0..part.len()).map(|row| (*first..end).contains(&part.number(row)));
             for (column, metric) in columns.iter_mut().zip(&self.study.columns) {
                 let rows = part.metrics.column(*metric).zip(of_design.clone());
                 let rows = rows.filter(|(_, of_design)| *of_design);

@@ -1,7 +1,8 @@
 //! The store of a study: a folder of Parquet parts, each with its checksum in its name.
 //!
 //! `part-000000016384-<checksum>.parquet` is written under a temporary name and renamed, so that it is complete or absent.
-//! The checksum detects later damage. Any program that reads Parquet can read the folder as one table.
+//! The checksum detects later damage. The parts of a large study are in sub-folders `000000`, `000001`, so that none has very
+//! many names. Any program that reads Parquet can read the folder as one table.
 
 mod catch_panic;
 mod constant_columns;
@@ -21,7 +22,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::chunk::starts_in_same_chunk;
+use super::chunk::{self, starts_in_same_chunk};
 use super::key::{Difference, Key, checksum};
 use super::output::atomic::{can_write, remove_leftovers, write_atomically};
 use crate::error::Error;
@@ -96,7 +97,9 @@ impl Store {
         let folder = Store::make_folder(results)?;
         let lock = lock::acquire(&folder, acquire)?;
         lock::remove_former(&folder);
-        remove_leftovers(&folder);
+        part_file::folders(&folder)?
+            .iter()
+            .for_each(|folder| remove_leftovers(folder));
         Store::of_folder(folder, Some(lock))
     }
 
@@ -125,7 +128,9 @@ impl Store {
     /// A folder that cannot be written or read.
     pub fn list_again(&mut self) -> Result<(), Error> {
         // A client of NFS may list a folder as it was up to a minute ago, unless it has changed the folder itself.
-        can_write(&self.folder).map_err(Error::io("cannot write in folder", &self.folder))?;
+        for folder in part_file::folders(&self.folder)? {
+            can_write(&folder).map_err(Error::io("cannot write in folder", &folder))?;
+        }
         self.list_parts()
     }
 
@@ -190,7 +195,7 @@ impl Store {
     /// The cases of stored parts of the same chunk.
     pub fn earlier_cases(&self, study: &Study, start: u64, key: &Key) -> EarlierCases {
         let mut earlier = EarlierCases::default();
-        let parts = self.parts.range(starts_in_same_chunk(start));
+        let parts = self.parts.range(starts_in_same_chunk(study, start));
         for path in parts.flat_map(|(_, paths)| paths) {
             let bytes = part_file::read_checked(path);
             let read =
@@ -217,7 +222,9 @@ impl Store {
     ) -> Result<(), Error> {
         let bytes = writing::encode(study, key, cases, metrics, &self.constant_columns)
             .map_err(|e| Error::Internal(format!("cannot make a part of the store: {e}")))?;
-        let path = self.folder.join(part_file::name(start, &checksum(&bytes)));
+        let folder = chunk::folder(study, start).map(part_file::folder_name);
+        let folder = folder.map_or(self.folder.clone(), |name| self.folder.join(name));
+        let path = folder.join(part_file::name(start, &checksum(&bytes)));
         self.write(&path, &bytes)?;
         // The parts that it replaces remain until `close`: other parts may use their cases.
         self.current().insert(path);
@@ -227,6 +234,9 @@ impl Store {
     /// Writes the file of a part.
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), Error> {
         let write = || {
+            if let Some(folder) = path.parent().filter(|folder| *folder != self.folder) {
+                fs::create_dir_all(folder).map_err(Error::io("cannot make folder", folder))?;
+            }
             write_atomically(path, |out| {
                 out.write_all(bytes)?;
                 // A run does not wait for the disk: after a power failure the checksum shows a damaged part. A shard reports
@@ -262,6 +272,10 @@ impl Store {
             {
                 failed = failed.or(Some((path, e)));
             }
+        }
+        // Sub-folders without parts: a folder that is not empty is not removed.
+        for folder in part_file::folders(&self.folder)?.iter().skip(1) {
+            let _ = fs::remove_dir(folder);
         }
         match failed {
             None => Ok(()),

@@ -28,17 +28,50 @@ pub fn parse_name(path: &Path) -> Option<(u64, &str)> {
     Some((start.parse().ok().filter(|_| valid)?, sum))
 }
 
-/// The parts in a folder, in order, with the starts in their names.
-pub fn all_in(folder: &Path) -> Result<Vec<(u64, PathBuf)>, Error> {
+/// The name of a sub-folder of a store.
+pub fn folder_name(number: u64) -> String {
+    format!("{number:06}")
+}
+
+/// A store and its sub-folders.
+///
+/// # Errors
+/// A folder that cannot be read.
+pub fn folders(store: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut folders = vec![store.to_owned()];
+    let unread = |e| Error::io("cannot read", store)(e);
+    for entry in fs::read_dir(store).map_err(unread)? {
+        let entry = entry.map_err(unread)?;
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let numbered = name.len() >= 6 && name.bytes().all(|b| b.is_ascii_digit());
+        // A link is no sub-folder: it could lead anywhere.
+        if numbered && entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            folders.push(entry.path());
+        }
+    }
+    Ok(folders)
+}
+
+/// The parts of a store, in order, with the starts in their names.
+pub fn all_in(store: &Path) -> Result<Vec<(u64, PathBuf)>, Error> {
     let start = |path: &PathBuf| parse_name(path).map(|(start, _)| start);
-    let all = similar_in(folder)?.into_iter();
+    let all = similar_in(store)?.into_iter();
     let mut parts: Vec<_> = all.filter_map(|path| Some((start(&path)?, path))).collect();
     parts.sort();
     Ok(parts)
 }
 
-/// The files `part-*.parquet` in a folder.
-pub fn similar_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+/// The files `part-*.parquet` of a store.
+pub fn similar_in(store: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut paths = Vec::new();
+    for folder in folders(store)? {
+        paths.extend(similar_in_one(&folder)?);
+    }
+    Ok(paths)
+}
+
+fn similar_in_one(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let mut paths = Vec::new();
     let unread = |e| Error::io("cannot read", folder)(e);
     for entry in fs::read_dir(folder).map_err(unread)? {

@@ -122,6 +122,59 @@ fn a_panic_gives_none() {
 }
 
 #[test]
+fn parts_of_a_large_study_are_in_sub_folders() {
+    // 10^8 combinations in chunks of 32 768, 1024 of which have a folder.
+    let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "duration": 3, "dT": 0.5,
+        "beta": {"linspace": [1, 2, 10000]}, "x0": {"linspace": [1, 2, 10000]}}}"#;
+    let (folder, study) = (tempfile::tempdir().unwrap(), parse("s.json", text).unwrap());
+    let width = study.problem.metrics().len();
+    let starts = [0, 1023 << 15, 1024 << 15];
+    let mut store = Store::open(folder.path()).unwrap();
+    for start in starts {
+        let (first, cases) = study.columns(start, start + 10);
+        let mut metrics = MetricTable::new(cases.len(), width);
+        (0..10).for_each(|row| metrics.set(row, (0..width).map(|m| (row + m) as f64)));
+        let key = Key::new(&study, first, &cases);
+        store
+            .save(&study, start, &key, (first, &cases), &metrics)
+            .unwrap();
+        store.list_again().unwrap();
+        let loaded = store.load(&study, start, &key, cases.len()).unwrap();
+        assert_eq!(loaded.row(3).next(), metrics.row(3).next());
+    }
+    let names = |folder: &Path| -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| name != ".lock")
+            .collect();
+        names.sort();
+        names
+    };
+    let path = folder.path().join(STORE);
+    assert_eq!(names(&path), ["000000", "000001"]);
+    assert_eq!(names(&path.join("000000")).len(), 2);
+    assert!(names(&path.join("000001"))[0].starts_with("part-000033554432-"));
+    // As one table, in order.
+    let all = rows(folder.path()).unwrap();
+    let numbers: Vec<&str> = all.rows.iter().map(|row| &*row[0]).collect();
+    assert_eq!(
+        (numbers.len(), numbers[10], numbers[29]),
+        (30, "33521664", "33554441")
+    );
+    store.close().unwrap();
+    // Another run keeps only the second; the folder without parts is removed, and so is what a killed run left.
+    fs::write(path.join("000000/.slipgap-abcdefghijkl.partial"), "x").unwrap();
+    let store = Store::open(folder.path()).unwrap();
+    let (first, cases) = study.columns(starts[1], starts[1] + 10);
+    let key = Key::new(&study, first, &cases);
+    store.load(&study, starts[1], &key, cases.len()).unwrap();
+    store.close().unwrap();
+    assert_eq!(names(&path), ["000000"]);
+    assert_eq!(names(&path.join("000000")).len(), 1);
+}
+
+#[test]
 fn only_names_that_a_run_writes_are_parts() {
     let sum = "0123456789abcdef0123456789abcdef";
     let start = |name: String| parse_name(Path::new(&name)).map(|(start, _)| start);

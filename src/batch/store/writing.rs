@@ -41,7 +41,7 @@ pub fn encode(
     let columns = file.schema_descr().columns().to_vec();
     let mut rows = file.next_row_group()?;
     let len = cases.len();
-    let numbers = (first..).take(len).map(|number| Some(number as i64));
+    let numbers = (0..len).map(|row| Some((first + cases.offset(row)) as i64));
     write_next(&mut rows, |writer| {
         write_cells::<Int64Type>(writer, len, numbers)
     })?;

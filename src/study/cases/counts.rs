@@ -1,15 +1,66 @@
 //! Which combinations of a block meet its condition: their number, and the combination of each case number.
+//!
+//! The cases of a block are numbered without gaps, for which all combinations are tested when the study is read. This takes
+//! 0.1 us for a combination. A block of very many combinations with a condition without a table is not counted: the number of
+//! a case is that of its combination, and each part tests its own.
 
 use super::block::{Block, CaseCounts};
-use crate::problem::Problem;
+use super::derived::{Condition, not_computed};
+use crate::problem::{Case, Problem, Violation};
+use std::ops::Range;
 
 /// Combinations between two counts of cases.
 const STRIDE: u64 = 4096;
 
+/// Most combinations of a block that are counted, if its condition has no table: ten seconds.
+const MOST_COUNTED: u64 = 100_000_000;
+
 impl Block {
-    /// Whether combination `raw` is a case.
+    /// Whether the number of a case is that of its combination, because there are too many combinations to test.
+    pub(in crate::study) fn is_uncounted(&self) -> bool {
+        let without_table = |when: &Condition| when.formula.table.is_none();
+        self.when.as_ref().is_some_and(without_table) && self.raw_len() > MOST_COUNTED
+    }
+
+    /// Whether combination `raw` is a case. If the condition of an uncounted block has no value, it is a case that cannot be
+    /// solved.
     pub(in crate::study) fn is_case(&self, problem: &dyn Problem, raw: u64) -> bool {
-        self.meets_condition(problem, raw) == Some(true)
+        let met = self.meets_condition(problem, raw);
+        met.unwrap_or_else(|| self.is_uncounted())
+    }
+
+    /// Writes combination `raw` over `case`, before `Problem::complete`, and tests whether it is a case; `None` if the condition
+    /// has no value.
+    pub(in crate::study) fn put_and_test(
+        &self,
+        problem: &dyn Problem,
+        raw: u64,
+        case: &mut Case,
+    ) -> Option<bool> {
+        match &self.when {
+            Some(when) if when.formula.table.is_none() => {
+                self.put(problem, raw, case);
+                when.holds(&self.groups, case, &[])
+            }
+            Some(_) | None => {
+                let met = self.meets_condition(problem, raw);
+                if met == Some(true) {
+                    self.put(problem, raw, case);
+                }
+                met
+            }
+        }
+    }
+
+    /// That the condition has no value for a case of an uncounted block. In other blocks this is a fault of the study.
+    pub(in crate::study) fn without_condition(&self, case: &Case) -> Option<Violation> {
+        let when = self.when.as_ref().filter(|_| self.is_uncounted())?;
+        let fault = when.formula.formula.value(&|row| case.values[row]).err()?;
+        Some(Violation {
+            parameter: "when".into(),
+            message: not_computed(&when.formula.formula, &when.text, case, &fault),
+            at: None,
+        })
     }
 
     /// The same; `None` if the condition has no value.
@@ -49,16 +100,18 @@ impl Block {
 
     /// The first combination for which the condition has no value.
     pub(in crate::study) fn undecided(&self, problem: &dyn Problem) -> Option<u64> {
-        self.when.as_ref()?;
+        if self.when.is_none() || self.is_uncounted() {
+            return None;
+        }
         match self.counts(problem) {
             CaseCounts::Tabled(_) => None,
             CaseCounts::Counted { undecided, .. } => *undecided,
         }
     }
 
-    /// Number of cases.
+    /// Number of cases; of an uncounted block, of combinations.
     pub(in crate::study) fn len(&self, problem: &dyn Problem) -> u64 {
-        if self.when.is_none() {
+        if self.when.is_none() || self.is_uncounted() {
             return self.raw_len();
         }
         match self.counts(problem) {
@@ -69,9 +122,23 @@ impl Block {
         }
     }
 
-    /// Number of cases before combination `raw`.
+    /// Whether a table shows that no combination in this range is a case.
+    pub(in crate::study) fn is_surely_empty(
+        &self,
+        problem: &dyn Problem,
+        raws: &Range<u64>,
+    ) -> bool {
+        let has_table = |when: &Condition| when.formula.table.is_some();
+        let rank = |raw: u64| match raw == self.raw_len() {
+            true => self.len(problem),
+            false => self.rank(problem, raw),
+        };
+        self.when.as_ref().is_some_and(has_table) && rank(raws.start) == rank(raws.end)
+    }
+
+    /// Number of cases before combination `raw`; in an uncounted block, of combinations.
     pub(in crate::study) fn rank(&self, problem: &dyn Problem, raw: u64) -> u64 {
-        if self.when.is_none() {
+        if self.when.is_none() || self.is_uncounted() {
             return raw;
         }
         match self.counts(problem) {
@@ -91,6 +158,9 @@ impl Block {
         }
         if self.when.is_none() {
             return Some(index);
+        }
+        if self.is_uncounted() {
+            return self.is_case(problem, index).then_some(index);
         }
         match self.counts(problem) {
             CaseCounts::Tabled(before) => Some(self.combination_of(before, index)),

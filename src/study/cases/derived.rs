@@ -24,6 +24,8 @@ pub struct Derived {
 /// A condition that combinations must meet.
 #[derive(Debug, Clone)]
 pub struct Condition {
+    /// The condition as it is in the study.
+    pub text: String,
     pub(in crate::study) formula: Tabulated,
 }
 

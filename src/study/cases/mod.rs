@@ -28,7 +28,7 @@ use select::place;
 use std::ops::Range;
 
 impl Study {
-    /// Number of cases.
+    /// Number of cases, or a larger number if they are not [counted](Study::is_counted).
     pub fn len(&self) -> u64 {
         let blocks = self.blocks.iter();
         blocks.map(|block| block.len(&*self.problem)).sum()
@@ -39,12 +39,18 @@ impl Study {
         self.len() == 0
     }
 
+    /// Whether the cases are counted and numbered without gaps. In a block of more than 10^8 combinations, of which a
+    /// condition must be tested one by one, the number of a case is that of its combination.
+    pub fn is_counted(&self) -> bool {
+        !self.blocks.iter().any(Block::is_uncounted)
+    }
+
     /// Number of raw combinations, at most the limit of the study.
     pub fn raw_len(&self) -> u64 {
         self.blocks.iter().map(Block::raw_len).sum()
     }
 
-    /// Case `index`, from 0, completed; `None` from `len` on.
+    /// Case `index`, from 0, completed; `None` from `len` on, and for a combination that is no case.
     pub fn case(&self, index: u64) -> Option<Case> {
         case(&*self.problem, &self.blocks, index)
     }
@@ -54,7 +60,10 @@ impl Study {
         let found = place(&*self.problem, &self.blocks, index);
         found.map_or_else(Vec::new, |(block, raw)| {
             let mut case = block.raw_case(&*self.problem, raw);
-            block.complete(&*self.problem, &mut case)
+            match block.without_condition(&case) {
+                Some(undecided) => vec![undecided],
+                None => block.complete(&*self.problem, &mut case),
+            }
         })
     }
 
@@ -100,9 +109,18 @@ impl Study {
 
     /// The cases among raw combinations `from..to` with their numbers.
     pub fn range(&self, from: u64, to: u64) -> impl Iterator<Item = (u64, Case)> + '_ {
-        self.parts(from, to).flat_map(|(block, raws, number)| {
+        self.parts(from, to).flat_map(move |(block, raws, number)| {
+            let start = raws.start;
             let raws = raws.filter(|raw| block.is_case(&*self.problem, *raw));
-            (number..).zip(raws.map(|raw| block.completed(&*self.problem, raw)))
+            (number..).zip(raws).map(move |(next, raw)| {
+                let uncounted = block.is_uncounted();
+                let number = if uncounted {
+                    number + raw - start
+                } else {
+                    next
+                };
+                (number, block.completed(&*self.problem, raw))
+            })
         })
     }
 
@@ -124,15 +142,26 @@ impl Study {
         let mut cases = Cases::new(self.problem.schema());
         let (mut case, mut first) = (Case::new(self.problem.schema()), None);
         for (block, raws, number) in self.parts(from, to) {
-            first.get_or_insert(number);
-            for raw in raws.filter(|raw| block.is_case(&*self.problem, *raw)) {
-                block.put(&*self.problem, raw, &mut case);
-                // Of a large block, not every case was tested when the study was read.
-                let violations = block.complete(&*self.problem, &mut case);
-                match Violation::all(&violations) {
-                    None => cases.push(&case),
-                    Some(why) => cases.push_refused(&case, why),
+            if block.is_surely_empty(&*self.problem, &raws) {
+                continue;
+            }
+            let (start, uncounted, mut next) = (raws.start, block.is_uncounted(), number);
+            for raw in raws {
+                let met = block.put_and_test(&*self.problem, raw, &mut case);
+                if !met.unwrap_or(uncounted) {
+                    continue;
                 }
+                if uncounted {
+                    next = number + raw - start;
+                }
+                // Of a large block, not every case was tested when the study was read.
+                let violations = match met {
+                    Some(_) => block.complete(&*self.problem, &mut case),
+                    None => block.without_condition(&case).into_iter().collect(),
+                };
+                let offset = next - *first.get_or_insert(next);
+                cases.push_at(offset, &case, Violation::all(&violations));
+                next += 1;
             }
         }
         (first.unwrap_or(0), cases)

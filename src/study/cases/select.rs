@@ -50,7 +50,7 @@ impl Block {
         // Case numbers rise with combinations. Each is counted from the previous one.
         let (mut last, mut number) = (0, 0);
         selected.map(move |raw| {
-            if self.when.is_none() {
+            if self.when.is_none() || self.is_uncounted() {
                 return (raw, raw);
             }
             number = if raw - last > 4096 {
@@ -99,7 +99,11 @@ impl Block {
         let positions = group.positions(filter);
         let axis = group.axes.iter().find(|axis| axis.parameter == parameter);
         let values = axis.map(|axis| &axis.values);
-        distinct(positions.iter().filter_map(|i| Some(values?.at(*i as usize))))
+        distinct(
+            positions
+                .iter()
+                .filter_map(|i| Some(values?.at(*i as usize))),
+        )
     }
 
     /// Whether the parameters in `from` decide a parameter among the cases that a filter selects: it advances together with one

@@ -21,11 +21,12 @@ impl Tabulated {
         lens.fold(1, u64::saturating_mul)
     }
 
-    /// The value in the table at these positions of the groups.
+    /// The value in the table at these positions of the groups, which nothing reads if there is no table.
     pub fn tabled(&self, groups: &[Group], positions: &[u64]) -> Option<f64> {
+        let table = self.table.as_ref()?;
         let index = |index: u64, group: &usize| index * groups[*group].len() + positions[*group];
         let entry = self.on.iter().fold(0, index);
-        self.table.as_ref()?.get(entry as usize).copied()
+        table.get(entry as usize).copied()
     }
 
     /// The value in the table, or computed from a case. `None` if it has no finite value.

@@ -1,7 +1,6 @@
 //! From the draft of a block to the block: expressions in the order of their references, and the condition.
 
 use super::references::{check_given, report_circle, restates};
-use super::validate::MOST_CASES;
 use crate::problem::{Problem, Schema};
 use crate::study::Block;
 use crate::study::axes::draft::{BlockDraft, ParameterDraft};
@@ -77,7 +76,7 @@ pub(in crate::study) fn resolve(
 /// Adds the condition of a block.
 ///
 /// # Errors
-/// The condition has no value for a case, no case meets it, or it would take too long to test.
+/// The condition has no value for a case, or no case meets it. A block of very many combinations is not tested.
 fn add_condition(
     block: &mut Block,
     formula: &Formula,
@@ -88,13 +87,12 @@ fn add_condition(
     if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
         return Err(not_computed(formula, text, &case, &fault));
     }
-    let (has_table, count) = (tabulated.table.is_some(), block.raw_len());
-    block.when = Some(Condition { formula: tabulated });
-    if !has_table && count > MOST_CASES {
-        return Err(format!(
-            "{}: must be tested for {count} combinations; allowed: at most {MOST_CASES}",
-            quoted(text)
-        ));
+    block.when = Some(Condition {
+        text: text.to_owned(),
+        formula: tabulated,
+    });
+    if block.is_uncounted() {
+        return Ok(());
     }
     if let Some(raw) = block.undecided(problem) {
         let case = block.raw_case(problem, raw);
