@@ -20,6 +20,7 @@ pub use compute::{keep_memory, solution};
 pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
+pub use units::with_unit_columns;
 
 use crate::error::Error;
 use crate::study::Study;
