@@ -17,6 +17,7 @@ mod search;
 pub mod setting;
 mod space;
 mod survey;
+pub mod task;
 
 pub use answer::{Answer, Candidate, Request, Target};
 pub use search::search;
