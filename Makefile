@@ -3,10 +3,10 @@
 # Plain tests and the tests that need more (the network, a run of every study) share the test profile, so that
 # `make test`, `make fresh` and `make licences` build once.
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture
+.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture python-test wheel
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-16s %s\n", $$1, $$2 }'
 
 figures: ## run every study in studies/, judge the claims, write tables, pictures and claims.md to figures/
 	cargo run --release --locked -- run
@@ -89,3 +89,29 @@ schema: ## write schema/study.json, which editors read, and docs/study-files.md
 	mkdir -p schema
 	cargo run --release --locked --quiet -- schema > schema/study.json
 	cargo run --release --locked --quiet -- schema --markdown > docs/study-files.md
+
+PYTHON = python3
+python_env = target/python
+python_tools = maturin pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel
+
+# The extension is built for development. SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
+python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
+	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
+	cargo build --locked
+	cargo clippy --locked --package slipgap-python -- -D warnings
+	. $(python_env)/bin/activate && cd python && maturin develop --locked
+	$(python_env)/bin/pytest --quiet python/tests
+
+# The smallest C library that the wheel needs is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
+wheel_env = target/wheel
+wheel_target = x86_64-unknown-linux-gnu
+wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
+	test -x $(wheel_env)/bin/cargo-zigbuild || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang cargo-zigbuild; }
+	rustup target add $(wheel_target)
+	. $(wheel_env)/bin/activate && cargo zigbuild --release --locked --target $(wheel_target).2.17 --config profile.release.strip=true
+	mkdir -p python/slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap.data/scripts/
+	rm -rf target/wheels
+	. $(wheel_env)/bin/activate && cd python && maturin build --release --locked --zig --target $(wheel_target) --compatibility manylinux2014 --out ../target/wheels
+	rm -rf python/slipgap.data target/wheel-test
+	$(PYTHON) -m venv target/wheel-test && target/wheel-test/bin/pip install --quiet target/wheels/*.whl
+	PATH="$$PWD/target/wheel-test/bin:$$PATH" target/wheel-test/bin/python python/tests/wheel.py
