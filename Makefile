@@ -65,7 +65,7 @@ changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -f '
 noticed_numbers = --test budget --test budget_impact --test mesh --test friction --test friction_work --test impact \
   --test impact_contact --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
   --test sweep --test two_forms --test two_forms_impact
-changed_batch = -f 'src/batch/**' -f 'src/statistics/**' -f src/compare.rs
+changed_batch = -f 'src/batch/**' -f 'src/statistics/**' -f 'src/compare/**'
 noticed_batch = --test command_line
 changed_study = -f 'src/study/**' -e 'src/study/describe/**'
 noticed_study = --test bad_studies --test study_language --test every_case --test command_line

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from typing import Any
 
 Report = Callable[[int, int], object]
@@ -39,7 +40,7 @@ def reporter(progress: bool | Report | None) -> Iterator[Report | None]:
             if done == total:
                 return
             try:
-                from tqdm.auto import tqdm
+                tqdm = import_module("tqdm.auto").tqdm
             except ImportError:
                 if progress:
                     raise ImportError("progress=True needs tqdm: pip install tqdm") from None

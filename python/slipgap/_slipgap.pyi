@@ -7,6 +7,20 @@ from numpy.typing import NDArray
 
 from ._records import Check, Comparison, Failure, Recommendation
 
+__all__ = [
+    "Figure",
+    "Results",
+    "Solution",
+    "Table",
+    "__version__",
+    "compare",
+    "exact",
+    "recommend",
+    "run",
+    "schema",
+    "solve",
+]
+
 __version__: str
 
 @final

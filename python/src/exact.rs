@@ -75,11 +75,9 @@ pub fn exact<'py>(
     };
     let dict = PyDict::new(py);
     for channel in problem.history_columns(&case) {
-        if channel.column.exact {
-            let values = history.channel(channel.index);
-            let values = arrays::numbers(py, values.iter().copied())?;
-            dict.set_item(&*channel.column.name, values)?;
-        }
+        let values = history.channel(channel.index);
+        let values = arrays::numbers(py, values.iter().copied())?;
+        dict.set_item(&*channel.column.name, values)?;
     }
     Ok(dict)
 }

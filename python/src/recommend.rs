@@ -54,6 +54,7 @@ pub fn recommend<'py>(
             ));
         }
     };
+    let stop = search.request.stop.clone();
     let (search, found) = worker::wait(
         py,
         jobs,
@@ -61,7 +62,7 @@ pub fn recommend<'py>(
             let found = best(&*search.space, &search.request);
             Ok((search, found))
         },
-        || (),
+        || stop.stop(),
         |_| Ok(()),
     )?;
     let answer = &found.answer;

@@ -62,7 +62,7 @@ def test_parameters_and_studies_give_the_same_solution() -> None:
     [
         ({"alpha": -1}, "parameters.alpha", "must be > 0, got -1"),
         ({"alpha": True}, "parameters.alpha", "got true"),
-        ({"beta": 1}, "parameters.beta", "beta"),
+        ({"beta": 1}, "parameters.beta", "does not apply to law displacement-control"),
         ({"lav": 1}, "parameters.lav", "law"),
         ({"law": "coulom"}, "parameters.law", "coulomb"),
         ({"dT": 100}, "parameters.dT", "at most duration"),
@@ -80,15 +80,14 @@ def test_mistakes_in_parameters_have_their_path(change: dict[str, Any], path: st
 
 def test_mistakes_in_a_file_have_their_place(tmp_path: Path) -> None:
     file = tmp_path / "x.json"
-    file.write_text('{ "problem": "friction-oscillator",\n  "parameters": { "law": "dahl", "alpha": [1, -2], "dT": 0 } }')
+    file.write_text('{ "problem": "friction-oscillator",\n  "parameters": { "law": "dahl", "alpha": [1, -2], "dT": 0, "duration": 9 } }')
     with pytest.raises(slipgap.SlipgapError) as caught:
         slipgap.run(file)
     error = caught.value
-    assert (error.file, error.line, error.column) == (str(file), 2, 43)
+    assert (error.file, error.line, error.column) == (str(file), 2, 47)
     assert error.path == "parameters.alpha[1]"
-    # alpha, dT, and the duration that is missing.
-    assert len(error.faults) == 3
-    assert f"{file}:2:43: parameters.alpha[1]: must be > 0, got -2" in str(error)
+    assert [fault.path for fault in error.faults] == ["parameters.alpha[1]", "parameters.dT"]
+    assert f"{file}:2:47: parameters.alpha[1]: must be > 0, got -2" in str(error)
     with pytest.raises(slipgap.SlipgapError) as caught:
         slipgap.run(tmp_path / "none.json")
     assert caught.value.file == str(tmp_path / "none.json") and caught.value.faults == ()
@@ -119,7 +118,7 @@ def test_a_dict_may_have_numbers_of_numpy_and_no_others() -> None:
 def test_exact_coulomb() -> None:
     t = numpy.linspace(0, 40, 401)
     exact = slipgap.exact("friction-oscillator", t, x0=12)
-    assert set(exact) == {"X", "V"}
+    assert set(exact) == {"X", "V", "S"}
     # Half-cycle m from (-1)^m (12 - 2m) around (-1)^m; rest within 1 of zero, after six half-cycles.
     m = numpy.minimum(numpy.floor(t / math.pi), 6)
     sign = (-1.0) ** m
@@ -127,6 +126,8 @@ def test_exact_coulomb() -> None:
     expected = numpy.where(t < 6 * math.pi, sliding, 0.0)
     # Both are cosines of numbers up to 19: some units of round-off of 12.
     assert numpy.abs(exact["X"] - expected).max() < 1e-13
+    # Friction is at its limit against the motion, or holds the spring.
+    assert exact["S"][t < 6 * math.pi - 0.01].tolist() == (-sign[t < 6 * math.pi - 0.01]).tolist()
     assert slipgap.exact("friction-oscillator", [])["X"].shape == (0,)
 
 
@@ -153,7 +154,7 @@ def test_exact_bars() -> None:
 
 
 def test_exact_refuses() -> None:
-    for problem, t, given in [
+    refused: list[tuple[str, Any, dict[str, Any]]] = [
         ("structure", [0.0], {}),
         ("bar-impact", [0.0], {"dt": 1}),
         ("bar-impact", [0.0], {"L": -1}),
@@ -162,7 +163,8 @@ def test_exact_refuses() -> None:
         ("friction-oscillator", [math.nan], {}),
         ("friction-oscillator", [[1.0]], {}),
         ("friction-oscillator", [1.0], {"x0": 0}),
-    ]:
+    ]
+    for problem, t, given in refused:
         with pytest.raises(slipgap.SlipgapError):
             slipgap.exact(problem, t, **given)
 
@@ -175,7 +177,7 @@ def test_recommend() -> None:
     best = {"problem": "friction-oscillator", **found.best.parameters}
     error = slipgap.solve(best).metrics["rms_error"]
     assert error is not None and error <= found.best.errors["rms_error"]
-    for problem, targets in [
+    refused: list[tuple[str, dict[str, Any]]] = [
         ("friction-oscillator", {}),
         ("friction-oscillator", {"rms": -1}),
         ("friction-oscillator", {"rms": 0.1, "overlap": 1}),
@@ -184,7 +186,8 @@ def test_recommend() -> None:
         ("bar-impact", {"r": 0.1, "bars": {"lenght": 1}}),
         ("bar-impact", {"r": 0.1, "gamma": 1, "k_I": 1}),
         ("bars", {"r": 1}),
-    ]:
+    ]
+    for problem, targets in refused:
         with pytest.raises(slipgap.SlipgapError):
             slipgap.recommend(problem, **targets)
 

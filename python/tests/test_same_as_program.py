@@ -57,8 +57,8 @@ def test_files_and_numbers(study: Path, program: str, tmp_path: Path) -> None:
         assert figure.svg == (folder / f"{name}.svg").read_text()
     if not (folder / "results.csv").is_file():
         return
-    with open(folder / "results.csv", newline="") as file:
-        header, *rows = csv.reader(file)
+    with open(folder / "results.csv", newline="") as text:
+        header, *rows = csv.reader(text)
     assert results.table.columns == header and len(results.table) == len(rows)
     for column, name in enumerate(header):
         cells = [row[column] for row in rows]
@@ -95,7 +95,7 @@ def test_a_run_in_memory_is_the_same(name: str, studies: Path, tmp_path: Path) -
 def test_settings_and_threads_are_those_of_the_program(program: str, studies: Path, tmp_path: Path) -> None:
     study = studies / "friction-fig5.json"
     settings = ["--set", "dT=pi/20", "--set", "alpha=[0.2, 1, 5]", "--set", "x0=11"]
-    command = [program, "run", study, "--out", tmp_path / "program", "--jobs", "2", *settings]
+    command: list[str | Path] = [program, "run", study, "--out", tmp_path / "program", "--jobs", "2", *settings]
     subprocess.run(command, check=True, capture_output=True)
     given = {"dT": "pi/20", "alpha": [0.2, 1, 5], "x0": 11}
     # Checks of alpha = 0.1 do not match any case: a fault in both. So they are left out here.
@@ -111,7 +111,7 @@ def test_a_solution_is_the_history_of_the_program(
     name: str, program: str, studies: Path, tmp_path: Path
 ) -> None:
     study = studies / f"{name}.json"
-    command = [program, "run", study, "--out", tmp_path, "--histories"]
+    command: list[str | Path] = [program, "run", study, "--out", tmp_path, "--histories"]
     subprocess.run(command, check=True, capture_output=True)
     with open(tmp_path / name / "results.csv", newline="") as file:
         rows = list(csv.DictReader(file))

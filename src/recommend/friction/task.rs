@@ -6,7 +6,7 @@ use crate::problem::friction::FrictionOscillator;
 use crate::problem::parameter::shortest;
 use crate::recommend::setting::choices;
 use crate::recommend::task::{Search, check_target, choice, folder_name};
-use crate::recommend::{Fixed, Request, Target, Variants, metric};
+use crate::recommend::{Fixed, Request, Stop, Target, Variants, metric};
 
 /// The release, unless it is given.
 pub const X0: f64 = 12.0;
@@ -85,6 +85,7 @@ impl FrictionTask {
                 targets: vec![target],
                 energy_gain: self.energy_gain,
                 energy_loss: f64::INFINITY,
+                stop: Stop::default(),
             },
         })
     }

@@ -8,7 +8,7 @@ use crate::problem::parameter::{Kind, Value, shortest};
 use crate::problem::schema::Text;
 use crate::recommend::setting::choices;
 use crate::recommend::task::{Search, check_target, choice, folder_name};
-use crate::recommend::{Fixed, Request, Target, metric};
+use crate::recommend::{Fixed, Request, Stop, Target, metric};
 
 /// The exact motion keeps its energy. A gain of 1 % of the energy is 0.5 % of a velocity, less than most targets allow.
 pub const ENERGY_GAIN: f64 = 0.01;
@@ -155,6 +155,7 @@ impl ImpactTask {
                 targets,
                 energy_gain: self.energy_gain,
                 energy_loss: self.energy_loss,
+                stop: Stop::default(),
             },
         })
     }
