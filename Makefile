@@ -23,8 +23,8 @@ test: ## check results and verdicts against recorded values, run all tests
 	cargo test --locked
 
 lint: ## formatting, clippy and documentation without warnings
-	cargo fmt --check
-	cargo clippy --locked --all-targets -- -D warnings
+	cargo fmt --all --check
+	cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
@@ -97,21 +97,21 @@ python_tools = maturin pytest mypy numpy pandas polars pyarrow duckdb scipy matp
 # The extension is built for development. SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
 	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
-	cargo build --locked
-	cargo clippy --locked --package slipgap-python -- -D warnings
+	cargo build --locked --package slipgap --package slipgap-python
 	. $(python_env)/bin/activate && cd python && maturin develop --locked
 	$(python_env)/bin/pytest --quiet python/tests
 
-# The smallest C library that the wheel needs is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
+# The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
+# Program and module are built with the same options, so that the library is compiled once.
 wheel_env = target/wheel
 wheel_target = x86_64-unknown-linux-gnu
+wheel_options = --release --locked --config profile.release.strip=true
 wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
 	test -x $(wheel_env)/bin/cargo-zigbuild || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang cargo-zigbuild; }
-	rustup target add $(wheel_target)
-	. $(wheel_env)/bin/activate && cargo zigbuild --release --locked --target $(wheel_target).2.17 --config profile.release.strip=true
+	. $(wheel_env)/bin/activate && cargo zigbuild $(wheel_options) --target $(wheel_target).2.17 --package slipgap --package slipgap-python --bin slipgap
 	mkdir -p python/slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap.data/scripts/
 	rm -rf target/wheels
-	. $(wheel_env)/bin/activate && cd python && maturin build --release --locked --zig --target $(wheel_target) --compatibility manylinux2014 --out ../target/wheels
+	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) --zig --target $(wheel_target) --compatibility manylinux2014 --out ../target/wheels
 	rm -rf python/slipgap.data target/wheel-test
 	$(PYTHON) -m venv target/wheel-test && target/wheel-test/bin/pip install --quiet target/wheels/*.whl
-	PATH="$$PWD/target/wheel-test/bin:$$PATH" target/wheel-test/bin/python python/tests/wheel.py
+	target/wheel-test/bin/python python/tests/wheel.py

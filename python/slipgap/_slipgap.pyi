@@ -1,5 +1,6 @@
 from collections.abc import Callable, Mapping
 from os import PathLike
+from pathlib import Path
 from typing import Any, final
 
 import numpy
@@ -58,7 +59,7 @@ class Results:
     @property
     def manifest(self) -> dict[str, Any]: ...
     @property
-    def folder(self) -> PathLike[str] | None: ...
+    def folder(self) -> Path | None: ...
 
 @final
 class Solution:

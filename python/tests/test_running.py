@@ -6,11 +6,13 @@ import subprocess
 import sys
 import threading
 import time
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 import slipgap
+from slipgap._progress import reporter
 
 # Minutes of computing.
 LONG: dict[str, Any] = {
@@ -95,6 +97,40 @@ def test_progress_counts_the_cases() -> None:
     slipgap.run(study, progress=lambda done, total: seen.append((done, total)))
     assert seen[-1] == (3, 3)
     assert [done for done, _ in seen] == sorted(done for done, _ in seen)
+
+
+class Bar:
+    """What the package uses of tqdm."""
+
+    def __init__(self, total: int, unit: str, delay: float) -> None:
+        self.total, self.n, self.closed = total, 0, False
+        bars.append(self)
+
+    def update(self, more: int) -> None:
+        self.n += more
+
+    def close(self) -> None:
+        self.closed = True
+
+
+bars: list[Bar] = []
+
+
+def test_a_bar_of_tqdm_counts_the_cases(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "tqdm.auto", SimpleNamespace(tqdm=Bar))
+    bars.clear()
+    with reporter(True) as report:
+        assert report is not None and bars == []
+        for done in [0, 4, 9]:
+            report(done, 9)
+    [bar] = bars
+    assert (bar.total, bar.n, bar.closed) == (9, 9, True)
+    with reporter(None) as report:
+        assert report is None
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    with reporter(True) as report, pytest.raises(ImportError, match="pip install tqdm"):
+        assert report is not None
+        report(0, 9)
 
 
 def test_no_bar_without_a_terminal(capfd: pytest.CaptureFixture[str]) -> None:
