@@ -28,6 +28,10 @@ fn every_command_of_the_guide_works_in_its_order() {
             studies += 1;
             continue;
         }
+        // The tests of the Python package run its examples.
+        if language == "python" {
+            continue;
+        }
         assert_eq!(language, "sh");
         for line in text.lines() {
             let words: Vec<&str> = line
@@ -45,7 +49,7 @@ fn every_command_of_the_guide_works_in_its_order() {
             commands += 1;
         }
     }
-    assert_eq!((commands, studies), (13, 3));
+    assert_eq!((commands, studies), (18, 3));
     assert!(folder.path().join("figures/knock/force.png").is_file());
     assert!(
         folder

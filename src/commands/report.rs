@@ -11,6 +11,7 @@ use slipgap::batch::store::Store;
 use slipgap::batch::{self, RunOptions};
 use slipgap::checks::ReducedChecks;
 use slipgap::claims::compute;
+use slipgap::claims::ledger::Ledger;
 use slipgap::error::Error;
 use slipgap::report::{
     self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
@@ -28,14 +29,24 @@ const LEDGERS: &str = "claims";
 /// Runs the studies with the stores in `out` and writes the page there; returns the exit code.
 pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     let folder = Folder::open(out)?;
-    let mut readings = tested_readings(sources, out)?;
+    // Before anything is computed, because a ledger may have faults.
+    let ledgers = match Path::new(LEDGERS).is_dir() {
+        true => claims::read(&[PathBuf::from(LEDGERS)])?,
+        false => Vec::new(),
+    };
     let mut sections = Vec::new();
     let mut bytes_left = MOST_BYTES;
     for (i, source) in sources.iter().enumerate() {
-        let claims = std::mem::take(&mut readings[i]);
-        let section = section(source, i, out, bytes_left, claims)?;
+        let section = section(source, i, out, bytes_left)?;
         bytes_left = bytes_left.saturating_sub(section.results.bytes());
         sections.push(section);
+    }
+    // The claims read the stores of the sections.
+    for (section, readings) in sections
+        .iter_mut()
+        .zip(tested_readings(sources, &ledgers, out)?)
+    {
+        section.claims = readings;
     }
     let path = folder.write_unlisted(PAGE, |file| report::write(file, &sections))?;
     print(&format!("{}\n", path.display()))
@@ -47,7 +58,6 @@ fn section<'a>(
     index: usize,
     out: &Path,
     largest: usize,
-    claims: Vec<TestedReading>,
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
     let results = out.join(&source.name);
@@ -109,7 +119,7 @@ fn section<'a>(
         indices: Indices::new(indices.as_deref().unwrap_or_default()),
         quantiles: ensembles.as_ref().map(Quantiles::new),
         checks,
-        claims,
+        claims: Vec::new(),
     })
 }
 
@@ -140,18 +150,19 @@ fn update_results(source: &Source, results: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// For each study the readings of claims that it tests, tested now; none if there are no ledgers.
-fn tested_readings(sources: &[Source], out: &Path) -> Result<Vec<Vec<TestedReading>>, Error> {
+/// For each study the readings of claims that it tests, tested now.
+fn tested_readings(
+    sources: &[Source],
+    ledgers: &[Ledger],
+    out: &Path,
+) -> Result<Vec<Vec<TestedReading>>, Error> {
     let mut readings: Vec<Vec<TestedReading>> = sources.iter().map(|_| Vec::new()).collect();
-    if !Path::new(LEDGERS).is_dir() {
-        return Ok(readings);
-    }
     let same = |a: &Path, b: &Path| {
         a.canonicalize()
             .ok()
             .is_some_and(|a| b.canonicalize().ok() == Some(a))
     };
-    for ledger in claims::read(&[PathBuf::from(LEDGERS)])? {
+    for ledger in ledgers {
         let index = |study: usize| {
             let file = &ledger.studies[study].file;
             // A study with settings of the command line does not test a claim.
@@ -162,7 +173,7 @@ fn tested_readings(sources: &[Source], out: &Path) -> Result<Vec<Vec<TestedReadi
         if (0..ledger.studies.len()).all(|study| index(study).is_none()) {
             continue;
         }
-        let findings = compute(&ledger, out, &ProgressBar::hidden())?;
+        let findings = compute(ledger, out, &ProgressBar::hidden())?;
         note(&format!("{}: judged", ledger.paper));
         for (claim, findings) in ledger.claims.iter().zip(findings) {
             for (reading, finding) in claim.readings.iter().zip(findings) {

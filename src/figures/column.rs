@@ -7,8 +7,13 @@ use crate::study::{Column, Scale, Study};
 pub fn value(shown: &DrawnCase, column: Column) -> Option<f64> {
     match column {
         Column::Parameter(row) => shown.case.values[row].and_then(|value| value.as_f64()),
-        Column::Metric(row) => shown.metrics.get(row).copied().flatten(),
+        Column::Metric(row) => metric_of(shown, row),
     }
+}
+
+/// The metric of a case in a row of the study's measures.
+pub fn metric_of(shown: &DrawnCase, row: usize) -> Option<f64> {
+    shown.metrics.get(row).copied().flatten()
 }
 
 /// The title of a column, in markup.

@@ -4,7 +4,7 @@ use crate::figures::DrawnCase;
 use crate::figures::text::{markup, number};
 use crate::problem::Case;
 use crate::problem::parameter::{Default, Parameter, Value};
-use crate::study::{Filter, Study};
+use crate::study::{Filter, Study, alike};
 use std::collections::HashMap;
 
 /// Whether two values are the same, or both do not apply.
@@ -75,16 +75,7 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
         blocks.all(|block| block.follows(&all, *row, &[x]))
     };
     // Blocks may give different values at the same place.
-    let one_a_place = |row: usize| {
-        let mut found = HashMap::new();
-        cases.iter().all(|shown| {
-            let (place, its) = (
-                shown.case.values[x].map(Value::identity),
-                shown.case.values[row],
-            );
-            same(*found.entry(place).or_insert(its), its)
-        })
-    };
+    let one_a_place = |row: usize| settled_by(cases, &[x], row);
     let (mut along, mut distinguishing) = (vec![x], Vec::new());
     for row in (0..table.len()).filter(|row| *row != x && varies(cases, *row)) {
         let follows = !study.blocks.is_empty() && follows(&row) && one_a_place(row);
@@ -95,20 +86,20 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
         }
     }
     // A value that the problem computes distinguishes a curve if all cases of the curve have it.
-    let curve = |shown: &DrawnCase| -> Vec<Option<(u64, &str)>> {
-        let its = distinguishing.iter().map(|row| shown.case.values[*row]);
-        its.map(|value| value.map(Value::identity)).collect()
-    };
-    let settled = |row: &usize| {
-        let mut found = HashMap::new();
-        cases.iter().all(|shown| {
-            let its = shown.case.values[*row];
-            same(*found.entry(curve(shown)).or_insert(its), its)
-        })
-    };
+    let settled = |row: &usize| settled_by(cases, &distinguishing, *row);
     let unsettled = (0..table.len()).filter(|row| worked_out(row) && !settled(row));
     along.extend(unsettled);
     along
+}
+
+/// Whether all cases with the same values of the parameters `by` have the same value of another one.
+fn settled_by(cases: &[DrawnCase], by: &[usize], row: usize) -> bool {
+    let mut found = HashMap::new();
+    cases.iter().all(|shown| {
+        let its = shown.case.values[row];
+        let first = found.entry(alike::identity(shown.case, by)).or_insert(its);
+        same(*first, its)
+    })
 }
 
 fn varies(cases: &[DrawnCase], row: usize) -> bool {
@@ -126,21 +117,12 @@ fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
 
 /// Whether a label of cases has one value of a parameter, together with the parameters `except`: its name is enough.
 fn behind_a_label(table: &[Parameter], cases: &[DrawnCase], row: usize, except: &[usize]) -> bool {
-    let labels: Vec<usize> = (0..table.len())
-        .filter(|row| table[*row].is_label())
-        .collect();
+    let labels = (0..table.len()).filter(|row| table[*row].is_label());
+    let labels: Vec<usize> = labels.collect();
     if labels.is_empty() || table[row].is_label() {
         return false;
     }
-    let mut found = HashMap::new();
-    cases.iter().all(|shown| {
-        let rows = labels.iter().chain(except);
-        let key: Vec<_> = rows
-            .map(|row| shown.case.values[*row].map(Value::identity))
-            .collect();
-        let its = shown.case.values[row];
-        same(*found.entry(key).or_insert(its), its)
-    })
+    settled_by(cases, &[&labels, except].concat(), row)
 }
 
 /// The parameters that labels name: `by`, or else all that vary but the rows `except`.

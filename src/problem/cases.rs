@@ -96,6 +96,18 @@ impl Cases {
         &self.columns
     }
 
+    /// A case with the values in these rows of the table, if all cases have the same.
+    pub fn common(&self, rows: impl Iterator<Item = usize>) -> Option<Case> {
+        let mut case = Case::new(&self.schema);
+        for row in rows {
+            match &self.columns[row] {
+                Column::Same(value) => case.values[row] = *value,
+                Column::Each(_) => return None,
+            }
+        }
+        Some(case)
+    }
+
     /// Access to the cases, one after the other.
     pub fn shown(&self) -> Shown<'_> {
         let mut case = Case::new(&self.schema);

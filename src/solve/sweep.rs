@@ -104,13 +104,13 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
     // Arrays are filled by loops: with more than 16 lanes, maps of arrays are not inlined.
     fn group<C>(
         &mut self,
-        members: impl ExactSizeIterator<Item = (usize, C)> + Clone,
+        members: impl ExactSizeIterator<Item = (usize, C)> + DoubleEndedIterator + Clone,
         table: &mut MetricTable,
     ) where
         C: LaneCase<L, Reference = E, Track = T>,
     {
         let count = members.len();
-        let Some((row, last)) = members.clone().last() else {
+        let Some((row, last)) = members.clone().next_back() else {
             return;
         };
         // The last group of a kind fills its lanes with its last case.
@@ -126,16 +126,19 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
                 Some((key, reference)) if same(*key, first.reference_key()) => reference,
                 other => &mut other.insert((first.reference_key(), first.reference())).1,
             };
-            let all = (range.len() >= SHARED).then(|| C::metrics(&lanes, &self.motion, reference));
-            for l in range {
-                let row = rows[l];
-                if !finite[l] {
-                    table.fail(row, Unsolvable::OutOfRange);
-                } else if let Some(all) = &all {
-                    table.set(row, all.as_ref().iter().map(|metric| metric.0[l]));
-                } else {
+            for l in range.clone().filter(|l| !finite[*l]) {
+                table.fail(rows[l], Unsolvable::OutOfRange);
+            }
+            let solved = range.clone().filter(|l| finite[*l]);
+            if range.len() >= SHARED {
+                let all = C::metrics(&lanes, &self.motion, reference);
+                for l in solved {
+                    table.set(rows[l], all.as_ref().iter().map(|metric| metric.0[l]));
+                }
+            } else {
+                for l in solved {
                     let one = lanes[l].metrics_of_one(&self.motion, l, reference);
-                    table.set(row, one.as_ref().iter().map(|metric| metric.0[0]));
+                    table.set(rows[l], one.as_ref().iter().map(|metric| metric.0[0]));
                 }
             }
         }
@@ -144,7 +147,7 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
 
 /// Whether numbers are the same in all bits.
 fn same(a: ReferenceKey, b: ReferenceKey) -> bool {
-    a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+    (0..a.len()).all(|i| a[i].to_bits() == b[i].to_bits())
 }
 
 /// The runs of cases with the same steps and exact solution.

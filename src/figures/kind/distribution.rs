@@ -1,12 +1,11 @@
 //! Empirical distribution functions of metrics with their confidence bands, a panel for each metric.
 
 use super::Draw;
-use super::ensembles::{Ensemble, MOST_CURVES, ensembles, keys, stroke, value, without_value};
+use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
 use crate::figures::DrawnCase;
-use crate::figures::column::has_place;
+use crate::figures::column::{has_place, metric_of};
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
-use crate::figures::layout::legend::Key;
 use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Band, Panel, Series, Sheet};
 use crate::figures::style;
@@ -26,9 +25,7 @@ const BANDS: &str = "Bands: contain the distribution function of independent cas
 
 impl Draw for Distribution {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
-        let mut found = ensembles(study, cases, self.by, None);
-        let all = found.len();
-        found.truncate(MOST_CURVES);
+        let (found, all) = ensembles(study, cases, self.by, None);
         let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
         let [x_range, y_range] = figure.ranges;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
@@ -41,7 +38,7 @@ impl Draw for Distribution {
         );
         let across = |metric: &usize| {
             let values = found.iter().flat_map(|of| of.cases.iter());
-            let values = values.filter_map(|shown| value(shown, *metric));
+            let values = values.filter_map(|shown| metric_of(shown, *metric));
             let title = &study.measures[*metric].symbol;
             limits::axis(title, values, self.x_scale, x_range, width / 50.0)
         };
@@ -64,14 +61,11 @@ impl Draw for Distribution {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, found.len(), all);
-        let curves = found.iter().enumerate().map(|(k, ensemble)| Key {
-            label: ensemble.label.clone(),
-            stroke: stroke(k),
-            width: style::CASE_LINE,
-            marker: None,
-        });
-        let keys = keys(curves);
-        layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        layout::finish(
+            &mut sheet,
+            vec![keys(&found, |_| None)],
+            figure.title.as_deref(),
+        );
         layout::small_print(&mut sheet, &format!("{BANDS} {}", counts(&found)));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
@@ -94,7 +88,7 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, k: usize) {
     let values = ensemble
         .cases
         .iter()
-        .filter_map(|shown| value(shown, metric));
+        .filter_map(|shown| metric_of(shown, metric));
     let mut rising: Vec<f64> = values.collect();
     rising.sort_unstable_by(f64::total_cmp);
     if rising.is_empty() {

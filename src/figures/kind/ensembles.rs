@@ -1,14 +1,15 @@
 //! What the figures of ensembles share: the ensembles among the cases, their strokes, and the cases without a value.
 
 use crate::figures::DrawnCase;
+use crate::figures::column::metric_of;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::legend::Key;
 use crate::figures::layout::sheet::Sheet;
-use crate::figures::style::Stroke;
+use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::markup;
+use crate::problem::parameter::Value;
 use crate::study::{Study, alike};
-use std::collections::HashMap;
 
 /// Most curves of a figure: as many as a reader can distinguish without markers.
 pub const MOST_CURVES: usize = 6;
@@ -22,30 +23,23 @@ pub struct Ensemble<'a, 'c> {
     pub cases: Vec<&'a DrawnCase<'c>>,
 }
 
-/// The ensembles of a figure: the cases of each value of `by`, or else of each set of values of the parameters that vary
-/// and do not change with the ensemble or with `x`.
+/// The ensembles of a figure, at most [`MOST_CURVES`], and the number of all: the cases of each value of `by`, or else of each set of
+/// values of the parameters that vary and do not change with the ensemble or with `x`.
 pub fn ensembles<'a, 'c>(
     study: &Study,
     cases: &'a [DrawnCase<'c>],
     by: Option<usize>,
     x: Option<usize>,
-) -> Vec<Ensemble<'a, 'c>> {
+) -> (Vec<Ensemble<'a, 'c>>, usize) {
     let also: Vec<usize> = x.into_iter().collect();
     let outside = study.outside_ensemble(&also);
     let rows = by.map_or_else(|| outside.clone(), |row| vec![row]);
-    let mut found: Vec<Ensemble> = Vec::new();
-    let mut known = HashMap::new();
-    for shown in cases {
-        let identity = alike::identity(shown.case, &rows);
-        let place = *known.entry(identity).or_insert_with(|| {
-            found.push(Ensemble {
-                label: String::new(),
-                cases: Vec::new(),
-            });
-            found.len() - 1
-        });
-        found[place].cases.push(shown);
-    }
+    let groups = alike::grouped(cases, |shown| alike::identity(shown.case, &rows));
+    let ensemble = |cases| Ensemble {
+        label: String::new(),
+        cases,
+    };
+    let mut found: Vec<Ensemble> = groups.into_iter().map(ensemble).collect();
     if found.len() > 1 {
         let table = study.problem.parameters();
         let except: Vec<usize> = (0..table.len())
@@ -57,12 +51,24 @@ pub fn ensembles<'a, 'c>(
             ensemble.label = label;
         }
     }
-    found
+    let all = found.len();
+    found.truncate(MOST_CURVES);
+    (found, all)
 }
 
-/// The value of a metric of a case.
-pub fn value(shown: &DrawnCase, metric: usize) -> Option<f64> {
-    shown.metrics.get(metric).copied().flatten()
+impl<'a, 'c> Ensemble<'a, 'c> {
+    /// Its cases at each value of a parameter, by rising value.
+    pub fn at_each(&self, x: usize) -> Vec<(f64, Vec<&'a DrawnCase<'c>>)> {
+        let value =
+            |shown: &DrawnCase| shown.case.values[x].filter(|value| value.as_f64().is_some());
+        let cases = self.cases.iter().copied();
+        let placed = cases.filter(|shown| value(shown).is_some());
+        let groups = alike::grouped(placed, |shown| value(shown).map(Value::identity));
+        let at = |cases: Vec<&'a DrawnCase<'c>>| Some((value(cases[0])?.as_f64()?, cases));
+        let mut found: Vec<_> = groups.into_iter().filter_map(at).collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found
+    }
 }
 
 /// The stroke of curve `i`.
@@ -71,14 +77,23 @@ pub fn stroke(i: usize) -> Stroke {
 }
 
 /// Keys of the curves with a label.
-pub fn keys(keys: impl Iterator<Item = Key>) -> Vec<Key> {
+pub fn keys(found: &[Ensemble], marker: impl Fn(usize) -> Option<Marker>) -> Vec<Key> {
+    let key = |(k, ensemble): (usize, &Ensemble)| Key {
+        label: ensemble.label.clone(),
+        stroke: stroke(k),
+        width: style::CASE_LINE,
+        marker: marker(k),
+    };
+    let keys = found.iter().enumerate().map(key);
     keys.filter(|key| !key.label.is_empty()).collect()
 }
 
 /// Adds under a finished sheet how many cases have no value of a metric.
 pub fn without_value(sheet: &mut Sheet, study: &Study, cases: &[DrawnCase], metrics: &[usize]) {
     for metric in metrics {
-        let empty = cases.iter().filter(|shown| value(shown, *metric).is_none());
+        let empty = cases
+            .iter()
+            .filter(|shown| metric_of(shown, *metric).is_none());
         let (empty, all) = (empty.count(), cases.len());
         if empty > 0 {
             let name = markup::escape(&study.measures[*metric].name);

@@ -1,8 +1,9 @@
 //! The part of the cases in which a metric exceeds a limit, with intervals and a lognormal function.
 
 use super::Draw;
-use super::ensembles::{Ensemble, MOST_CURVES, ensembles, stroke, value, without_value};
+use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::figures::DrawnCase;
+use crate::figures::column::metric_of;
 use crate::figures::layout;
 use crate::figures::layout::legend::Key;
 use crate::figures::layout::limits;
@@ -11,12 +12,10 @@ use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::style::{self, Marker};
 use crate::figures::text::markup::plain;
 use crate::figures::text::number;
-use crate::problem::parameter::Value;
 use crate::statistics::binomial;
 use crate::statistics::lognormal::{Fragility as Fit, NoFit, Trials};
 use crate::study::kinds::Fragility;
 use crate::study::{Figure, Scale, Study};
-use std::collections::HashMap;
 
 /// Points of a fitted curve.
 const POINTS: u32 = 200;
@@ -35,9 +34,7 @@ const BESIDE: &str = "Points at the same value are drawn side by side.";
 
 impl Draw for Fragility {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
-        let mut found = ensembles(study, cases, self.by, Some(self.x));
-        let all = found.len();
-        found.truncate(MOST_CURVES);
+        let (found, all) = ensembles(study, cases, self.by, Some(self.x));
         let trials: Vec<Vec<Trials>> = found.iter().map(|of| self.trials(of)).collect();
         let fits: Vec<Result<Fit, NoFit>> = trials.iter().map(|of| Fit::fit(of)).collect();
         let height = 190.0;
@@ -60,7 +57,7 @@ impl Draw for Fragility {
                 let curve = curve(&panel, fit, k);
                 panel.series.push(curve);
             }
-            let shift = APART * (k as f64 - 0.5 * (found.len() as f64 - 1.0));
+            let shift = shift(k, found.len());
             points(&mut panel, trials, shift, k, &found[k].label);
         }
         let mut sheet = Sheet {
@@ -90,20 +87,15 @@ impl Draw for Fragility {
 
     /// The numbers of cases at each point.
     fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
-        let mut found = ensembles(study, cases, self.by, Some(self.x));
-        found.truncate(MOST_CURVES);
+        let (found, _) = ensembles(study, cases, self.by, Some(self.x));
         let Some(panel) = sheet.panels.first() else {
             return Vec::new();
         };
         let symbol = plain(&study.problem.parameters()[self.x].symbol);
         let mut points = Vec::new();
         for (k, ensemble) in found.iter().enumerate() {
-            let shift = APART * (k as f64 - 0.5 * (found.len() as f64 - 1.0));
-            for trials in self
-                .trials(ensemble)
-                .iter()
-                .filter(|trials| trials.count > 0)
-            {
+            let shift = shift(k, found.len());
+            for trials in &self.trials(ensemble) {
                 let [x, y] = panel.place([trials.at, part(trials)]);
                 let at = [x + shift, y];
                 let [low, high] = binomial::interval(trials.exceeded, trials.count);
@@ -136,28 +128,23 @@ impl Fragility {
 
     /// The trials of an ensemble at each x, rising; of cases without a value none.
     fn trials(&self, ensemble: &Ensemble) -> Vec<Trials> {
-        let mut found: Vec<Trials> = Vec::new();
-        let mut known = HashMap::new();
-        for shown in &ensemble.cases {
-            let at = shown.case.values[self.x];
-            let at = at.and_then(|value| Some((value, value.as_f64()?)));
-            let (Some((at, x)), Some(value)) = (at, value(shown, self.y)) else {
-                continue;
-            };
-            let place = *known.entry(Value::identity(at)).or_insert_with(|| {
-                found.push(Trials {
-                    at: x,
-                    exceeded: 0,
-                    count: 0,
-                });
-                found.len() - 1
-            });
-            found[place].count += 1;
-            found[place].exceeded += u64::from(value > self.limit);
-        }
-        found.sort_by(|a, b| a.at.total_cmp(&b.at));
-        found
+        let trials = |(at, cases): (f64, Vec<&DrawnCase>)| {
+            let values = cases.iter().filter_map(|shown| metric_of(shown, self.y));
+            let values: Vec<f64> = values.collect();
+            Trials {
+                at,
+                exceeded: values.iter().filter(|value| **value > self.limit).count() as u64,
+                count: values.len() as u64,
+            }
+        };
+        let all = ensemble.at_each(self.x).into_iter().map(trials);
+        all.filter(|trials| trials.count > 0).collect()
     }
+}
+
+/// How far the points of curve `k` of `count` are beside their place.
+fn shift(k: usize, count: usize) -> f64 {
+    APART * (k as f64 - 0.5 * (count as f64 - 1.0))
 }
 
 /// The part of the cases that exceeds.

@@ -1,21 +1,19 @@
 //! Quantiles of metrics over a parameter: the median as a line on a band, a panel for each metric.
 
 use super::Draw;
-use super::ensembles::{Ensemble, MOST_CURVES, ensembles, keys, stroke, value, without_value};
+use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
 use crate::figures::DrawnCase;
+use crate::figures::column::metric_of;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
 use crate::figures::layout::guides;
-use crate::figures::layout::legend::Key;
 use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Band, Panel, Series, Sheet};
 use crate::figures::style::{self, Marker};
 use crate::figures::text::number;
-use crate::problem::parameter::Value;
 use crate::statistics::quantile::quantile;
 use crate::study::kinds::Quantiles;
 use crate::study::{Figure, Scale, Study};
-use std::collections::HashMap;
 
 /// Most points of a curve that each have a marker.
 const MOST_MARKED: usize = 40;
@@ -25,9 +23,7 @@ type Point = (f64, [f64; 3]);
 
 impl Draw for Quantiles {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
-        let mut found = ensembles(study, cases, self.by, Some(self.x));
-        let all = found.len();
-        found.truncate(MOST_CURVES);
+        let (found, all) = ensembles(study, cases, self.by, Some(self.x));
         let points = |metric: &usize| -> Vec<Vec<Point>> {
             let of = |ensemble: &Ensemble| self.points_of(ensemble, *metric);
             found.iter().map(of).collect()
@@ -84,13 +80,7 @@ impl Draw for Quantiles {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, found.len(), all);
-        let curves = found.iter().enumerate().map(|(k, ensemble)| Key {
-            label: ensemble.label.clone(),
-            stroke: stroke(k),
-            width: style::CASE_LINE,
-            marker: marker(k),
-        });
-        let mut keys = keys(curves);
+        let mut keys = keys(&found, marker);
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         layout::small_print(&mut sheet, &self.meaning());
@@ -108,22 +98,10 @@ impl Quantiles {
 
     /// The points of a curve, by rising x.
     fn points_of(&self, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
-        let mut found: Vec<(f64, Vec<f64>)> = Vec::new();
-        let mut known = HashMap::new();
-        for shown in &ensemble.cases {
-            let at = shown.case.values[self.x];
-            let Some((at, x)) = at.and_then(|value| Some((value, value.as_f64()?))) else {
-                continue;
-            };
-            let place = *known.entry(Value::identity(at)).or_insert_with(|| {
-                found.push((x, Vec::new()));
-                found.len() - 1
-            });
-            found[place].1.extend(value(shown, metric));
-        }
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let [low, high] = self.band;
-        let point = |(x, mut values): (f64, Vec<f64>)| {
+        let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
+            let values = cases.iter().filter_map(|shown| metric_of(shown, metric));
+            let mut values: Vec<f64> = values.collect();
             values.sort_unstable_by(f64::total_cmp);
             let of = |p| {
                 quantile(&values, p)
@@ -132,7 +110,7 @@ impl Quantiles {
             };
             (x, [of(low), of(0.5), of(high)])
         };
-        found.into_iter().map(point).collect()
+        ensemble.at_each(self.x).into_iter().map(point).collect()
     }
 }
 

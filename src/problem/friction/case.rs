@@ -1,6 +1,6 @@
 //! A case of the oscillator as numbers, its system, and its default metrics in a sweep.
 
-use super::law::{law, plain_law};
+use super::law::{PlainLawName, law, plain_law};
 use super::tables::rows;
 use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
 use crate::lane::Lane;
@@ -74,17 +74,29 @@ impl OscillatorCase {
 }
 
 impl PlainCase {
-    /// The parameters; `None` if one is not given, and for another law or method.
-    pub fn plain(case: &Case) -> Option<PlainCase> {
-        if method::has_rules(case, rows::METHOD) {
-            return None;
+    /// The law of a case; `None` for another law or method. It depends on the parameters [`PlainCase::deciding`].
+    pub fn law_name(case: &Case) -> Option<PlainLawName> {
+        match method::has_rules(case, rows::METHOD) {
+            true => None,
+            false => PlainLawName::of(case),
         }
-        let (law, force) = plain_law(case)?;
+    }
+
+    /// The parameters that decide whether a case has this form.
+    pub fn deciding() -> impl Iterator<Item = usize> {
+        PlainLawName::ROWS.into_iter().chain([rows::METHOD])
+    }
+
+    /// The parameters of a case with this law; `None` if one is not given.
+    #[inline(always)]
+    pub fn plain(case: &Case, name: PlainLawName) -> Option<PlainCase> {
+        let (law, force) = plain_law(name, case)?;
         OscillatorCase::with(case, law, Average, force)
     }
 }
 
 impl<W, M> OscillatorCase<W, M> {
+    #[inline(always)]
     fn with(case: &Case, law: W, method: M, force: f64) -> Option<Self> {
         let (step, duration) = (case.at(rows::DT)?, case.at(rows::DURATION)?);
         Some(OscillatorCase {
@@ -103,8 +115,8 @@ impl<W, M> OscillatorCase<W, M> {
     pub fn work<const L: usize, T>(&self, motion: &Motion<L, T>, lane: usize) -> f64 {
         match &motion.taken {
             None => {
-                let [x, v, _] = motion.end.map(|x| x.0[lane]);
-                work_by_energy(self.x0, [x, v])
+                let [x, v, _] = &motion.end;
+                work_by_energy(self.x0, [x.0[lane], v.0[lane]])
             }
             Some(taken) => taken.by_contact.0[lane] / self.x0.abs(),
         }

@@ -18,7 +18,7 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
         let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
         Some(release_force(slip, number(rows::X0)?))
     };
-    if let Some((law, force)) = plain_law(case) {
+    if let Some((law, force)) = PlainLawName::of(case).and_then(|name| plain_law(name, case)) {
         return Some((law.into(), force));
     }
     Some(match LawName::parse(case.name_at(rows::LAW))? {
@@ -87,25 +87,49 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
     })
 }
 
-/// A law of `[F]` with S(0); `None` if a parameter is not given, and for another law.
-pub fn plain_law(case: &Case) -> Option<(PlainLaw, f64)> {
+/// Which law of `[F]` a case has.
+#[derive(Debug, Clone, Copy)]
+pub enum PlainLawName {
+    Displacement(InitialSlip),
+    Velocity,
+}
+
+impl PlainLawName {
+    /// The parameters that it depends on.
+    pub const ROWS: [usize; 3] = [rows::LAW, rows::INITIAL_SLIP, rows::NU_RATIO];
+
+    /// `None` for another law.
+    pub fn of(case: &Case) -> Option<PlainLawName> {
+        match LawName::parse(case.name_at(rows::LAW))? {
+            LawName::DisplacementControl => {
+                let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
+                Some(PlainLawName::Displacement(slip))
+            }
+            // With another ratio it is the law of a bearing.
+            LawName::VelocityControl if case.at(rows::NU_RATIO)? == 1.0 => {
+                Some(PlainLawName::Velocity)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// This law of `[F]` with S(0); `None` if a parameter is not given.
+#[inline(always)]
+pub fn plain_law(name: PlainLawName, case: &Case) -> Option<(PlainLaw, f64)> {
     let limit = LIMIT;
-    match LawName::parse(case.name_at(rows::LAW))? {
-        LawName::DisplacementControl => {
+    match name {
+        PlainLawName::Displacement(slip) => {
             let compliance = case.at(rows::ALPHA)?;
-            let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
             let law = DisplacementControl { compliance, limit };
             let force = release_force(slip, case.at(rows::X0)?);
             Some((PlainLaw::Displacement(law), force))
         }
-        LawName::VelocityControl if case.at(rows::NU_RATIO)? == 1.0 => {
+        PlainLawName::Velocity => {
             let compliance = case.at(rows::BETA)?;
-            Some((
-                PlainLaw::Velocity(VelocityControl { compliance, limit }),
-                0.0,
-            ))
+            let law = VelocityControl { compliance, limit };
+            Some((PlainLaw::Velocity(law), 0.0))
         }
-        _ => None,
     }
 }
 

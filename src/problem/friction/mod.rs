@@ -53,9 +53,15 @@ impl Problem for FrictionOscillator {
     }
 
     fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
-        let own = |case: &Case| match PlainCase::plain(case) {
-            Some(own) => Ok(Form::Plain(own)),
-            None => self.lane_case(case).map(Form::Other),
+        // Names are compared once, if all cases have the same.
+        let common = cases.common(PlainCase::deciding());
+        let common = common.map(|case| PlainCase::law_name(&case));
+        let own = |case: &Case| {
+            let name = common.unwrap_or_else(|| PlainCase::law_name(case));
+            match name.and_then(|name| PlainCase::plain(case, name)) {
+                Some(own) => Ok(Form::Plain(own)),
+                None => self.lane_case(case).map(Form::Other),
+            }
         };
         sweep_cases::<LANES, _, _>(self, cases, rows, own)
     }

@@ -103,14 +103,14 @@ impl Curved {
         })
     }
 
-    /// A contact whose law may have several answers in a step.
-    pub(super) fn ambiguous(&self) -> Option<usize> {
-        let answers = |contact: &Contact| {
+    /// Whether a contact's law may have several answers in a step.
+    pub(super) fn is_ambiguous(&self) -> bool {
+        let has_one = |contact: &Contact| {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
             law.has_one_root(&self.scale.steps(contact.own)[0])
         };
-        self.contacts.iter().position(|contact| !answers(contact))
+        !self.contacts.iter().all(has_one)
     }
 
     /// Changes the friction limit of a contact.

@@ -29,7 +29,7 @@ pub(super) fn curved_lanes<const L: usize>(
     let mut others = [false; L];
     for (l, (other, curved)) in others.iter_mut().zip(&all).enumerate() {
         *other = curved.is_some();
-        if curved.as_ref().is_some_and(|c| c.ambiguous().is_some()) {
+        if curved.as_ref().is_some_and(Curved::is_ambiguous) {
             forces.fail(l, 0, Unsolved::Falling);
         }
     }

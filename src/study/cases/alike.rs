@@ -3,6 +3,8 @@
 use super::block::Block;
 use crate::problem::parameter::{Default, Value};
 use crate::problem::{Case, Problem};
+use std::collections::HashMap;
+use std::hash::Hash;
 
 impl Block {
     /// Whether a parameter changes with one of those in `rows`: it advances together with it, or has an expression of it.
@@ -40,6 +42,23 @@ pub(crate) fn identity(case: &Case, rows: &[usize]) -> Identity {
     values.map(|value| value.map(Value::identity)).collect()
 }
 
+/// Items with equal keys together, in the order of the first one of each group.
+pub(crate) fn grouped<T, K: Eq + Hash>(
+    items: impl IntoIterator<Item = T>,
+    key: impl Fn(&T) -> K,
+) -> Vec<Vec<T>> {
+    let mut places = HashMap::new();
+    let mut groups: Vec<Vec<T>> = Vec::new();
+    for item in items {
+        let place = *places.entry(key(&item)).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.push(item),
+            None => groups.push(vec![item]),
+        }
+    }
+    groups
+}
+
 /// The values of these parameters in a case, as in `law = hertz, n = 5`.
 pub(crate) fn values(case: &Case, rows: &[usize]) -> String {
     let value = |row: &usize| {
@@ -53,6 +72,12 @@ pub(crate) fn values(case: &Case, rows: &[usize]) -> String {
 mod tests {
     use super::*;
     use crate::study::parse;
+
+    #[test]
+    fn groups_are_in_the_order_of_their_first_items() {
+        let groups = grouped([3, 1, 4, 1, 5, 9, 2, 6], |x| x % 3);
+        assert_eq!(groups, [vec![3, 9, 6], vec![1, 4, 1], vec![5, 2]]);
+    }
 
     #[test]
     fn what_changes_with_a_parameter_is_affected_and_nothing_else() {

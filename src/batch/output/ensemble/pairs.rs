@@ -2,8 +2,8 @@
 
 use super::EnsembleMetrics;
 use crate::problem::parameter::Value;
+use crate::study::alike;
 use std::cmp::Ordering;
-use std::collections::HashMap;
 
 /// Most values of a parameter that are all compared with each other. Of more, neighbours are compared.
 const MOST_VALUES: usize = 10;
@@ -51,23 +51,13 @@ impl EnsembleMetrics<'_> {
     }
 
     fn pairs_of(&self, place: usize, equal: &[usize]) -> Vec<Pair> {
-        let mut classes: Vec<Vec<usize>> = Vec::new();
-        let mut known = HashMap::new();
-        for (ensemble, values) in self.ensembles.iter().enumerate() {
-            let identity = equal
-                .iter()
-                .map(|other| values[*other].map(Value::identity));
-            let class = *known
-                .entry(identity.collect::<Vec<_>>())
-                .or_insert_with(|| {
-                    classes.push(Vec::new());
-                    classes.len() - 1
-                });
-            if values[place].is_some() {
-                classes[class].push(ensemble);
-            }
-        }
         let value = |ensemble: usize| self.ensembles[ensemble][place];
+        let given = (0..self.ensembles.len()).filter(|ensemble| value(*ensemble).is_some());
+        let classes = alike::grouped(given, |ensemble| {
+            let values = equal.iter().map(|other| self.ensembles[*ensemble][*other]);
+            let identity = values.map(|value| value.map(Value::identity));
+            identity.collect::<alike::Identity>()
+        });
         let mut pairs = Vec::new();
         for mut class in classes {
             class.sort_by(|a, b| by_size(value(*a), value(*b)));

@@ -5,7 +5,6 @@ use crate::figures::column::has_place;
 use crate::study::Study;
 use crate::study::alike;
 use crate::study::kinds::Front;
-use std::collections::HashMap;
 
 /// A case, or the mean of several cases.
 pub struct Point<'a> {
@@ -25,7 +24,8 @@ pub fn points<'a>(
         None => cases.iter().map(|shown| vec![*shown]).collect(),
         Some(row) => {
             let shared = alike::unaffected(&*study.problem, &study.blocks, &[row]);
-            grouped(cases, &shared)
+            let identity = |shown: &DrawnCase| alike::identity(shown.case, &shared);
+            alike::grouped(cases.iter().copied(), identity)
         }
     };
     let mut lacking = 0;
@@ -45,22 +45,6 @@ pub fn points<'a>(
         }
     }
     (points, lacking)
-}
-
-/// The cases that share the values of these parameters, in order of appearance.
-fn grouped<'a>(cases: &[DrawnCase<'a>], shared: &[usize]) -> Vec<Vec<DrawnCase<'a>>> {
-    let mut places = HashMap::new();
-    let mut groups: Vec<Vec<DrawnCase>> = Vec::new();
-    for shown in cases {
-        let place = *places
-            .entry(alike::identity(shown.case, shared))
-            .or_insert(groups.len());
-        match groups.get_mut(place) {
-            Some(group) => group.push(*shown),
-            None => groups.push(vec![*shown]),
-        }
-    }
-    groups
 }
 
 /// The mean of x and the root mean square of y; `None` if either is undefined in a case.

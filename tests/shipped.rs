@@ -1,0 +1,34 @@
+//! The shipped studies and claims, judged by the program that users run: the release build, as `make test` starts these tests.
+
+use std::process::Command;
+
+/// Standard output and standard error of a command that succeeds.
+fn slipgap(words: &[&str]) -> (String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+        .args(words)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+    assert!(output.status.success(), "slipgap {words:?}: {out}{err}");
+    (out, err)
+}
+
+#[test]
+#[ignore = "computes every study; run by `make test`"]
+fn the_studies_meet_their_checks() {
+    let (out, err) = slipgap(&["check"]);
+    assert!(out.starts_with("study") && !out.contains("NOT MET"));
+    assert!(err.contains("checks, 0 not met"), "{err}");
+}
+
+/// With the studies that `make fresh` computed, if this version did; stores of another version are not used.
+#[test]
+#[ignore = "computes many studies; run by `make test`"]
+fn the_claims_have_their_recorded_verdicts() {
+    let fresh = concat!(env!("CARGO_TARGET_TMPDIR"), "/fresh");
+    let (out, err) = slipgap(&["claims", "--out", fresh]);
+    assert!(!out.contains("CHANGED"), "{out}");
+    let none = "claims, 0 with a verdict other than recorded";
+    assert!(err.contains(none), "{err}");
+}
