@@ -101,7 +101,7 @@ python-test: ## the Python package: its functions, types, notebooks, and the sam
 	$(python_env)/bin/pytest --quiet python/tests
 
 # The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
-# Program and module are built with the same options, so that the library is compiled once.
+# It compiles the library twice, because maturin has flags of its own, and takes some minutes.
 wheel_env = target/wheel
 wheel_target = x86_64-unknown-linux-gnu
 wheel_options = --release --locked --config profile.release.strip=true
