@@ -108,9 +108,9 @@ wheel_options = --release --locked --config profile.release.strip=true
 wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
 	test -x $(wheel_env)/bin/cargo-zigbuild || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang cargo-zigbuild; }
 	. $(wheel_env)/bin/activate && cargo zigbuild $(wheel_options) --target $(wheel_target).2.17 --package slipgap --package slipgap-python --bin slipgap
-	mkdir -p python/slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap.data/scripts/
+	mkdir -p python/slipgap._slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap._slipgap.data/scripts/
 	rm -rf target/wheels
 	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) --zig --target $(wheel_target) --compatibility manylinux2014 --out ../target/wheels
-	rm -rf python/slipgap.data target/wheel-test
+	rm -rf python/slipgap._slipgap.data target/wheel-test
 	$(PYTHON) -m venv target/wheel-test && target/wheel-test/bin/pip install --quiet target/wheels/*.whl
 	target/wheel-test/bin/python python/tests/wheel.py
