@@ -2,7 +2,7 @@
 
 # Most tests run in a build that stops at an overflow. `make fresh`, `make guard` and what computes all studies share a release build.
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture slurm-test
+.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -22,8 +22,8 @@ test: ## check results and verdicts against recorded values, run all tests
 	cargo test --locked
 
 lint: ## formatting, clippy and documentation without warnings
-	cargo fmt --check
-	cargo clippy --locked --all-targets -- -D warnings
+	cargo fmt --all --check
+	cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
@@ -69,7 +69,7 @@ changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -f '
 noticed_numbers = --test budget --test budget_impact --test mesh --test friction --test friction_work --test impact \
   --test impact_contact --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
   --test sweep --test two_forms --test two_forms_impact
-changed_batch = -f 'src/batch/**' -f 'src/statistics/**' -f src/compare.rs
+changed_batch = -f 'src/batch/**' -f 'src/statistics/**' -f 'src/compare/**'
 noticed_batch = --test command_line
 changed_study = -f 'src/study/**' -e 'src/study/describe/**'
 noticed_study = --test bad_studies --test study_language --test every_case --test command_line
@@ -93,3 +93,29 @@ schema: ## write schema/study.json, which editors read, and docs/study-files.md
 	mkdir -p schema
 	cargo run --release --locked --quiet -- schema > schema/study.json
 	cargo run --release --locked --quiet -- schema --markdown > docs/study-files.md
+
+PYTHON = python3
+python_env = target/python
+python_tools = maturin pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel
+
+# The extension is built for development. SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
+python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
+	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
+	cargo build --locked --package slipgap --package slipgap-python
+	. $(python_env)/bin/activate && cd python && maturin develop --locked
+	$(python_env)/bin/pytest --quiet python/tests
+
+# The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
+# It compiles the library twice, because maturin has flags of its own, and takes some minutes.
+wheel_env = target/wheel
+wheel_target = x86_64-unknown-linux-gnu
+wheel_options = --release --locked --config profile.release.strip=true
+wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
+	test -x $(wheel_env)/bin/cargo-zigbuild || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang cargo-zigbuild; }
+	. $(wheel_env)/bin/activate && cargo zigbuild $(wheel_options) --target $(wheel_target).2.17 --package slipgap --package slipgap-python --bin slipgap
+	mkdir -p python/slipgap._slipgap.data/scripts && cp target/$(wheel_target)/release/slipgap python/slipgap._slipgap.data/scripts/
+	rm -rf target/wheels
+	. $(wheel_env)/bin/activate && cd python && maturin build $(wheel_options) --zig --target $(wheel_target) --compatibility manylinux2014 --out ../target/wheels
+	rm -rf python/slipgap._slipgap.data target/wheel-test
+	$(PYTHON) -m venv target/wheel-test && target/wheel-test/bin/pip install --quiet target/wheels/*.whl
+	target/wheel-test/bin/python python/tests/wheel.py

@@ -54,17 +54,21 @@ pub enum Error {
     PartsMissing(String),
     /// A folder of results that another run uses.
     Busy(PathBuf),
+    /// The caller stopped the run.
+    Interrupted,
     /// An error of this program.
     Internal(String),
 }
 
 impl Error {
-    /// The process exit code: 2 for usage and studies, 3 for a case without a solution, 4 for missing parts, 1 for the rest.
+    /// The process exit code: 2 for usage and studies, 3 for a case without a solution, 4 for missing parts, 130 for an
+    /// interruption, 1 for the rest.
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::Faults(_) | Error::Usage(_) => 2,
             Error::Unsolved(_) => 3,
             Error::PartsMissing(_) => 4,
+            Error::Interrupted => 130,
             Error::Io { .. } | Error::Busy(_) | Error::Internal(_) => 1,
         }
     }
@@ -99,6 +103,7 @@ impl fmt::Display for Error {
             | Error::Unsolved(message)
             | Error::PartsMissing(message)
             | Error::Internal(message) => f.write_str(message),
+            Error::Interrupted => f.write_str("interrupted"),
             Error::Busy(path) => write!(
                 f,
                 "{} is in use by another run; wait for it, or give another folder with --out",

@@ -97,13 +97,13 @@ fn metadata() -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Ids of the packages that this one needs to be built or to run, tests aside, and its own.
+/// Ids of the crates of the workspace, and of the packages that they need to be built or to run, tests aside.
 fn shipped(metadata: &Value) -> BTreeSet<&str> {
     let nodes: BTreeMap<&str, &Value> = list(&metadata["resolve"]["nodes"])
         .map(|node| (text(&node["id"]), node))
         .collect();
     let mut found = BTreeSet::new();
-    let mut open = vec![text(&metadata["resolve"]["root"])];
+    let mut open: Vec<&str> = list(&metadata["workspace_members"]).map(text).collect();
     while let Some(id) = open.pop() {
         if found.insert(id) {
             let needed = list(&nodes[id]["deps"])

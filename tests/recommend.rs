@@ -11,7 +11,7 @@ use slipgap::problem::{Case, Problem, Solution};
 use slipgap::recommend::friction::Friction;
 use slipgap::recommend::impact::{FixedParameters, Impact, energy_change};
 use slipgap::recommend::{
-    Answer, Candidate, CostLevel, EnergyChange, Fixed, Request, SearchSpace, Target, metric,
+    Answer, Candidate, CostLevel, EnergyChange, Fixed, Request, SearchSpace, Stop, Target, metric,
     search, with_finer_step,
 };
 use std::collections::BTreeSet;
@@ -36,6 +36,7 @@ fn rms(limit: f64) -> Request {
         // No limit: the laws of the papers only dissipate.
         energy_gain: f64::INFINITY,
         energy_loss: f64::INFINITY,
+        stop: Stop::default(),
     }
 }
 
@@ -47,6 +48,7 @@ fn impact(targets: &[(&'static str, f64)]) -> Request {
             .collect(),
         energy_gain: LIMIT,
         energy_loss: f64::INFINITY,
+        stop: Stop::default(),
     }
 }
 

@@ -8,8 +8,8 @@ use slipgap::problem::{Case, Problem};
 use slipgap::recommend::friction::Friction;
 use slipgap::recommend::impact::{FixedParameters, Impact, energy_change};
 use slipgap::recommend::{
-    Answer, Candidate, Fixed, Grid, Request, SearchSpace, Target, Variants, metric, recommend,
-    search, with_finer_step,
+    Answer, Candidate, Fixed, Grid, Request, SearchSpace, Stop, Target, Variants, metric,
+    recommend, search, with_finer_step,
 };
 use std::collections::BTreeSet;
 
@@ -24,6 +24,7 @@ fn request(problem: &dyn Problem, targets: &[(&'static str, f64)], energy_gain: 
         targets: targets.iter().map(target).collect(),
         energy_gain,
         energy_loss: 0.1,
+        stop: Stop::default(),
     }
 }
 

@@ -19,6 +19,9 @@ const FEWEST_CASES: u64 = 64;
 /// Largest work of one sweep of more cases, which takes a fraction of a second.
 pub(super) const SWEEP_WORK: f64 = 2e7;
 
+/// Largest work of one sweep on a single thread: a fraction of a second, after which a run can be stopped.
+const LONGEST_SWEEP: f64 = 1e8;
+
 /// Cases of one sweep if there are several threads, of `cases` with this work together. Only cases with the same modes share
 /// lanes, so that each case of a small sweep takes longer than in a large one.
 pub(super) fn slice(cases: u64, work: f64) -> u64 {
@@ -71,15 +74,20 @@ pub(super) fn compute_rows(
         .iter()
         .partition(|row| lanes && !(options.keep_history)(shown.at(**row as usize)));
     let slice = match rayon::current_num_threads() {
-        1 => cases.len().max(1),
+        1 if work <= LONGEST_SWEEP => cases.len().max(1),
+        1 => (LONGEST_SWEEP / work * rows.len() as f64).max(FEWEST_CASES as f64) as usize,
         _ => slice(rows.len() as u64, work) as usize,
     };
     let sweep = |rows: &[u32]| {
+        options.go_on()?;
         let swept = study.problem.sweep(cases, rows);
         tick(rows.len());
-        swept
+        Ok(swept)
     };
-    let swept: Vec<MetricTable> = in_lanes.par_chunks(slice).map(sweep).collect();
+    let swept: Vec<MetricTable> = in_lanes
+        .par_chunks(slice)
+        .map(sweep)
+        .collect::<Result<_, Error>>()?;
     let swept = swept.into_iter().reduce(MetricTable::followed_by);
     if in_lanes.len() == cases.len() {
         return Ok((swept.unwrap_or_default(), Solutions::new()));
@@ -88,6 +96,7 @@ pub(super) fn compute_rows(
     let single = single.into_iter().map(|row| row as usize);
     let single: Vec<(usize, Case)> = single.map(|row| (row, shown.at(row).clone())).collect();
     let solve = |(row, case): &(usize, Case)| {
+        options.go_on()?;
         let solved = solve_case(study, first + cases.offset(*row), case, options);
         tick(1);
         solved.map(|solved| (*row, solved))

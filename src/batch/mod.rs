@@ -26,6 +26,7 @@ pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
 pub use shard::{Shard, ShardResult, run_shard, shard_of};
+pub use units::with_unit_columns;
 
 use crate::error::Error;
 use crate::study::Study;

@@ -18,7 +18,7 @@ pub struct RunOptions<'a> {
     pub keep_history: &'a (dyn Fn(&Case) -> bool + Sync),
     /// Called with every computed solution, if any.
     pub on_solution: Option<&'a OnSolution<'a>>,
-    /// Counts the work of finished cases, if any.
+    /// Counts the work of finished cases and can stop the run, if any.
     pub progress: Option<&'a WorkProgress>,
 }
 
@@ -31,4 +31,9 @@ impl RunOptions<'_> {
         on_solution: None,
         progress: None,
     };
+
+    /// [`Error::Interrupted`] if the run is stopped.
+    pub(super) fn go_on(&self) -> Result<(), Error> {
+        self.progress.map_or(Ok(()), WorkProgress::go_on)
+    }
 }

@@ -19,6 +19,7 @@ pub(super) fn run_part(
     bar: &ProgressBar,
     options: &RunOptions,
 ) -> Result<PartResult, Error> {
+    options.go_on()?;
     let (start, first, work) = (part.start, part.first, part.work as f64);
     let cases = part.cases();
     let store = options.store;

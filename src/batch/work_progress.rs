@@ -1,5 +1,7 @@
-//! The finished work of a run, and the time left. Cases from the store do not count as speed.
+//! The finished work of a run, and the time left. Cases from the store do not count as speed. A run can be stopped by it.
 
+use crate::error::Error;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -8,6 +10,7 @@ use std::time::{Duration, Instant};
 pub struct WorkProgress {
     total: f64,
     finished: Mutex<Finished>,
+    stopped: AtomicBool,
 }
 
 /// Finished work.
@@ -27,6 +30,20 @@ impl WorkProgress {
         WorkProgress {
             total,
             finished: Mutex::default(),
+            stopped: AtomicBool::new(false),
+        }
+    }
+
+    /// Ends the run before its next sweep, from any thread.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// [`Error::Interrupted`] if the run is stopped.
+    pub fn go_on(&self) -> Result<(), Error> {
+        match self.stopped.load(Ordering::Relaxed) {
+            true => Err(Error::Interrupted),
+            false => Ok(()),
         }
     }
 
@@ -126,5 +143,30 @@ mod tests {
         // The total of very many cases is an estimate. No time is left if more than the total is finished.
         progress.add_computed(50.0);
         assert_eq!(progress.time_left_after(elapsed), Some(Duration::ZERO));
+    }
+    #[test]
+    fn a_stopped_run_ends_before_its_next_sweep() {
+        // 20 parts of one chunk each, and an order to stop after the first one.
+        let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "dT": 0.1, "duration": 3,
+            "beta": {"range": [1, 327680, 1]}}}"#;
+        let study = parse("s.json", text).unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
+        let pool = pool.build().unwrap();
+        let progress = WorkProgress::new(0.0);
+        let options = RunOptions {
+            progress: Some(&progress),
+            ..RunOptions::METRICS
+        };
+        let mut taken = 0;
+        let ended = pool.install(|| {
+            run(&study, &ProgressBar::hidden(), &options, |_| {
+                taken += 1;
+                progress.stop();
+                Ok(())
+            })
+        });
+        assert!(matches!(ended, Err(Error::Interrupted)), "{ended:?}");
+        // Parts that were finished before the order are still taken: those of the first two windows, 1 and 2.
+        assert!((1..=3).contains(&taken), "{taken}");
     }
 }

@@ -1,13 +1,13 @@
 //! `slipgap claims`: the statements of the papers and of the literature with their verdicts, and the page about them.
 
 use super::NOT_MET;
-use super::sources::files;
 use super::terminal::{note, print, progress, table};
 use slipgap::batch::output::Folder;
 use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
 use slipgap::run::cases_run;
+use slipgap::run::files;
 use std::path::{Path, PathBuf};
 
 /// Name of the page.

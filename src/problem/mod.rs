@@ -84,6 +84,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// The exact solution of a completed case as a line to draw: at these times, rising from 0, and on both sides of
     /// every jump between them; `None` where there is none.
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History>;
+    /// The exact motion of a completed case at these times, which increase, at a jump its right-hand limit; `None` where there
+    /// is none.
+    fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
+        self.exact(case, times)
+    }
     /// The columns of the history of a completed case, after the time.
     fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();

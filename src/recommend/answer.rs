@@ -1,6 +1,8 @@
 //! What a search is for, and its result.
 
 use crate::problem::Case;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A limit of the error of a metric.
 #[derive(Debug, Clone)]
@@ -33,6 +35,24 @@ pub struct Request {
     pub energy_gain: f64,
     /// Largest loss of energy up to the last step, relative to the same; infinite for a problem that loses energy.
     pub energy_loss: f64,
+    /// Ends the search early.
+    pub stop: Stop,
+}
+
+/// Ends a search from another thread; clones end the same one. The answer is then that of the levels searched so far.
+#[derive(Debug, Clone, Default)]
+pub struct Stop(Arc<AtomicBool>);
+
+impl Stop {
+    /// Ends the search before its next level.
+    pub fn stop(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the search ends.
+    pub fn is_stopped(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
 }
 
 /// The best candidate of a cost.

@@ -17,8 +17,9 @@ mod search;
 pub mod setting;
 mod space;
 mod survey;
+pub mod task;
 
-pub use answer::{Answer, Candidate, Request, Target};
+pub use answer::{Answer, Candidate, Request, Stop, Target};
 pub use search::search;
 pub use setting::{Setting, Variant};
 pub use space::{CostLevel, EnergyChange, Grid, SearchSpace, Variants};

@@ -22,13 +22,16 @@ pub fn search(space: &dyn SearchSpace, request: &Request) -> Answer {
     order.sort_unstable();
     let mut answer = Answer::default();
     for batch in order.chunks(BATCH) {
-        if answer.is_complete(batch[0].0) {
+        if answer.is_complete(batch[0].0) || request.stop.is_stopped() {
             break;
         }
         let smallest = answer.smallest();
         let results: Vec<(Found, u64)> = batch
             .par_iter()
             .map(|(cost, index)| {
+                if request.stop.is_stopped() {
+                    return (Found::default(), 0);
+                }
                 let mut level = LevelSearch::new(space, request, space.level(*index));
                 (level.best(*cost, smallest), level.solved)
             })

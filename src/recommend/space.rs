@@ -13,7 +13,7 @@ pub struct CostLevel {
 }
 
 /// The candidates of a search.
-pub trait SearchSpace: Sync {
+pub trait SearchSpace: Send + Sync {
     /// The problem.
     fn problem(&self) -> &'static dyn Problem;
     /// Names of the parameters in the table of an answer.

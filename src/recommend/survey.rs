@@ -87,7 +87,7 @@ fn survey(space: &dyn Variants, request: &Request) -> Survey {
     };
     let mut work: u64 = 0;
     for batch in order.chunks(BATCH) {
-        if survey.is_complete(batch[0].0) || work > MOST_WORK {
+        if survey.is_complete(batch[0].0) || work > MOST_WORK || request.stop.is_stopped() {
             break;
         }
         let open = |level: &&(u64, usize)| {
@@ -98,6 +98,9 @@ fn survey(space: &dyn Variants, request: &Request) -> Survey {
         let results: Vec<(Found, u64)> = levels
             .par_iter()
             .map(|(cost, index)| {
+                if request.stop.is_stopped() {
+                    return (Found::default(), 0);
+                }
                 let limit = survey.variants[space.variant_of(*index)].worst;
                 let mut level = LevelSearch::new(space.space(), request, space.level(*index));
                 (level.best(*cost, limit), level.solved)

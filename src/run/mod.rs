@@ -3,6 +3,7 @@
 
 mod ensembles;
 mod figures;
+pub mod files;
 mod merge;
 mod observer;
 mod source;
@@ -13,7 +14,7 @@ mod unsolved;
 pub use ensembles::{indices, without_value};
 pub use merge::merge_study;
 pub use observer::Observer;
-pub use source::Source;
+pub use source::{Source, check_printable, file_name};
 pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 
@@ -117,6 +118,7 @@ pub fn run_study(
     let mut without_contact = 0;
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
+        observer.part(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
         designs.add(&part);
         reductions.add(&part);

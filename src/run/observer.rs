@@ -1,14 +1,18 @@
 //! What a run reports while it goes on.
 
 use super::Source;
+use crate::batch::PartResult;
 use crate::batch::work_progress::WorkProgress;
 use indicatif::ProgressBar;
 use std::sync::Arc;
 
 /// Receives the progress and the notes of a run.
-pub trait Observer {
-    /// The cases begin: the bar that counts them, and the counter of their work.
+pub trait Observer: Send {
+    /// The cases begin: the bar that counts them, and the counter of their work, which can also stop the run.
     fn begin_cases(&mut self, source: &Source) -> (ProgressBar, Arc<WorkProgress>);
+
+    /// The results of a part, in the order of the cases.
+    fn part(&mut self, _part: &PartResult) {}
 
     /// All cases are finished; `summary` says in a line how many were computed.
     fn end_cases(&mut self, source: &Source, bar: &ProgressBar, summary: &str);

@@ -1,7 +1,8 @@
 //! A study and where it comes from.
 
-use crate::study::Study;
-use std::path::PathBuf;
+use crate::error::Error;
+use crate::study::{Input, Setting, Study, printable, unprintable};
+use std::path::{Path, PathBuf};
 
 /// A study and its origin.
 #[derive(Debug)]
@@ -17,6 +18,37 @@ pub struct Source {
 }
 
 impl Source {
+    /// Reads one study file with these parameters set. Its results go to the folder that has the name of the file.
+    ///
+    /// # Errors
+    /// A name that no folder can have, a file that cannot be read, and all faults of the study.
+    pub fn read(file: &Path, settings: &[Setting], limit: u64) -> Result<Source, Error> {
+        let name = file_name(file)?;
+        check_printable(file)?;
+        let input = Input::of_file(file)?.with(settings);
+        Source::of_input(file.to_owned(), name, input, limit)
+    }
+
+    /// The study in a text that has been read, of at most `limit` raw combinations.
+    ///
+    /// # Errors
+    /// All faults of the study.
+    pub fn of_input(
+        file: PathBuf,
+        name: String,
+        input: Input,
+        limit: u64,
+    ) -> Result<Source, Error> {
+        let study = input.study(limit)?;
+        let text = input.into_text();
+        Ok(Source {
+            file,
+            name,
+            text,
+            study,
+        })
+    }
+
     /// The file and the settings of the command line.
     pub fn origin(&self) -> String {
         let mut origin = self.file.display().to_string();
@@ -30,4 +62,34 @@ impl Source {
     pub fn line(&self, what: &str) -> String {
         format!("{}: {what}", self.file.display())
     }
+}
+
+/// The name of the folder of results of a study file: its own name without `.json`.
+///
+/// # Errors
+/// `...json` without its ending is a path outside the output folder.
+pub fn file_name(file: &Path) -> Result<String, Error> {
+    let stem = file.file_stem().unwrap_or(file.as_os_str());
+    match stem == "." || stem == ".." {
+        true => {
+            let file = file.display();
+            let what = format!("{file} gives no valid name for a folder; rename it");
+            Err(Error::Usage(what))
+        }
+        false => Ok(stem.to_string_lossy().into_owned()),
+    }
+}
+
+/// Refuses the name of a study with characters that cannot be written to messages, tables, pictures and pages.
+///
+/// # Errors
+/// There is such a character.
+pub fn check_printable(file: &Path) -> Result<(), Error> {
+    let shown = file.to_string_lossy();
+    let Some(c) = unprintable(&shown) else {
+        return Ok(());
+    };
+    let name = printable(&shown).replace('\n', "\\n").replace('\t', "\\t");
+    let what = format!("{name}: the name of a study cannot contain {c}; rename it");
+    Err(Error::Usage(what))
 }

@@ -6,7 +6,7 @@ use super::atomic::write_atomically;
 use super::names::{HISTORIES, RESULTS, history_name};
 use crate::batch::key::SOLVER_VERSION;
 use crate::error::Error;
-use crate::study::{STDIN, Setting, Study};
+use crate::study::{Setting, Study};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fs;
@@ -137,13 +137,23 @@ impl Manifest {
         files: &[String],
         cases_without_contact: u64,
     ) -> Result<(), Error> {
-        let mut entries = origin(study, file);
-        entries.insert("files".into(), json!(files));
-        if study.problem.schema().contact_metric.is_some() {
-            entries.insert("cases_without_contact".into(), json!(cases_without_contact));
-        }
-        write(folder, &entries)
+        write(folder, &manifest(study, file, files, cases_without_contact))
     }
+}
+
+/// The manifest of a run that has ended and wrote these files.
+pub fn manifest(
+    study: &Study,
+    file: &Path,
+    files: &[String],
+    cases_without_contact: u64,
+) -> Map<String, Value> {
+    let mut entries = origin(study, file);
+    entries.insert("files".into(), json!(files));
+    if study.problem.schema().contact_metric.is_some() {
+        entries.insert("cases_without_contact".into(), json!(cases_without_contact));
+    }
+    entries
 }
 
 fn parse(bytes: &[u8]) -> Option<Manifest> {
@@ -208,9 +218,9 @@ fn write(folder: &Path, entries: &Map<String, Value>) -> Result<(), Error> {
     })
 }
 
-/// The commit of the repository of the study, if it is in a repository and git is installed.
+/// The commit of the repository of the study, if it is a file in a repository and git is installed.
 fn commit_of(file: &Path) -> Option<String> {
-    if file == Path::new(STDIN) {
+    if !file.is_file() {
         return None;
     }
     let folder = file

@@ -8,7 +8,7 @@ pub mod reductions;
 pub mod sobol;
 pub mod tables;
 
-pub use manifest::{is_manifest, is_outdated, problem_of};
+pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
 pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
 
 use crate::error::Error;

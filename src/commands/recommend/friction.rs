@@ -1,19 +1,12 @@
 //! The arguments of a search for a friction model.
 
-use super::task::{CommonArgs, SearchTask, choice, folder_name, parse_target};
+use super::task::{CommonArgs, SearchTask, parse_target};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
 use slipgap::problem::friction::FrictionOscillator;
-use slipgap::problem::parameter::shortest;
-use slipgap::recommend::friction::{Friction, law_names};
+use slipgap::recommend::friction::{ENERGY_GAIN, FrictionTask, X0, check_release, law_names};
 use slipgap::recommend::setting::choices;
-use slipgap::recommend::{Fixed, Request, Target, Variants, metric};
-
-const X0: f64 = 12.0;
-
-/// A softened law returns energy that the exact motion has lost. 5 % of the energy is 2.5 % of an amplitude.
-const ENERGY_GAIN: f64 = 0.05;
 
 #[derive(Args)]
 pub struct FrictionArgs {
@@ -38,49 +31,23 @@ pub struct FrictionArgs {
 
 /// Parses a release whose motion is short enough for a search.
 fn parse_release(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(x) if x != 0.0 && x.abs() <= 1000.0 => Ok(x),
-        Ok(_) | Err(_) => Err("must be a number from -1000 to 1000, but not 0".into()),
-    }
+    // What is no number is refused as NaN is.
+    let x = text.parse().unwrap_or(f64::NAN);
+    check_release(x).map(|()| x)
 }
 
 impl FrictionArgs {
     /// The search that the arguments define.
     pub fn search_task(self) -> Result<SearchTask, Error> {
-        let rms = Target {
-            name: "rms_error",
-            metric: metric(&FrictionOscillator, "rms_error"),
-            ideal: 0.0,
-            limit: self.rms,
+        let task = FrictionTask {
+            law: self.law,
+            method: self.method,
+            x0: self.x0,
+            rms: self.rms,
+            energy_gain: self.energy_gain,
         };
-        let methods = choices(&FrictionOscillator, "method");
-        let fixed = Fixed {
-            law: choice(&law_names(), self.law.as_ref()),
-            method: choice(&methods, self.method.as_ref()),
-        };
-        let space = Friction::new(fixed, self.x0);
-        if space.variants().is_empty() {
-            return Err(Error::Usage(
-                "--law and --method: this method has no stable step with this law; allowed: a law with compliance, or another method"
-                    .into(),
-            ));
-        }
-        let words = [
-            Some(format!("rms-{}", shortest(self.rms))),
-            self.law,
-            self.method,
-            (self.x0 != X0).then(|| format!("x0-{}", shortest(self.x0))),
-            (self.energy_gain != ENERGY_GAIN)
-                .then(|| format!("energy-gain-{}", shortest(self.energy_gain))),
-        ];
         Ok(SearchTask {
-            folder: folder_name(&FrictionOscillator, words),
-            space: Box::new(space),
-            request: Request {
-                targets: vec![rms],
-                energy_gain: self.energy_gain,
-                energy_loss: f64::INFINITY,
-            },
+            search: task.search()?,
             common: self.common,
         })
     }

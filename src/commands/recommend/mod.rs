@@ -23,9 +23,9 @@ use tables::Row;
 /// Searches, writes the table and the picture of the candidates into their folder, and prints the answer; returns the exit
 /// code.
 pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
-    let (variants, request) = (&*task.space, &task.request);
+    let (variants, request) = (&*task.search.space, &task.search.request);
     let space = variants.space();
-    let mut folder = Folder::open(&task.common.out.join(&task.folder))?;
+    let mut folder = Folder::open(&task.common.out.join(&task.search.folder))?;
     for line in space.notes() {
         note(&line);
     }

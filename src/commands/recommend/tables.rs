@@ -209,7 +209,7 @@ mod tests {
     use slipgap::problem::schema::Schema;
     use slipgap::problem::{Problem, Solution, Violation};
     use slipgap::recommend::friction::Friction;
-    use slipgap::recommend::{CostLevel, EnergyChange, Fixed, metric};
+    use slipgap::recommend::{CostLevel, EnergyChange, Fixed, Stop, metric};
     use slipgap::solve::{MetricTable, Unsolvable};
     use std::sync::Arc;
 
@@ -315,6 +315,7 @@ mod tests {
             }],
             energy_gain: 0.05,
             energy_loss: f64::INFINITY,
+            stop: Stop::default(),
         };
         let text = |problem: &'static dyn Problem| {
             let row = Row {

@@ -1,10 +1,9 @@
 //! Reads the studies of a command. Each has the name of its folder of results.
 
-pub mod files;
-
 use slipgap::batch::output;
 use slipgap::error::Error;
 pub use slipgap::run::Source;
+use slipgap::run::{check_printable, file_name, files};
 use slipgap::study::{self, Input, Setting};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -28,20 +27,10 @@ pub fn read(paths: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<S
             }
         };
         let input = input.with(settings);
-        let study = input.study(limit);
-        let study = study.map_err(|error| {
-            if several {
-                with_file_name(error, &file)
-            } else {
-                error
-            }
-        })?;
-        let text = input.into_text();
-        Ok(Source {
-            file,
-            name,
-            text,
-            study,
+        let source = Source::of_input(file.clone(), name, input, limit);
+        source.map_err(|error| match several {
+            true => with_file_name(error, &file),
+            false => error,
         })
     })
 }
@@ -68,32 +57,15 @@ fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
         return Ok(vec![(path.to_owned(), "stdin".into())]);
     }
     let files = find_named(path)?;
-    // Names are written to messages, tables, pictures and pages.
     for (file, _) in &files {
-        let shown = file.to_string_lossy();
-        if let Some(c) = study::unprintable(&shown) {
-            let name = study::printable(&shown)
-                .replace('\n', "\\n")
-                .replace('\t', "\\t");
-            let what = format!("{name}: the name of a study cannot contain {c}; rename it");
-            return Err(Error::Usage(what));
-        }
+        check_printable(file)?;
     }
     Ok(files)
 }
 
 fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
     if !path.is_dir() {
-        let stem = path.file_stem().unwrap_or(path.as_os_str());
-        // `...json` without its ending is a path outside the output folder.
-        if stem == "." || stem == ".." {
-            let what = format!(
-                "{} gives no valid name for a folder; rename it",
-                path.display()
-            );
-            return Err(Error::Usage(what));
-        }
-        return Ok(vec![(path.to_owned(), name(Path::new(stem)))]);
+        return Ok(vec![(path.to_owned(), file_name(path)?)]);
     }
     let wanted = |entry: &DirEntry| {
         let hidden = entry.file_name().to_string_lossy().starts_with('.');

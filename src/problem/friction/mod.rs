@@ -95,6 +95,12 @@ impl FrictionOscillator {
         Ok(self.lane_case(case)?.system())
     }
 
+    /// The motion with the softened law of a completed case in continuous time, at these times, which increase; `None` for a
+    /// law without one, and outside the range of [`regularised::holds`].
+    pub fn softened(&self, case: &Case, times: &[f64]) -> Option<History> {
+        softened(&OscillatorCase::new(case)?, times)
+    }
+
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {
         OscillatorCase::new(case).ok_or(Unsolvable::ParameterMissing)
     }

@@ -2,8 +2,10 @@
 
 mod laws;
 mod space;
+mod task;
 
 pub use laws::names as law_names;
+pub use task::{ENERGY_GAIN, FrictionTask, X0, check_release};
 
 use super::grid::integers;
 use super::{Fixed, Grid, Variant, setting};

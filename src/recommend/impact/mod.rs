@@ -3,9 +3,11 @@
 mod energy;
 mod mesh;
 mod space;
+mod task;
 mod variants;
 
 pub use energy::energy_change;
+pub use task::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, bar};
 
 use super::{Fixed, Grid, Setting, Variant};
 use crate::problem::impact::BarImpact;

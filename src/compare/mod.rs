@@ -1,5 +1,9 @@
 //! Comparison of two tables of results, case by case and metric by metric.
 
+mod folders;
+
+pub use folders::{Finding, compare_folders};
+
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;

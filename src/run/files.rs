@@ -1,6 +1,6 @@
 //! Files in folders, and several files at once.
 
-use slipgap::error::Error;
+use crate::error::Error;
 use std::path::{Path, PathBuf};
 use walkdir::{DirEntry, WalkDir};
 

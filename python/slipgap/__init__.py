@@ -1,0 +1,162 @@
+"""Parameter studies of friction and impact models in time-history analysis.
+
+Every case is compared with its exact solution. A study is the path of a study file or a dict with the same content
+(docs/study-files.md). The numbers are those of the program ``slipgap``, which comes with this package.
+
+>>> import slipgap
+>>> solution = slipgap.solve({"problem": "friction-oscillator", "law": "displacement-control",
+...                           "alpha": 0.1, "dT": "pi/10", "duration": "8*pi"})
+>>> round(solution.metrics["rms_error"], 4)
+0.0245
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+from . import _slipgap
+from ._progress import reporter
+from ._records import (
+    Candidate,
+    Change,
+    Check,
+    Comparison,
+    Failure,
+    Fault,
+    Recommendation,
+    SlipgapError,
+)
+from ._slipgap import Figure, Results, Solution, Table, __version__
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "Candidate",
+    "Change",
+    "Check",
+    "Comparison",
+    "Failure",
+    "Fault",
+    "Figure",
+    "Recommendation",
+    "Results",
+    "SlipgapError",
+    "Solution",
+    "Table",
+    "__version__",
+    "compare",
+    "exact",
+    "recommend",
+    "run",
+    "schema",
+    "solve",
+]
+
+
+def run(
+    study: str | PathLike[str] | Mapping[str, Any],
+    *,
+    out: str | PathLike[str] | None = None,
+    jobs: int | None = None,
+    set: Mapping[str, Any] | None = None,
+    progress: bool | Callable[[int, int], object] | None = None,
+) -> Results:
+    """Run every case of a study.
+
+    Ctrl-C ends the run. Other threads of Python go on.
+
+    :param study: path of a study file, or a dict with the content of one; records are relative to the file, of a dict to
+        the current folder
+    :param out: folder for the files of the program, in ``out/NAME`` for the file ``NAME.json`` and in ``out/study`` for a
+        dict; cases that it has already are not computed again; if left out, nothing is written
+    :param jobs: number of threads, 1 to 1024; if left out, one for each core
+    :param set: parameters to set, as ``--set`` does: names with numbers, lists, or text (a name or an expression)
+    :param progress: whether a bar of tqdm shows the progress; if left out, on a terminal and in a notebook; or a function
+        that is called some times a second with the numbers of finished and of all cases
+    :returns: table, figures, checks and failures; a case that cannot be solved is a row without metrics
+    :raises SlipgapError: a study with mistakes, or a file that cannot be read or written
+    """
+    with reporter(progress) as report:
+        return _slipgap.run(study, out, jobs, set, report)
+
+
+def solve(
+    study_or_parameters: str | PathLike[str] | Mapping[str, Any], case: int = 0
+) -> Solution:
+    """Solve one case, with its motion at every step.
+
+    :param study_or_parameters: a study as in :func:`run`, or a dict of the problem and its parameters, such as
+        ``{"problem": "friction-oscillator", "law": "displacement-control", "alpha": 0.1, "dT": 0.3, "duration": 25}``
+    :param case: number of the case of a study, from 0
+    :returns: channels and exact motion as arrays of shape (N + 1,) for N time steps, metrics and parameters
+    :raises SlipgapError: mistakes, or a case that cannot be solved
+    """
+    return _slipgap.solve(study_or_parameters, case)
+
+
+def exact(
+    problem: str, t: ArrayLike, **parameters: Any
+) -> dict[str, NDArray[numpy.float64]]:
+    """Exact motion at given times.
+
+    ``exact("friction-oscillator", t, x0=12)`` is free vibration with Coulomb friction: ``X`` in Delta = nu N/k, ``V`` = dX/dT and
+    the friction force ``S`` in nu N, at T = omega_n t. With ``law="displacement-control", alpha=0.1`` or
+    ``law="velocity-control", beta=0.1`` it is the exact motion of the softened law.
+
+    ``exact("bar-impact", t, L=10, right={"L": 20})`` is the wave solution of two elastic bars, or of a bar and a wall
+    (``right="wall"``): ``r`` in c T_I/2, ``rdot`` in c and ``force`` in F0, at t in T_I; at a jump the value after it.
+
+    The exact motion of a structure is ``solve(study).references``.
+
+    :param problem: ``friction-oscillator`` or ``bar-impact``
+    :param t: times >= 0 that do not decrease, of shape (n,)
+    :param parameters: parameters of the problem, apart from time step and duration
+    :returns: channels by name, each of shape (n,)
+    :raises SlipgapError: mistakes
+    """
+    import numpy
+
+    times = numpy.ascontiguousarray(t, dtype=numpy.float64)
+    if times.ndim != 1:
+        raise SlipgapError(f"t: must have one dimension, got {times.ndim}")
+    return _slipgap.exact(problem, times.tobytes(), parameters)
+
+
+def recommend(problem: str, *, jobs: int | None = None, **targets: Any) -> Recommendation:
+    """Find the cheapest parameters that reach a target.
+
+    Arguments are those of ``slipgap recommend``, with ``_`` for ``-``.
+
+    For ``friction-oscillator``: the target ``rms`` (largest rms_error); ``law``, ``method``, ``x0`` and ``energy_gain`` may be
+    given. For ``bar-impact``: at least one of the targets ``peak_force_error``, ``overlap``, ``r`` and ``rdot``; ``law``,
+    ``method``, ``n``, ``gamma`` or ``k_I``, ``mass``, ``energy_gain``, ``energy_loss`` and ``bars`` (a dict as in a study, such as
+    ``{"L": 40, "right": {"L": 20}}``) may be given. What is not given is searched.
+
+    :param jobs: number of threads; if left out, one for each core
+    :raises SlipgapError: mistakes
+    """
+    return _slipgap.recommend(problem, targets, jobs)
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON schema of study files."""
+    parsed: dict[str, Any] = json.loads(_slipgap.schema())
+    return parsed
+
+
+def compare(
+    a: str | PathLike[str], b: str | PathLike[str], tolerance: float = 0.0
+) -> Comparison:
+    """Compare two folders of results, of one study or of several.
+
+    Cases are the same if all their parameters are the same.
+
+    :param tolerance: largest difference to ignore, relative to the larger of the two values
+    :raises SlipgapError: a folder without results
+    """
+    return _slipgap.compare(a, b, tolerance)

@@ -1,0 +1,150 @@
+"""What results consist of, the exception, and the JSON of studies."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from typing import Any, NamedTuple
+
+
+class Fault(NamedTuple):
+    """A mistake in a study: its place, what is wrong, and what is allowed."""
+
+    file: str | None
+    """The file, or the parameter that was set; None for a dict."""
+    line: int | None
+    """Line, from 1; None for a dict."""
+    column: int | None
+    """Column, from 1, in characters; None for a dict."""
+    path: str
+    """The key, as in ``parameters.alpha[2]``; empty for faults of syntax."""
+    message: str
+    """What is wrong and what is allowed."""
+
+
+class SlipgapError(Exception):
+    """A study, an argument or a file that slipgap cannot work with, or a case without a solution.
+
+    ``file``, ``line``, ``column`` and ``path`` are those of the first fault, or None. ``faults`` has all faults of a
+    study, in the order of the file.
+    """
+
+    def __init__(
+        self, message: str, *, faults: Sequence[Fault] = (), file: str | None = None
+    ) -> None:
+        super().__init__(message)
+        self.faults: tuple[Fault, ...] = tuple(faults)
+        first = self.faults[0] if self.faults else None
+        self.file: str | None = first.file if first else file
+        self.line: int | None = first.line if first else None
+        self.column: int | None = first.column if first else None
+        self.path: str | None = first.path if first else None
+
+
+class Check(NamedTuple):
+    """A check of a study on a case: a metric and its limits."""
+
+    case: int
+    """Number of the case."""
+    metric: str
+    """Name of the metric or of the reduction."""
+    value: float | None
+    """Its value; None if it is undefined, which does not meet the check."""
+    min: float | None
+    """Smallest value allowed; None without one."""
+    max: float | None
+    """Largest value allowed; None without one."""
+    met: bool
+    """Whether the value is within the limits."""
+
+
+class Failure(NamedTuple):
+    """A case that could not be solved."""
+
+    case: int
+    """Number of the case."""
+    reason: str
+    """Why."""
+
+
+class Change(NamedTuple):
+    """A metric that differs between two results of a study."""
+
+    study: str
+    """Its folder; empty if the compared folders are those of one study."""
+    metric: str
+    """Name of the metric."""
+    cases: int
+    """Number of cases that differ."""
+    common: int
+    """Number of cases that both have."""
+    largest: float
+    """Largest difference, relative to the larger of the two values; infinite if only one side has a value."""
+    case: int | None
+    """Number of its case on the first side."""
+    first: float | None
+    """The value of the first side."""
+    second: float | None
+    """The value of the second side."""
+
+
+class Comparison(NamedTuple):
+    """The differences of two folders of results."""
+
+    equal: list[str]
+    """Studies without a difference."""
+    changes: list[Change]
+    """Metrics that differ, study by study, the largest difference first."""
+    notes: list[str]
+    """Studies, cases and metrics that only one side has."""
+
+    @property
+    def same(self) -> bool:
+        """Whether nothing differs."""
+        return not self.changes and not self.notes
+
+
+class Candidate(NamedTuple):
+    """A case of a search, the best of its cost."""
+
+    parameters: dict[str, Any]
+    """Its parameters, as in a study."""
+    cost: int
+    """Its cost: steps, or for bars steps times modes."""
+    errors: dict[str, float]
+    """By target: the largest error of the case and of its neighbours."""
+    reached: bool
+    """Whether it reaches every target."""
+
+
+class Recommendation(NamedTuple):
+    """The result of a search."""
+
+    reached: bool
+    """Whether a case reaches every target."""
+    best: Candidate | None
+    """The cheapest case that does, else the nearest one; None if no case is within the limits of energy."""
+    front: list[Candidate]
+    """The best case of every cost, the cheapest first."""
+    solved: int
+    """Number of cases solved."""
+
+
+def _plain(value: object) -> object:
+    """What JSON has for numbers and arrays of NumPy, and for other mappings and paths."""
+    to_list = getattr(value, "tolist", None)
+    if callable(to_list):
+        return to_list()
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, PathLike):
+        return fspath(value)
+    raise TypeError(f"a study cannot contain {type(value)}")
+
+
+def dumps(value: object) -> str:
+    """The JSON of a study or of a value in it."""
+    if isinstance(value, Mapping) and not isinstance(value, dict):
+        value = dict(value)
+    return json.dumps(value, default=_plain, allow_nan=False)

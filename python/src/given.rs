@@ -1,0 +1,102 @@
+//! Studies as callers give them: a path, or a dictionary like the JSON of a study file.
+
+use crate::error::{raise, usage};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyMapping, PyString};
+use slipgap::run::Source;
+use slipgap::study::{Input, MOST_CASES, Setting};
+use std::path::PathBuf;
+
+/// Name of a dictionary in place of a file.
+pub const DICT: &str = "<dict>";
+
+/// Name of the folder of results of a dictionary.
+const FOLDER: &str = "study";
+
+/// `json.dumps` for what studies have in them.
+static DUMPS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+
+/// The JSON of an object.
+pub fn json(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<String> {
+    let dumps = DUMPS.get_or_try_init(py, || {
+        let dumps = py.import("slipgap._records")?.getattr("dumps")?;
+        PyResult::Ok(dumps.unbind())
+    })?;
+    let text = dumps.bind(py).call1((object,));
+    let text = text.map_err(|error| match error.is_instance_of::<PyValueError>(py) {
+        true => usage(py, error.value(py).to_string()),
+        false => error,
+    })?;
+    text.extract()
+}
+
+/// The study that a caller gives, with the parameters that `set` gives.
+pub fn source(
+    py: Python<'_>,
+    study: &Bound<'_, PyAny>,
+    set: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Source> {
+    let settings = settings(py, set)?;
+    if study.cast::<PyMapping>().is_ok() {
+        let text = json(py, study)?;
+        return of_text(py, &text, &settings);
+    }
+    let Ok(file) = study.extract::<PathBuf>() else {
+        let class = study.get_type();
+        let message = format!("a study is a path or a dict, not {class}");
+        return Err(PyTypeError::new_err(message));
+    };
+    let read = py.detach(|| match file.is_dir() {
+        true => Err(slipgap::error::Error::Usage(format!(
+            "{} is a folder; name one study",
+            file.display()
+        ))),
+        false => Source::read(&file, &settings, MOST_CASES),
+    });
+    read.map_err(|error| raise(py, error))
+}
+
+/// The study in a text that is not from a file.
+pub fn of_text(py: Python<'_>, text: &str, settings: &[Setting]) -> PyResult<Source> {
+    let read = py.detach(|| {
+        let input = Input::new(DICT, text).with(settings);
+        Source::of_input(PathBuf::from(DICT), FOLDER.to_owned(), input, MOST_CASES)
+    });
+    read.map_err(|error| raise(py, error))
+}
+
+/// The parameters to set, from a dictionary of names and values.
+fn settings(py: Python<'_>, set: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Setting>> {
+    let Some(set) = set else {
+        return Ok(Vec::new());
+    };
+    let Ok(given) = set.cast::<PyMapping>() else {
+        let message = "set must be a dict of names and values";
+        return Err(PyTypeError::new_err(message));
+    };
+    let mut settings = Vec::new();
+    for item in given.items()?.try_iter()? {
+        let (name, value): (String, Bound<'_, PyAny>) = item?.extract()?;
+        // A name or an expression is text of the command line as it is.
+        let value = match value.cast::<PyString>() {
+            Ok(text) => text.to_string(),
+            Err(_) => json(py, &value)?,
+        };
+        let setting = Setting::new(&format!("{name}={value}"));
+        settings.push(setting.map_err(|why| usage(py, format!("set {name:?}: {why}")))?);
+    }
+    Ok(settings)
+}
+
+/// The text of a study with these parameters, which is slower than [`crate::case_of_dict`] and reports all faults.
+pub fn text_of_parameters(py: Python<'_>, given: &Bound<'_, PyDict>) -> PyResult<String> {
+    let (study, parameters) = (PyDict::new(py), given.copy()?);
+    if let Some(problem) = parameters.get_item("problem")? {
+        study.set_item("problem", problem)?;
+        parameters.del_item("problem")?;
+    }
+    study.set_item("parameters", parameters)?;
+    json(py, &study)
+}

@@ -1,0 +1,55 @@
+//! slipgap as a module of Python: `slipgap._slipgap`. The package `slipgap` has the functions with their types and
+//! descriptions, and calls this module.
+
+mod arrays;
+mod case_of_dict;
+mod columns;
+mod compare;
+mod error;
+mod exact;
+mod figure;
+mod given;
+mod recommend;
+mod results;
+mod run;
+mod solution;
+mod solve;
+mod table;
+mod worker;
+
+use pyo3::prelude::*;
+
+/// The module `slipgap._slipgap`.
+#[pymodule]
+mod _slipgap {
+    #[pymodule_export]
+    use super::compare::compare;
+    #[pymodule_export]
+    use super::exact::exact;
+    #[pymodule_export]
+    use super::figure::Figure;
+    #[pymodule_export]
+    use super::recommend::recommend;
+    #[pymodule_export]
+    use super::results::Results;
+    #[pymodule_export]
+    use super::run::run;
+    #[pymodule_export]
+    use super::schema;
+    #[pymodule_export]
+    use super::solution::Solution;
+    #[pymodule_export]
+    use super::solve::solve;
+    #[pymodule_export]
+    use super::table::Table;
+
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name that Python has for it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}
+
+/// The JSON schema of study files as text.
+#[pyfunction]
+fn schema() -> String {
+    slipgap::study::schema()
+}

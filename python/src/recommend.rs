@@ -1,0 +1,209 @@
+//! `slipgap.recommend`: the cheapest parameters that reach a target.
+
+use crate::error::{raise, usage};
+use crate::worker;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyType};
+use slipgap::problem::Case;
+use slipgap::problem::parameter::Value;
+use slipgap::recommend::friction::FrictionTask;
+use slipgap::recommend::impact::{ImpactTask, bar};
+use slipgap::recommend::task::Search;
+use slipgap::recommend::{Candidate, SearchSpace, recommend as best};
+
+/// The classes `slipgap.Recommendation` and `slipgap.Candidate`.
+static RECOMMENDATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static CANDIDATE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+
+/// Names of what may be given.
+const FRICTION: [&str; 5] = ["rms", "law", "method", "x0", "energy_gain"];
+const IMPACT: [&str; 13] = [
+    "peak_force_error",
+    "overlap",
+    "r",
+    "rdot",
+    "law",
+    "method",
+    "energy_gain",
+    "energy_loss",
+    "n",
+    "gamma",
+    "k_I",
+    "mass",
+    "bars",
+];
+
+/// Searches.
+#[pyfunction]
+pub fn recommend<'py>(
+    py: Python<'py>,
+    problem: &str,
+    targets: &Bound<'py, PyDict>,
+    jobs: Option<i64>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let jobs = worker::jobs(py, jobs)?;
+    let search = match problem {
+        "friction-oscillator" => friction(py, targets)?,
+        "bar-impact" => impact(py, targets)?,
+        _ => {
+            let message = "allowed: friction-oscillator, bar-impact";
+            return Err(usage(
+                py,
+                format!("problem: unknown {problem:?}; {message}"),
+            ));
+        }
+    };
+    let stop = search.request.stop.clone();
+    let (search, found) = worker::wait(
+        py,
+        jobs,
+        move || {
+            let found = best(&*search.space, &search.request);
+            Ok((search, found))
+        },
+        || stop.stop(),
+        |_| Ok(()),
+    )?;
+    let answer = &found.answer;
+    let chosen = answer.chosen();
+    let front = answer.front.iter();
+    let front = front.map(|own| candidate(py, &search, own));
+    let front = front.collect::<PyResult<Vec<_>>>()?;
+    let nearest = chosen.or(front.len().checked_sub(1));
+    let nearest = nearest.and_then(|at| front.get(at)).cloned();
+    let surveyed = found.survey.as_ref().map_or(0, |survey| survey.solved);
+    let solved = answer.solved + surveyed;
+    let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
+    class.call1((chosen.is_some(), nearest, front, solved))
+}
+
+/// A `slipgap.Candidate`.
+fn candidate<'py>(
+    py: Python<'py>,
+    search: &Search,
+    candidate: &Candidate,
+) -> PyResult<Bound<'py, PyAny>> {
+    let space = search.space.space();
+    let parameters = match candidate.cases.first() {
+        Some(case) => parameters(py, space, case)?,
+        None => PyDict::new(py),
+    };
+    let errors = PyDict::new(py);
+    for (target, error) in search.request.targets.iter().zip(&candidate.errors) {
+        errors.set_item(target.name.replace(' ', "_"), error)?;
+    }
+    let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
+    class.call1((parameters, candidate.cost, errors, candidate.worst <= 1.0))
+}
+
+/// The parameters of a study with this case: numbers, names, and objects of them.
+fn parameters<'py>(
+    py: Python<'py>,
+    space: &dyn SearchSpace,
+    case: &Case,
+) -> PyResult<Bound<'py, PyDict>> {
+    let parameters = PyDict::new(py);
+    for name in space.study_parameters() {
+        let Some(value) = case.get(name) else {
+            continue;
+        };
+        let (into, key) = match name.split_once('.') {
+            None => (parameters.clone(), name),
+            Some((object, key)) => {
+                if !parameters.contains(object)? {
+                    parameters.set_item(object, PyDict::new(py))?;
+                }
+                let inner = parameters.as_any().get_item(object)?;
+                (inner.cast_into()?, key)
+            }
+        };
+        match value {
+            Value::Number(x) => into.set_item(key, x)?,
+            Value::Whole(n) => into.set_item(key, n)?,
+            Value::Name(name) => into.set_item(key, name)?,
+        }
+    }
+    Ok(parameters)
+}
+
+/// Refuses names that the problem does not have.
+fn check_names(targets: &Bound<'_, PyDict>, allowed: &[&str]) -> PyResult<()> {
+    for key in targets.keys() {
+        let key: String = key.extract()?;
+        if !allowed.contains(&key.as_str()) {
+            let message = format!("unknown {key}; allowed: {}", allowed.join(", "));
+            return Err(usage(targets.py(), message));
+        }
+    }
+    Ok(())
+}
+
+/// A value of the dictionary, if it is given.
+fn get<'py, T: for<'a> FromPyObject<'a, 'py, Error: Into<PyErr>>>(
+    targets: &Bound<'py, PyDict>,
+    name: &str,
+) -> PyResult<Option<T>> {
+    match targets.get_item(name)? {
+        Some(value) if !value.is_none() => Ok(Some(value.extract().map_err(Into::into)?)),
+        Some(_) | None => Ok(None),
+    }
+}
+
+fn friction(py: Python<'_>, targets: &Bound<'_, PyDict>) -> PyResult<Search> {
+    check_names(targets, &FRICTION)?;
+    let Some(rms) = get(targets, "rms")? else {
+        return Err(usage(py, "friction-oscillator needs the target rms"));
+    };
+    let usual = FrictionTask::new(rms);
+    let task = FrictionTask {
+        law: get(targets, "law")?,
+        method: get(targets, "method")?,
+        x0: get(targets, "x0")?.unwrap_or(usual.x0),
+        energy_gain: get(targets, "energy_gain")?.unwrap_or(usual.energy_gain),
+        rms,
+    };
+    py.detach(|| task.search())
+        .map_err(|error| raise(py, error))
+}
+
+fn impact(py: Python<'_>, targets: &Bound<'_, PyDict>) -> PyResult<Search> {
+    check_names(targets, &IMPACT)?;
+    let usual = ImpactTask::default();
+    let mut task = ImpactTask {
+        peak_force_error: get(targets, "peak_force_error")?,
+        overlap: get(targets, "overlap")?,
+        r: get(targets, "r")?,
+        rdot: get(targets, "rdot")?,
+        law: get(targets, "law")?,
+        method: get(targets, "method")?,
+        energy_gain: get(targets, "energy_gain")?.unwrap_or(usual.energy_gain),
+        energy_loss: get(targets, "energy_loss")?.unwrap_or(usual.energy_loss),
+        n: get(targets, "n")?,
+        gamma: get(targets, "gamma")?,
+        k_i: get(targets, "k_I")?,
+        mass: get(targets, "mass")?,
+        bars: Vec::new(),
+    };
+    if let Some(bars) = get::<Bound<'_, PyDict>>(targets, "bars")? {
+        add_bars(&mut task, &bars, "")?;
+    }
+    py.detach(|| task.search())
+        .map_err(|error| raise(py, error))
+}
+
+/// Adds the data of the bars, as in a study.
+fn add_bars(task: &mut ImpactTask, bars: &Bound<'_, PyDict>, prefix: &str) -> PyResult<()> {
+    for (key, value) in bars {
+        let key = format!("{prefix}{}", key.extract::<String>()?);
+        if let Ok(inner) = value.cast::<PyDict>() {
+            add_bars(task, inner, &format!("{key}."))?;
+            continue;
+        }
+        let text = value.str()?.to_string();
+        let read = bar(&key, &text);
+        task.bars
+            .push(read.map_err(|why| usage(bars.py(), format!("bars: {why}")))?);
+    }
+    Ok(())
+}

@@ -1,0 +1,123 @@
+//! The results of a run.
+
+use crate::error::raise;
+use crate::figure::{Figure, Shown};
+use crate::table::Table;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyType};
+use slipgap::batch::output::manifest;
+use slipgap::checks;
+use slipgap::error::Error;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// The classes `slipgap.Check` and `slipgap.Failure`.
+static CHECK: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static FAILURE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+
+/// The results of a study, as `slipgap.run` returns them.
+#[pyclass(frozen, module = "slipgap")]
+pub struct Results {
+    /// The table with one row for each case.
+    #[pyo3(get)]
+    pub table: Py<Table>,
+    /// Figures by name.
+    #[pyo3(get)]
+    pub figures: Py<PyDict>,
+    /// The folder with the files of the run; None without one.
+    #[pyo3(get)]
+    pub folder: Option<PathBuf>,
+    pub shown: Arc<Shown>,
+    pub failures: Vec<(u64, String)>,
+    /// By check of the study: the cases and the values; NaN if a value is undefined.
+    pub checked: Vec<Vec<(u64, f64)>>,
+    pub without_contact: u64,
+}
+
+impl Results {
+    /// The figures by name.
+    pub fn figures(
+        py: Python<'_>,
+        shown: &Arc<Shown>,
+        folder: Option<&PathBuf>,
+    ) -> PyResult<Py<PyDict>> {
+        let figures = PyDict::new(py);
+        for figure in Figure::all(shown, folder.map(PathBuf::as_path)) {
+            let figure = Bound::new(py, figure)?;
+            figures.set_item(figure.getattr("name")?, figure)?;
+        }
+        Ok(figures.unbind())
+    }
+}
+
+#[pymethods]
+impl Results {
+    /// The checks of the study, each with its case, its value and whether it is met. They are made when they are asked for.
+    #[getter]
+    fn checks<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let class = CHECK.import(py, "slipgap._records", "Check")?;
+        let study = &self.shown.source.study;
+        let checks = self.checked.iter().enumerate();
+        let verdicts = checks.flat_map(|(check, values)| {
+            let defined = |x: f64| Some(x).filter(|x| !x.is_nan());
+            let values = values.iter();
+            values.map(move |(case, x)| checks::verdict(study, check, *case, defined(*x)))
+        });
+        let record = |verdict: checks::Verdict| {
+            let met = verdict.holds();
+            let checks::Verdict {
+                case,
+                metric,
+                value,
+                min,
+                max,
+            } = verdict;
+            class.call1((case, metric, value, min, max, met))
+        };
+        verdicts.map(record).collect()
+    }
+
+    /// The cases that could not be solved.
+    #[getter]
+    fn failures<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let class = FAILURE.import(py, "slipgap._records", "Failure")?;
+        let failures = self.failures.iter();
+        failures
+            .map(|failure| class.call1(failure.clone()))
+            .collect()
+    }
+
+    /// The origin of the results, as in manifest.json.
+    #[getter]
+    fn manifest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let source = &self.shown.source;
+        let text = py.detach(|| match &self.folder {
+            Some(folder) => {
+                let file = folder.join("manifest.json");
+                std::fs::read_to_string(&file).map_err(Error::io("cannot read", file))
+            }
+            None => {
+                let entries = manifest(&source.study, &source.file, &[], self.without_contact);
+                Ok(serde_json::Value::Object(entries).to_string())
+            }
+        });
+        let text = text.map_err(|error| raise(py, error))?;
+        py.import("json")?.call_method1("loads", (text,))
+    }
+
+    fn __repr__(&self) -> String {
+        let study = &self.shown.source.study;
+        let cases = match study.len() {
+            1 => "1 case".to_owned(),
+            cases => format!("{cases} cases"),
+        };
+        let name = &self.shown.source.name;
+        match self.failures.len() {
+            0 => format!("<slipgap.Results of {name}: {cases}>"),
+            unsolved => {
+                format!("<slipgap.Results of {name}: {cases}, {unsolved} without a solution>")
+            }
+        }
+    }
+}

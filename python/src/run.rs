@@ -1,0 +1,206 @@
+//! `slipgap.run`: a study in memory, or into its folder with the files of the program.
+
+use crate::columns::Columns;
+use crate::figure::Shown;
+use crate::given;
+use crate::results::Results;
+use crate::table::Table;
+use crate::worker;
+use arrow_array::RecordBatch;
+use indicatif::ProgressBar;
+use pyo3::prelude::*;
+use slipgap::batch::output::Folder;
+use slipgap::batch::store::Store;
+use slipgap::batch::work_progress::WorkProgress;
+use slipgap::batch::{self, Outcome, PartResult, RunOptions};
+use slipgap::checks::{self, ReducedChecks};
+use slipgap::error::Error;
+use slipgap::problem::cases_without_contact;
+use slipgap::run::{Observer, OutputOptions, Source, run_study};
+use slipgap::study_figures;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What a run leaves in memory.
+struct Collected {
+    batches: Vec<RecordBatch>,
+    failures: Vec<(u64, String)>,
+    checked: Vec<Vec<(u64, f64)>>,
+    without_contact: u64,
+    /// The cases that figures show; none if the run wrote the figures.
+    shown: Vec<Outcome>,
+}
+
+/// Runs a study; `progress` is called with the numbers of finished and of all cases.
+#[pyfunction]
+#[pyo3(signature = (study, out, jobs, set, progress))]
+pub fn run(
+    py: Python<'_>,
+    study: &Bound<'_, PyAny>,
+    out: Option<PathBuf>,
+    jobs: Option<i64>,
+    set: Option<&Bound<'_, PyAny>>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Results> {
+    let jobs = worker::jobs(py, jobs)?;
+    let source = given::source(py, study, set)?;
+    let cases = source.study.len();
+    let folder = out.map(|out| out.join(&source.name));
+    let (bar, stop) = (ProgressBar::hidden(), Arc::new(WorkProgress::new(0.0)));
+    let shared = (bar.clone(), stop.clone());
+    let report = |done: u64| match progress {
+        Some(progress) => progress.call1((done, cases)).map(|_| ()),
+        None => Ok(()),
+    };
+    let path = folder.clone();
+    let (source, columns, collected) = worker::wait(
+        py,
+        jobs,
+        move || {
+            let collector = Collector::new(&source.study, shared);
+            let schema = collector.columns.schema();
+            let collected = match &path {
+                Some(path) => to_folder(&source, path, collector)?,
+                None => in_memory(&source, collector)?,
+            };
+            Ok((source, schema, collected))
+        },
+        || stop.stop(),
+        |_| report(bar.position()),
+    )?;
+    report(cases)?;
+    let outcomes = collected.shown;
+    let shown = Arc::new(Shown { source, outcomes });
+    let table = Table {
+        schema: columns,
+        batches: collected.batches,
+    };
+    Ok(Results {
+        table: Py::new(py, table)?,
+        figures: Results::figures(py, &shown, folder.as_ref())?,
+        folder,
+        shown,
+        failures: collected.failures,
+        checked: collected.checked,
+        without_contact: collected.without_contact,
+    })
+}
+
+/// Runs a study without files.
+fn in_memory(source: &Source, mut collector: Collector<'_>) -> Result<Collected, Error> {
+    let study = &source.study;
+    let (bar, work) = collector.shared.clone();
+    let options = RunOptions {
+        keep_history: &|case| study_figures::show_history(study, case),
+        progress: Some(&*work),
+        ..RunOptions::METRICS
+    };
+    let mut shown = Vec::new();
+    batch::run(study, &bar, &options, |part| {
+        collector.add(&part)?;
+        if !study.figures.is_empty() {
+            let outcomes = part.outcomes(study).into_iter().map(|(_, outcome)| outcome);
+            shown.extend(outcomes.filter(|outcome| study_figures::show(study, &outcome.case)));
+        }
+        Ok(())
+    })?;
+    study_figures::add_histories(study, &mut shown);
+    collector.finish(shown)
+}
+
+/// Runs a study into its folder, as the program does.
+fn to_folder(
+    source: &Source,
+    path: &Path,
+    mut collector: Collector<'_>,
+) -> Result<Collected, Error> {
+    let folder = Folder::of_study(path)?;
+    let store = Store::open(path)?;
+    let output = OutputOptions::default();
+    run_study(source, folder, store, &output, &mut collector)?;
+    collector.finish(Vec::new())
+}
+
+/// Collects the results part by part.
+struct Collector<'a> {
+    study: &'a slipgap::study::Study,
+    shared: (ProgressBar, Arc<WorkProgress>),
+    columns: Columns,
+    reduced: ReducedChecks<'a>,
+    collected: Collected,
+    error: Option<Error>,
+}
+
+impl<'a> Collector<'a> {
+    fn new(
+        study: &'a slipgap::study::Study,
+        shared: (ProgressBar, Arc<WorkProgress>),
+    ) -> Collector<'a> {
+        Collector {
+            study,
+            shared,
+            columns: Columns::new(study),
+            reduced: ReducedChecks::new(study),
+            collected: Collected {
+                batches: Vec::new(),
+                failures: Vec::new(),
+                checked: vec![Vec::new(); study.checks.len()],
+                without_contact: 0,
+                shown: Vec::new(),
+            },
+            error: None,
+        }
+    }
+
+    fn add(&mut self, part: &PartResult) -> Result<(), Error> {
+        let (study, collected) = (self.study, &mut self.collected);
+        collected.batches.push(self.columns.of(study, part)?);
+        let failures = part.metrics.failures();
+        let numbered = failures.map(|(row, why)| (part.first + row as u64, why.to_string()));
+        collected.failures.extend(numbered);
+        collected.without_contact += cases_without_contact(&*study.problem, &part.metrics);
+        if study.checks.is_empty() {
+            return Ok(());
+        }
+        let mut shown = part.cases.shown();
+        for (place, number) in (0..part.len()).zip(part.first..) {
+            let value = |metric| part.metrics.row(place).nth(metric).flatten();
+            for (check, value) in checks::applicable(study, shown.at(place), value) {
+                collected.checked[check].push((number, value.unwrap_or(f64::NAN)));
+            }
+            self.reduced.add(number, shown.at(place), value);
+        }
+        Ok(())
+    }
+
+    fn finish(mut self, shown: Vec<Outcome>) -> Result<Collected, Error> {
+        if let Some(error) = self.error {
+            return Err(error);
+        }
+        for (check, case, value) in self.reduced.values() {
+            self.collected.checked[check].push((case, value.unwrap_or(f64::NAN)));
+        }
+        self.collected.shown = shown;
+        Ok(self.collected)
+    }
+}
+
+impl Observer for Collector<'_> {
+    fn begin_cases(&mut self, _source: &Source) -> (ProgressBar, Arc<WorkProgress>) {
+        self.shared.clone()
+    }
+
+    fn part(&mut self, part: &PartResult) {
+        if let Err(error) = self.add(part) {
+            self.error.get_or_insert(error);
+        }
+    }
+
+    fn end_cases(&mut self, _source: &Source, _bar: &ProgressBar, _summary: &str) {}
+
+    fn begin_indices(&mut self, _source: &Source, _estimates: usize) -> ProgressBar {
+        ProgressBar::hidden()
+    }
+
+    fn note(&mut self, _line: &str) {}
+}

@@ -1,0 +1,37 @@
+"""mypy accepts the package, its stubs and these tests in strict mode; the stubs are those of the compiled module."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import slipgap
+
+HERE = Path(__file__).resolve().parent
+
+
+def run(*command: object) -> str:
+    done = subprocess.run(
+        [sys.executable, "-m", *map(str, command)], capture_output=True, text=True, cwd=HERE
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_strict_types() -> None:
+    pytest.importorskip("mypy")
+    run("mypy", "--strict", "--ignore-missing-imports", "-p", "slipgap")
+    run("mypy", "--strict", "--ignore-missing-imports", *sorted(HERE.glob("*.py")))
+
+
+def test_stubs_are_those_of_the_module() -> None:
+    pytest.importorskip("mypy")
+    run("mypy.stubtest", "slipgap", "--ignore-disjoint-bases")
+
+
+def test_everything_public_is_described() -> None:
+    for name in slipgap.__all__:
+        thing = getattr(slipgap, name)
+        if name != "__version__":
+            assert thing.__doc__ and "Alias for field" not in thing.__doc__, name
