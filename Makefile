@@ -23,7 +23,7 @@ test: ## check results and verdicts against recorded values, run all tests
 
 lint: ## formatting, clippy and documentation without warnings
 	cargo fmt --all --check
-	cargo clippy --locked --workspace --all-targets -- -D warnings
+	cargo clippy --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
@@ -101,6 +101,7 @@ python_tools = maturin pytest mypy numpy pandas polars pyarrow duckdb scipy matp
 # The extension is built for development. SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
 	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
+	cargo clippy --locked --package slipgap-python -- -D warnings
 	cargo build --locked --package slipgap --package slipgap-python
 	. $(python_env)/bin/activate && cd python && maturin develop --locked
 	$(python_env)/bin/pytest --quiet python/tests
