@@ -2,6 +2,8 @@
 
 # Most tests run in a build that stops at an overflow. `make fresh`, `make guard` and what computes all studies share a release build.
 
+debug = $(or $(CARGO_TARGET_DIR),target)/debug
+
 .PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel
 
 help: ## this list
@@ -14,12 +16,13 @@ figures: ## run every study in studies/, judge the claims, write tables, picture
 report: ## one page about all studies, figures/report.html: tables to sort and filter, figures with values on hover
 	cargo run --release --locked -- report
 
-# The tests come last, so that their summary ends the output. `cargo run` would compile the program again, without what only
-# tests need of the crates below it.
+# The tests come last, so that their summary ends the output. `--workspace` builds no more, but all with the same features of the
+# crates below, so that the library is compiled once for all tests and for the Python package.
 test: ## check results and verdicts against recorded values, run all tests
 	cargo test --release --locked --test shipped -- --ignored --test-threads 1
-	for example in one_case sweep figure own_metric; do cargo run --locked --quiet --example $$example > target/$$example.txt || exit 1; done
-	cargo test --locked
+	cargo build --locked --workspace --examples
+	for example in one_case sweep figure own_metric; do $(debug)/examples/$$example > target/$$example.txt || exit 1; done
+	cargo test --locked --workspace
 
 lint: ## formatting, clippy and documentation without warnings
 	cargo fmt --all --check
@@ -30,7 +33,7 @@ fresh: ## compare committed tables, pictures and schema with what is written now
 	cargo test --release --locked --test fresh -- --ignored
 
 licences: ## check that the licences of all dependencies are in the list allowed
-	cargo test --locked --test licences -- --ignored
+	cargo test --locked --workspace --test licences -- --ignored
 
 bench: ## measure sweeps, expansion and store; not part of CI, since no test measures time
 	cargo bench --locked --bench kernel --bench expansion --bench store
@@ -58,7 +61,7 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 # The daemons run in a temporary folder with free ports; nothing is written elsewhere. Debian: apt-get install
 # --no-install-recommends slurm-wlm munge. Without them the test says that it did not run.
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
-	cargo test --locked --test slurm -- --ignored --nocapture
+	cargo test --locked --workspace --test slurm -- --ignored --nocapture
 
 # A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
 # `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a pattern.
@@ -96,14 +99,16 @@ schema: ## write schema/study.json, which editors read, and docs/study-files.md
 
 PYTHON = python3
 python_env = target/python
-python_tools = maturin pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel
+python_tools = pytest mypy numpy pandas polars pyarrow duckdb scipy matplotlib tqdm nbclient nbformat ipykernel
 
-# The extension is built for development. SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
+# The extension is built for development, as `maturin develop` does, but with the library that the other tests have compiled.
+# SLIPGAP_ALL_STUDIES=1 compares all shipped studies with the program, not a part of them.
 python-test: ## the Python package: its functions, types, notebooks, and the same bytes as the program
 	test -x $(python_env)/bin/pytest || { $(PYTHON) -m venv $(python_env) && $(python_env)/bin/pip install --quiet $(python_tools); }
 	cargo clippy --locked --package slipgap-python -- -D warnings
-	cargo build --locked --package slipgap --package slipgap-python
-	. $(python_env)/bin/activate && cd python && maturin develop --locked
+	PYO3_BUILD_EXTENSION_MODULE=1 cargo build --locked --workspace --lib --bins --tests
+	cp $(debug)/lib_slipgap.so python/slipgap/_slipgap.abi3.so
+	echo $(CURDIR)/python > $$($(python_env)/bin/python -c "import sysconfig; print(sysconfig.get_path('purelib'))")/slipgap.pth
 	$(python_env)/bin/pytest --quiet python/tests
 
 # The oldest C library that the wheel works with is that of manylinux 2.17. The linker of Zig, which comes from PyPI, knows it.
