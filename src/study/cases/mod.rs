@@ -137,11 +137,13 @@ impl Study {
         None
     }
 
-    /// The cases among raw combinations `from..to` as columns, and the number of the first.
+    /// The cases among raw combinations `from..to` as columns, and the number of the first; without any, that of the next case.
     pub fn columns(&self, from: u64, to: u64) -> (u64, Cases) {
         let mut cases = Cases::new(self.problem.schema());
         let (mut case, mut first) = (Case::new(self.problem.schema()), None);
+        let mut next_case = None;
         for (block, raws, number) in self.parts(from, to) {
+            next_case.get_or_insert(number);
             if block.is_surely_empty(&*self.problem, &raws) {
                 continue;
             }
@@ -164,7 +166,7 @@ impl Study {
                 next += 1;
             }
         }
-        (first.unwrap_or(0), cases)
+        (first.or(next_case).unwrap_or(0), cases)
     }
 
     /// The part of raw combinations `from..to` in each block, numbered from the start of the block, and the number of the
