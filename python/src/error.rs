@@ -43,9 +43,11 @@ fn exception(py: Python<'_>, error: &Error) -> PyResult<PyErr> {
             fields.set_item("file", path.display().to_string())?;
             error.to_string()
         }
-        Error::Usage(_) | Error::Unsolved(_) | Error::Interrupted | Error::Internal(_) => {
-            error.to_string()
-        }
+        Error::Usage(_)
+        | Error::Unsolved(_)
+        | Error::PartsMissing(_)
+        | Error::Interrupted
+        | Error::Internal(_) => error.to_string(),
     };
     let exception = class.call((message,), Some(&fields))?;
     Ok(PyErr::from_value(exception))
