@@ -42,9 +42,13 @@ def test_some_studies_have_every_kind_of_figure() -> None:
 @pytest.mark.parametrize("study", shipped(), ids=lambda file: str(file.stem))
 def test_files_and_numbers(study: Path, program: str, tmp_path: Path) -> None:
     theirs, ours = tmp_path / "program", tmp_path / "python"
-    done = subprocess.run([program, "run", study, "--out", theirs], capture_output=True, text=True)
+    # Bridges take minutes in a development build; a part of their motion has the same tables and figures.
+    long = study.stem.startswith("bridges") or study.stem == "structure-girders"
+    settings = {"duration": 3} if long and not os.environ.get("SLIPGAP_ALL_STUDIES") else {}
+    words = [f"--set={name}={value}" for name, value in settings.items()]
+    done = subprocess.run([program, "run", study, "--out", theirs, *words], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    results = slipgap.run(study, out=ours)
+    results = slipgap.run(study, out=ours, set=settings)
     left, right = files(theirs), files(ours)
     assert left.keys() == right.keys() and len(left) > 3
     for name, file in left.items():
