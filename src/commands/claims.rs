@@ -6,8 +6,7 @@ use slipgap::batch::output::Folder;
 use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{self, Judged, Verdict};
 use slipgap::error::Error;
-use slipgap::run::cases_run;
-use slipgap::run::files;
+use slipgap::run::{cases_run, files};
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
