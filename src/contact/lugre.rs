@@ -12,8 +12,10 @@ use crate::lane::Lane;
 /// ```
 ///
 /// The step: z follows its flow for the mean velocity of the step, which is exact while g is constant, so |sigma0 z| <= L_s for every
-/// dt; dz/dt at the end is the slope of the parabola through the last three z; both are of second order. For g constant and
-/// sigma1 = sigma2 = 0 it is Dahl's model with n = 1.
+/// dt; dz/dt at the end is the slope of the parabola through the last three z; both are of second order. In the first step it is
+/// the difference quotient, which makes S(1) alone of first order. A contact that moves at t = 0 has z = 0, dz/dt = rdot and so
+/// S(0) = (sigma1 + sigma2) rdot; with S(0) = 0 a method that uses S(0) would leave out half a step of this force, an impulse of
+/// dt S(0)/2, and the motion would be of first order. For g constant and sigma1 = sigma2 = 0 it is Dahl's model with n = 1.
 ///
 /// S rises with r(i+1) and rdot(i+1) if L_s = L_k. If g falls, a step has one root where [`Lugre::has_one_root`] says so; problems
 /// refuse other steps.
@@ -45,7 +47,7 @@ pub struct Bristles<const L: usize> {
     /// Change of z in the step over its length, and this length.
     rate: Lane<L>,
     dt: Lane<L>,
-    /// Whether there was a step. Before the first one sigma0 z = S(0).
+    /// Whether there was a step. Before the first one sigma0 z = S(0) at rest; the bristles of a contact that moves are unbent.
     begun: bool,
 }
 
@@ -79,6 +81,14 @@ impl Lugre {
     /// Energy of the bristles under their force sigma0 z.
     pub fn bristle_energy(&self, force: f64) -> f64 {
         0.5 * force * force / self.sigma0
+    }
+
+    /// S of a contact with z = 0 that moves; 0 of an open contact.
+    pub fn unbent(&self, rdot: f64) -> f64 {
+        match self.limit > 0.0 {
+            true => (self.sigma1 + self.sigma2) * rdot,
+            false => 0.0,
+        }
     }
 
     /// Whether every step with these flexibilities has one root; if not, some may have more.
@@ -206,7 +216,8 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         let before = if bristles.begun {
             bristles.force
         } else {
-            trial.force
+            let at_rest = |s: f64, rdot: f64| if rdot == 0.0 { s } else { 0.0 };
+            trial.force.zip(trial.velocity, at_rest)
         };
         let before = before.cut(self.limit);
 

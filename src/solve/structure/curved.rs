@@ -276,12 +276,14 @@ fn reach(law: &ContactLaw, [low, high]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// S(0) of a law that is not a clipped line: it follows from r and rdot, or it is zero.
+/// S(0) of a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent.
 pub(super) fn first_force(relation: &Relation, r: f64, rdot: f64) -> f64 {
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
-    if let ContactLaw::BoucWen(_) | ContactLaw::Dahl(_) | ContactLaw::Lugre(_) = law {
-        return 0.0;
+    match law {
+        ContactLaw::BoucWen(_) | ContactLaw::Dahl(_) => return 0.0,
+        ContactLaw::Lugre(law) => return law.unbent(rdot),
+        _ => (),
     }
     let scale = Scale { pace: 0.0, dt: 1.0 };
     let mut law: AnyLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));

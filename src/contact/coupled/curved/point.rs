@@ -15,7 +15,7 @@ pub(super) struct Point {
     pub(super) answer: Vec<f64>,
     /// M (J - S), the residual of r' = d - H J.
     pub(super) rest: Vec<f64>,
-    /// The largest of its parts of the terms.
+    /// The largest of its parts of the terms; not finite only if a number is not.
     pub(super) residual: f64,
 }
 
@@ -51,11 +51,8 @@ impl Point {
             let row = coupling[i * m..(i + 1) * m].iter();
             let pairs = row.zip(self.answer.iter().zip(&self.force));
             self.rest[i] = pairs.map(|(m, (j, s))| m * (j - s)).sum();
-            let part = match self.rest[i] {
-                0.0 => 0.0,
-                rest => rest.abs() / self.terms[i],
-            };
-            // A part that is not a number stays.
+            let part = part(self.rest[i], self.terms[i]);
+            // A part that is not finite stays.
             if part > self.residual || part.is_nan() {
                 self.residual = part;
             }
@@ -66,5 +63,18 @@ impl Point {
     pub(super) fn slope(&self, change: &[f64]) -> f64 {
         let products = self.rest.iter().zip(change).map(|(rest, c)| rest * c);
         -products.sum::<f64>()
+    }
+}
+
+/// A residual as part of its terms. A body at rest has terms of exactly 0 while the forces on others already leave a residual: that
+/// part is large, but as finite as the numbers.
+fn part(rest: f64, terms: f64) -> f64 {
+    if rest == 0.0 {
+        return 0.0;
+    }
+    let part = rest.abs() / terms;
+    match rest.is_finite() && terms.is_finite() {
+        true => part.min(f64::MAX),
+        false => f64::NAN,
     }
 }

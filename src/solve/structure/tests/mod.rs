@@ -1,5 +1,6 @@
 //! Tests of the stepper.
 
+mod at_rest;
 mod bodies;
 mod books;
 mod curved;
