@@ -54,7 +54,6 @@ fn numbers<const L: usize>(first: usize) -> [f64; L] {
 fn at<const L: usize>(dt: Lane<L>, gap: Lane<L>) -> Start<L> {
     Start {
         choice: [MethodChoice::AverageAcceleration; L],
-        rigid: [false; L],
         dt,
         gap,
         force: Lane::splat(0.0),

@@ -74,7 +74,6 @@ impl Set {
             });
         let at = Start {
             choice: [MethodChoice::AverageAcceleration],
-            rigid: [false],
             dt: Lane([self.dt]),
             gap: Lane([0.0]),
             force: Lane([force]),

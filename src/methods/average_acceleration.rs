@@ -36,7 +36,6 @@ use crate::lane::Lane;
 /// };
 /// let at = Start {
 ///     choice: [MethodChoice::AverageAcceleration],
-///     rigid: [false],
 ///     dt: Lane([1.0]),
 ///     gap: Lane([10.0]),
 ///     force: Lane([0.0]),
@@ -281,7 +280,6 @@ mod tests {
     fn at(dt: f64, gap: f64, force: f64) -> Start<1> {
         Start {
             choice: [MethodChoice::AverageAcceleration],
-            rigid: [false],
             dt: Lane([dt]),
             gap: Lane([gap]),
             force: Lane([force]),

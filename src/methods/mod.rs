@@ -23,8 +23,6 @@ use crate::system::Mode;
 pub struct Start<const L: usize> {
     /// The method of each case; all have the kind of the first one.
     pub choice: [MethodChoice; L],
-    /// Whether the contact of a case is without compliance, so that r >= 0.
-    pub rigid: [bool; L],
     /// Time step.
     pub dt: Lane<L>,
     /// r at rest.

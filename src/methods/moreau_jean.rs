@@ -8,9 +8,8 @@
 //! n = (W2 p + phi2 dt^2 S')/D,   V' = V - n,   p' = p + V' - (2 theta - 1) n
 //! ```
 //!
-//! The constraint of a rigid contact acts on velocities, so that r' can be slightly below zero, after an impact by up to dt
-//! times the velocity before it. The positions are then projected with the inverse mass, x += phi2 mu, to r' = 0 (the combined
-//! projection of Acary 2013 for one contact: velocity and position hold together at the end of the step).
+//! The constraint of a rigid contact acts on velocities alone. Positions are not corrected, so r' can be below zero after an impact, by up
+//! to dt times the velocity before it. The contact does the work dt S' ((1 - theta) rdot + theta rdot') in a step.
 
 use super::storage::{Storage, sums};
 use super::{ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
@@ -24,14 +23,11 @@ pub struct MoreauJean<const L: usize, M = Vec<ModeState<L>>> {
     theta: Lane<L>,
     /// 2 theta - 1
     excess: Lane<L>,
-    /// One for a lane with a rigid stop, else zero.
-    rigid: Lane<L>,
     dt: Lane<L>,
     /// 1/dt
     rate: Lane<L>,
-    /// Sums of the modes' phi2 dt^2/D and phi2 dt^2.
+    /// Sum of the modes' phi2 dt^2/D.
     compliance: Lane<L>,
-    mobility: Lane<L>,
     /// Sums of the modes' W2 p/D and V.
     predictor: Lane<L>,
     increment: Lane<L>,
@@ -49,8 +45,6 @@ pub struct ModeState<const L: usize> {
     /// V
     v: Lane<L>,
     p: Lane<L>,
-    /// phi2 dt^2
-    mobility: Lane<L>,
 }
 
 impl<const L: usize> ModeState<L> {
@@ -65,7 +59,6 @@ impl<const L: usize> ModeState<L> {
             compliance: mobility * shrink,
             v,
             p: start.displacement + theta * v,
-            mobility,
         }
     }
 
@@ -86,20 +79,6 @@ impl<const L: usize> ModeState<L> {
     }
 }
 
-impl<const L: usize, M: Storage<ModeState<L>>> MoreauJean<L, M> {
-    /// Moves the positions of the lanes with an `overlap` > 0 by that much in r; nothing in the others.
-    #[cold]
-    fn project(&mut self, overlap: Lane<L>) {
-        let share = overlap.zip(self.mobility, |r, sum| if r > 0.0 { r / sum } else { 0.0 });
-        [self.predictor] = sums(self.modes.as_mut(), |mode| {
-            mode.p = mode.p + mode.mobility * share;
-            [mode.stiffness * mode.p]
-        });
-        // r' + overlap is zero.
-        self.contact.displacement = self.contact.displacement + overlap;
-    }
-}
-
 impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
     const KIND: MethodKind = MethodKind::MoreauJean;
     const CONSERVES: bool = false;
@@ -108,17 +87,16 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
     // A loop: with more than 16 lanes, maps of arrays are not inlined.
     #[inline(always)]
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
-        let (mut theta, mut rigid) = (Lane::splat(0.5), Lane::splat(0.0));
+        let mut theta = Lane::splat(0.5);
         for l in 0..L {
             let MethodChoice::MoreauJean { theta: own } = start.choice[l] else {
                 return None;
             };
             theta.0[l] = own;
-            rigid.0[l] = f64::from(u8::from(start.rigid[l]));
         }
         let dt = start.dt;
         let mut modes = M::collect(modes.map(|mode| ModeState::new(theta, dt, &mode)))?;
-        let [compliance, mobility] = sums(modes.as_mut(), |mode| [mode.compliance, mode.mobility]);
+        let [compliance] = sums(modes.as_mut(), |mode| [mode.compliance]);
         let [predictor, increment, displacement] = sums(modes.as_mut(), |mode| {
             [mode.stiffness * mode.p, mode.v, mode.p - theta * mode.v]
         });
@@ -127,11 +105,9 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
             modes,
             theta,
             excess: theta * 2.0 - Lane::splat(1.0),
-            rigid,
             dt,
             rate,
             compliance,
-            mobility,
             predictor,
             increment,
             contact: ContactState {
@@ -188,10 +164,6 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
             velocity: self.increment * self.rate,
             force: end,
         };
-        let overlap = (-self.contact.displacement * self.rigid).larger(Lane::splat(0.0));
-        if overlap.0.iter().any(|r| *r > 0.0) {
-            self.project(overlap);
-        }
         self.contact
     }
 

@@ -226,7 +226,7 @@ fn selected<const N: usize>(
     wanted: &[usize],
 ) -> impl Iterator<Item = Option<f64>> {
     let values = rows.zip(values);
-    values.map(|(row, value)| value.filter(|_| wanted.contains(&row)))
+    values.map(|(row, value)| value.filter(|x| x.is_finite() && wanted.contains(&row)))
 }
 
 /// Most steps of a run: a history of more, with its exact solution, would not fit in 2 GiB.

@@ -115,16 +115,14 @@ fn stepper<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<
         }
         start
     });
-    let (mut choice, mut rigid) = ([first.method; L], [false; L]);
+    let mut choice = [first.method; L];
     if first.method != MethodChoice::AverageAcceleration {
         for (l, case) in cases.iter().enumerate() {
-            let system = case.system();
-            (choice[l], rigid[l]) = (system.method, system.law.rigid());
+            choice[l] = case.system().method;
         }
     }
     let start = Start {
         choice,
-        rigid,
         dt: of(cases, |s| s.step),
         gap: of(cases, |s| s.gap),
         force: of(cases, |s| s.force),

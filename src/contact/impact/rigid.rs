@@ -9,8 +9,9 @@ use crate::lane::Lane;
 /// r >= 0, S <= 0, r S = 0.
 ///
 /// A method with displacements has r >= 0 at the end of each step; it needs h > 0. In a method with velocities and impulses
-/// (Moreau 1988, Jean 1999) a contact that would overlap at the end of the step without its force (r* < 0) leaves it with
-/// rdot' >= -e rdot(i) if it closes, else with rdot' >= 0.
+/// (Moreau 1988, Jean 1999) the contact is active in a step if the gap predicted for its middle, r(i) + dt/2 rdot(i), is not
+/// positive. Then S' <= 0, rdot' + e rdot(i) >= 0, and one of both is 0: Newton's rule with the velocity before the step, whatever its
+/// sign. No position is corrected, so an overlap of up to dt/2 times the closing speed and more remains while the contact is shut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rigid {
     /// e in 0..=1; only methods with impulses use it.
@@ -25,6 +26,8 @@ pub struct Step<const L: usize> {
     start: Flexibility<L>,
     end: Flexibility<L>,
     restitution: Lane<L>,
+    /// dt/2
+    half: Lane<L>,
     by_impulse: bool,
 }
 
@@ -51,6 +54,7 @@ impl Law for Rigid {
             start: on.start,
             end: on.end,
             restitution: lanes(laws, |law| law.restitution),
+            half: on.dt * 0.5,
             by_impulse: on.by_impulse,
         }
     }
@@ -67,17 +71,15 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         let free = Free::new(trial, &self.start);
-        let (missing, by) = if self.by_impulse {
+        let (active, by) = if self.by_impulse {
             // rdot' = -ddelta* + h_rate F >= -e rdot(i).
-            let before = trial.velocity.smaller(Lane::splat(0.0));
-            (free.closing - self.restitution * before, self.end.h_rate)
+            let missing = free.closing - self.restitution * trial.velocity;
+            let predicted = trial.displacement + self.half * trial.velocity;
+            let active = |missing, predicted| if predicted <= 0.0 { missing } else { 0.0 };
+            (missing.zip(predicted, active), self.end.h_rate)
         } else {
             (free.overlap, self.end.h)
         };
-        let active = missing.zip(
-            free.overlap,
-            |missing, overlap| if overlap > 0.0 { missing } else { 0.0 },
-        );
         resisting(active.zip(
             by,
             |missing, by| if missing > 0.0 { missing / by } else { 0.0 },

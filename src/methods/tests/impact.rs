@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// A rigid stop with restitution at velocity level: rdot' = -e rdot if r would become negative, as long as the stop pushes.
+/// A rigid stop at velocity level: rdot' = -e rdot if the gap predicted for the middle of the step is not positive, as long as the
+/// stop pushes.
 struct Stop {
     on: StepFlexibility<1>,
     restitution: f64,
@@ -11,10 +12,11 @@ struct Stop {
 impl Answer<1> for Stop {
     fn force(&mut self, _: usize, trial: &Trial<1>) -> Lane<1> {
         assert!(self.on.by_impulse);
-        if trial.displacement.0[0] + trial.change.0[0] >= 0.0 {
+        let ([r], [rdot], [dt]) = (trial.displacement.0, trial.velocity.0, self.on.dt.0);
+        if r + 0.5 * dt * rdot > 0.0 {
             return Lane([0.0]);
         }
-        let target = -self.restitution * trial.velocity.0[0].min(0.0);
+        let target = -self.restitution * rdot;
         Lane([((trial.rate.0[0] - target) / self.on.end.h_rate.0[0]).min(0.0)])
     }
 }
@@ -26,10 +28,7 @@ fn rigid(
     modes: &[ModeStart<1>],
     restitution: f64,
 ) -> (MoreauJean<1>, Stop) {
-    let at = Start {
-        rigid: [true],
-        ..start(MethodChoice::MoreauJean { theta }, dt, gap, 0.0)
-    };
+    let at = start(MethodChoice::MoreauJean { theta }, dt, gap, 0.0);
     let method = MoreauJean::<1>::new(&at, modes.iter().copied()).unwrap();
     let on = method.flexibilities()[0];
     (method, Stop { on, restitution })
@@ -53,15 +52,13 @@ fn a_ball_bounces_with_its_restitution_and_comes_to_rest() {
                 let before = method.contact();
                 let after = method.step(&mut stop);
                 let (was, v) = (before.velocity.0[0], after.velocity.0[0]);
+                // The ball falls with a speed of 1 at most, and is stopped before the middle of the next step.
                 assert!(
-                    after.displacement.0[0] >= 0.0,
+                    after.displacement.0[0] >= -dt,
                     "{theta} {restitution} {step}"
                 );
                 if after.force.0[0] < 0.0 {
-                    assert!(
-                        (v + restitution * was.min(0.0)).abs() < 1e-12,
-                        "{step}: {was} {v}"
-                    );
+                    assert!((v + restitution * was).abs() < 1e-12, "{step}: {was} {v}");
                     // Impacts much faster than the last ones before the rest.
                     if was < -0.1 {
                         rebounds.push([was, v]);
@@ -88,9 +85,13 @@ fn a_ball_bounces_with_its_restitution_and_comes_to_rest() {
             // The mean force of the load: weight/phi2 with the acceleration 1.
             assert!((end.force.0[0] + 2.0).abs() < 1e-9, "{:?}", end.force);
             let (x, _) = Method::modes(&method).next().unwrap();
-            // It came to rest within the fall of one step under the load, and it has not moved since.
+            // Without restitution it keeps the overlap of the first impact. With it, later impacts are slow.
             let height = end.displacement.0[0];
-            assert!(height < dt * dt, "{theta} {restitution}: {height}");
+            let deep = if restitution == 0.0 { dt } else { dt * dt };
+            assert!(
+                -deep <= height && height <= 0.0,
+                "{theta} {restitution}: {height}"
+            );
             // The coordinate is 1e4: 20,000 roundings of 1e-12.
             assert!(
                 (x.0[0] + gap - height).abs() < 4e-8,
@@ -100,69 +101,72 @@ fn a_ball_bounces_with_its_restitution_and_comes_to_rest() {
     }
 }
 
-#[test]
-fn bars_in_contact_have_no_overlap_and_no_drift() {
-    // Many modes on a stop: each impact would leave an overlap of up to dt times the velocity. The modes agree with r.
-    let modes: Vec<_> = (0..12)
-        .map(|j| {
-            let j = f64::from(j);
-            mode(
-                4.0 * j * j,
-                if j > 0.0 { 2.0 } else { 1.0 },
-                0.0,
-                if j > 0.0 { 0.0 } else { -1.0 },
-            )
-        })
-        .collect();
-    for theta in [0.5, 0.6] {
-        let (mut method, mut stop) = rigid(theta, 0.01, 0.005, &modes, 0.0);
-        let mut impacts = 0;
-        for step in 0..2000 {
-            let after = method.step(&mut stop);
-            impacts += u32::from(after.force.0[0] < 0.0);
-            assert!(after.displacement.0[0] >= 0.0);
-            let sum: f64 = Method::modes(&method).map(|(x, _)| x.0[0]).sum();
-            // Sums of 12 terms, 2000 steps; the bar has left by up to 20.
-            assert!(
-                (sum + 0.005 - after.displacement.0[0]).abs() < 1e-12,
-                "{step}"
-            );
-        }
-        assert!(impacts > 5);
+/// The modes of a bar of length 1, mass 1 and n elements with half of the mass of an element at its ends, in closed form. A wave
+/// passes it in 1/2, and it moves with -1 towards the stop. r is the displacement of its end.
+fn bar(n: u32) -> Vec<ModeStart<1>> {
+    let n = f64::from(n);
+    let of = |j: u32| {
+        let j = f64::from(j);
+        let sine = libm::sin(0.5 * std::f64::consts::PI * j / n);
+        let phi2 = if j == 0.0 || j == n { 1.0 } else { 2.0 };
+        let v = if j == 0.0 { -1.0 } else { 0.0 };
+        mode(16.0 * n * n * sine * sine, phi2, 0.0, v)
+    };
+    (0..=n as u32).map(of).collect()
+}
+
+/// Energies after each step, and the smallest r, of a bar with this gap.
+fn energies(theta: f64, e: f64, dt: f64, gap: f64, bar: &[ModeStart<1>]) -> (Vec<f64>, f64) {
+    let (mut method, mut stop) = rigid(theta, dt, gap, bar, e);
+    let mut least = f64::INFINITY;
+    let mut rows = Vec::new();
+    for _ in 0..(2.5 / dt) as u32 {
+        let after = method.step(&mut stop);
+        least = least.min(after.displacement.0[0]);
+        let states = Method::modes(&method).zip(bar);
+        let own = |((x, v), start): ((Lane<1>, Lane<1>), &ModeStart<1>)| {
+            (start.mode[0].energy(x.0[0], v.0[0]), x.0[0])
+        };
+        let (energy, sum): (Vec<f64>, Vec<f64>) = states.map(own).unzip();
+        rows.push(energy.iter().sum::<f64>() / 0.5);
+        // The modes agree with r: sums of 41 terms.
+        let r = gap + sum.iter().sum::<f64>();
+        assert!((r - after.displacement.0[0]).abs() < 1e-12);
     }
+    (rows, least)
 }
 
 #[test]
-fn only_rigid_contacts_are_projected() {
-    let modes = [mode(1.0, 1.0, -0.5, 0.0)];
-    let at = start(MethodChoice::MoreauJean { theta: 0.5 }, 0.1, 0.0, 0.0);
-    let mut free = MoreauJean::<1>::new(&at, modes.into_iter()).unwrap();
-    assert!(free.step(&mut Prescribed([0.0; 2])).displacement.0[0] < -0.4);
-    let at = Start {
-        rigid: [true],
-        ..at
-    };
-    let mut stopped = MoreauJean::<1>::new(&at, modes.into_iter()).unwrap();
-    let velocity = free.contact().velocity;
-    let contact = stopped.step(&mut Prescribed([0.0; 2]));
-    assert_eq!(contact.displacement.0[0], 0.0);
-    // The projection changes positions only.
-    assert_eq!(contact.velocity, velocity);
-}
-
-#[test]
-fn projection_moves_modes_by_their_inverse_masses() {
-    // Two modes with phi2 1 and 3 share the overlap as 1 to 3.
-    let modes = [mode(0.0, 1.0, -0.1, 0.0), mode(0.0, 3.0, -0.3, 0.0)];
-    let at = Start {
-        rigid: [true],
-        ..start(MethodChoice::MoreauJean { theta: 0.5 }, 0.1, 0.2, 0.0)
-    };
-    let mut method = MoreauJean::<1>::new(&at, modes.into_iter()).unwrap();
-    method.step(&mut Prescribed([0.0; 2]));
-    let x: Vec<f64> = Method::modes(&method).map(|(x, _)| x.0[0]).collect();
-    assert!(
-        (x[0] + 0.05).abs() < 1e-15 && (x[1] + 0.15).abs() < 1e-15,
-        "{x:?}"
-    );
+fn bars_lose_the_energy_of_the_standard_scheme_and_never_gain() {
+    // The lost parts are those of a program with the masses and springs of the elements and a solver of its equations, without
+    // modes: smallest and largest of twenty gaps. Round-off of 12 digits printed.
+    let bar = bar(40);
+    for (theta, e, [smallest, largest]) in [
+        (0.5, 0.0, [0.051_538_820_320, 0.051_538_820_320]),
+        (0.5, 0.5, [0.020_833_330_949, 0.073_771_784_090]),
+        (0.5, 1.0, [0.0, 0.0]),
+        (1.0, 0.0, [0.576_678_254_860, 0.599_862_422_995]),
+        (1.0, 1.0, [0.569_737_312_930, 0.654_282_826_727]),
+    ] {
+        let mut lost = Vec::new();
+        for k in 0..20 {
+            let gap = 0.2025 + 0.005 * f64::from(k);
+            let (energies, least) = energies(theta, e, 0.05, gap, &bar);
+            lost.push(1.0 - energies[energies.len() - 1]);
+            // Never more than at the start; and in no step, unless a contact that opens is pushed back (0 < e < 1).
+            assert!(energies.iter().all(|energy| *energy < 1.0 + 1e-12));
+            let falls = |pair: &[f64]| pair[1] < pair[0] + 1e-13;
+            assert!(e > 0.0 || energies.windows(2).all(falls), "{theta} {gap}");
+            assert!(least < 0.0, "an overlap remains: {least}");
+        }
+        let found = [
+            lost.iter().fold(1.0_f64, |a, b| a.min(*b)),
+            lost.iter().fold(-1.0_f64, |a, b| a.max(*b)),
+        ];
+        let expected = [smallest, largest];
+        assert!(
+            (0..2).all(|i| (found[i] - expected[i]).abs() < 1e-11),
+            "{theta} {e} {found:?} {expected:?}"
+        );
+    }
 }

@@ -58,7 +58,6 @@ fn mode(omega2: f64, phi2: f64, x: f64, v: f64) -> ModeStart<1> {
 fn start(choice: MethodChoice, dt: f64, gap: f64, force: f64) -> Start<1> {
     Start {
         choice: [choice],
-        rigid: [false],
         dt: Lane([dt]),
         gap: Lane([gap]),
         force: Lane([force]),
@@ -154,14 +153,12 @@ fn lanes_are_the_same_alone_and_together() {
     ) {
         let of = |l: usize| Start::<1> {
             choice: [choice[l]],
-            rigid: [l == 1],
             dt: Lane([dt[l]]),
             gap: Lane([0.05]),
             force: Lane([0.2]),
         };
         let together = Start::<4> {
             choice,
-            rigid: [false, true, false, false],
             dt: Lane(dt),
             gap: Lane::splat(0.05),
             force: Lane::splat(0.2),

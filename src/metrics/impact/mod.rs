@@ -41,6 +41,11 @@ pub fn evaluate<const L: usize>(
         |lost, gained| if -lost > gained { lost } else { gained },
     );
     let end = energy.last - start;
+    // The sum to the last step is not finite if an energy overflowed, also where the extremes ignored NaN.
+    let drift = drift.zip(
+        end,
+        |drift, end| if end.is_finite() { drift } else { f64::NAN },
+    );
     // A rigid contact is closed while it has a force.
     let touching = if c.touching.is_empty() {
         r

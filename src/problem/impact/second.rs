@@ -87,7 +87,6 @@ fn far_ends(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<
     }
     let at = Start {
         choice: [scaled.method],
-        rigid: [false],
         dt: Lane([dt]),
         gap: Lane([2.0 * flight]),
         force: Lane([0.0]),

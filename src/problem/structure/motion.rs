@@ -23,7 +23,7 @@ pub struct Recording<'a> {
     pub energy: bool,
 }
 
-/// Energies of a run over the largest energy.
+/// Energies of a run over the largest energy; NaN if an energy overflows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Energies {
     /// Energy error.
@@ -86,11 +86,9 @@ pub fn steps<const L: usize>(
             series: series.iter_mut().map(of_lane).collect(),
             len: count,
         };
-        // Without any energy there is no error.
-        let of = |numbers: &[f64; L]| if numbers[l].is_nan() { 0.0 } else { numbers[l] };
         let energies = energies.as_ref().map(|[error, dissipation]| Energies {
-            error: of(error),
-            dissipation: of(dissipation),
+            error: error[l],
+            dissipation: dissipation[l],
         });
         Ok((recorded, energies))
     })

@@ -12,8 +12,7 @@ use crate::lane::Lane;
 /// ```
 ///
 /// with the means of both ends of a step (of each sub-step). The constant average acceleration method has no numerical dissipation:
-/// both sides differ by round-off for any forces. An impulse does its work on the mean of the velocities before and after it, and
-/// the separation of overlaps counts as numerical dissipation.
+/// both sides differ by round-off for any forces. An impulse does its work on the mean of the velocities before and after it.
 ///
 /// For the other methods the energy error is the work of the unbalanced forces of the equations that they solve, which is round-off,
 /// too.
@@ -115,10 +114,10 @@ impl<const L: usize> Books<L> {
         self.energy - self.start - supplied
     }
 
-    /// Largest error of the books at any step, over the largest energy: kinetic, strain, and what the contacts store. NaN if there
-    /// never is any energy.
+    /// Largest error of the books at any step, over the largest energy: kinetic, strain, and what the contacts store. 0 if there
+    /// never is any energy; NaN if an energy overflows.
     pub fn energy_error(&self) -> Lane<L> {
-        self.difference.zip(self.largest, |d, e| d / e)
+        self.over_largest(self.difference)
     }
 
     /// Energy that the method took from the structure up to the last step; below 0 where it added energy. Round-off for the constant
@@ -127,9 +126,25 @@ impl<const L: usize> Books<L> {
         self.start + self.supplied - self.energy
     }
 
-    /// The same over the largest energy; NaN if there never is any energy.
+    /// The same over the largest energy; 0 if there never is any energy, NaN if an energy overflows.
     pub fn relative_dissipation(&self) -> Lane<L> {
-        self.numerical_dissipation().zip(self.largest, |d, e| d / e)
+        self.over_largest(self.numerical_dissipation())
+    }
+
+    /// A part of the largest energy. A sum that overflowed is not finite any more, but a largest number ignores NaN: so the sums
+    /// decide, too.
+    fn over_largest(&self, part: Lane<L>) -> Lane<L> {
+        let mut quotient = Lane::splat(f64::NAN);
+        for (l, quotient) in quotient.0.iter_mut().enumerate() {
+            let sums = [self.energy, self.supplied, self.unbalanced, self.largest];
+            if sums.iter().all(|sum| sum.0[l].is_finite()) {
+                *quotient = match self.largest.0[l] {
+                    0.0 => 0.0,
+                    largest => part.0[l] / largest,
+                };
+            }
+        }
+        quotient
     }
 
     /// Work of the structure on a contact, the integral of S dr, with the mean force of each step.

@@ -204,7 +204,14 @@ fn assert_laws(h: &[f64], d: &[f64], size: &[f64], shapes: &[Shape], force: &[f6
 
 /// Ten steps each of many problems, each from the forces of the step before, which is not like it at all. Returns the number of
 /// steps, the mean and the largest number of Newton's steps.
-fn solve_many(seed: u64, problems: usize, make: fn(&mut Random) -> Problem) -> (usize, f64, usize) {
+///
+/// `rest`: about half of the contacts are at rest, where r* and all numbers that it is the difference of are 0.
+fn solve_many(
+    seed: u64,
+    problems: usize,
+    make: fn(&mut Random) -> Problem,
+    rest: bool,
+) -> (usize, f64, usize) {
     let mut random = Random(seed);
     let (mut count, mut sum, mut most) = (0, 0, 0);
     for _ in 0..problems {
@@ -230,6 +237,12 @@ fn solve_many(seed: u64, problems: usize, make: fn(&mut Random) -> Problem) -> (
                 let c = large * scale(i) * random.even();
                 let star = c + scale(i) * random.even();
                 (d[i], size[i]) = (star - c, star.abs() + c.abs());
+                if rest && random.below(2) == 0 {
+                    (d[i], size[i]) = (0.0, 0.0);
+                }
+            }
+            if rest {
+                found.fill(0.0);
             }
             let laws = Shapes::new(&shapes, &forces);
             match forces.solve(&d, &size, &laws, &mut found) {
@@ -252,9 +265,21 @@ fn every_law_holds_in_random_steps() {
         (11, Problem::dense as fn(&mut _) -> _),
         (12, Problem::chain),
     ] {
-        let (count, mean, most) = solve_many(seed, 1500, make);
+        let (count, mean, most) = solve_many(seed, 1500, make, false);
         println!("{count} {mean} {most}");
         assert!(count > 14_990 && mean < 3.0, "{count} {mean} {most}");
+    }
+}
+
+#[test]
+fn contacts_exactly_at_rest_obey_each_law() {
+    for (seed, make) in [
+        (15, Problem::dense as fn(&mut _) -> _),
+        (16, Problem::chain),
+    ] {
+        let (count, mean, most) = solve_many(seed, 1000, make, true);
+        println!("{count} {mean} {most}");
+        assert!(count > 9_900 && mean < 4.0, "{count} {mean} {most}");
     }
 }
 

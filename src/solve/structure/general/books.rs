@@ -30,7 +30,7 @@ impl<const L: usize> General<'_, L> {
             let [w0, w1] = sub_step.weights;
             let [m0, m1] = sub_step.inertia;
             let [s0, s1] = sub_step.forces;
-            // The displacement of the equation: without the separation of overlaps.
+            // The displacement of the equation.
             let moved = |place: usize| {
                 let [du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
                 du + end.nodes[place][2] * sub_step.d2

@@ -29,7 +29,7 @@ pub(super) struct LaneContact<const L: usize> {
 }
 
 /// A law over a sub-step as a clipped line S' = clip(d/g, low, high) with
-/// d = by_displacement r + by_change (r* - r) + by_rate rdot* + by_force S + by_bounce min(rdot, 0).
+/// d = by_displacement r + by_change (r* - r) + by_rate rdot* + by_force S + by_bounce rdot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Line<T> {
     /// g.
@@ -63,7 +63,7 @@ impl Line<f64> {
         };
         match law {
             Relation::ImpactSpring { stiffness } => impact(1.0 / stiffness),
-            // rdot' = max(-e rdot, 0) while S' < 0.
+            // rdot' = -e rdot while S' < 0.
             Relation::RigidStop { restitution } if impulses => Line {
                 by_rate: of_velocity,
                 by_bounce: of_velocity * restitution,

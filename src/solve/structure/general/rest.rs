@@ -16,12 +16,13 @@ impl<const L: usize> General<'_, L> {
         let mut any = false;
         for (c, contact) in self.contacts.iter().enumerate() {
             let [_, rdot, _] = start.contacts[c];
+            let bounce = rdot.0[l] * self.lines[part][c].by_bounce.0[l];
             let s = self.force[c].0[l];
             let [low, high] = contact.bounds.map(|bound| bound.0[l]);
             let rests = contact.by_impulse[l]
                 && low < s
                 && s < high
-                && (!contact.stop[l] || impacts.is_active(c, l) && rdot.0[l] >= 0.0);
+                && (!contact.stop[l] || impacts.is_active(c, l) && bounce == 0.0);
             if !rests {
                 continue;
             }

@@ -90,7 +90,7 @@ impl<const L: usize> General<'_, L> {
         self.substitute(part);
         self.touch(part + 1);
         if self.impacts.is_some() {
-            self.rest(part, end);
+            self.rest(part);
         }
     }
 
@@ -198,9 +198,8 @@ impl<const L: usize> General<'_, L> {
             let line = &self.lines[part][c];
             let (change, rate) = (du + a * d2, rdot + dv + a * d1);
             (contact.change, contact.rate) = (change, rate);
-            let bounce = rdot.smaller(Lane::splat(0.0));
             let [of_r, of_s] = [r * line.by_displacement, s * line.by_force];
-            let of_bounce = bounce * line.by_bounce;
+            let of_bounce = rdot * line.by_bounce;
             self.trial[c] =
                 change * line.by_change + rate * line.by_rate + (of_r + of_s + of_bounce);
             let terms = [of_r, of_s, of_bounce].map(|x| x.map(f64::abs));
@@ -218,9 +217,6 @@ impl<const L: usize> General<'_, L> {
         let contacts = &self.contacts;
         let size = |c: usize, l: usize| contacts[c].size.0[l];
         self.forces[part].solve(end, &self.trial, size, &mut self.force);
-        if self.impacts.is_some() {
-            self.activate_more(part, end);
-        }
         if !self.curved.is_empty() {
             self.meet_curved(part, end);
         }

@@ -207,10 +207,11 @@ fn may_be_singular(structure: &Structure) -> bool {
     rigid.count() > 1
 }
 
-/// Runs structures; returns how many were solved, and how many the method or the step does not allow.
-fn solve(seed: u64, structures: usize) -> [usize; 2] {
+/// Runs structures; returns how many were solved, how many have laws that the method or the step does not allow, and in how many
+/// rigid contacts depend on each other.
+fn solve(seed: u64, structures: usize) -> [usize; 3] {
     let mut random = Random(seed);
-    let [mut solved, mut refused] = [0, 0];
+    let [mut solved, mut refused, mut singular] = [0; 3];
     for number in 0..structures {
         let structure = structure(number, &mut random);
         let method = method(number / (LAWS * LAWS) % METHODS);
@@ -227,20 +228,20 @@ fn solve(seed: u64, structures: usize) -> [usize; 2] {
             Err(Unsolvable::NoForces {
                 why: Unsolved::Singular,
                 ..
-            }) if may_be_singular(&structure) => refused += 1,
+            }) if may_be_singular(&structure) => singular += 1,
             Err(why) => panic!("{number}: {why} {method:?} {dt} {structure:?}"),
         }
     }
-    [solved, refused]
+    [solved, refused, singular]
 }
 
 #[test]
 fn bodies_at_rest_have_forces_with_every_pair_of_laws() {
-    // Each pair once.
-    let [solved, refused] = solve(1, LAWS * LAWS);
+    // Each pair twice, with both of the first methods.
+    let [solved, refused, singular] = solve(1, 2 * LAWS * LAWS);
     assert!(
-        solved > 280 && solved + refused == LAWS * LAWS,
-        "{solved} {refused}"
+        refused == 0 && singular < 12,
+        "{solved} {refused} {singular}"
     );
 }
 
@@ -248,8 +249,8 @@ fn bodies_at_rest_have_forces_with_every_pair_of_laws() {
 #[test]
 #[ignore = "takes minutes"]
 fn two_hundred_thousand_structures_with_bodies_at_rest_have_forces() {
-    let [solved, refused] = solve(2, 200_000);
-    println!("{solved} solved, {refused} refused by the method or not unique");
+    let [solved, refused, singular] = solve(2, 200_000);
+    println!("{solved} solved, {refused} refused, {singular} not unique");
     // Central difference has no curved laws, and moreau-jean not beside rigid ones.
-    assert!(solved > 160_000, "{solved} {refused}");
+    assert!(solved > 160_000, "{solved} {refused} {singular}");
 }

@@ -56,3 +56,40 @@ fn the_work_of_friction_is_the_limit_times_the_way() {
     assert!((state - 2.0).abs() < 1e-4, "{state}");
     assert!((books.work(0).0[0] - 2.0).abs() < 1e-4);
 }
+
+#[test]
+fn energies_that_overflow_are_not_numbers_and_no_energy_is_no_error() {
+    use crate::methods::MethodChoice;
+    for (v, expected) in [(-1e200, None), (0.0, Some(0.0)), (-1e150, Some(1e-12))] {
+        for method in [
+            MethodChoice::AverageAcceleration,
+            MethodChoice::Bathe,
+            MethodChoice::MoreauJean { theta: 0.5 },
+        ] {
+            let mut structure = masses(&[1.0, 2.0]);
+            structure.stiffness.add_spring([None, Some(0)], 4.0);
+            structure.velocity[0] = v;
+            let law = Relation::ImpactSpring { stiffness: 100.0 };
+            structure.contacts = vec![contact([Some(1), Some(0)], 0.1, law)];
+            let prepared = Prepared::by(&method, &structure, 0.01).unwrap();
+            let mut books: Option<Books<1>> = None;
+            let [done] = run::<1>(&[&structure], &prepared, 50, |_, state| match &mut books {
+                Some(books) => books.add(state),
+                None => books = Some(Books::new(state)),
+            });
+            // The motion itself is finite.
+            done.unwrap();
+            let books = books.unwrap();
+            let [error, taken] = [books.energy_error(), books.relative_dissipation()];
+            match expected {
+                None => assert!(error.0[0].is_nan() && taken.0[0].is_nan(), "{method:?}"),
+                Some(most) => {
+                    assert!(
+                        error.0[0] <= most && taken.0[0].is_finite(),
+                        "{method:?} {error:?}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -43,7 +43,8 @@ fn a_ball_bounces_at_the_times_and_speeds_of_the_exact_motion_within_first_order
         let mut before = 0.0;
         books(&THETA, &ball, dt, (2.4 / dt) as usize, |step, state| {
             let [r, rdot, s] = contact_of(state, 0);
-            assert!(r >= 0.0);
+            // It falls with less than 4.5.
+            assert!(r > -4.5 * dt);
             if s < 0.0 {
                 impacts.push((step as f64 * dt, before));
             }
@@ -124,7 +125,7 @@ fn a_pile_at_rest_stays_at_rest() {
 }
 
 #[test]
-fn a_dropped_pile_comes_to_rest_without_overlap() {
+fn a_dropped_pile_comes_to_rest() {
     let mut pile = masses(&[1.0, 3.0, 0.2]);
     weight(&mut pile);
     pile.displacement = vec![0.1, 0.3, 0.7];
@@ -138,16 +139,14 @@ fn a_dropped_pile_comes_to_rest_without_overlap() {
     books(&THETA, &pile, 0.002, 3000, |_, state| {
         for (c, last) in last.iter_mut().enumerate() {
             *last = contact_of(state, c);
-            assert!(last[0] > -1e-15, "{last:?}");
+            // An impact leaves an overlap of up to dt times its speed, at most 5 here.
+            assert!(last[0] > -5.0 * 0.002, "{last:?}");
         }
     });
     for (c, [r, rdot, s]) in last.into_iter().enumerate() {
         let above: f64 = [4.2, 3.2, 0.2][c];
-        // A stop is active if a free step would overlap, so that it can hold a body up to g dt^2/2 above.
-        assert!(
-            r < 0.5 * 9.81 * 0.002 * 0.002 && rdot == 0.0,
-            "{c} {r} {rdot}"
-        );
+        // A stop without a velocity is active only where it is shut.
+        assert!(r <= 0.0 && rdot.abs() < 1e-12, "{c} {r} {rdot}");
         assert!((s + 9.81 * above).abs() < 1e-11, "{c} {s}");
     }
 }
@@ -192,7 +191,7 @@ proptest! {
 
     /// Masses in a row between springs, stops between all, a wall or friction, and a shaking ground.
     #[test]
-    fn random_structures_never_overlap_beyond_round_off(
+    fn stops_of_random_structures_obey_newtons_rule(
         mass in prop::collection::vec(0.1..5.0_f64, 6),
         stiffness in prop::collection::vec(0.0..300.0_f64, 7),
         gaps in prop::collection::vec(0.0..0.2_f64, 7),
@@ -218,23 +217,37 @@ proptest! {
             let law = Relation::Coulomb { limit: Limit::constant(limit) };
             row.contacts.push(contact([None, Some(3)], 0.0, law));
         }
-        let stops = n - 1 + usize::from(wall);
         row.contacts.push(contact([Some(1), Some(4)], 0.0, displacement_control(50.0, 2.0)));
         row.loads = vec![Load {
             pattern: mass.iter().enumerate().map(|(i, m)| (i, -m * 5.0)).collect(),
             signal: ground(),
         }];
         let method = MethodChoice::MoreauJean { theta };
-        let (mut least, mut most) = (0.0_f64, 0.0_f64);
-        let books = books(&method, &row, dt, 400, |_, state| {
-            for c in 0..stops {
-                least = least.min(contact_of(state, c)[0]);
+        let stops: Vec<(usize, f64)> = row.contacts.iter().enumerate().filter_map(|(c, contact)| match contact.law {
+            Relation::RigidStop { restitution } => Some((c, restitution)),
+            _ => None,
+        }).collect();
+        let mut before: Vec<[f64; 3]> = Vec::new();
+        let mut wrong = None;
+        let books = books(&method, &row, dt, 400, |step, state| {
+            let now: Vec<_> = (0..row.contacts.len()).map(|c| contact_of(state, c)).collect();
+            let fastest = (0..n).fold(1.0, |most: f64, i| most.max(state.velocity(i).0[0].abs()));
+            for (c, e) in stops.iter().filter(|_| step > 0) {
+                let ([r, rdot, _], [_, after, s]) = (before[*c], now[*c]);
+                // Newton's rule of a stop whose predicted gap is not positive: 0 <= rdot' + e rdot, S' <= 0, one of both is 0.
+                let missing = after + e * rdot;
+                let near = 1e-10 * fastest;
+                let holds = match r + 0.5 * dt * rdot <= 0.0 {
+                    true => s <= 0.0 && missing > -near && (s == 0.0 || missing < near),
+                    false => s == 0.0,
+                };
+                if !holds {
+                    wrong = Some((step, *c, r, rdot, after, s));
+                }
             }
-            for i in 0..n {
-                most = most.max(state.displacement(i).0[0].abs());
-            }
+            before = now;
         });
-        prop_assert!(least > -1e-14 * (1.0 + most), "{} {}", least, most);
+        prop_assert!(wrong.is_none(), "{:?}", wrong);
         prop_assert!(books.energy_error().0[0] < 1e-11, "{:?}", books.energy_error());
     }
 }
