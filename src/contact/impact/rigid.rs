@@ -10,8 +10,8 @@ use crate::lane::Lane;
 ///
 /// A method with displacements has r >= 0 at the end of each step; it needs h > 0. In a method with velocities and impulses
 /// (Moreau 1988, Jean 1999) the contact is active in a step if the gap predicted for its middle, r(i) + dt/2 rdot(i), is not
-/// positive. Then S' <= 0, rdot' + e rdot(i) >= 0, and one of both is 0: Newton's rule with the velocity before the step, whatever its
-/// sign. No position is corrected, so an overlap of up to dt/2 times the closing speed and more remains while the contact is shut.
+/// positive. Then S' <= 0, rdot' + e rdot(i) >= 0, and one of both is 0: Newton's rule with the signed velocity before the step. No
+/// position is corrected, so an overlap of up to dt times the closing speed remains while the contact is shut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rigid {
     /// e in 0..=1; only methods with impulses use it.
