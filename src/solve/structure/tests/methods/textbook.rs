@@ -169,7 +169,7 @@ impl Dense<'_> {
         self.a = &self.u * (9.0 / (dt * dt)) + known_a;
     }
 
-    /// Moreau and Jean's method in velocities. Stops are active that overlap without forces, then those that overlap with forces.
+    /// Moreau and Jean's method in velocities. Stops are active whose gap, predicted for the middle of the step, is not positive.
     fn moreau_jean(&mut self, theta: f64, t: f64, dt: f64) {
         let (u, v) = (self.u.clone(), self.v.clone());
         let (bt, count) = (self.b.transpose(), self.s.len());
@@ -181,7 +181,6 @@ impl Dense<'_> {
         let free = &v + lu.solve(&(force * dt)).unwrap();
         let d = lu.solve(&(&self.b * dt)).unwrap();
         let (r, rdot) = (&bt * &u + self.gaps(), &bt * &v);
-        let end = |v: &DVector<f64>| &r + (&rdot * (1.0 - theta) + &bt * v * theta) * dt;
         let still = (&r + &rdot * ((1.0 - theta) * dt)) / (theta * dt);
         let (mut g, mut center) = (DVector::zeros(count), DVector::zeros(count));
         for (i, contact) in self.structure.contacts.iter().enumerate() {
@@ -194,51 +193,20 @@ impl Dense<'_> {
                 }
                 Relation::VelocityControl { viscosity, .. } => (1.0 / viscosity, 0.0),
                 Relation::Coulomb { .. } => (0.0, 0.0),
-                Relation::RigidStop { restitution } => (0.0, (-restitution * rdot[i]).max(0.0)),
+                Relation::RigidStop { restitution } => (0.0, -restitution * rdot[i]),
             };
         }
         let [mut low, high] = self.bounds(t);
-        let stops: Vec<usize> = (0..count)
-            .filter(|i| {
-                let law = &self.structure.contacts[*i].law;
-                matches!(law, Relation::RigidStop { .. })
-            })
-            .collect();
-        let first = end(&free);
-        let mut active: Vec<bool> = (0..count).map(|i| first[i] < 0.0).collect();
-        loop {
-            for i in &stops {
-                low[*i] = if active[*i] { f64::NEG_INFINITY } else { 0.0 };
-            }
-            let a = &bt * &d + DMatrix::from_diagonal(&g);
-            self.s = all_patterns(&a, &(&bt * &free - &center), &low, &high);
-            self.v = &free - &d * &self.s;
-            let now = end(&self.v);
-            let more: Vec<usize> = stops
-                .iter()
-                .copied()
-                .filter(|i| !active[*i] && now[*i] < 0.0)
-                .collect();
-            if more.is_empty() {
-                break;
-            }
-            for i in more {
-                active[i] = true;
+        for (i, contact) in self.structure.contacts.iter().enumerate() {
+            if matches!(contact.law, Relation::RigidStop { .. }) {
+                let active = r[i] + 0.5 * dt * rdot[i] <= 0.0;
+                low[i] = if active { f64::NEG_INFINITY } else { 0.0 };
             }
         }
+        let a = &bt * &d + DMatrix::from_diagonal(&g);
+        self.s = all_patterns(&a, &(&bt * &free - &center), &low, &high);
+        self.v = &free - &d * &self.s;
         self.u = &u + (&v * (1.0 - theta) + &self.v * theta) * dt;
-        // Separation in the norm of M.
-        let r = &bt * &self.u + self.gaps();
-        if stops.iter().any(|i| r[*i] < -1e-14) {
-            let inverse = self.m.clone().try_inverse().unwrap();
-            let matrix = &bt * &inverse * &self.b;
-            let mut low = DVector::zeros(count);
-            for i in &stops {
-                low[*i] = f64::NEG_INFINITY;
-            }
-            let y = all_patterns(&matrix, &r, &low, &DVector::zeros(count));
-            self.u -= inverse * &self.b * y;
-        }
     }
 
     /// Central differences of displacements at three times; `last` is u(i-1). Gives u(i+1), and v(i) and S(i) become those of i.
