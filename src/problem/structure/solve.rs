@@ -191,7 +191,7 @@ impl StructureProblem {
         };
         let metrics = self.metrics.iter();
         let values = metrics
-            .map(|metric| judge::value(metric, of, &motions))
+            .map(|metric| judge::value(metric, of, &motions).filter(|x| x.is_finite()))
             .collect();
         Ok((motions, values))
     }
