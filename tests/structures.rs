@@ -552,3 +552,33 @@ fn the_example_of_init_runs_and_meets_its_check() {
         assert!(solution.metrics[0].unwrap() > 0.0);
     }
 }
+
+#[test]
+fn a_contact_that_is_closed_at_the_start_is_an_impact() {
+    // A mass on the spring of a contact only, pressed by 0.01: it leaves after a quarter of the period and never comes back. With a
+    // gap of 0.5 and the velocity towards the ground it comes once, for half a period.
+    let study = |gap: f64, start: &str| {
+        let text = format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.001, "duration": 3 }},
+            "structure": {{ "masses": {{ "m": 1 }}, "start": {{ "m": {start} }},
+                "contacts": {{ "c": {{ "law": "impact", "between": ["ground", "m"], "gap": {gap}, "k": 100 }} }} }},
+            "metrics": ["impacts(c)", "contact_time(c)", "open_time(c)", "impacts_before_divergence(c.r, 0.01)"] }}"#
+        );
+        let study = study::parse("s.json", &text).unwrap();
+        let case = study.case(0).unwrap();
+        study.problem.solve(&case, &study.metrics).unwrap().metrics
+    };
+    let quarter = std::f64::consts::PI / 2.0 / 10.0;
+    for (gap, start, time) in [
+        (0.0, r#"{ "u": -0.01 }"#, quarter),
+        (0.5, r#"{ "v": -1 }"#, 2.0 * quarter),
+    ] {
+        let metrics = study(gap, start);
+        let [impacts, contact, open, before] = [0, 1, 2, 3].map(|i| metrics[i].unwrap());
+        assert_eq!((impacts, before), (1.0, 1.0), "{gap}");
+        // The steps at which the contact closes and opens count as a whole or not at all.
+        assert!((contact - time).abs() <= 0.002, "{gap}: {contact}");
+        // Every step is one of the two: 3000 products and sums of rounding 2e-16.
+        assert!((contact + open - 3.0).abs() < 1e-12, "{gap}");
+    }
+}
