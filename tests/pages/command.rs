@@ -89,9 +89,9 @@ pub(crate) fn other_program(place: &str, command: &Command) {
     }
 }
 
-/// Whether a word is to be replaced by the reader, as NAME, `[LEDGER]...` and I/N.
+/// Whether a word is to be replaced by the reader, as NAME, `[LEDGER]...`, studies/NAME.json and I/N.
 pub(crate) fn is_placeholder(word: &str) -> bool {
-    let word = word.trim_matches(|c: char| "[].,".contains(c));
-    let value = word.rsplit(['=', '/']).next().unwrap_or(word);
-    word.starts_with('$') || !value.is_empty() && value.chars().all(|c| c.is_ascii_uppercase())
+    let mut parts = word.split(|c: char| !c.is_ascii_alphanumeric());
+    let upper = |part: &str| part.chars().all(|c| c.is_ascii_uppercase());
+    word.starts_with('[') || parts.any(|part| !part.is_empty() && upper(part))
 }

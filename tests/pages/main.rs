@@ -130,7 +130,7 @@ fn run_span(scene: &mut Scene, place: &str, span: &str) {
     let [verb, rest @ ..] = &words[..] else {
         return;
     };
-    if verb.starts_with('-') {
+    if verb.starts_with('-') || is_placeholder(verb) {
         return;
     }
     let open = rest.is_empty() || rest.iter().any(|word| is_placeholder(word));
