@@ -141,7 +141,7 @@ fn faults_have_places_and_no_file_is_written() {
         (
             "It depends.",
             "a\\n# b",
-            "claims[0].because: must be on one line",
+            "claims[0].because: must be a string of printable characters, got U+000A",
         ),
     ] {
         let text = ledger(&reading(RISING, true)).replace(from, to);
