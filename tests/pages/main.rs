@@ -5,7 +5,7 @@
 //! - before a JSON block: `<!-- test: FILE -->`, a whole study for this file (a whole study without a note goes to the file that
 //!   the words before it name); `<!-- test: into FILE at PATH -->`, its keys replace those of the object at PATH of the study, or
 //!   the block is a further item of the list there; `<!-- test: into {"problem": ...} -->`, the same in a study of its own.
-//!   At the end of the page every study is listed, and run if no command of the page has run it.
+//!   At the end of the page every study is listed, and run and checked if no command of the page has run it.
 //! - before commands: `<!-- test: with --set duration=1 -->`, further arguments of `run` and `check`, for studies that take long;
 //!   `<!-- test: exits with 5 -->`.
 //! - anywhere: `<!-- test: FILE from PATH -->`, a file of the repository under this name; `<!-- test: only listed -->`, studies of
@@ -56,7 +56,6 @@ fn run(name: &str) -> (usize, usize) {
         }
     }
     scene.check_studies(only_listed);
-    scene.check_promises();
     (scene.commands, scene.blocks)
 }
 
@@ -121,7 +120,7 @@ fn run_span(scene: &mut Scene, place: &str, span: &str) {
     }
     let is_file = [".png", ".csv"].iter().any(|end| span.ends_with(end));
     if is_file && span.starts_with("figures/") && span.split('/').count() > 2 {
-        scene.promise(place, span);
+        scene.check_result(place, span);
     }
     let Some(call) = span.strip_prefix("slipgap ") else {
         return;

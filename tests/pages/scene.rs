@@ -14,8 +14,6 @@ pub(crate) struct Scene {
     studies: Vec<(String, Place, bool)>,
     /// Studies of the repository that are in the folder.
     shipped: Vec<String>,
-    /// Files that the text names.
-    promised: Vec<(Place, String)>,
     pub(crate) commands: usize,
     pub(crate) blocks: usize,
 }
@@ -26,7 +24,6 @@ impl Scene {
             bench: Bench::new(),
             studies: Vec::new(),
             shipped: Vec::new(),
-            promised: Vec::new(),
             commands: 0,
             blocks: 0,
         }
@@ -132,7 +129,7 @@ impl Scene {
         for (file, place, used) in std::mem::take(&mut self.studies) {
             let verbs: &[&str] = match used || list_only {
                 true => &["list"],
-                false => &["list", "run"],
+                false => &["list", "run", "check"],
             };
             for verb in verbs {
                 let done = self.bench.run(&[verb, &file]);
@@ -141,18 +138,11 @@ impl Scene {
         }
     }
 
-    /// Tests that a file exists which the text names, in a folder of results that the page has made.
-    pub(crate) fn promise(&mut self, place: &str, file: &str) {
-        self.promised.push((place.to_owned(), file.to_owned()));
-    }
-
-    /// Tests the files that the text names.
-    pub(crate) fn check_promises(&self) {
-        for (place, file) in &self.promised {
-            let path = self.bench.path(file);
-            let made = path.parent().is_some_and(Path::is_dir);
-            assert!(!made || path.is_file(), "{place}: no file {file}");
-        }
+    /// Tests a file of results that the text names, if the page has made its folder so far.
+    pub(crate) fn check_result(&self, place: &str, file: &str) {
+        let path = self.bench.path(file);
+        let made = path.parent().is_some_and(Path::is_dir);
+        assert!(!made || path.is_file(), "{place}: no file {file}");
     }
 
     /// The help of a verb, which has its options.

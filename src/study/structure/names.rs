@@ -244,11 +244,7 @@ fn report_texts_of_tables(
             }
         }
         Tree::Text(text) => {
-            let control = text.chars().find(|c| c.is_control());
-            if let Some(c) = control
-                .map(|c| format!("U+{:04X}", u32::from(c)))
-                .or(unprintable(text))
-            {
+            if let Some(c) = unprintable(text) {
                 let message =
                     format!("must be a string of printable characters on one line, got {c}");
                 faults.add(node.at, path, message);
