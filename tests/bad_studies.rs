@@ -1368,3 +1368,114 @@ fn ensembles() {
         assert_marked(&study(parameters, keys), expected);
     }
 }
+
+/// A structure with these parameters and further keys; the mass is on the spring `k`.
+fn structure(parameters: &str, more: &str) -> String {
+    format!(
+        r#"{{ "problem": "structure", "parameters": {{ {parameters}, "dt": 0.01, "duration": 0.1 }},
+"structure": {{ "masses": {{ "m": 1 }}, "springs": [{{ "between": ["ground", "m"], "k": "k" }}] }}, "metrics": ["peak(m)"]{more} }}"#
+    )
+}
+
+#[test]
+fn labels_are_texts_that_every_table_can_have() {
+    let labelled = |label: &str| {
+        structure(
+            &format!(r#""soil": ["soft", "{label}"], "k": [1, 2]"#),
+            r#", "zip": [["soil", "k"]]"#,
+        )
+    };
+    for good in ["stiff", "a = b", "1-2", "soft + wet", "ü", "\\u00fc"] {
+        assert_faults(&labelled(good), &[]);
+    }
+    for (bad, character) in [
+        ("a\\nb", "U+000A"),
+        ("a\\tb", "U+0009"),
+        ("a\\u0000b", "U+0000"),
+        ("a\\u001b[31mb", "U+001B"),
+        ("a\\u202eb", "U+202E"),
+    ] {
+        let expected = format!(
+            "1:60: parameters.soil[1]: must be a string of printable characters on one line, got {character}"
+        );
+        assert_faults(&labelled(bad), &[&expected]);
+    }
+    for formula in ["=cmd|x", "+1+cmd", "-x", "@SUM(A1)", " =1+1"] {
+        let expected = format!(
+            "1:60: parameters.soil[1]: must not begin with =, +, - or @, because a spreadsheet takes \"{formula}\" in results.csv for a formula"
+        );
+        assert_faults(&labelled(formula), &[&expected]);
+    }
+    // Of a block.
+    let one = labelled("=a").replacen(r#""parameters": {"#, r#""blocks": [{ "parameters": {"#, 1);
+    let blocks = one.replace(r#", "zip": [["soil", "k"]] }"#, " }").replace(
+        r#""duration": 0.1 },"#,
+        r#""duration": 0.1 }, "zip": [["soil", "k"]] }],"#,
+    );
+    assert_faults(
+        &blocks,
+        &["1:73: blocks[0].parameters.soil[1]: must not begin with"],
+    );
+}
+
+#[test]
+fn one_mistake_gives_one_message() {
+    // A parameter whose value is faulty, in expressions of parameters, of the structure, of conditions, in figures and checks.
+    let more = r#", "when": "k < 3 and p < 2", "figures": [{ "name": "f", "kind": "metric", "x": "p", "y": "peak(m)" }],
+        "checks": [{ "metric": "peak(m)", "where": { "p": 1 }, "max": 9 }]"#;
+    for (parameters, expected) in [
+        (
+            r#""k": "2*p", "p": "1+""#,
+            "1:60: parameters.p: \"1+\": expected",
+        ),
+        (r#""k": "p", "p": [1, "x"]"#, "1:62: parameters.p[1]: "),
+        (
+            r#""k": "p", "p": "unknown""#,
+            "1:58: parameters.p: \"unknown\": unknown name",
+        ),
+        (
+            r#""k": "p", "p": { "k": 1 }"#,
+            "1:65: parameters.p.k: unknown key \"k\"",
+        ),
+        (
+            r#""k": { "linspace": [1, 2] }, "p": 1"#,
+            "1:62: parameters.k.linspace: must be",
+        ),
+    ] {
+        assert_faults(&structure(parameters, more), &[expected]);
+    }
+    // A law that is unknown decides which parameters have a value.
+    let law = r#""law": "velocity-contrl", "beta": 1, "dT": "beta/2", "duration": "8*pi""#;
+    for more in ["", ",\n\"when\": \"beta < 2\""] {
+        assert_faults(&with(law, more), &["4:8: parameters.law: unknown law"]);
+    }
+    // Two mistakes give two.
+    let two = r#""law": "velocity-contrl", "beta": 1, "dT": "1+", "duration": "8*pi""#;
+    assert_faults(
+        &with(two, ""),
+        &[
+            "4:8: parameters.law: unknown law",
+            "4:44: parameters.dT: \"1+\"",
+        ],
+    );
+}
+
+#[test]
+fn a_list_of_names_that_is_empty_says_so() {
+    let text = structure(
+        r#""k": 1"#,
+        r#", "checks": [{ "metric": "foo", "max": 1 }, { "max": 1 }, { "metric": 3, "max": 1 }]"#,
+    );
+    let text = text.replace(r#""metrics": ["peak(m)"]"#, r#""metrics": []"#);
+    let found = faults(&text);
+    assert_eq!(found.len(), 3, "{found:#?}");
+    assert!(
+        found[0].ends_with("unknown metric \"foo\"; allowed: none"),
+        "{found:#?}"
+    );
+    assert!(found[1].ends_with("missing: one of none"), "{found:#?}");
+    assert!(
+        found[2].contains("a name in quotes, one of none"),
+        "{found:#?}"
+    );
+}

@@ -1,65 +1,7 @@
-//! The guide promises that its studies and commands work as they stand.
+//! The numbers that the guide works out, and its advice. tests/pages runs its commands.
 
 use std::fs;
 use std::process::Command;
-
-/// The fenced pieces of a page: language and text, with the words before each.
-fn pieces(page: &str) -> Vec<(&str, &str, &str)> {
-    let parts: Vec<&str> = page.split("```").collect();
-    let fenced = parts.chunks_exact(2).map(|pair| {
-        let (language, text) = pair[1].split_once('\n').unwrap();
-        (language, text, pair[0])
-    });
-    fenced.collect()
-}
-
-#[test]
-fn every_command_of_the_guide_works_in_its_order() {
-    let folder = tempfile::tempdir().unwrap();
-    let (mut commands, mut studies) = (0, 0);
-    for (language, text, before) in pieces(include_str!("../docs/guide.md")) {
-        if language == "json" {
-            // The file is the last that the words before name.
-            let name = before
-                .split('`')
-                .rfind(|word| word.ends_with(".json"))
-                .unwrap();
-            fs::write(folder.path().join(name), text).unwrap();
-            studies += 1;
-            continue;
-        }
-        // The tests of the Python package run its examples.
-        if language == "python" {
-            continue;
-        }
-        assert_eq!(language, "sh");
-        for line in text.lines() {
-            let words: Vec<&str> = line
-                .strip_prefix("slipgap ")
-                .unwrap()
-                .split_whitespace()
-                .collect();
-            let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
-                .args(&words)
-                .current_dir(folder.path())
-                .output()
-                .unwrap();
-            let said = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{line}: {said}");
-            commands += 1;
-        }
-    }
-    assert_eq!((commands, studies), (18, 3));
-    assert!(folder.path().join("figures/knock/force.png").is_file());
-    assert!(
-        folder
-            .path()
-            .join("figures/what-matters/sobol.csv")
-            .is_file()
-    );
-    assert!(folder.path().join("figures/seats/fragility.png").is_file());
-    assert!(folder.path().join("figures/report.html").is_file());
-}
 
 /// Numbers that the guide works out from the girder's data.
 #[test]

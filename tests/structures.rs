@@ -552,3 +552,69 @@ fn the_example_of_init_runs_and_meets_its_check() {
         assert!(solution.metrics[0].unwrap() > 0.0);
     }
 }
+
+#[test]
+fn a_contact_that_is_closed_at_the_start_is_an_impact() {
+    // A mass on the spring of a contact only, pressed by 0.01: it leaves after a quarter of the period and never comes back. With a
+    // gap of 0.5 and the velocity towards the ground it comes once, for half a period.
+    let study = |gap: f64, start: &str| {
+        let text = format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.001, "duration": 3 }},
+            "structure": {{ "masses": {{ "m": 1 }}, "start": {{ "m": {start} }},
+                "contacts": {{ "c": {{ "law": "impact", "between": ["ground", "m"], "gap": {gap}, "k": 100 }} }} }},
+            "metrics": ["impacts(c)", "contact_time(c)", "open_time(c)", "impacts_before_divergence(c.r, 0.01)"] }}"#
+        );
+        let study = study::parse("s.json", &text).unwrap();
+        let case = study.case(0).unwrap();
+        study.problem.solve(&case, &study.metrics).unwrap().metrics
+    };
+    let quarter = std::f64::consts::PI / 2.0 / 10.0;
+    for (gap, start, time) in [
+        (0.0, r#"{ "u": -0.01 }"#, quarter),
+        (0.5, r#"{ "v": -1 }"#, 2.0 * quarter),
+    ] {
+        let metrics = study(gap, start);
+        let [impacts, contact, open, before] = [0, 1, 2, 3].map(|i| metrics[i].unwrap());
+        assert_eq!((impacts, before), (1.0, 1.0), "{gap}");
+        // The steps at which the contact closes and opens count as a whole or not at all.
+        assert!((contact - time).abs() <= 0.002, "{gap}: {contact}");
+        // Every step is one of the two: 3000 products and sums of rounding 2e-16.
+        assert!((contact + open - 3.0).abs() < 1e-12, "{gap}");
+    }
+}
+
+#[test]
+fn viscosity_and_stiffness_stay_where_the_normal_force_varies() {
+    // A heavy mass keeps the velocity 1 mm/s. nu N is 10 until t = 1, and 20 from t = 2 on.
+    let force = |law: &str, given: &str, duration: f64| {
+        let text = format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.001, "duration": {duration} }},
+            "structure": {{ "masses": {{ "m": 1e12 }}, "start": {{ "m": {{ "v": 0.001 }} }},
+                "contacts": {{ "c": {{ "law": "{law}", "between": ["ground", "m"], "nu": 0.1, {given},
+                    "N": {{ "t": [0, 1, 2, 9], "N": [100, 100, 200, 200] }} }} }} }},
+            "metrics": ["last(c.S)"] }}"#
+        );
+        let study = study::parse("s.json", &text).unwrap();
+        let case = study.case(0).unwrap();
+        study.problem.solve(&case, &study.metrics).unwrap().metrics[0].unwrap()
+    };
+    let tanh = |limit: f64| limit * (1.0 / limit).tanh();
+    // c v = 1 with c = 1000, or 10/rdotE; the stiffness of 1000 reaches 0.5 at t = 0.5 and 2.5 at t = 2.5.
+    for (law, given, at) in [
+        ("velocity-control", "\"c\": 1000", [1.0, 1.0]),
+        ("velocity-control", "\"rdotE\": 0.01", [1.0, 1.0]),
+        ("tanh", "\"c\": 1000", [tanh(10.0), tanh(20.0)]),
+        ("tanh", "\"rdotE\": 0.01", [tanh(10.0), tanh(20.0)]),
+        ("displacement-control", "\"k\": 1000", [0.5, 2.5]),
+        ("displacement-control", "\"rE\": 0.01", [0.5, 2.5]),
+    ] {
+        for (duration, expected) in [0.5, 2.5].into_iter().zip(at) {
+            let found = force(law, given, duration);
+            // The mass loses 3e-12 of its velocity 1e-3; the steps add round-off of some 1e-12.
+            assert!(
+                (found - expected).abs() < 1e-8,
+                "{law} {given} {duration}: {found}"
+            );
+        }
+    }
+}

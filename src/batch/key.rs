@@ -88,11 +88,31 @@ impl Key {
         if self.solver != stored.solver {
             Some(Difference::Solver)
         } else if self.columns != stored.columns {
-            Some(Difference::Columns)
+            Some(self.difference_of_columns(stored))
         } else if self.cases != stored.cases {
             Some(Difference::Parameters)
         } else {
             None
+        }
+    }
+}
+
+impl Key {
+    /// The difference of two `columns`, which begin with the identity of the problem: that of a structure ends with a hash of its
+    /// records behind a point.
+    fn difference_of_columns(&self, stored: &Key) -> Difference {
+        let [own, other] = [self, stored].map(|key| {
+            let (problem, rest) = key.columns.split_once(' ').unwrap_or((&key.columns, ""));
+            (problem.rsplit_once('.'), rest)
+        });
+        match (own, other) {
+            ((Some((one, _)), rest), (Some((two, _)), of_other)) if rest == of_other => {
+                match one == two {
+                    true => Difference::Records,
+                    false => Difference::Structure,
+                }
+            }
+            _ => Difference::Columns,
         }
     }
 }
@@ -104,6 +124,10 @@ pub enum Difference {
     Solver,
     /// They have other columns.
     Columns,
+    /// They are of a structure with other numbers or parts.
+    Structure,
+    /// They are of other records, or of records with another content.
+    Records,
     /// Their cases have other numbers or parameters.
     Parameters,
 }
@@ -113,6 +137,8 @@ impl fmt::Display for Difference {
         f.write_str(match self {
             Difference::Solver => "computed by another version of the solver",
             Difference::Columns => "different columns",
+            Difference::Structure => "the structure has changed",
+            Difference::Records => "the records have changed",
             Difference::Parameters => "different parameters",
         })
     }

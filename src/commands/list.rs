@@ -1,7 +1,8 @@
 //! `slipgap list`: the studies with their axes, cases and steps.
 
 use super::sources::Source;
-use super::terminal::{print, table};
+use super::terminal::{GAP, print, table};
+use console::Term;
 use slipgap::error::Error;
 use slipgap::study::{Axis, Block, Study};
 
@@ -27,7 +28,36 @@ pub fn list(sources: &[Source]) -> Result<u8, Error> {
             study.title.clone(),
         ]);
     }
+    if let Some((_, width)) = Term::stdout().size_checked() {
+        shorten(&mut rows, usize::from(width));
+    }
     print(&table(&rows))
+}
+
+/// Fewest characters that are left of a cell.
+const FEWEST: usize = 8;
+
+/// Shortens the widest columns until the table has a width, as far as [`FEWEST`] allows. Files and other programs get the whole
+/// cells.
+fn shorten(rows: &mut [Vec<String>], width: usize) {
+    let columns = rows.first().map_or(0, Vec::len);
+    let widest = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+    let mut widths: Vec<usize> = (0..columns).filter_map(widest).collect();
+    let gaps = GAP * columns.saturating_sub(1);
+    while widths.iter().sum::<usize>() + gaps > width {
+        // The name of a study stays, since it is needed for commands.
+        match widths.iter_mut().skip(1).max() {
+            Some(widest) if *widest > FEWEST => *widest -= 1,
+            Some(_) | None => break,
+        }
+    }
+    for row in rows {
+        for (cell, width) in row.iter_mut().zip(&widths) {
+            if cell.chars().count() > *width {
+                *cell = cell.chars().take(width - 1).chain(['…']).collect();
+            }
+        }
+    }
 }
 
 /// The number of cases, or the largest number possible.
@@ -68,5 +98,41 @@ fn steps(study: &Study) -> String {
         most.to_string()
     } else {
         format!("{fewest}..{most}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_widest_columns_are_shortened_to_the_width_of_a_terminal() {
+        let row = |cells: [&str; 3]| cells.map(String::from).to_vec();
+        let rows = [
+            row(["study", "axes", "title"]),
+            row(["a", &"b".repeat(30), &"é".repeat(50)]),
+            row(["name", "c", "short"]),
+        ];
+        let widest = |rows: &[Vec<String>]| {
+            let text = table(rows);
+            text.lines().map(|line| line.chars().count()).max()
+        };
+        for width in [40, 41, 80] {
+            let mut short = rows.to_vec();
+            shorten(&mut short, width);
+            assert_eq!(widest(&short), Some(width));
+            assert_eq!([&short[0], &short[2]], [&rows[0], &rows[2]]);
+        }
+        // 40 less study and two gaps are 31: one column has the odd character.
+        let mut short = rows.to_vec();
+        shorten(&mut short, 40);
+        let lengths = [1, 2].map(|column| short[1][column].chars().count());
+        assert!(lengths == [15, 16] || lengths == [16, 15], "{lengths:?}");
+        assert!(short[1][1].ends_with('…') && short[1][2].ends_with('…'));
+        let mut same = rows.to_vec();
+        shorten(&mut same, 89);
+        assert_eq!(same, rows);
+        shorten(&mut same, 5);
+        assert_eq!(same[1][1].chars().count(), FEWEST);
     }
 }

@@ -4,10 +4,11 @@ use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{Terminal, print, report_error};
 use slipgap::batch::output::Folder;
-use slipgap::batch::store::Store;
+use slipgap::batch::store::{STORE, Store};
 use slipgap::error::Error;
 use slipgap::run::{OutputOptions, merge_study};
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Merges every study into its folder in `out`; returns the exit code. `shards` is the number of shards, if it is known. Of a
 /// study with missing parts nothing is written; the others are merged.
@@ -20,6 +21,7 @@ pub fn merge(
     let (mut unsolved, mut missing) = (None, None);
     for source in sources {
         let path = out.join(&source.name);
+        let made = not_there(&path.join(STORE));
         let (folder, store) = (Folder::of_study(&path)?, Store::open(&path)?);
         match merge_study(source, folder, store, shards, output, &mut Terminal) {
             Ok(written) => {
@@ -29,6 +31,8 @@ pub fn merge(
                 }
             }
             Err(error @ Error::PartsMissing(_)) => {
+                // Folders that are not empty remain.
+                made.iter().for_each(|folder| drop(fs::remove_dir(folder)));
                 report_error(&error);
                 missing = Some(error.exit_code());
             }
@@ -36,4 +40,11 @@ pub fn merge(
         }
     }
     Ok(missing.or(unsolved).unwrap_or(0))
+}
+
+/// The folders that are made to make this one, itself first.
+fn not_there(folder: &Path) -> Vec<PathBuf> {
+    let folders = folder.ancestors();
+    let absent = folders.take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+    absent.map(Path::to_owned).collect()
 }

@@ -36,7 +36,8 @@ pub fn rms_error(c: &[f64], e: &[f64]) -> f64 {
     rms(&differences)
 }
 
-/// Number of steps at which the contact closes: S != 0 after S = 0.
+/// Number of times that the contact closes: S != 0 after S = 0. A contact that is closed at t = 0 counts, too, as the one before
+/// it that the record does not have.
 pub fn closings(force: &[f64]) -> usize {
     let closes = |pair: &&[f64]| pair[0] == 0.0 && pair[1] != 0.0;
     let starts_closed = force.first().is_some_and(|s| *s != 0.0);

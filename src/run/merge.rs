@@ -22,6 +22,9 @@ pub fn merge_study(
 ) -> Result<Written, Error> {
     match missing_parts(&source.study, &mut store, shards)? {
         None => run_study(source, folder, store, output, observer),
-        Some(missing) => Err(Error::PartsMissing(source.line(&missing.to_string()))),
+        Some(missing) => {
+            store.leave();
+            Err(Error::PartsMissing(source.line(&missing.to_string())))
+        }
     }
 }

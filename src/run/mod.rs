@@ -66,13 +66,21 @@ pub struct Written {
     pub paths: Vec<PathBuf>,
     /// Whether every case was solved.
     pub solved: bool,
+    /// Whether results.csv is left out because there are too many cases.
+    pub without_table: bool,
 }
 
 impl Written {
-    /// The paths, one in each line.
+    /// The paths, one in each line, and a line about results.csv if it is left out.
     pub fn list(&self) -> String {
         let paths = self.paths.iter();
-        paths.map(|path| format!("{}\n", path.display())).collect()
+        let mut lines: String = paths.map(|path| format!("{}\n", path.display())).collect();
+        if self.without_table {
+            lines += &format!(
+                "no results.csv, because there are more than {MOST_ROWS} cases; the store has them, and --format csv writes the table, too\n"
+            );
+        }
+        lines
     }
 }
 
@@ -179,5 +187,9 @@ pub fn run_study(
     let closed = store.close();
     folder.close(study, &source.file, without_contact)?;
     closed?;
-    Ok(Written { paths, solved })
+    Ok(Written {
+        paths,
+        solved,
+        without_table: output.table.is_none() && cases > MOST_ROWS,
+    })
 }

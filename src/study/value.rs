@@ -1,7 +1,7 @@
 //! A value of the study file as a number, a string, a name or a value of a parameter.
 
 use super::expression::Formula;
-use super::source::faults::{Faults, quoted, shown, unknown};
+use super::source::faults::{Faults, any_of, quoted, shown, unknown};
 use super::source::hint::unit;
 use super::source::plain::unprintable;
 use super::source::tree::{Node, Tree};
@@ -59,7 +59,7 @@ pub(crate) fn name(
     faults: &mut Faults,
 ) -> Option<usize> {
     let Tree::Text(name) = &node.tree else {
-        let names = format!("a name in quotes, one of {}", allowed.join(", "));
+        let names = format!("a name in quotes, one of {}", any_of(allowed));
         faults.must_be(node, path, &names);
         return None;
     };

@@ -364,3 +364,40 @@ fn a_million_million_combinations_are_explained() {
         "{done:?}"
     );
 }
+
+/// The exit code of a command within ten seconds; `None` if it does not end.
+#[cfg(target_os = "linux")]
+fn ends(bench: &Bench, args: &[&str]) -> Option<i32> {
+    let mut command = bench.command();
+    let null = std::process::Stdio::null;
+    command.args(args).stdout(null()).stderr(null());
+    let mut child = command.spawn().unwrap();
+    for _ in 0..1000 {
+        if let Some(status) = child.try_wait().unwrap() {
+            return status.code();
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    None
+}
+
+/// /proc/kmsg has no end: a reader waits for the next message. It is readable by root only; others get an error at once.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_never_ends_is_not_waited_for() {
+    let bench = Bench::new();
+    let record = r#"{ "problem": "structure", "parameters": { "dt": 0.01, "duration": 1 },
+        "structure": { "units": "t, kN, m, s", "masses": { "m": 1 }, "springs": [{ "between": ["ground", "m"], "k": 1 }],
+            "ground": { "record": "/proc/kmsg", "unit": "g" } }, "metrics": ["peak(m)"] }"#;
+    bench.file("s.json", record);
+    assert_eq!(ends(&bench, &["list", "s.json"]), Some(2));
+    for args in [
+        &["list", "/proc/kmsg"][..],
+        &["run", "/proc/kmsg"],
+        &["claims", "/proc/kmsg"],
+    ] {
+        assert!(matches!(ends(&bench, args), Some(1 | 2)), "{args:?}");
+    }
+}

@@ -112,6 +112,37 @@ fn faults_have_places_and_no_file_is_written() {
         ),
         ("\"holds\": true", "\"holds\": 1", "must be true or false"),
         ("\"id\": \"A1\", ", "", "missing: a short name"),
+        (
+            "\"A1\"",
+            "\"\"",
+            "must be letters, digits, - and _, got \"\"",
+        ),
+        (
+            "\"A1\"",
+            "\"../x\"",
+            "must be letters, digits, - and _, got",
+        ),
+        (
+            RISING,
+            r#"{ "metric": "rms_error", "min": 2, "max": 1 }"#,
+            "claims[0].readings[0].expect[0].max: must be >= min = 2, got 1",
+        ),
+        (
+            "Small |",
+            "<script>",
+            "claims[0].says: must not contain HTML",
+        ),
+        (
+            "section 1",
+            "</table>",
+            "claims[0].where: must not contain HTML",
+        ),
+        ("A paper", "<!-- a", "paper: must not contain HTML"),
+        (
+            "It depends.",
+            "a\\n# b",
+            "claims[0].because: must be a string of printable characters, got U+000A",
+        ),
     ] {
         let text = ledger(&reading(RISING, true)).replace(from, to);
         let bench = bench(&[("studies/fig.json", STUDY), ("claims/a.json", &text)]);
@@ -470,4 +501,16 @@ fn expectations_of_reductions_apply_to_groups() {
         assert_eq!(code, Some(2), "{expect}: {text}");
         assert!(text.contains(message), "{expect}: {text}");
     }
+}
+
+#[test]
+fn a_comparison_in_a_statement_is_no_html() {
+    let text = ledger(&reading(RISING, true)).replace("Small | alpha", "alpha < 1, alpha <= 2 and");
+    let bench = bench(&[("studies/fig.json", STUDY), ("claims/a.json", &text)]);
+    assert_eq!(bench.run(&["claims"]).code, Some(0));
+    assert!(
+        bench
+            .text("figures/claims.md")
+            .contains("alpha < 1, alpha <= 2 and is good.")
+    );
 }

@@ -357,3 +357,25 @@ fn the_estimate_of_many_indices_is_announced() {
     bench.file("s.json", study.replace("25000", "250"));
     assert!(!run(&bench).contains("estimating"));
 }
+
+#[test]
+fn a_changed_record_is_no_change_of_columns() {
+    let bench = Bench::new();
+    let study = |k: u32, metrics: &str| {
+        format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.01, "duration": 0.1 }},
+            "structure": {{ "units": "t, kN, m, s", "masses": {{ "m": 1 }}, "springs": [{{ "between": ["ground", "m"], "k": {k} }}],
+                "ground": {{ "record": "a.csv", "unit": "m/s2" }} }}, "metrics": [{metrics}] }}"#
+        )
+    };
+    let peak = "\"peak(m)\"";
+    bench.file("a.csv", "t,a\n0,0\n0.05,1\n0.1,0\n");
+    bench.file("s.json", study(100, peak));
+    assert_eq!(run(&bench), "s: 1 case run\n");
+    bench.file("a.csv", "t,a\n0,0\n0.05,2\n0.1,0\n");
+    assert_eq!(run(&bench), "s: 1 case run: the records have changed\n");
+    bench.file("s.json", study(200, peak));
+    assert_eq!(run(&bench), "s: 1 case run: the structure has changed\n");
+    bench.file("s.json", study(200, "\"max(m)\""));
+    assert_eq!(run(&bench), "s: 1 case run: different columns\n");
+}

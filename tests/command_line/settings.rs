@@ -309,3 +309,24 @@ fn every_verb_that_reads_a_study_has_settings() {
     let check = bench.expect(0, &["check", "s.json", "--set", "x0=[3, 6, 12]"]);
     assert!(check.err.contains("6 checks, 0 not met"), "{}", check.err);
 }
+
+#[test]
+fn a_setting_of_a_part_of_a_structure_says_what_is_set() {
+    let bench = Bench::new();
+    let study = r#"{ "problem": "structure", "parameters": { "p": 5, "dt": 0.01, "duration": 0.1 },
+        "structure": { "masses": { "m": 1 }, "springs": [{ "between": ["ground", "m"], "k": "p" }] }, "metrics": ["peak(m)"] }"#;
+    bench.file("s.json", study);
+    for (name, key) in [("m", "k"), ("p", "k"), ("q", "k.x")] {
+        let set = format!("{name}.{key}=3");
+        let done = bench.expect(2, &["list", "s.json", "--set", &set]);
+        let first = done.err.lines().next().unwrap();
+        let expected = format!(
+            "--set {set}:1:1: parameters.{name}.{key}: a parameter of a structure has no key \"{key}\"; --set changes parameters, as in \
+             {name}=2,"
+        );
+        assert!(first.starts_with(&expected), "{first}");
+        // One mistake, one message: with its line and a caret.
+        assert_eq!(done.err.lines().count(), 3, "{}", done.err);
+    }
+    bench.expect(0, &["list", "s.json", "--set", "p=3"]);
+}

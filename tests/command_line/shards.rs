@@ -250,3 +250,22 @@ fn the_script_for_slurm_has_full_paths_and_the_settings() {
         done.out.contains("--dependency=\"afterany:$array\"") && !done.out.contains("--signal")
     );
 }
+
+#[test]
+fn a_merge_without_parts_leaves_no_files_and_no_folders_of_its_own() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(TWO, ""));
+    bench.expect(4, &["merge", "s.json", "--out", "deep/out"]);
+    assert!(!bench.path("deep").exists());
+    // Folders that were there stay, without the lock.
+    fs::create_dir_all(bench.path("mine/s/store")).unwrap();
+    bench.expect(4, &["merge", "s.json", "--out", "mine"]);
+    assert!(bench.path("mine/s/store").is_dir());
+    assert!(bench.everything("mine").is_empty());
+    // A store with parts of another study keeps its lock.
+    bench.expect(0, &["run", "s.json"]);
+    let before = bench.everything("figures");
+    bench.file("s.json", friction(TWO, "").replace("pi/10", "pi/20"));
+    bench.expect(4, &["merge", "s.json"]);
+    assert_eq!(bench.everything("figures"), before);
+}

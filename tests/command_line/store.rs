@@ -205,6 +205,7 @@ fn formats_by_number_of_cases_and_by_option() {
     bench.file("s.json", sweep(100, "20"));
     let done = bench.expect(0, &["run", "s.json", "--format", "parquet"]);
     assert!(done.out.starts_with("figures/s/store\n"), "{}", done.out);
+    assert!(!done.out.contains("no results.csv"), "{}", done.out);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.expect(0, &["run", "s.json"]);
     assert!(bench.path("figures/s/results.csv").exists());
@@ -212,7 +213,10 @@ fn formats_by_number_of_cases_and_by_option() {
     bench.expect(0, &["run", "s.json", "--format", "parquet"]);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.file("s.json", sweep(251, "20"));
-    bench.expect(0, &["run", "s.json"]);
+    let done = bench.expect(0, &["run", "s.json"]);
+    let why = "no results.csv, because there are more than 100000 cases; the store has them, and --format csv writes the table, too";
+    assert!(done.out.starts_with("figures/s/store\n"), "{}", done.out);
+    assert!(done.out.ends_with(&format!("\n{why}\n")), "{}", done.out);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.expect(0, &["run", "s.json", "--format", "csv"]);
     assert_eq!(bench.text("figures/s/results.csv").lines().count(), 100_401);

@@ -35,6 +35,11 @@ pub fn acquire(
     }
 }
 
+/// Removes the lock file, which this process has locked.
+pub fn remove(folder: &Path) {
+    let _ = fs::remove_file(folder.join(LOCK));
+}
+
 /// Removes the lock of an earlier version: an empty file that is not locked.
 pub fn remove_former(folder: &Path) {
     let path = folder.join(FORMER_LOCK);

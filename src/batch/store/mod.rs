@@ -234,7 +234,8 @@ impl Store {
     /// Writes the file of a part.
     fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), Error> {
         let write = || {
-            if let Some(folder) = path.parent().filter(|folder| *folder != self.folder) {
+            // A merge that finds no parts removes the folders that it has made.
+            if let Some(folder) = path.parent() {
                 fs::create_dir_all(folder).map_err(Error::io("cannot make folder", folder))?;
             }
             write_atomically(path, |out| {
@@ -286,6 +287,13 @@ impl Store {
                     why,
                 )))
             }
+        }
+    }
+
+    /// Closes the store without a change. If it has no parts, its lock is removed.
+    pub fn leave(self) {
+        if self.is_empty() {
+            lock::remove(&self.folder);
         }
     }
 

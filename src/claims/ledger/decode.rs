@@ -42,7 +42,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
     };
     let mut string = |key: &str, what: &str| {
         let node = object.need(key, what, faults)?;
-        text(node, &object.path(key), faults)
+        markdown(node, &object.path(key), faults)
     };
     let paper = string("paper", "the name of the paper or of the literature");
     let folder = string(
@@ -126,14 +126,19 @@ fn claim(
     let object = Object::open(node, path, &CLAIM, faults)?;
     let mut string = |key: &str, what: &str| {
         let node = object.need(key, what, faults)?;
-        text(node, &object.path(key), faults)
+        markdown(node, &object.path(key), faults)
     };
     let id = string("id", "a short name");
     let place = string("where", "its place in the paper, or its source");
     let statement = string("says", "the statement");
     let quantity = string("quantity", "the quantity that decides");
     let because = object.get("because");
-    let because = because.and_then(|node| text(node, &object.path("because"), faults));
+    let because = because.and_then(|node| markdown(node, &object.path("because"), faults));
+    if let (Some(id), Some(node)) = (&id, object.get("id"))
+        && !is_id(id)
+    {
+        faults.must_be(node, &object.path("id"), "letters, digits, - and _");
+    }
     let readings = object.items("readings", faults, reading);
     if faults.count() == before && readings.is_empty() {
         object.missing("readings", "at least one reading", faults);
@@ -151,6 +156,28 @@ fn claim(
     })
 }
 
+/// Whether a text is an id, which is a heading of the page and the address of a link.
+fn is_id(text: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    !text.is_empty() && text.chars().all(plain)
+}
+
+/// A text of the page, which is Markdown: without HTML, which a browser would run.
+fn markdown(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
+    let text = text(node, path, faults)?;
+    let opens =
+        |after: &str| after.starts_with(|c: char| c.is_ascii_alphabetic() || "/!?".contains(c));
+    let html = text
+        .match_indices('<')
+        .any(|(at, _)| opens(&text[at + 1..]));
+    if html {
+        let message = "must not contain HTML; put a blank after <";
+        faults.add(node.at, path, format!("{message}, got {}", quoted(&text)));
+        return None;
+    }
+    Some(text)
+}
+
 fn reading(
     node: &Node,
     path: &str,
@@ -162,7 +189,7 @@ fn reading(
     let object = Object::open(node, path, &READING, faults)?;
     let assumed = object
         .need("reading", "what is assumed", faults)
-        .and_then(|node| text(node, &object.path("reading"), faults));
+        .and_then(|node| markdown(node, &object.path("reading"), faults));
     let holds = match object.need("holds", "the recorded verdict", faults) {
         Some(Node {
             tree: Tree::Bool(holds),

@@ -2,7 +2,7 @@
 
 use super::over::over;
 use super::{Demand, Expect};
-use crate::problem::parameter::Range;
+use crate::problem::parameter::{Range, shortest};
 use crate::study::Filter;
 use crate::study::faults::Faults;
 use crate::study::object::Object;
@@ -88,6 +88,13 @@ pub(super) fn expect(
         number(node, &object.path(key), Range::Any, faults)
     };
     let (min, max, away) = (limit("min"), limit("max"), limit("away"));
+    if let (Some(min), Some(max)) = (min, max)
+        && min > max
+    {
+        let message = format!("must be >= min = {}, got {}", shortest(min), shortest(max));
+        let at = object.get("max").map_or(node.at, |node| node.at);
+        faults.add(at, &object.path("max"), message);
+    }
     let along = object.get("along").and_then(|node| {
         name(
             node,

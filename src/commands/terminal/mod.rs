@@ -46,6 +46,9 @@ pub fn report_error(error: &Error) {
     }
 }
 
+/// Blanks between two columns of a table.
+pub const GAP: usize = 2;
+
 /// Rows of text in aligned columns. The first row is the header. Control characters become spaces.
 pub fn table(rows: &[Vec<String>]) -> String {
     table_lines(|| rows.iter().cloned()).collect()
@@ -68,7 +71,7 @@ pub fn table_lines<I: Iterator<Item = Vec<String>>>(
             let cell = cell.replace(char::is_control, " ");
             // The width of a format specification is limited to 65 535.
             line.push_str(&cell);
-            line.extend(repeat_n(' ', width - cell.chars().count() + 2));
+            line.extend(repeat_n(' ', width - cell.chars().count() + GAP));
         }
         line.truncate(line.trim_end().len());
         line.push('\n');

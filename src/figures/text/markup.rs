@@ -1,5 +1,6 @@
 //! The markup of titles and symbols: `*italic*`, `_subscript_`, `^superscript^`, a backslash before a
-//! character that is meant literally. Marks do not nest; a mark without its partner is literal too.
+//! mark that is meant literally. Marks do not nest; a mark without its partner is literal too, and so is a backslash before
+//! any other character.
 
 pub use crate::problem::escape;
 
@@ -82,13 +83,17 @@ fn until(mut rest: &str, mark: char) -> Option<(String, &str)> {
     None
 }
 
-/// The next character without its backslash; `rest` is not empty.
+/// The next character without its backslash, if it is one that [`escape`] escapes; `rest` is not empty.
 fn literal(rest: &str) -> (char, &str) {
     let mut chars = rest.chars();
     let first = chars.next().unwrap_or(' ');
+    let after = chars.as_str();
     if first == '\\'
         && let Some(second) = chars.next()
     {
+        if second != '\\' && opened_by(second).is_none() {
+            return (first, after);
+        }
         return (second, chars.as_str());
     }
     (first, chars.as_str())
@@ -127,6 +132,8 @@ mod tests {
         assert_eq!(shape("**"), "r(**)");
         assert_eq!(shape("rms\\_error\\_x"), "r(rms_error_x)");
         assert_eq!(shape("\\"), "r(\\)");
+        assert_eq!(shape("C:\\temp \\alpha\\"), "r(C:\\temp \\alpha\\)");
+        assert_eq!(shape("a\\\\b \\*c*"), "r(a\\b *c*)");
         assert_eq!(shape("*a\\*b*"), "i(a*b)");
         assert_eq!(shape(""), "");
     }

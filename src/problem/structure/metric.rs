@@ -50,9 +50,9 @@ reductions! {
     Max "max" Channel "largest value over the steps",
     Rms "rms" Channel "sqrt(mean c^2) over the steps",
     TimeOfPeak "time_of_peak" Channel "first time of the largest absolute value",
-    Impacts "impacts" Contact "number of times that the contact closes: steps with S < 0 after one with S = 0",
+    Impacts "impacts" Contact "number of times that the contact closes: steps with S != 0 after one with S = 0; a contact that is closed at t = 0, S(0) != 0, counts, too",
     Impulse "impulse" Contact "integral of abs(S) over time, by trapezoids",
-    ContactTime "contact_time" Contact "time with a contact force: the steps that end with S != 0",
+    ContactTime "contact_time" Contact "time with a contact force: the steps that end with S != 0, dt each",
     OpenTime "open_time" Contact "time without contact: for an impact the steps that end with S = 0, for friction those with limit 0",
     Work "work" Contact "work of the contact force on the structure's motion, integral of S dr by trapezoids; positive where the contact takes energy",
     ResidualSlip "residual_slip" Contact "slip at the last step minus slip at t = 0",
@@ -65,7 +65,7 @@ reductions! {
     StepError "step_error" Channel "sqrt(mean (c - g)^2); g is the exact motion of the softened laws",
     MeshError "mesh_error" Channel "sqrt(mean (g - f)^2); g is the exact motion of the softened laws, f the same with 4 times as many elements in every bar and the same contacts",
     Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
-    ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold "number of times that the impacts of all contacts close at steps before divergence; all of them where it never comes",
+    ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold "sum of impacts over all contacts that are impacts, of the steps before divergence; of all steps where it never comes",
     Difference "difference" Channel "largest difference over the steps between this run and one with start and loads 1e-10 larger, over the peak; empty where the channel is always 0",
 }
 

@@ -93,11 +93,14 @@ pub(in crate::study) fn not_computed(
     format!("{}{values}: {}", quoted(text), fault.message)
 }
 
-/// The values of the parameters in a formula, as ` with n = 3, L = 10`.
+/// The values of the parameters in a formula, as ` with n = 3, L = 10`; empty if none has a value.
 fn values_used(formula: &Formula, case: &Case) -> String {
     let values = formula.uses().iter().filter_map(|row| {
         let value: Value = case.values[*row]?;
         Some(format!("{} = {value}", case.schema.parameters[*row].name))
     });
-    format!(" with {}", values.collect::<Vec<_>>().join(", "))
+    match values.collect::<Vec<_>>() {
+        values if values.is_empty() => String::new(),
+        values => format!(" with {}", values.join(", ")),
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::problem::parameter::{Range, shortest};
 use crate::study::cases::scope::Scope;
-use crate::study::source::faults::Faults;
+use crate::study::source::faults::{Faults, any_of};
 use crate::study::source::object::Object;
 use crate::study::source::tree::Node;
 use crate::study::value::{name, number};
@@ -30,7 +30,7 @@ pub(in crate::study) fn check(
     let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
     let metrics = scope.metrics();
     let metric = object
-        .need("metric", &format!("one of {}", metrics.join(", ")), faults)
+        .need("metric", &format!("one of {}", any_of(&metrics)), faults)
         .and_then(|node| name(node, &object.path("metric"), "metric", &metrics, faults));
     let filter = match object.get("where") {
         Some(node) => scope.filter(node, &object.path("where"), faults),

@@ -1,12 +1,12 @@
 //! From the draft of a block to the block: expressions in the order of their references, and the condition.
 
 use super::references::{check_given, report_circle, restates};
-use crate::problem::{Problem, Schema};
+use crate::problem::{Case, Problem, Schema};
 use crate::study::Block;
 use crate::study::axes::draft::{BlockDraft, ParameterDraft};
 use crate::study::cases::derived::{Condition, Derived, not_computed, refused};
 use crate::study::cases::tabulated::Tabulated;
-use crate::study::expression::Formula;
+use crate::study::expression::{ExpressionFault, Formula};
 use crate::study::source::faults::{Faults, quoted};
 use crate::study::value::value_of;
 use std::sync::Arc;
@@ -54,6 +54,7 @@ pub(in crate::study) fn resolve(
                 formula,
                 restates,
                 problem.schema(),
+                &draft.faulty,
                 faults,
             );
         }
@@ -66,11 +67,39 @@ pub(in crate::study) fn resolve(
         if !check_given(draft, (formula, text), (*at, &path), table, faults) {
             return None;
         }
-        if let Err(message) = add_condition(&mut block, formula, text, problem) {
-            faults.add(*at, &path, message);
+        match add_condition(&mut block, formula, text, problem) {
+            Err(Unmet::NoValue(case, _))
+                if !draft.faulty.is_empty() && lacks_a_value(formula, &case) =>
+            {
+                return None;
+            }
+            Err(unmet) => faults.add(*at, &path, unmet.message(formula, text)),
+            Ok(()) => {}
         }
     }
     (faults.count() == before).then_some(block)
+}
+
+/// Whether a parameter of a formula has no value in a case.
+fn lacks_a_value(formula: &Formula, case: &Case) -> bool {
+    formula.uses().iter().any(|row| case.values[*row].is_none())
+}
+
+/// Why a condition cannot be used.
+enum Unmet {
+    /// It has no value for this case.
+    NoValue(Box<Case>, ExpressionFault),
+    /// No combination meets it.
+    Never,
+}
+
+impl Unmet {
+    fn message(&self, formula: &Formula, text: &str) -> String {
+        match self {
+            Unmet::NoValue(case, fault) => not_computed(formula, text, case, fault),
+            Unmet::Never => format!("{}: no combination meets it", quoted(text)),
+        }
+    }
 }
 
 /// Adds the condition of a block.
@@ -82,10 +111,10 @@ fn add_condition(
     formula: &Formula,
     text: &str,
     problem: &dyn Problem,
-) -> Result<(), String> {
+) -> Result<(), Unmet> {
     let mut tabulated = Tabulated::new(formula.clone(), block);
     if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
-        return Err(not_computed(formula, text, &case, &fault));
+        return Err(Unmet::NoValue(Box::new(case), fault));
     }
     block.when = Some(Condition {
         text: text.to_owned(),
@@ -98,11 +127,11 @@ fn add_condition(
         let case = block.raw_case(problem, raw);
         return match formula.value(&|row| case.values[row]) {
             Ok(_) => Ok(()),
-            Err(fault) => Err(not_computed(formula, text, &case, &fault)),
+            Err(fault) => Err(Unmet::NoValue(Box::new(case), fault)),
         };
     }
     match block.len(problem) {
-        0 => Err(format!("{}: no combination meets it", quoted(text))),
+        0 => Err(Unmet::Never),
         _ => Ok(()),
     }
 }
@@ -114,6 +143,7 @@ fn derive(
     (formula, text): &(Formula, String),
     restates: bool,
     schema: &Arc<Schema>,
+    faulty: &[usize],
     faults: &mut Faults,
 ) {
     let mut tabulated = Tabulated::new(formula.clone(), block);
@@ -126,6 +156,9 @@ fn derive(
             invalid.map(|entry| tabulated.case(block, entry as u64, schema))
         }
     };
+    // A faulty parameter may decide which other ones have a value, and is reported itself.
+    let follows = |case: &Case| !faulty.is_empty() && lacks_a_value(formula, case);
+    let invalid = invalid.filter(|case| !follows(case));
     if let Some(message) = invalid.and_then(|case| refused(formula, text, &case, parameter)) {
         faults.add(given.at, &given.path, message);
     }

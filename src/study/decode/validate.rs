@@ -143,13 +143,23 @@ fn violations(
         violations.retain(|violation| {
             let row = row_of(problem, violation);
             let reported = row.is_some_and(|row| draft.faulty.contains(&row));
-            // The faulty parameter may be the alternative that is missing.
-            let missing = !draft.faulty.is_empty() && lacks_alternative(&case, violation);
-            !reported && !missing
+            // The faulty parameter may be the alternative that is missing, one in an expression of the structure, or decide
+            // whether one in the expression of a parameter has a value.
+            let missing = lacks_alternative(&case, violation)
+                || violation.at.is_some()
+                || row.is_some_and(|row| lacks_a_value(draft, row, &case));
+            !reported && (draft.faulty.is_empty() || !missing)
         });
         (raw, violations)
     });
     violations.filter(|(_, violations)| !violations.is_empty())
+}
+
+/// Whether a parameter is an expression with a parameter that has no value.
+fn lacks_a_value(draft: &BlockDraft, row: usize, case: &Case) -> bool {
+    let formula = draft.get(row).and_then(|given| given.formula.as_ref());
+    let mut uses = formula.iter().flat_map(|(formula, _)| formula.uses());
+    uses.any(|row| case.values[*row].is_none())
 }
 
 /// Whether a violation is at a parameter of which the alternative has no value either.

@@ -89,7 +89,7 @@ fn problem(problem: &dyn Problem) -> String {
             unit(&parameter.unit),
             cell(&allowed(parameter)),
             cell(&left_out(parameter)),
-            cell(&parameter.meaning)
+            cell(&meaning(parameter))
         );
     }
     text += "\n| metric | unit | | formula (c computed, e exact) |\n| --- | --- | --- | --- |\n";
@@ -132,6 +132,14 @@ fn problem(problem: &dyn Problem) -> String {
         .collect();
     let _ = write!(text, "\nBudgets: {}.\n", named(budgets));
     text
+}
+
+/// The meaning of a parameter, and its column if that has another name.
+fn meaning(parameter: &Parameter) -> String {
+    match parameter.heading {
+        Some(column) => format!("{}; its column is `{column}`", parameter.meaning),
+        None => parameter.meaning.to_string(),
+    }
 }
 
 fn left_out(parameter: &Parameter) -> String {

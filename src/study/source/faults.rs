@@ -127,8 +127,16 @@ pub(crate) fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
     } else if let Some(sentence) = outside(name, allowed) {
         let _ = write!(message, ": {sentence}");
     }
-    let _ = write!(message, "; allowed: {}", allowed.join(", "));
+    let _ = write!(message, "; allowed: {}", any_of(allowed));
     message
+}
+
+/// Names in a message; `none` if there are none.
+pub(crate) fn any_of(names: &[&str]) -> String {
+    match names {
+        [] => "none".into(),
+        names => names.join(", "),
+    }
 }
 
 #[cfg(test)]

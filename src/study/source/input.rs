@@ -1,7 +1,7 @@
 //! The text of a study, from a file or standard input, and the settings of the command line.
 
 use std::fs::File;
-use std::io::{Read, stdin};
+use std::io::{self, Read, Take, stdin};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
@@ -97,8 +97,21 @@ fn folder_of(file: &Path) -> PathBuf {
 
 /// The text of a file of bounded size in UTF-8.
 pub(crate) fn text_of(file: &Path) -> Result<String, Error> {
-    let opened = File::open(file).map_err(Error::io("cannot read", file))?;
+    let opened = open(file).map_err(Error::io("cannot read", file))?;
     bounded(opened, file)
+}
+
+/// A file. A regular one is read to the length that it has: beyond it, /proc/kmsg waits for the next message of the kernel.
+/// Others, such as pipes, are read to their end.
+pub(crate) fn open(file: &Path) -> io::Result<Take<File>> {
+    let opened = File::open(file)?;
+    let found = opened.metadata()?;
+    let len = if found.is_file() {
+        found.len()
+    } else {
+        u64::MAX
+    };
+    Ok(opened.take(len))
 }
 
 fn bounded(from: impl Read, file: &Path) -> Result<String, Error> {

@@ -2,6 +2,7 @@
 
 use super::faults::{Faults, join, quoted, shortened, shown};
 use super::tree::{self, Member, Node, SyntaxFault, Tree};
+use crate::problem::structure::schema::NAME as STRUCTURE;
 
 /// A parameter and its value, as written on the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,6 +100,15 @@ pub(in crate::study) fn put_all(
 /// Puts a value into every block that gives the parameter, or into all blocks if none does.
 fn put(root: &mut Node, setting: &Setting, value: &Node, start: usize, faults: &mut Faults) {
     let names: Vec<&str> = setting.name().split('.').collect();
+    if let ([name, _, ..], true) = (&names[..], is_of_structure(root)) {
+        let message = format!(
+            "a parameter of a structure has no key {}; --set changes parameters, as in {name}=2, and a part of the structure follows \
+             by an expression that contains the parameter",
+            quoted(&names[1..].join("."))
+        );
+        faults.add(start, &format!("parameters.{}", setting.name()), message);
+        return;
+    }
     let mut blocks = blocks(root);
     let given = blocks.iter().any(|(_, node)| gives(node, &names));
     for (path, node) in &mut blocks {
@@ -106,6 +116,12 @@ fn put(root: &mut Node, setting: &Setting, value: &Node, start: usize, faults: &
             insert(node, path, &names, value, start, faults);
         }
     }
+}
+
+/// Whether the study is one of structures, whose parameters have free names without keys.
+fn is_of_structure(root: &mut Node) -> bool {
+    let problem = root.member("problem").map(|node| &node.tree);
+    matches!(problem, Some(Tree::Text(name)) if name == STRUCTURE)
 }
 
 /// The `parameters` of a study that are objects, each with its path. Decoding reports the others.

@@ -103,12 +103,15 @@ pub(in crate::study) const CONTACT: Keys = &[
     ("e", "restitution of a rigid impact, from 0 to 1"),
     (
         "c",
-        "viscosity of velocity-control, tanh and stribeck at rdot = 0",
+        "viscosity of velocity-control, tanh and stribeck at rdot = 0, for every N",
     ),
-    ("rE", "r^E, instead of k = limit at rest/r^E"),
+    (
+        "rE",
+        "r^E at rest, instead of k = limit at rest/r^E; k does not change with N",
+    ),
     (
         "rdotE",
-        "rdot^E, instead of c = limit at rest/rdot^E; of stribeck the static limit",
+        "rdot^E at rest, instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N, so that rdot^E = limit/c does",
     ),
     (
         "exponent",
@@ -126,7 +129,7 @@ pub(in crate::study) const CONTACT: Keys = &[
     ),
     (
         "stribeck_velocity",
-        "stribeck and lugre: velocity over which the limit falls from the static to the kinetic one",
+        "stribeck and lugre: velocity v_S over which the limit falls from the static to the kinetic one: of stribeck by exp(-(|rdot| - rdot^E)/v_S), of lugre by exp(-(rdot/v_S)^2)",
     ),
     (
         "limit",
@@ -199,19 +202,22 @@ pub(in crate::study) const PULSE: Keys = &[
     ("cosine", "one sine cycle"),
 ];
 
+/// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
+const SAMPLED: &str = "time between samples, straight between; the last sample is at the end of the pulse, also if the last interval is shorter; from there on 0, by a jump if the sample is not 0";
+
 /// Keys of `ricker`.
 pub(in crate::study) const RICKER: Keys = &[
     ("amplitude", "a"),
     ("frequency", "f"),
     ("at", "time of the peak"),
-    ("sampled", "time between samples, straight between"),
+    ("sampled", SAMPLED),
 ];
 
 /// Keys of `cosine`.
 pub(in crate::study) const COSINE: Keys = &[
     ("amplitude", "amplitude"),
     ("period", "length of the cycle"),
-    ("sampled", "time between samples, straight between"),
+    ("sampled", SAMPLED),
 ];
 
 /// Keys of `synthetic`.

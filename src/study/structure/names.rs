@@ -11,6 +11,7 @@ use crate::problem::structure::schema::{FIXED, Named, of_method};
 use crate::study::expression::Formula;
 use crate::study::expression::tokens::FUNCTIONS;
 use crate::study::source::faults::{Faults, join, quoted};
+use crate::study::source::plain::unprintable;
 use crate::study::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
 
@@ -169,6 +170,7 @@ pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -
         if parameters.iter().any(|known| known.name == *name) || of_method(name) {
             continue;
         }
+        report_texts_of_tables(&member.node, &path, name, choices, faults);
         let reserved = FUNCTIONS.iter().any(|function| function.0 == name)
             || ["and", "or", "not"].contains(&name.as_str());
         // Columns of results that are not parameters.
@@ -219,6 +221,45 @@ pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -
     parameters
 }
 
+/// Characters with which a spreadsheet takes a cell for a formula.
+const FORMULA: [char; 4] = ['=', '+', '-', '@'];
+
+/// Reports labels and names of records that no cell of a table can show as they are. A table has them without a mark that keeps
+/// them from being a formula, so that programs read the same text as in the study.
+fn report_texts_of_tables(
+    node: &Node,
+    path: &str,
+    name: &str,
+    choices: &Choosing,
+    faults: &mut Faults,
+) {
+    let mut chosen = choices.parts.iter().chain(&choices.labels);
+    if !chosen.any(|known| known.0 == name) {
+        return;
+    }
+    match &node.tree {
+        Tree::List(items) => {
+            for (i, item) in items.iter().enumerate() {
+                report_texts_of_tables(item, &format!("{path}[{i}]"), name, choices, faults);
+            }
+        }
+        Tree::Text(text) => {
+            if let Some(c) = unprintable(text) {
+                let message =
+                    format!("must be a string of printable characters on one line, got {c}");
+                faults.add(node.at, path, message);
+            } else if text.trim_start().starts_with(FORMULA) {
+                let message = format!(
+                    "must not begin with =, +, - or @, because a spreadsheet takes {} in results.csv for a formula",
+                    quoted(text)
+                );
+                faults.add(node.at, path, message);
+            }
+        }
+        _ => {}
+    }
+}
+
 /// Reports the parameters that neither the structure nor another parameter nor a condition contains, and that are no labels.
 pub(super) fn report_unused(
     root: &Node,
@@ -261,18 +302,18 @@ pub(super) fn report_unused(
     }
 }
 
-/// A hash of what the structure says, without places and remarks, and of the bytes of its records.
+/// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records.
 pub(super) fn identity(structure: &Node, records: &[(String, Vec<u8>)]) -> String {
     let mut digest = Sha256::new();
-    digest.update(written(structure));
     for (name, bytes) in records {
         digest.update(name.as_bytes());
         digest.update([0]);
         digest.update((bytes.len() as u64).to_le_bytes());
         digest.update(bytes);
     }
-    let bytes = digest.finalize();
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+    let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
+    let [structure, records] = [Sha256::digest(written(structure)), digest.finalize()];
+    format!("{}.{}", hex(&structure), hex(&records))
 }
 
 /// A value as JSON without blanks and remarks.

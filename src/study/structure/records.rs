@@ -5,11 +5,13 @@ use crate::problem::interned;
 use crate::problem::structure::loads::Kind;
 use crate::problem::structure::template::Chosen;
 use crate::study::source::faults::{Faults, quoted};
+use crate::study::source::input::open;
 use crate::study::source::object::Object;
 use crate::study::source::tree::Node;
 use crate::study::value::{name, text};
 use crate::system::loads::{self, Unit};
 use crate::system::structure::Signal;
+use std::io::{self, Read};
 use std::sync::Arc;
 
 /// Most bytes of a record.
@@ -58,15 +60,19 @@ pub(super) fn record(
 /// The signal of a file, in the study's units.
 fn read(file: &str, unit: Option<Unit>, reader: &Reader) -> Result<Arc<Signal>, String> {
     let path = reader.folder.join(file);
-    let bytes = match std::fs::metadata(&path) {
-        Ok(found) if found.is_file() && found.len() <= LARGEST => std::fs::read(&path),
-        Ok(found) if found.is_file() => {
-            return Err(format!("larger than {} MiB", LARGEST >> 20));
-        }
-        Ok(_) => return Err("not a file".into()),
-        Err(error) => Err(error),
-    };
-    let bytes = bytes.map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+    if std::fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
+        return Err("not a file".into());
+    }
+    let unread = |error: io::Error| format!("cannot read {}: {error}", path.display());
+    let opened = open(&path).map_err(unread)?;
+    if opened.limit() > LARGEST {
+        return Err(format!("larger than {} MiB", LARGEST >> 20));
+    }
+    let mut bytes = Vec::new();
+    opened
+        .take(LARGEST)
+        .read_to_end(&mut bytes)
+        .map_err(unread)?;
     let record = loads::record::parse(file, &bytes);
     let record = record.map_err(|fault| format!("line {}: {}", fault.line, fault.message))?;
     let signal = loads::signal(&record, unit, 1.0 / reader.metre).map_err(|why| why.to_string())?;

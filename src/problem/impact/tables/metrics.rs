@@ -15,7 +15,7 @@ pub(super) static METRICS: [Metric; 31] = [
     ),
     Metric::new(
         ["separations", "separations", "1"],
-        "number of openings that close again, both within 0.9 exact contact durations after the exact first touch; undefined without contact",
+        "number of openings that close again (the first touch is not one of them), both within 0.9 exact contact durations after the exact first touch; undefined without contact",
     ),
     Metric::new(
         ["max_overlap", "max. overlap/(*cT*_I_/2)", "c T_I/2"],

@@ -1,0 +1,164 @@
+//! A folder in which the commands of a page run one after another, with the studies that the page writes.
+
+use crate::bench::Bench;
+use crate::command::{Command, other_program};
+use crate::page::Place;
+use serde_json::{Map, Value};
+use std::fs;
+use std::path::Path;
+
+/// What the page has written and run so far.
+pub(crate) struct Scene {
+    bench: Bench,
+    /// The studies that the page writes: name, where, and whether a command of the page has used it since.
+    studies: Vec<(String, Place, bool)>,
+    /// Studies of the repository that are in the folder.
+    shipped: Vec<String>,
+    pub(crate) commands: usize,
+    pub(crate) blocks: usize,
+}
+
+impl Scene {
+    pub(crate) fn new() -> Scene {
+        Scene {
+            bench: Bench::new(),
+            studies: Vec::new(),
+            shipped: Vec::new(),
+            commands: 0,
+            blocks: 0,
+        }
+    }
+
+    /// `FILE from PATH`: a file of the repository under the name that the page gives it.
+    pub(crate) fn copy(&mut self, file: &str, path: &str) {
+        let bytes = fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(path));
+        self.bench
+            .file(file, bytes.unwrap_or_else(|e| panic!("{path}: {e}")));
+    }
+
+    /// A whole study for a file.
+    pub(crate) fn write(&mut self, place: &str, file: &str, text: &str) {
+        parse(place, text);
+        self.bench.file(file, text);
+        self.written(place, file);
+    }
+
+    fn written(&mut self, place: &str, file: &str) {
+        self.studies.retain(|study| study.0 != file);
+        self.studies
+            .push((file.to_owned(), place.to_owned(), false));
+        self.blocks += 1;
+    }
+
+    /// The keys of a block replace those of the object at `path` of a study; a list there gets the block as a further item.
+    /// `study` is a file that is there already, or a study as JSON.
+    pub(crate) fn merge(&mut self, place: &str, study: &str, path: &str, text: &str) {
+        let is_file = !study.starts_with('{');
+        let file = if is_file { study } else { "example.json" };
+        let mut root = match is_file {
+            true => {
+                let text = fs::read_to_string(self.bench.path(file));
+                parse(
+                    place,
+                    &text.unwrap_or_else(|e| panic!("{place}: {file}: {e}")),
+                )
+            }
+            false => parse(place, study),
+        };
+        let mut target = &mut root;
+        for key in path.split('.').filter(|key| !key.is_empty()) {
+            target = &mut target[key];
+        }
+        if let Value::Array(items) = target {
+            items.push(parse(place, text));
+        } else {
+            if target.is_null() {
+                *target = Value::Object(Map::new());
+            }
+            let block = parse(place, text);
+            let keys = target.as_object_mut();
+            let keys = keys.unwrap_or_else(|| panic!("{place}: {path} is no object and no list"));
+            keys.extend(block.as_object().unwrap().clone());
+        }
+        self.bench.file(file, root.to_string());
+        self.written(place, file);
+        if !is_file {
+            self.check_studies(false);
+        }
+    }
+
+    /// Runs a command and tests its exit code.
+    pub(crate) fn run(&mut self, place: &str, line: &str, more: &[String], code: i32) {
+        self.commands += 1;
+        let command = Command::parse(line);
+        if command.program() != "slipgap" {
+            return other_program(place, &command);
+        }
+        let mut args = command.args().to_vec();
+        for study in args.clone().iter().filter(|arg| arg.ends_with(".json")) {
+            let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join(study);
+            if !self.bench.path(study).exists() && repository.is_file() {
+                self.copy(study, study);
+                self.shipped.push(study.clone());
+            }
+            if let Some(own) = self.studies.iter_mut().find(|own| own.0 == *study) {
+                own.2 |= ["run", "check"].contains(&args[0].as_str());
+            }
+        }
+        // Other tests run the studies of the repository (tests/fresh.rs, tests/shipped.rs), some of which take minutes here.
+        if args[0] == "run"
+            && args
+                .get(1)
+                .is_some_and(|study| self.shipped.contains(study))
+        {
+            args[0] = "list".into();
+        }
+        if ["run", "check"].contains(&args[0].as_str()) {
+            args.extend_from_slice(more);
+        }
+        let args: Vec<&str> = args.iter().map(String::as_str).collect();
+        let done = self.bench.run(&args);
+        assert_eq!(done.code, Some(code), "{place}: {line}\n{}", done.err);
+        if let Some(file) = &command.into {
+            self.bench.file(file, &done.out);
+        }
+    }
+
+    /// Tests every study that the page has written and that no command has run: it has no mistake, and it runs.
+    pub(crate) fn check_studies(&mut self, list_only: bool) {
+        for (file, place, used) in std::mem::take(&mut self.studies) {
+            let verbs: &[&str] = match used || list_only {
+                true => &["list"],
+                false => &["list", "run", "check"],
+            };
+            for verb in verbs {
+                let done = self.bench.run(&[verb, &file]);
+                assert_eq!(done.code, Some(0), "{place}: {verb} {file}\n{}", done.err);
+            }
+        }
+    }
+
+    /// Tests a file of results that the text names, if the page has made its folder so far.
+    pub(crate) fn check_result(&self, place: &str, file: &str) {
+        let path = self.bench.path(file);
+        let made = path.parent().is_some_and(Path::is_dir);
+        assert!(!made || path.is_file(), "{place}: no file {file}");
+    }
+
+    /// The help of a verb, which has its options.
+    pub(crate) fn help(&self, place: &str, verb: &str) -> String {
+        let words: Vec<&str> = verb.split(' ').chain(["--help"]).collect();
+        let done = self.bench.run(&words);
+        assert_eq!(done.code, Some(0), "{place}: slipgap {verb}: {}", done.err);
+        done.out
+    }
+}
+
+/// The JSON of a block; members of an object may stand without its braces.
+pub(crate) fn parse(place: &str, text: &str) -> Value {
+    let text = match text.trim_start().starts_with(['{', '[']) {
+        true => text.to_owned(),
+        false => format!("{{{text}}}"),
+    };
+    serde_json::from_str(&text).unwrap_or_else(|e| panic!("{place}: {e}: {text}"))
+}
