@@ -82,17 +82,35 @@ pub fn recommend<'py>(
     let surveyed = found.survey.as_ref().map_or(0, |survey| survey.solved);
     let solved = answer.solved + surveyed;
     let own_step = answer.own_step.as_ref();
-    let own_step = own_step.map(|own| candidate(py, &search, own)).transpose()?;
+    let own_step = own_step
+        .map(|own| candidate(py, &search, own))
+        .transpose()?;
     let elsewhere = elsewhere.map(|found| {
         let target = search.request.targets[found.target].name.replace(' ', "_");
         let class = ELSEWHERE.import(py, "slipgap._records", "Elsewhere")?;
         let [first, last] = found.ends;
         let (name, at) = (found.parameter, found.at);
-        class.call1((name, first, last, found.count, found.missed, target, found.error, at))
+        class.call1((
+            name,
+            first,
+            last,
+            found.count,
+            found.missed,
+            target,
+            found.error,
+            at,
+        ))
     });
     let elsewhere = elsewhere.transpose()?;
     let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
-    class.call1((chosen.is_some(), nearest, front, solved, own_step, elsewhere))
+    class.call1((
+        chosen.is_some(),
+        nearest,
+        front,
+        solved,
+        own_step,
+        elsewhere,
+    ))
 }
 
 /// A `slipgap.Candidate`.
@@ -112,7 +130,13 @@ fn candidate<'py>(
     }
     let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
     let reached = candidate.worst <= 1.0;
-    class.call1((parameters, candidate.cost, errors, reached, candidate.converged))
+    class.call1((
+        parameters,
+        candidate.cost,
+        errors,
+        reached,
+        candidate.converged,
+    ))
 }
 
 /// The parameters of a study with this case: numbers, names, and objects of them.

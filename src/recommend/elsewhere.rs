@@ -52,7 +52,10 @@ pub fn elsewhere(
     for case in 0..range.cases.len() {
         let metrics: Vec<Option<f64>> = table.row(case).collect();
         let errors = request.targets.iter().map(|t| t.error(&metrics));
-        let quotients: Vec<f64> = errors.zip(&request.targets).map(|(e, t)| e / t.limit).collect();
+        let quotients: Vec<f64> = errors
+            .zip(&request.targets)
+            .map(|(e, t)| e / t.limit)
+            .collect();
         found.missed += usize::from(!quotients.iter().all(|quotient| *quotient <= 1.0));
         for (target, quotient) in quotients.into_iter().enumerate() {
             if quotient > largest {

@@ -1,11 +1,14 @@
 //! The search of a level: its candidates, in the order of their errors.
 
-use super::{Candidate, CostLevel, EnergyChange, Request, SearchSpace, refine};
+use super::{Candidate, CostLevel, EnergyChange, Request, SearchSpace, refine, with_finer_step};
 use crate::problem::Case;
 use crate::problem::cases::Cases;
 
 /// Candidates whose finer steps are solved together.
 const TOGETHER: usize = 16;
+
+/// Number of further conditions under which the metrics of a candidate must settle.
+const HARDEST: usize = 8;
 
 /// The result of a level.
 #[derive(Debug, Default)]
@@ -174,11 +177,32 @@ impl<'a> LevelSearch<'a> {
         added
     }
 
-    /// Whether a candidate reaches the target with finer steps under its further conditions, too.
+    /// Whether a candidate reaches the target with finer steps under its further conditions, too: at all with half the step, at those
+    /// with the largest errors until the metrics settle.
     fn is_settled_further(&mut self, at: usize) -> bool {
         let own = self.own[at].iter().flatten().skip(1).copied();
-        let own: Vec<usize> = own.collect();
-        self.hold_with_finer_steps(own).into_iter().all(|holds| holds)
+        let mut own: Vec<usize> = own.collect();
+        let worst = |case: &usize| self.errors[*case].as_ref().map_or(0.0, |e| e.worst);
+        own.sort_by(|a, b| worst(b).total_cmp(&worst(a)));
+        let problem = self.space.problem();
+        let mut halves = Cases::new(problem.schema());
+        for case in &own {
+            halves.push(&with_finer_step(problem, &self.level.cases[*case], 2));
+        }
+        let rows: Vec<u32> = (0..own.len() as u32).collect();
+        let table = problem.sweep(&halves, &rows);
+        self.solved += rows.len() as u64;
+        let reaches = |place: usize| {
+            let metrics: Vec<Option<f64>> = table.row(place).collect();
+            let mut targets = self.request.targets.iter();
+            targets.all(|target| target.error(&metrics) <= target.limit)
+        };
+        if !(0..own.len()).all(reaches) {
+            return false;
+        }
+        own.truncate(HARDEST);
+        let holds = self.hold_with_finer_steps(own);
+        holds.into_iter().all(|holds| holds)
     }
 
     /// Whether these cases reach the targets with finer steps, too.

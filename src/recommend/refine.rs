@@ -126,15 +126,25 @@ impl Open {
             return Some(Outcome::Misses);
         }
         let values: Vec<f64> = targets.iter().map(|t| t.signed_error(metrics)).collect();
-        let values: Vec<f64> = values.iter().zip(targets).map(|(x, t)| x / t.limit).collect();
-        let changes = values.iter().zip(&self.last).map(|(x, last)| (x - last).abs());
+        let values: Vec<f64> = values
+            .iter()
+            .zip(targets)
+            .map(|(x, t)| x / t.limit)
+            .collect();
+        let changes = values
+            .iter()
+            .zip(&self.last)
+            .map(|(x, last)| (x - last).abs());
         let changes: Vec<f64> = changes.collect();
         self.last = values;
         self.quiet = match changes.iter().all(|change| *change <= SETTLED) {
             true => self.quiet + 1,
             false => 0,
         };
-        let mut ends = errors.iter().zip(&changes).map(|(error, change)| error + change);
+        let mut ends = errors
+            .iter()
+            .zip(&changes)
+            .map(|(error, change)| error + change);
         let settled = halving >= LEAST_HALVINGS && self.quiet >= 2 && ends.all(|end| end <= 1.0);
         settled.then_some(Outcome::Holds)
     }

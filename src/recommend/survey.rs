@@ -168,6 +168,10 @@ impl Survey {
             order.extend(own.map(|own| (own, at)));
         }
         order.sort_unstable();
-        order.into_iter().take(MOST_OWN_STEP).map(|(_, at)| at).collect()
+        order
+            .into_iter()
+            .take(MOST_OWN_STEP)
+            .map(|(_, at)| at)
+            .collect()
     }
 }

@@ -81,7 +81,11 @@ impl Releases {
             Releases::Range(from, to) => (from, to, 1.0),
             Releases::One(x0) => {
                 let size = x0.abs();
-                ((size - LOOK[0]).max(size.min(1.0)), size + LOOK[1], x0.signum())
+                (
+                    (size - LOOK[0]).max(size.min(1.0)),
+                    size + LOOK[1],
+                    x0.signum(),
+                )
             }
         };
         let part = (to - from) / f64::from(PARTS);
@@ -99,9 +103,11 @@ impl Releases {
             Releases::One(_) => Err(format!(
                 "must be a number from -{LARGEST} to {LARGEST}, but not 0, or a range such as 8..20"
             )),
-            Releases::Range(from, to) if !(from > 0.0 && from < to && to <= LARGEST) => Err(format!(
-                "a range must rise from a number above 0 to one up to {LARGEST}, as 8..20, got {self}"
-            )),
+            Releases::Range(from, to) if !(from > 0.0 && from < to && to <= LARGEST) => {
+                Err(format!(
+                    "a range must rise from a number above 0 to one up to {LARGEST}, as 8..20, got {self}"
+                ))
+            }
             Releases::Range(from, to) if to - from > LONGEST => Err(format!(
                 "a range must not be longer than {LONGEST}, got {self}"
             )),

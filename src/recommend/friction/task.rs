@@ -49,7 +49,9 @@ impl FrictionTask {
     pub fn search(self) -> Result<Search, Error> {
         check_target("rms", self.rms)?;
         check_target("energy_gain", self.energy_gain)?;
-        self.x0.check().map_err(|why| Error::Usage(format!("x0: {why}")))?;
+        self.x0
+            .check()
+            .map_err(|why| Error::Usage(format!("x0: {why}")))?;
         let methods = choices(&FrictionOscillator, "method");
         let fixed = Fixed {
             law: choice(&law_names(), "law", self.law.as_ref())?,

@@ -9,8 +9,8 @@ pub const MOST_ELEMENTS: u32 = 140;
 /// Numbers of elements that a wave passes in a step. The first ones are searched with every mesh, the others with some. Explicit methods
 /// are most accurate just below one element, so that the numbers are close there.
 pub const PASSES: [f64; 27] = [
-    4.0, 3.0, 2.5, 2.0, 1.75, 1.5, 1.25, 1.0, 0.75, 0.5, 0.98, 0.96, 0.94, 0.92, 0.9, 0.85, 0.8, 0.7,
-    0.65, 0.6, 0.55, 0.45, 0.4, 0.375, 0.25, 0.125, 0.0625,
+    4.0, 3.0, 2.5, 2.0, 1.75, 1.5, 1.25, 1.0, 0.75, 0.5, 0.98, 0.96, 0.94, 0.92, 0.9, 0.85, 0.8,
+    0.7, 0.65, 0.6, 0.55, 0.45, 0.4, 0.375, 0.25, 0.125, 0.0625,
 ];
 
 /// Number of entries of [`PASSES`] that are searched with every mesh.

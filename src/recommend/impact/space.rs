@@ -77,7 +77,11 @@ impl SearchSpace for Impact {
             Some(n) => format!("n = {n}"),
             None => format!(
                 "every n 2 .. {MOST_ELEMENTS} with steps of {} elements (others: in ratios of 1.05)",
-                PASSES[..WITH_EVERY_MESH].iter().map(|x| shortest(*x)).collect::<Vec<_>>().join(", ")
+                PASSES[..WITH_EVERY_MESH]
+                    .iter()
+                    .map(|x| shortest(*x))
+                    .collect::<Vec<_>>()
+                    .join(", ")
             ),
         };
         let mut notes = vec![
