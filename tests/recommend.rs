@@ -89,13 +89,33 @@ fn reaches(problem: &dyn Problem, case: &Case, request: &Request) -> bool {
     request.targets.iter().all(within) && gain <= request.energy_gain
 }
 
-/// Whether a case also reaches the targets, apart from the energy, with the finer step.
+/// Whether a case also reaches the targets, apart from the energy, with 1/2, 1/4 .. 1/1024 of its step, as far as its metrics change.
 fn converged(problem: &dyn Problem, case: &Case, request: &Request) -> bool {
-    let unlimited = Request {
-        energy_gain: f64::INFINITY,
-        ..request.clone()
-    };
-    reaches(problem, &with_finer_step(problem, case), &unlimited)
+    let mut values: Vec<Vec<f64>> = Vec::new();
+    for halving in 1..=10 {
+        let finer = with_finer_step(problem, case, 1 << halving);
+        let metrics = problem.solve(&finer, &[]).unwrap().metrics;
+        let of = |t: &Target| metrics[t.metric].map_or(f64::NAN, |x| (x - t.ideal) / t.limit);
+        values.push(request.targets.iter().map(of).collect());
+        let last = &values[values.len() - 1];
+        if last.iter().any(|x| x.is_nan() || x.abs() > 1.0) {
+            return false;
+        }
+        if halving < 4 {
+            continue;
+        }
+        // The last three values of every target differ little, and what may still follow is within the limit.
+        let [.., a, b, c] = values.as_slice() else {
+            return false;
+        };
+        if (0..last.len()).all(|t| {
+            let [first, second] = [b[t] - a[t], c[t] - b[t]].map(f64::abs);
+            first <= 0.02 && second <= 0.02 && c[t].abs() + second <= 1.0
+        }) {
+            return true;
+        }
+    }
+    false
 }
 
 fn cheapest_by_trying_all(space: &dyn SearchSpace, request: &Request) {

@@ -98,7 +98,7 @@ fn friction_with_all_laws_costs_no_more_than_with_those_of_the_papers() {
             // Round-off of the two formulas for the exact motion.
             assert!(excess(case) <= 0.05 + 1e-12, "{case:?}");
         }
-        let finer = with_finer_step(&FrictionOscillator, &best.cases[0]);
+        let finer = with_finer_step(&FrictionOscillator, &best.cases[0], 2);
         assert!(solved(&FrictionOscillator, &finer, "rms_error") <= limit);
         // The table of laws has the cheapest of each, on a coarser grid.
         let survey = found.survey.unwrap();

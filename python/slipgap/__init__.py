@@ -24,6 +24,7 @@ from ._records import (
     Change,
     Check,
     Comparison,
+    Elsewhere,
     Failure,
     Fault,
     Recommendation,
@@ -40,6 +41,7 @@ __all__ = [
     "Change",
     "Check",
     "Comparison",
+    "Elsewhere",
     "Failure",
     "Fault",
     "Figure",
@@ -133,7 +135,7 @@ def recommend(problem: str, *, jobs: int | None = None, **targets: Any) -> Recom
     Arguments are those of ``slipgap recommend``, with ``_`` for ``-``.
 
     For ``friction-oscillator``: the target ``rms`` (largest rms_error); ``law``, ``method``, ``x0`` and ``energy_gain`` may be
-    given. For ``bar-impact``: at least one of the targets ``peak_force_error``, ``overlap``, ``r`` and ``rdot``; ``law``,
+    given; ``x0`` is one release, or a pair of numbers for all releases between them. For ``bar-impact``: at least one of the targets ``peak_force_error``, ``overlap``, ``r`` and ``rdot``; ``law``,
     ``method``, ``n``, ``gamma`` or ``k_I``, ``mass``, ``energy_gain``, ``energy_loss`` and ``bars`` (a dict as in a study, such as
     ``{"L": 40, "right": {"L": 20}}``) may be given. What is not given is searched.
 

@@ -116,6 +116,29 @@ class Candidate(NamedTuple):
     """By target: the largest error of the case and of its neighbours."""
     reached: bool
     """Whether it reaches every target."""
+    converged: bool
+    """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing."""
+
+
+class Elsewhere(NamedTuple):
+    """The best case of a search over a range of a parameter."""
+
+    parameter: str
+    """Name of the parameter."""
+    first: float
+    """First value."""
+    last: float
+    """Last value."""
+    count: int
+    """Number of values solved."""
+    missed: int
+    """Number of values at which the case misses a target."""
+    target: str
+    """The target with the largest error relative to its limit."""
+    error: float
+    """That error."""
+    at: float
+    """The value with that error."""
 
 
 class Recommendation(NamedTuple):
@@ -129,6 +152,10 @@ class Recommendation(NamedTuple):
     """The best case of every cost, the cheapest first."""
     solved: int
     """Number of cases solved."""
+    own_step: Candidate | None
+    """The cheapest case that reaches every target with its own step only, if it costs less than the best; else None."""
+    elsewhere: Elsewhere | None
+    """For a friction model: the best case over a range of releases; else None."""
 
 
 def _plain(value: object) -> object:

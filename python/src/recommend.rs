@@ -7,13 +7,14 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
 use slipgap::problem::Case;
 use slipgap::problem::parameter::Value;
-use slipgap::recommend::friction::FrictionTask;
+use slipgap::recommend::friction::{FrictionTask, Releases};
 use slipgap::recommend::impact::{ImpactTask, bar};
 use slipgap::recommend::task::Search;
-use slipgap::recommend::{Candidate, SearchSpace, recommend as best};
+use slipgap::recommend::{Candidate, SearchSpace, elsewhere, recommend as best};
 
-/// The classes `slipgap.Recommendation` and `slipgap.Candidate`.
+/// The classes `slipgap.Recommendation`, `slipgap.Candidate` and `slipgap.Elsewhere`.
 static RECOMMENDATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static ELSEWHERE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static CANDIDATE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// Names of what may be given.
@@ -55,12 +56,18 @@ pub fn recommend<'py>(
         }
     };
     let stop = search.request.stop.clone();
-    let (search, found) = worker::wait(
+    let (search, found, elsewhere) = worker::wait(
         py,
         jobs,
         move || {
             let found = best(&*search.space, &search.request);
-            Ok((search, found))
+            let answer = &found.answer;
+            let nearest = answer.front.len().checked_sub(1);
+            let shown = answer.chosen().or(nearest);
+            let shown = shown.and_then(|at| answer.front.get(at));
+            let elsewhere =
+                shown.and_then(|own| elsewhere(search.space.space(), &search.request, own));
+            Ok((search, found, elsewhere))
         },
         || stop.stop(),
         |_| Ok(()),
@@ -74,8 +81,36 @@ pub fn recommend<'py>(
     let nearest = nearest.and_then(|at| front.get(at)).cloned();
     let surveyed = found.survey.as_ref().map_or(0, |survey| survey.solved);
     let solved = answer.solved + surveyed;
+    let own_step = answer.own_step.as_ref();
+    let own_step = own_step
+        .map(|own| candidate(py, &search, own))
+        .transpose()?;
+    let elsewhere = elsewhere.map(|found| {
+        let target = search.request.targets[found.target].name.replace(' ', "_");
+        let class = ELSEWHERE.import(py, "slipgap._records", "Elsewhere")?;
+        let [first, last] = found.ends;
+        let (name, at) = (found.parameter, found.at);
+        class.call1((
+            name,
+            first,
+            last,
+            found.count,
+            found.missed,
+            target,
+            found.error,
+            at,
+        ))
+    });
+    let elsewhere = elsewhere.transpose()?;
     let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
-    class.call1((chosen.is_some(), nearest, front, solved))
+    class.call1((
+        chosen.is_some(),
+        nearest,
+        front,
+        solved,
+        own_step,
+        elsewhere,
+    ))
 }
 
 /// A `slipgap.Candidate`.
@@ -94,7 +129,14 @@ fn candidate<'py>(
         errors.set_item(target.name.replace(' ', "_"), error)?;
     }
     let class = CANDIDATE.import(py, "slipgap._records", "Candidate")?;
-    class.call1((parameters, candidate.cost, errors, candidate.worst <= 1.0))
+    let reached = candidate.worst <= 1.0;
+    class.call1((
+        parameters,
+        candidate.cost,
+        errors,
+        reached,
+        candidate.converged,
+    ))
 }
 
 /// The parameters of a study with this case: numbers, names, and objects of them.
@@ -150,6 +192,24 @@ fn get<'py, T: for<'a> FromPyObject<'a, 'py, Error: Into<PyErr>>>(
     }
 }
 
+/// One release, a number, or a range of them, a pair of numbers.
+fn releases(targets: &Bound<'_, PyDict>) -> PyResult<Option<Releases>> {
+    let given: Option<Bound<'_, PyAny>> = get(targets, "x0")?;
+    let Some(given) = given else {
+        return Ok(None);
+    };
+    if let Ok((from, to)) = given.extract() {
+        return Ok(Some(Releases::Range(from, to)));
+    }
+    match given.extract() {
+        Ok(one) => Ok(Some(Releases::One(one))),
+        Err(_) => {
+            let message = "x0: must be a number, or a pair of numbers such as (8, 20)";
+            Err(usage(targets.py(), message))
+        }
+    }
+}
+
 fn friction(py: Python<'_>, targets: &Bound<'_, PyDict>) -> PyResult<Search> {
     check_names(targets, &FRICTION)?;
     let Some(rms) = get(targets, "rms")? else {
@@ -159,7 +219,7 @@ fn friction(py: Python<'_>, targets: &Bound<'_, PyDict>) -> PyResult<Search> {
     let task = FrictionTask {
         law: get(targets, "law")?,
         method: get(targets, "method")?,
-        x0: get(targets, "x0")?.unwrap_or(usual.x0),
+        x0: releases(targets)?.unwrap_or(usual.x0),
         energy_gain: get(targets, "energy_gain")?.unwrap_or(usual.energy_gain),
         rms,
     };

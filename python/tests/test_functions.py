@@ -177,8 +177,21 @@ def test_recommend() -> None:
     best = {"problem": "friction-oscillator", **found.best.parameters}
     error = slipgap.solve(best).metrics["rms_error"]
     assert error is not None and error <= found.best.errors["rms_error"]
+    # One release: the answer misses the target at others.
+    one = slipgap.recommend("friction-oscillator", rms=0.01, law="tanh", method="central-difference", x0=12)
+    assert one.elsewhere is not None and (one.elsewhere.first, one.elsewhere.last) == (8, 20)
+    assert one.elsewhere.missed > 0 and one.elsewhere.error > 0.01
+    # A range of them: none does.
+    every = slipgap.recommend("friction-oscillator", rms=0.05, law="tanh", method="central-difference", x0=(9, 12))
+    assert every.elsewhere is not None and (every.elsewhere.first, every.elsewhere.last) == (9, 12)
+    assert every.elsewhere.missed == 0 and every.elsewhere.error <= 0.05
+    assert every.best is not None and every.best.converged and 9 <= every.best.parameters["x0"] <= 12
     refused: list[tuple[str, dict[str, Any]]] = [
         ("friction-oscillator", {}),
+        ("friction-oscillator", {"rms": 0.1, "x0": (20, 8)}),
+        ("friction-oscillator", {"rms": 0.1, "x0": (0, 5)}),
+        ("friction-oscillator", {"rms": 0.1, "x0": "8.."}),
+        ("friction-oscillator", {"rms": 0.1, "x0": (8, 9, 10)}),
         ("friction-oscillator", {"rms": -1}),
         ("friction-oscillator", {"rms": 0.1, "overlap": 1}),
         ("friction-oscillator", {"rms": 0.1, "law": "dal"}),

@@ -20,9 +20,14 @@ pub struct Target {
 impl Target {
     /// The error of a case; infinite if the metric is undefined.
     pub fn error(&self, metrics: &[Option<f64>]) -> f64 {
+        self.signed_error(metrics).abs()
+    }
+
+    /// The same with its sign.
+    pub fn signed_error(&self, metrics: &[Option<f64>]) -> f64 {
         let scale = if self.ideal == 0.0 { 1.0 } else { self.ideal };
         let metric = metrics.get(self.metric).copied().flatten();
-        metric.map_or(f64::INFINITY, |x| ((x - self.ideal) / scale).abs())
+        metric.map_or(f64::INFINITY, |x| (x - self.ideal) / scale)
     }
 }
 
@@ -58,7 +63,8 @@ impl Stop {
 /// The best candidate of a cost.
 #[derive(Debug, Clone)]
 pub struct Candidate {
-    /// Its case, then its neighbours.
+    /// Its case, then its neighbours and the other conditions for which it holds. The first is the one with the largest error of its own
+    /// conditions.
     pub cases: Vec<Case>,
     /// Its cost.
     pub cost: u64,
@@ -66,7 +72,7 @@ pub struct Candidate {
     pub errors: Vec<f64>,
     /// The largest quotient of error and limit. The candidate reaches the target if it is at most 1.
     pub worst: f64,
-    /// Whether it also reaches the target with the finer step, see [`FINER`](super::FINER).
+    /// Whether it also reaches the target with finer steps, see [`refine`](super::refine()).
     pub converged: bool,
 }
 
@@ -74,7 +80,7 @@ pub struct Candidate {
 #[derive(Debug, Default)]
 pub struct Answer {
     /// The best candidate of every cost at which `worst` is smaller than at all lower costs, in the order of costs. Those that reach the
-    /// target also do with the finer step, unless no candidate does.
+    /// target also do with finer steps, unless no candidate does.
     pub front: Vec<Candidate>,
     /// The cheapest candidate that reaches the target only with its own step, if it costs less than the recommended one.
     pub own_step: Option<Candidate>,

@@ -1,16 +1,19 @@
 //! The search of a level: its candidates, in the order of their errors.
 
-use super::{Candidate, CostLevel, EnergyChange, Request, SearchSpace, with_finer_step};
+use super::{Candidate, CostLevel, EnergyChange, Request, SearchSpace, refine, with_finer_step};
 use crate::problem::Case;
 use crate::problem::cases::Cases;
 
 /// Candidates whose finer steps are solved together.
 const TOGETHER: usize = 16;
 
+/// Number of further conditions under which the metrics of a candidate must settle.
+const HARDEST: usize = 8;
+
 /// The result of a level.
 #[derive(Debug, Default)]
 pub struct Found {
-    /// The best candidate. If it reaches the target, it also does with the finer step.
+    /// The best candidate. If it reaches the target, it also does with finer steps.
     pub best: Option<Candidate>,
     /// The best candidate that reaches the target only with its own step.
     pub own_step: Option<Candidate>,
@@ -33,6 +36,8 @@ pub struct LevelSearch<'a> {
     level: CostLevel,
     /// By case; `None` before it is solved.
     errors: Vec<Option<CaseErrors>>,
+    /// By candidate: its own cases, without those of its neighbours; `None` before the further ones are added.
+    own: Vec<Option<Vec<usize>>>,
     /// Number of cases solved.
     pub solved: u64,
 }
@@ -47,6 +52,7 @@ impl<'a> LevelSearch<'a> {
             space,
             request,
             errors: vec![None; level.cases.len()],
+            own: vec![None; level.candidates.len()],
             level,
             solved: 0,
         }
@@ -54,70 +60,157 @@ impl<'a> LevelSearch<'a> {
 
     /// The best candidate whose `worst` is below `limit`. A neighbour is solved only if its candidate can still be below.
     pub fn best(&mut self, cost: u64, limit: f64) -> Found {
-        let mut cases = Cases::new(self.space.problem().schema());
-        for case in &self.level.cases {
-            cases.push(case);
-        }
         let mut open: Vec<usize> = (0..self.level.candidates.len()).collect();
         let rounds = self.level.candidates.iter().map(Vec::len).max();
         for round in 0..rounds.unwrap_or(0) {
-            self.solve(&cases, &open, round);
+            let cells = open.iter();
+            let cells = cells.filter_map(|at| self.level.candidates[*at].get(round).copied());
+            self.solve(cells.collect());
             open.retain(|at| self.worst(*at) < limit);
         }
         open.sort_by(|a, b| self.worst(*a).total_cmp(&self.worst(*b)));
         let reaching = open.partition_point(|at| self.worst(*at) <= 1.0);
         let (reaching, missing) = open.split_at(reaching);
         let mut found = Found::default();
+        // The first that misses the target, and those that miss it under the further conditions.
+        let mut missed = Vec::new();
         for group in reaching.chunks(TOGETHER) {
-            let converged = self.reach_with_finer_step(group);
-            for (at, converged) in group.iter().zip(converged) {
-                let wanted = converged || found.own_step.is_none();
+            let first = group.iter().map(|at| self.level.candidates[*at][0]);
+            let settled = self.hold_with_finer_steps(first.collect());
+            for (at, settled) in group.iter().zip(settled) {
+                let wanted = settled || found.own_step.is_none();
                 if !(wanted && self.keeps_energy(*at)) {
                     continue;
                 }
-                let candidate = Some(self.candidate(*at, cost, converged));
+                if !self.reaches_further(*at) {
+                    missed.push(*at);
+                    continue;
+                }
+                let converged = settled && self.is_settled_further(*at);
+                let candidate = || self.candidate(*at, cost, converged);
                 if converged {
-                    found.best = candidate;
+                    found.best = Some(candidate());
                     return found;
                 }
-                found.own_step = candidate;
+                if found.own_step.is_none() {
+                    found.own_step = Some(candidate());
+                }
             }
         }
-        let at = missing.iter().find(|at| self.keeps_energy(**at));
+        if let Some(at) = missing.iter().find(|at| self.keeps_energy(**at)) {
+            self.reaches_further(*at);
+            missed.push(*at);
+        }
+        missed.retain(|at| self.worst(*at).is_finite());
+        missed.sort_by(|a, b| self.worst(*a).total_cmp(&self.worst(*b)));
+        let at = missed.first();
         found.best = at.map(|at| self.candidate(*at, cost, false));
         found
     }
 
     fn candidate(&self, at: usize, cost: u64, converged: bool) -> Candidate {
-        let cases = &self.level.candidates[at];
+        let mut cases = self.level.candidates[at].clone();
+        let worst = |case: &usize| self.errors[*case].as_ref().map_or(0.0, |e| e.worst);
+        let own = self.own[at].iter().flatten();
+        let hardest = own.max_by(|a, b| worst(a).total_cmp(&worst(b)));
+        let place = hardest.and_then(|own| cases.iter().position(|case| case == own));
+        if let Some(place) = place {
+            cases.swap(0, place);
+        }
         let largest = |target: usize| {
             let errors = cases.iter().filter_map(|case| self.errors[*case].as_ref());
             errors.map(|e| e.errors[target]).fold(0.0, f64::max)
         };
         Candidate {
-            cases: cases.iter().map(|i| self.level.cases[*i].clone()).collect(),
             cost,
             errors: (0..self.request.targets.len()).map(largest).collect(),
             worst: self.worst(at),
             converged,
+            cases: cases.iter().map(|i| self.level.cases[*i].clone()).collect(),
         }
     }
 
-    /// Solves neighbour `round` of these candidates, unless it is solved.
-    fn solve(&mut self, cases: &Cases, candidates: &[usize], round: usize) {
-        let cells = candidates
-            .iter()
-            .filter_map(|at| self.level.candidates[*at].get(round));
-        let unsolved = cells.filter(|case| self.errors[**case].is_none());
-        let mut rows: Vec<u32> = unsolved.map(|case| *case as u32).collect();
+    /// Solves these cases, unless they are solved.
+    fn solve(&mut self, mut rows: Vec<usize>) {
+        rows.retain(|case| self.errors[*case].is_none());
         rows.sort_unstable();
         rows.dedup();
-        let table = self.space.problem().sweep(cases, &rows);
+        let problem = self.space.problem();
+        let mut cases = Cases::new(problem.schema());
+        for row in &rows {
+            cases.push(&self.level.cases[*row]);
+        }
+        let places: Vec<u32> = (0..rows.len() as u32).collect();
+        let table = problem.sweep(&cases, &places);
         for (place, row) in rows.iter().enumerate() {
             let metrics: Vec<Option<f64>> = table.row(place).collect();
-            self.errors[*row as usize] = Some(self.errors_of(*row as usize, &metrics));
+            self.errors[*row] = Some(self.errors_of(*row, &metrics));
         }
         self.solved += rows.len() as u64;
+    }
+
+    /// Whether a candidate and its neighbours reach the target under the further conditions, too, and keep their energy.
+    fn reaches_further(&mut self, at: usize) -> bool {
+        if self.own[at].is_none() {
+            let of = &self.level.candidates[at];
+            let first = of[0];
+            let cases: Vec<Case> = of.iter().map(|i| self.level.cases[*i].clone()).collect();
+            let further = self.space.further(&cases);
+            let mut own = vec![first];
+            own.extend(self.add(at, further.own));
+            self.own[at] = Some(own);
+            if self.worst(at) <= 1.0 {
+                self.add(at, further.neighbours);
+            }
+        }
+        self.worst(at) <= 1.0 && self.keeps_energy(at)
+    }
+
+    /// Adds cases to a candidate and solves them.
+    fn add(&mut self, at: usize, cases: Vec<Case>) -> std::ops::Range<usize> {
+        let first = self.level.cases.len();
+        self.level.cases.extend(cases);
+        let added = first..self.level.cases.len();
+        self.errors.resize(added.end, None);
+        self.level.candidates[at].extend(added.clone());
+        self.solve(added.clone().collect());
+        added
+    }
+
+    /// Whether a candidate reaches the target with finer steps under its further conditions, too: at all with half the step, at those
+    /// with the largest errors until the metrics settle.
+    fn is_settled_further(&mut self, at: usize) -> bool {
+        let own = self.own[at].iter().flatten().skip(1).copied();
+        let mut own: Vec<usize> = own.collect();
+        let worst = |case: &usize| self.errors[*case].as_ref().map_or(0.0, |e| e.worst);
+        own.sort_by(|a, b| worst(b).total_cmp(&worst(a)));
+        let problem = self.space.problem();
+        let mut halves = Cases::new(problem.schema());
+        for case in &own {
+            halves.push(&with_finer_step(problem, &self.level.cases[*case], 2));
+        }
+        let rows: Vec<u32> = (0..own.len() as u32).collect();
+        let table = problem.sweep(&halves, &rows);
+        self.solved += rows.len() as u64;
+        let reaches = |place: usize| {
+            let metrics: Vec<Option<f64>> = table.row(place).collect();
+            let mut targets = self.request.targets.iter();
+            targets.all(|target| target.error(&metrics) <= target.limit)
+        };
+        if !(0..own.len()).all(reaches) {
+            return false;
+        }
+        own.truncate(HARDEST);
+        let holds = self.hold_with_finer_steps(own);
+        holds.into_iter().all(|holds| holds)
+    }
+
+    /// Whether these cases reach the targets with finer steps, too.
+    fn hold_with_finer_steps(&mut self, cases: Vec<usize>) -> Vec<bool> {
+        let cases: Vec<Case> = cases.iter().map(|i| self.level.cases[*i].clone()).collect();
+        let targets = &self.request.targets;
+        let refined = refine(self.space.problem(), targets, &cases, &mut self.solved);
+        refined.iter().map(|refined| refined.holds()).collect()
     }
 
     fn errors_of(&self, case: usize, metrics: &[Option<f64>]) -> CaseErrors {
@@ -142,25 +235,6 @@ impl<'a> LevelSearch<'a> {
         let cases = self.level.candidates[candidate].iter();
         let errors = cases.filter_map(|case| self.errors[*case].as_ref());
         errors.map(|e| e.worst).fold(0.0, f64::max)
-    }
-
-    /// Whether candidates, without neighbours, reach the targets with the finer step, too.
-    fn reach_with_finer_step(&mut self, candidates: &[usize]) -> Vec<bool> {
-        let problem = self.space.problem();
-        let mut cases = Cases::new(problem.schema());
-        for at in candidates {
-            let own = &self.level.cases[self.level.candidates[*at][0]];
-            cases.push(&with_finer_step(problem, own));
-        }
-        let rows: Vec<u32> = (0..candidates.len() as u32).collect();
-        let table = problem.sweep(&cases, &rows);
-        self.solved += rows.len() as u64;
-        let reach = |place: usize| {
-            let metrics: Vec<Option<f64>> = table.row(place).collect();
-            let mut targets = self.request.targets.iter();
-            targets.all(|target| target.error(&metrics) <= target.limit)
-        };
-        (0..candidates.len()).map(reach).collect()
     }
 
     /// Whether neither a candidate nor a neighbour gains or loses too much energy. It solves cases with unknown changes.

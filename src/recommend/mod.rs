@@ -2,17 +2,19 @@
 //!
 //! Candidates are on a grid and are computed in the order of their costs. A candidate reaches the target only if its
 //! neighbours reach it too, so that no coincidence is recommended. Each search space defines the neighbours. No case may
-//! gain or lose more energy than a limit. A recommended case also reaches the target with a finer step, if there is one.
+//! gain or lose more energy than a limit. A recommended case also reaches the target with finer steps, if there is one that does.
 //!
 //! A space has many variants: laws with methods. All are compared on a coarse grid; the cheapest, and those of the papers, are
 //! searched on the fine grid.
 
 mod answer;
+mod elsewhere;
 pub mod format;
 pub mod friction;
 mod grid;
 pub mod impact;
 mod level;
+mod refine;
 mod search;
 pub mod setting;
 mod space;
@@ -20,10 +22,14 @@ mod survey;
 pub mod task;
 
 pub use answer::{Answer, Candidate, Request, Stop, Target};
+pub use elsewhere::{Elsewhere, elsewhere};
+pub use refine::{
+    LEAST_HALVINGS, MOST_HALVINGS, Outcome, Refined, SETTLED, refine, with_finer_step,
+};
 pub use search::search;
 pub use setting::{Setting, Variant};
-pub use space::{CostLevel, EnergyChange, Grid, SearchSpace, Variants};
-pub use survey::{MOST, Recommendation, Survey, Surveyed, recommend};
+pub use space::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variants};
+pub use survey::{MOST, MOST_OWN_STEP, Recommendation, Survey, Surveyed, recommend};
 
 /// A law and a method that are not searched, because the user gives them.
 #[derive(Debug, Clone, Copy, Default)]
@@ -34,20 +40,7 @@ pub struct Fixed {
     pub method: Option<&'static str>,
 }
 
-use crate::problem::parameter::Value;
-use crate::problem::{Case, Problem};
-
-/// The factor between an answer's step and the finer step that tests whether the answer depends on its step. Half the step
-/// is not enough: it may still be too long for the contact mode.
-pub const FINER: f64 = 16.0;
-
-/// The case with its step divided by [`FINER`].
-pub fn with_finer_step(problem: &dyn Problem, case: &Case) -> Case {
-    let step = problem.schema().step;
-    let mut finer = case.clone();
-    finer.values[step] = case.at(step).map(|step| Value::Number(step / FINER));
-    finer
-}
+use crate::problem::Problem;
 
 /// The row of a metric; `usize::MAX` if the problem has no such metric, which no case has.
 pub fn metric(problem: &dyn Problem, name: &str) -> usize {

@@ -34,12 +34,40 @@ pub trait SearchSpace: Send + Sync {
     fn costs(&self) -> Vec<u64>;
     /// A level by its index in `costs`.
     fn level(&self, index: usize) -> CostLevel;
+    /// The other conditions for which a candidate with these cases must hold, if any.
+    fn further(&self, _candidate: &[Case]) -> Further {
+        Further::default()
+    }
+    /// Many conditions, on which the answer is looked at in the end; `None` if there is one only.
+    fn range(&self, _case: &Case) -> Option<Range> {
+        None
+    }
     /// Smallest and largest changes of energy that a case with these default metrics can have.
     fn energy_bounds(&self, _case: &Case, _metrics: &[Option<f64>]) -> [EnergyChange; 2] {
         [EnergyChange::NONE, EnergyChange::UNKNOWN]
     }
     /// The change of energy of a case.
     fn energy_change(&self, case: &Case, solution: &Solution) -> EnergyChange;
+}
+
+/// Conditions that are tested only if a candidate reaches the target at those of its level.
+#[derive(Debug, Default)]
+pub struct Further {
+    /// Those of the candidate itself, which must also hold with finer steps.
+    pub own: Vec<Case>,
+    /// Those of its neighbours.
+    pub neighbours: Vec<Case>,
+}
+
+/// One case at many values of a parameter, densely from the first to the last.
+#[derive(Debug)]
+pub struct Range {
+    /// The parameter.
+    pub parameter: &'static str,
+    /// What it is called, in the plural.
+    pub title: &'static str,
+    /// The cases, in the order of its values.
+    pub cases: Vec<Case>,
 }
 
 /// The change of energy of a run, relative to the energy at the start.

@@ -8,6 +8,9 @@ use rayon::prelude::*;
 /// Most variants whose fine grids are searched, besides those of the papers.
 pub const MOST: usize = 6;
 
+/// Most variants besides, which are the cheapest with their own step only.
+pub const MOST_OWN_STEP: usize = 2;
+
 /// Levels searched at once, see [`search`].
 const BATCH: usize = 64;
 
@@ -17,7 +20,7 @@ const MOST_WORK: u64 = 500_000_000;
 /// What a survey knows of a variant.
 #[derive(Debug, Clone)]
 pub struct Surveyed {
-    /// The cheapest candidate that reaches the target, also with a finer step.
+    /// The cheapest candidate that reaches the target, also with finer steps.
     pub best: Option<Candidate>,
     /// Cost of the cheapest candidate that reaches it only with its own step.
     own_step: Option<u64>,
@@ -57,6 +60,7 @@ pub fn recommend(space: &dyn Variants, request: &Request) -> Recommendation {
             let papers = |at: &usize| space.variants()[*at].of_the_papers();
             let mut searched = survey.cheapest();
             searched.truncate(MOST);
+            searched.extend(survey.cheapest_with_own_step());
             searched.extend(all.into_iter().filter(papers));
             searched.sort_unstable();
             searched.dedup();
@@ -153,5 +157,21 @@ impl Survey {
             costs(a).cmp(&costs(b)).then(a.worst.total_cmp(&b.worst))
         });
         order
+    }
+
+    /// The variants that reach the target with their own step for less than with finer ones, the cheapest first.
+    fn cheapest_with_own_step(&self) -> Vec<usize> {
+        let mut order: Vec<(u64, usize)> = Vec::new();
+        for (at, variant) in self.variants.iter().enumerate() {
+            let own = variant.own_step;
+            let own = own.filter(|own| variant.cost().is_none_or(|cost| *own < cost));
+            order.extend(own.map(|own| (own, at)));
+        }
+        order.sort_unstable();
+        order
+            .into_iter()
+            .take(MOST_OWN_STEP)
+            .map(|(_, at)| at)
+            .collect()
     }
 }

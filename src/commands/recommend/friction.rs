@@ -5,7 +5,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
 use slipgap::problem::friction::FrictionOscillator;
-use slipgap::recommend::friction::{ENERGY_GAIN, FrictionTask, X0, check_release, law_names};
+use slipgap::recommend::friction::{ENERGY_GAIN, FrictionTask, Releases, X0, law_names};
 use slipgap::recommend::setting::choices;
 
 #[derive(Args)]
@@ -16,9 +16,9 @@ pub struct FrictionArgs {
     /// Method of integration; if left out, all are searched
     #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(choices(&FrictionOscillator, "method")))]
     method: Option<String>,
-    /// Displacement at release over Delta; not 0, from -1000 to 1000
-    #[arg(long, value_name = "X0", default_value_t = X0, allow_negative_numbers = true, value_parser = parse_release)]
-    x0: f64,
+    /// Displacements at release over Delta for which the answer must hold: a range, or one number from -1000 to 1000, not 0
+    #[arg(long, value_name = "X0", default_value_t = X0, allow_negative_numbers = true)]
+    x0: Releases,
     /// Largest rms_error, the root mean square of the error of X over |x0|
     #[arg(long, value_name = "TARGET", value_parser = parse_target)]
     rms: f64,
@@ -27,13 +27,6 @@ pub struct FrictionArgs {
     energy_gain: f64,
     #[command(flatten)]
     common: CommonArgs,
-}
-
-/// Parses a release whose motion is short enough for a search.
-fn parse_release(text: &str) -> Result<f64, String> {
-    // What is no number is refused as NaN is.
-    let x = text.parse().unwrap_or(f64::NAN);
-    check_release(x).map(|()| x)
 }
 
 impl FrictionArgs {

@@ -16,7 +16,7 @@ use slipgap::batch::output::Folder;
 use slipgap::error::Error;
 use slipgap::figures::style::DPI;
 use slipgap::figures::{self, Front};
-use slipgap::recommend::{self, Answer, FINER};
+use slipgap::recommend::{self, Answer, LEAST_HALVINGS, MOST_HALVINGS, SETTLED};
 use std::time::Instant;
 use tables::Row;
 
@@ -30,7 +30,11 @@ pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
         note(&line);
     }
     let mut limits = format!(
-        "an answer also reaches the target with 1/{FINER} of its step, if one does; no case gains more energy than {}",
+        "an answer also reaches the target with 1/2, 1/4, 1/8 .. of its step, if one does: at least to 1/{}, at most to 1/{}, until no \
+         metric with a target changes by more than {} % of its target; no case gains more energy than {}",
+        1 << LEAST_HALVINGS,
+        1 << MOST_HALVINGS,
+        100.0 * SETTLED,
         request.energy_gain
     );
     if request.energy_loss.is_finite() {
@@ -59,6 +63,8 @@ pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
     let chosen = answer.chosen();
     let rows = rows(answer, chosen.unwrap_or(nearest));
     let mut text = tables::answer(space, request, &rows)?;
+    let elsewhere = recommend::elsewhere(space, request, rows[0].candidate);
+    text += &elsewhere.map_or(String::new(), |found| tables::elsewhere(request, &found));
     text += &format!(
         "in a study: {}\n",
         tables::study_parameters(space, &rows[0].candidate.cases[0])

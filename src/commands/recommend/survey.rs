@@ -1,7 +1,7 @@
 //! The survey in words: which laws and methods were searched on the fine grid, and the cheapest of each on the coarse one.
 
 use crate::commands::terminal::table;
-use slipgap::recommend::{MOST, Recommendation, Setting, Survey, Variant, Variants};
+use slipgap::recommend::{MOST, MOST_OWN_STEP, Recommendation, Setting, Survey, Variant, Variants};
 
 /// A variant in words.
 fn words(variant: &Variant) -> String {
@@ -24,7 +24,7 @@ pub fn notes(space: &dyn Variants, recommended: &Recommendation) -> Vec<String> 
             survey.cost
         ),
         format!(
-            "the {MOST} cheapest and those of the papers were searched on the fine grid: {}",
+            "the {MOST} cheapest, the {MOST_OWN_STEP} cheapest with their own step only and those of the papers were searched on the fine grid: {}",
             searched.join("; ")
         ),
     ]

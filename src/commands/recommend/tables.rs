@@ -5,7 +5,10 @@ use slipgap::error::Error;
 use slipgap::problem::Case;
 use slipgap::problem::parameter::{Value, shortest};
 use slipgap::recommend::format::digits;
-use slipgap::recommend::{Answer, Candidate, FINER, Request, SearchSpace, Target, with_finer_step};
+use slipgap::recommend::{
+    Answer, Candidate, Elsewhere, LEAST_HALVINGS, Outcome, Refined, Request, SearchSpace, Target,
+    refine, with_finer_step,
+};
 
 /// A row of the table: a candidate, and why it is shown.
 pub struct Row<'a> {
@@ -30,21 +33,68 @@ pub fn answer(space: &dyn SearchSpace, request: &Request, rows: &[Row]) -> Resul
     let mut text = String::new();
     if let Some(first) = rows.first() {
         let problem = space.problem();
-        match problem.solve(&with_finer_step(problem, &first.candidate.cases[0]), &[]) {
+        let case = &first.candidate.cases[0];
+        let refined = refined(space, request, first.candidate);
+        match problem.solve(&with_finer_step(problem, case, refined.factor), &[]) {
             Ok(finer) => {
-                text += &finer_step_warning(request, &metrics[0].1, &finer.metrics);
-                let name = format!("the same, step/{FINER}");
+                text += &finer_step_warning(request, first.candidate, refined, &finer.metrics);
+                let name = format!("the same, step/{}", refined.factor);
                 metrics.insert(1, (name, finer.metrics));
             }
             Err(why) => {
-                text += &format!("The case has no solution with 1/{FINER} of the step: {why}.\n");
+                let factor = refined.factor;
+                text += &format!("The case has no solution with 1/{factor} of the step: {why}.\n");
             }
         }
     }
     text += &table(&errors);
-    text += "Each error above is the largest one of the case and its neighbours. Only metrics with a target are limited. Metrics of the case alone:\n";
+    let own = match parameters.contains(&"x0") {
+        false => "the case",
+        true => "the case at x0, the release with its largest error,",
+    };
+    text += &format!(
+        "Each error above is the largest one of the case and its neighbours. Only metrics with a target are limited. Metrics of {own} alone:\n"
+    );
     text += &metrics_table(space, &metrics);
     Ok(text)
+}
+
+/// The last of the finer steps of a candidate that reaches its targets, and what they show; a usual one for other candidates.
+fn refined(space: &dyn SearchSpace, request: &Request, candidate: &Candidate) -> Refined {
+    let usual = Refined {
+        outcome: Outcome::Unsettled,
+        factor: 1 << LEAST_HALVINGS,
+    };
+    if candidate.worst > 1.0 {
+        return usual;
+    }
+    let cases = &candidate.cases[..1];
+    let refined = refine(space.problem(), &request.targets, cases, &mut 0);
+    refined.first().copied().unwrap_or(usual)
+}
+
+/// Over how much of a range the answer misses its targets.
+pub fn elsewhere(request: &Request, found: &Elsewhere) -> String {
+    let target = &request.targets[found.target];
+    let part = match (
+        found.missed,
+        100.0 * found.missed as f64 / found.count as f64,
+    ) {
+        (0, _) => "none".to_owned(),
+        (_, part) if part < 1.0 => format!("{} %", digits(part)),
+        (_, part) => format!("{part:.0} %"),
+    };
+    let [first, last] = found.ends.map(digits);
+    format!(
+        "Of {} {} from {first} to {last}, {part} miss the target; the largest {} is {}, {} times the target, at {} = {}.\n",
+        found.count,
+        found.title,
+        target.name,
+        digits(found.error),
+        digits(found.error / target.limit),
+        found.parameter,
+        digits(found.at)
+    )
 }
 
 /// The parameters that apply to a row.
@@ -123,10 +173,18 @@ fn metrics_table(space: &dyn SearchSpace, cases: &[(String, Metrics)]) -> String
     table(&rows)
 }
 
-/// A warning if the case reaches a target that it misses with a finer step.
-fn finer_step_warning(request: &Request, case: &Metrics, finer: &Metrics) -> String {
-    let missed =
-        |target: &&Target| target.error(case) <= target.limit && target.error(finer) > target.limit;
+/// A warning if the candidate reaches its targets and does not with finer steps.
+fn finer_step_warning(
+    request: &Request,
+    candidate: &Candidate,
+    refined: Refined,
+    finer: &Metrics,
+) -> String {
+    if candidate.worst > 1.0 || candidate.converged {
+        return String::new();
+    }
+    let factor = refined.factor;
+    let missed = |target: &&Target| target.error(finer) > target.limit;
     let missed = request.targets.iter().filter(missed);
     let missed: Vec<String> = missed
         .map(|t| {
@@ -134,13 +192,19 @@ fn finer_step_warning(request: &Request, case: &Metrics, finer: &Metrics) -> Str
             format!("{} {error} > {}", t.name, shortest(t.limit))
         })
         .collect();
-    match missed.is_empty() {
-        true => String::new(),
-        false => format!(
-            "Warning: this answer is valid only for its own time step. With 1/{FINER} of the step it misses the target: {}.\n",
+    let why = match refined.outcome {
+        Outcome::Misses => format!(
+            "With 1/{factor} of the step it misses the target: {}",
             missed.join(", ")
         ),
-    }
+        Outcome::Unsettled => {
+            format!("With 1/{factor} of the step its metrics still change")
+        }
+        Outcome::Holds => {
+            "With finer steps it misses the target under another of its conditions".into()
+        }
+    };
+    format!("Warning: this answer is valid only for its own time step. {why}.\n")
 }
 
 /// The parameters of a study with this case. Those with a point in their names are members of an object.
@@ -325,10 +389,13 @@ mod tests {
             answer(&Space(friction(), problem), &request, &[row]).unwrap()
         };
         let (with, without) = (text(&FrictionOscillator), text(&NoSmallSteps));
-        assert!(with.contains("the same, step/16"), "{with}");
-        let sentence = "The case has no solution with 1/16 of the step: the motion leaves the range of double precision.\n";
-        let rest = without.strip_prefix(sentence).unwrap();
-        assert!(!rest.contains("step/16"), "{rest}");
+        let (_, factor) = with.split_once("the same, step/").unwrap();
+        let factor = factor.split_whitespace().next().unwrap();
+        let sentence = format!(
+            "The case has no solution with 1/{factor} of the step: the motion leaves the range of double precision.\n"
+        );
+        let rest = without.strip_prefix(&sentence).unwrap();
+        assert!(!rest.contains("the same, step/"), "{rest}");
         // The other columns are the same.
         for (line, other) in rest.lines().zip(with.lines()) {
             let cells = |line: &str| {

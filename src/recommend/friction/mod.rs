@@ -1,11 +1,13 @@
 //! Search space of a friction model: law, method, width and step.
 
 mod laws;
+mod releases;
 mod space;
 mod task;
 
 pub use laws::names as law_names;
-pub use task::{ENERGY_GAIN, FrictionTask, X0, check_release};
+pub use releases::Releases;
+pub use task::{ENERGY_GAIN, FrictionTask, X0};
 
 use super::grid::integers;
 use super::{Fixed, Grid, Variant, setting};
@@ -29,18 +31,19 @@ const COARSE: f64 = 1.2;
 /// Smallest and largest width.
 const WIDTHS: [f64; 2] = [1e-6, 10.0];
 
-/// Laws, methods, widths and steps for one release.
+/// Laws, methods, widths and steps for one release or a range of them.
 #[derive(Debug, Clone)]
 pub struct Friction {
     variants: Vec<Variant>,
     grid: Grid,
-    /// Displacement at release over Delta.
-    x0: f64,
+    /// Displacements at release over Delta.
+    releases: Releases,
 }
 
 impl Friction {
     /// All laws with all methods, or those that the user fixes.
-    pub fn new(fixed: Fixed, x0: f64) -> Friction {
+    pub fn new(fixed: Fixed, releases: impl Into<Releases>) -> Friction {
+        let releases = releases.into();
         let laws = laws::names().into_iter();
         let laws = laws.filter(|name| fixed.law.is_none_or(|only| only == *name));
         let mut variants = Vec::new();
@@ -55,19 +58,27 @@ impl Friction {
             }
         }
         let grid = Grid::Fine;
-        let all = Friction { variants, grid, x0 };
+        let all = Friction {
+            variants,
+            grid,
+            releases,
+        };
         let suitable = |variant: &&Variant| {
             // The smallest step, and the largest width.
-            let (_, broken) = all.case(variant, WIDTHS[1], MOST, x0);
+            let (_, broken) = all.case(variant, WIDTHS[1], MOST, releases.longest());
             broken.is_empty()
         };
         let variants = all.variants.iter().filter(suitable).cloned().collect();
         Friction { variants, ..all }
     }
 
-    /// Until a cycle after the exact rest.
-    fn duration(&self) -> f64 {
-        Coulomb::new(self.x0).rest_time() + 2.0 * PI
+    /// Until a cycle after the exact rest. The neighbours of one release have its duration.
+    fn duration(&self, x0: f64) -> f64 {
+        let x0 = match self.releases {
+            Releases::One(one) => one,
+            Releases::Range(..) => x0,
+        };
+        duration(x0)
     }
 
     /// Numbers of steps of a half-cycle.
@@ -86,7 +97,7 @@ impl Friction {
     fn case(&self, variant: &Variant, width: f64, count: u32, x0: f64) -> (Case, Vec<Violation>) {
         let mut given = vec![
             ("dT", Value::Number(PI / f64::from(count))),
-            ("duration", Value::Number(self.duration())),
+            ("duration", Value::Number(self.duration(x0))),
             ("x0", Value::Number(x0)),
         ];
         given.extend(variant.law.given("law"));
@@ -97,11 +108,30 @@ impl Friction {
 
     /// Steps times sub-steps.
     fn cost(&self, variant: &Variant, count: u32) -> u64 {
-        let (case, _) = self.case(variant, WIDTHS[1], count, self.x0);
+        let (case, _) = self.case(variant, WIDTHS[1], count, self.releases.longest());
         let system = FrictionOscillator.system(&case);
         let parts = system.map_or(1, |system| system.method.sub_steps());
         FrictionOscillator.steps(&case) * parts
     }
+}
+
+/// Until a cycle after the exact rest.
+fn duration(x0: f64) -> f64 {
+    Coulomb::new(x0).rest_time() + 2.0 * PI
+}
+
+/// The same case released elsewhere, until a cycle after its exact rest.
+fn released(case: &Case, x0: f64) -> Case {
+    let mut released = case.clone();
+    let rows = FrictionOscillator.parameters().iter();
+    for (row, parameter) in rows.enumerate() {
+        match &*parameter.name {
+            "x0" => released.values[row] = Some(Value::Number(x0)),
+            "duration" => released.values[row] = Some(Value::Number(duration(x0))),
+            _ => {}
+        }
+    }
+    released
 }
 
 /// The largest excess of the mechanical energy (X^2 + V^2)/2 over that of the exact motion at a step, over the energy at release: what

@@ -1,14 +1,16 @@
 //! The candidates of a friction model, and their values in tables and studies.
 
 use super::laws::width;
-use super::{EVERY, Friction, MOST, WIDTHS, X0_DIFFERENCE, energy_gain};
+use super::{EVERY, Friction, MOST, Releases, WIDTHS, X0_DIFFERENCE, energy_gain, released};
 use crate::problem::friction::FrictionOscillator;
 use crate::problem::parameter::shortest;
 use crate::problem::{Case, Problem, Solution};
 use crate::recommend::format::{is_positive_integer, plain};
 use crate::recommend::grid::decades;
 use crate::recommend::setting::{METHOD_PARAMETERS, sentence};
-use crate::recommend::{CostLevel, EnergyChange, Grid, SearchSpace, Variant, Variants};
+use crate::recommend::{
+    CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variant, Variants,
+};
 use std::f64::consts::PI;
 
 /// Widths of a decade.
@@ -26,6 +28,44 @@ impl Friction {
         widths.dedup();
         widths
     }
+
+    /// The neighbours in a sentence.
+    fn neighbours(&self) -> String {
+        let widths = self.widths();
+        let width = match widths.as_slice() {
+            [one] => one,
+            _ => "width",
+        };
+        match self.releases {
+            Releases::One(_) => format!(
+                "neighbours that must also reach the target: {width} 12 % smaller and larger, x0 {} % smaller and larger",
+                100.0 * X0_DIFFERENCE
+            ),
+            Releases::Range(from, to) => format!(
+                "every release x0 {} .. {} must reach the target ({} of them, at most 0.1 apart; the first search has {}), each over \
+                 its own motion; the cost is that of the longest. Neighbours that must reach it, too: {width} 12 % smaller and larger",
+                shortest(from),
+                shortest(to),
+                self.releases.all().len(),
+                self.releases.hardest().len()
+            ),
+        }
+    }
+
+    /// The releases of a level, and whether the neighbours of the width are also tested there.
+    fn level_releases(&self) -> Vec<(f64, bool)> {
+        match self.releases {
+            Releases::One(x0) => {
+                let near = [1.0 - X0_DIFFERENCE, 1.0 + X0_DIFFERENCE];
+                let near = near.map(|ratio| (ratio * x0, false));
+                [&[(x0, true)][..], &near].concat()
+            }
+            Releases::Range(..) => {
+                let hard = self.releases.hardest().into_iter();
+                hard.map(|x0| (x0, true)).collect()
+            }
+        }
+    }
 }
 
 impl SearchSpace for Friction {
@@ -37,7 +77,12 @@ impl SearchSpace for Friction {
         let law = [
             "law", "exponent", "alpha", "beta", "sigma0", "sigma1", "dT", "method",
         ];
-        [&law[..], &METHOD_PARAMETERS].concat()
+        // The release with the largest error.
+        let release: &[&str] = match self.releases {
+            Releases::One(_) => &[],
+            Releases::Range(..) => &["x0"],
+        };
+        [&law[..], &METHOD_PARAMETERS, release].concat()
     }
 
     fn study_parameters(&self) -> Vec<&str> {
@@ -74,18 +119,11 @@ impl SearchSpace for Friction {
             format!(
                 "widths {ends}, {DECADE} a decade{bristles}; dT pi/2 .. pi/{EVERY} with every whole number, then in ratios of \
                  1.05 to pi/{MOST}; duration {}*pi (a cycle after the exact rest)",
-                (self.duration() / PI).round()
+                (self.duration(self.releases.longest()) / PI).round()
             ),
-            format!(
-                "neighbours that must also reach the target: {} 12 % smaller and larger, x0 {} % smaller and larger",
-                match self.widths().as_slice() {
-                    [one] => one,
-                    _ => "width",
-                },
-                100.0 * X0_DIFFERENCE
-            ),
+            self.neighbours(),
             "not searched: stribeck, static_ratio and nu_ratio (other physics than the exact motion), other exponents and damping, \
-             other releases, initial_slip pulled and sliding, steps that do not divide a half-cycle or break a rule"
+             releases with a velocity, initial_slip pulled and sliding, steps that do not divide a half-cycle or break a rule"
                 .into(),
         ]
     }
@@ -121,23 +159,67 @@ impl SearchSpace for Friction {
         let count = widths.len();
         let mut level = CostLevel::default();
         let mut allowed = vec![true; count];
-        for x0 in [1.0, 1.0 - X0_DIFFERENCE, 1.0 + X0_DIFFERENCE] {
+        let releases = self.level_releases();
+        for (x0, _) in &releases {
             for (width, allowed) in widths.iter().zip(&mut allowed) {
-                let (case, broken) = self.case(variant, *width, steps, x0 * self.x0);
+                let (case, broken) = self.case(variant, *width, steps, *x0);
                 *allowed &= broken.is_empty();
                 level.cases.push(case);
             }
         }
+        let of = |i: usize| {
+            let places = releases.iter().enumerate();
+            let cells = places.map(|(place, (_, neighbours))| {
+                let own = place * count + i;
+                match *neighbours && count > 1 {
+                    true => vec![own, own - 1, own + 1],
+                    false => vec![own],
+                }
+            });
+            cells.collect::<Vec<_>>().concat()
+        };
         if count == 1 {
-            level.candidates.extend(allowed[0].then(|| vec![0, 1, 2]));
+            level.candidates.extend(allowed[0].then(|| of(0)));
             return level;
         }
         let inner = (1..count - 1).step_by(every);
         level.candidates = inner
             .filter(|i| allowed[i - 1..=i + 1].iter().all(|allowed| *allowed))
-            .map(|i| vec![i, i - 1, i + 1, i + count, i + 2 * count])
+            .map(of)
             .collect();
         level
+    }
+
+    fn further(&self, candidate: &[Case]) -> Further {
+        let (Releases::Range(..), Grid::Fine, Some(first)) =
+            (self.releases, self.grid, candidate.first())
+        else {
+            return Further::default();
+        };
+        let x0 = |case: &Case| case.number("x0");
+        // The case with the widths of its neighbours.
+        let widths = candidate.iter().filter(|case| x0(case) == x0(first));
+        let widths: Vec<&Case> = widths.collect();
+        let hardest = self.releases.hardest();
+        let others = |case: &Case, known: &[f64]| -> Vec<Case> {
+            let all = self.releases.all().into_iter();
+            let others = all.filter(|x0| !known.contains(x0));
+            others.map(|x0| released(case, x0)).collect()
+        };
+        let neighbours = widths.iter().skip(1);
+        Further {
+            own: others(first, &hardest[..1]),
+            neighbours: neighbours.flat_map(|case| others(case, &hardest)).collect(),
+        }
+    }
+
+    fn range(&self, case: &Case) -> Option<Range> {
+        let cases = self.releases.looked_at().into_iter();
+        Some(Range {
+            parameter: "x0",
+            title: "releases",
+            cases: cases.map(|x0| released(case, x0)).collect(),
+        })
     }
 
     fn energy_change(&self, _: &Case, solution: &Solution) -> EnergyChange {
@@ -162,7 +244,7 @@ impl Variants for Friction {
         Box::new(Friction {
             variants: variants.collect(),
             grid,
-            x0: self.x0,
+            releases: self.releases,
         })
     }
 

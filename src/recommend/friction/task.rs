@@ -1,6 +1,6 @@
 //! A search for a friction model, from the numbers and names that a user gives.
 
-use super::{Friction, law_names};
+use super::{Friction, Releases, law_names};
 use crate::error::Error;
 use crate::problem::friction::FrictionOscillator;
 use crate::problem::parameter::shortest;
@@ -8,11 +8,9 @@ use crate::recommend::setting::choices;
 use crate::recommend::task::{Search, check_target, choice, folder_name};
 use crate::recommend::{Fixed, Request, Stop, Target, Variants, metric};
 
-/// The release, unless it is given.
-pub const X0: f64 = 12.0;
-
-/// Largest |x0|, whose motion is short enough for a search.
-const LARGEST_X0: f64 = 1000.0;
+/// The releases, unless they are given. A range, because an answer for one release often misses the target at the others, and few
+/// motions have one amplitude.
+pub const X0: Releases = Releases::Range(8.0, 20.0);
 
 /// A softened law returns energy that the exact motion has lost. 5 % of the energy is 2.5 % of an amplitude.
 pub const ENERGY_GAIN: f64 = 0.05;
@@ -24,8 +22,8 @@ pub struct FrictionTask {
     pub law: Option<String>,
     /// The method; `None` to search all.
     pub method: Option<String>,
-    /// Displacement at release over Delta.
-    pub x0: f64,
+    /// Displacements at release over Delta.
+    pub x0: Releases,
     /// Largest rms_error.
     pub rms: f64,
     /// Largest excess of energy over the exact motion at any step, relative to the energy at release.
@@ -33,7 +31,7 @@ pub struct FrictionTask {
 }
 
 impl FrictionTask {
-    /// All laws and methods for the release of `[F]`, with this largest rms_error.
+    /// All laws and methods for the usual releases, with this largest rms_error.
     pub fn new(rms: f64) -> FrictionTask {
         FrictionTask {
             law: None,
@@ -51,7 +49,9 @@ impl FrictionTask {
     pub fn search(self) -> Result<Search, Error> {
         check_target("rms", self.rms)?;
         check_target("energy_gain", self.energy_gain)?;
-        check_release(self.x0).map_err(|why| Error::Usage(format!("x0: {why}")))?;
+        self.x0
+            .check()
+            .map_err(|why| Error::Usage(format!("x0: {why}")))?;
         let methods = choices(&FrictionOscillator, "method");
         let fixed = Fixed {
             law: choice(&law_names(), "law", self.law.as_ref())?,
@@ -68,7 +68,7 @@ impl FrictionTask {
             Some(format!("rms-{}", shortest(self.rms))),
             self.law,
             self.method,
-            (self.x0 != X0).then(|| format!("x0-{}", shortest(self.x0))),
+            (self.x0 != X0).then(|| format!("x0-{}", self.x0)),
             (self.energy_gain != ENERGY_GAIN)
                 .then(|| format!("energy-gain-{}", shortest(self.energy_gain))),
         ];
@@ -88,16 +88,5 @@ impl FrictionTask {
                 stop: Stop::default(),
             },
         })
-    }
-}
-
-/// Refuses a release whose motion is too long for a search.
-///
-/// # Errors
-/// What is allowed.
-pub fn check_release(x0: f64) -> Result<(), String> {
-    match x0 != 0.0 && x0.abs() <= LARGEST_X0 {
-        true => Ok(()),
-        false => Err("must be a number from -1000 to 1000, but not 0".into()),
     }
 }

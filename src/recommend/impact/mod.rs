@@ -142,10 +142,10 @@ impl Impact {
         &self,
         variant: &Variant,
         spring: (&'static str, f64),
-        (n, passes): Mesh,
+        mesh: Mesh,
         into: f64,
     ) -> (Case, Vec<Violation>) {
-        let dt = passes / f64::from(2 * n);
+        let (n, dt) = (mesh.0, mesh::step(mesh));
         let bars = self.fixed.bars.iter();
         let mut given: Vec<(&str, Value)> = bars.map(|(name, value)| (&**name, *value)).collect();
         given.extend([

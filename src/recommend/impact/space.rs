@@ -76,8 +76,12 @@ impl SearchSpace for Impact {
         let n = match self.fixed.n {
             Some(n) => format!("n = {n}"),
             None => format!(
-                "every n 2 .. {MOST_ELEMENTS} (steps below {} elements: in ratios of 1.05)",
-                passes(WITH_EVERY_MESH - 1)
+                "every n 2 .. {MOST_ELEMENTS} with steps of {} elements (others: in ratios of 1.05)",
+                PASSES[..WITH_EVERY_MESH]
+                    .iter()
+                    .map(|x| shortest(*x))
+                    .collect::<Vec<_>>()
+                    .join(", ")
             ),
         };
         let mut notes = vec![
@@ -87,7 +91,7 @@ impl SearchSpace for Impact {
                 sentence(self.variants.iter().map(|v| &v.method)),
             ),
             format!(
-                "{spring}; {n}; mass {}; dt of {} .. {} elements passed by a wave; duration {}",
+                "{spring}; {n}; mass {}; dt of {} .. {} elements passed by a wave, close to each other from 0.4 to 1; duration {}",
                 masses(self.fixed.mass).join(" and "),
                 passes(0),
                 passes(PASSES.len() - 1),
@@ -268,7 +272,7 @@ impl Variants for Impact {
 }
 
 /// Largest numerator of a fraction.
-const NUMERATORS: i32 = 9;
+const NUMERATORS: i32 = 49;
 
 /// A number as a fraction k/m with small k, if the fraction gives the same double.
 fn fraction(x: f64) -> Option<String> {
