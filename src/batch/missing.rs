@@ -153,6 +153,23 @@ mod tests {
     }
 
     #[test]
+    fn parts_saved_after_the_store_was_opened_are_not_missing() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "beta": [0.1, 0.2],
+            "dT": 0.5, "x0": 8, "duration": 3}}"#;
+        let study = crate::study::parse("s.json", text).unwrap();
+        let mut opened_before = Store::open_shared(folder.path()).unwrap();
+        let found = missing_parts(&study, &mut opened_before, None).unwrap();
+        assert_eq!(found.map(|missing| missing.absent), Some(1));
+        // Another process.
+        let other = Store::open_shared(folder.path()).unwrap();
+        let bar = indicatif::ProgressBar::hidden();
+        crate::batch::run_shard(&study, "1/1".parse().unwrap(), &other, &bar).unwrap();
+        let found = missing_parts(&study, &mut opened_before, None).unwrap();
+        assert_eq!(found, None);
+    }
+
+    #[test]
     fn numbers_are_written_as_slurm_reads_them() {
         let text = |numbers: &[u64]| ranges(&numbers.iter().copied().collect());
         assert_eq!(text(&[3]), "3");

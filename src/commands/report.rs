@@ -71,7 +71,7 @@ fn section<'a>(
         progress: Some(&*work),
         ..RunOptions::METRICS
     };
-    let mut tally = Tally::new(store.is_empty());
+    let mut tally = Tally::new(store.is_empty(), false);
     let mut results = Results::new(study, store.folder().to_owned(), largest);
     let (mut counts, mut checks) = (Counts::new(study), Checks::default());
     let mut shown = Vec::new();

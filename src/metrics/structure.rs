@@ -110,6 +110,15 @@ mod tests {
     }
 
     #[test]
+    fn the_work_of_an_impulse_is_the_change_of_the_kinetic_energy() {
+        // A mass of 2 with r = u bounces from -3 to 1.5, then is pulled to -0.5: S dt = -2 (v' - v), work -(v'^2 - v^2).
+        let (dt, v) = (0.25, [-3.0, 1.5, -0.5]);
+        let force = [0.0, -2.0 * 4.5 / dt, 2.0 * 2.0 / dt];
+        assert_eq!(work_of_impulses(&force, &v, dt), 9.0 - 0.25);
+        assert_eq!(work_of_impulses(&force[..2], &v[..2], dt), 9.0 - 2.25);
+    }
+
+    #[test]
     fn divergence_is_the_first_difference_above_the_threshold() {
         let (c, other) = ([0.0, 2.0, 1.0, 0.0], [0.0, 2.01, 1.03, 0.0]);
         assert_eq!(divergence(&c, &other, 0.01), Some(2));

@@ -1,5 +1,7 @@
 //! Many steps of many structures: the conditions of the minimum, all patterns one by one, other patterns at the start.
 
+mod proximal;
+
 use super::*;
 use nalgebra::{DMatrix, DVector};
 use std::array::from_fn;

@@ -71,7 +71,7 @@ fn periods(omega2: Vec<f64>) -> String {
 
 fn law(law: &Relation) -> String {
     let limit = |limit: &Limit| match limit.varying {
-        None => format!("limit {}", short(limit.constant)),
+        None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };
     match law {

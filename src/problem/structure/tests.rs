@@ -1,5 +1,7 @@
 //! Metrics that compare with a run with start and loads 1e-10 larger, and labels of cases.
 
+mod assembled;
+
 use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;
 use crate::problem::{Case, Solution};

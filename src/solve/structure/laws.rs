@@ -1,6 +1,5 @@
 //! The laws of the contacts over a step.
 
-use crate::contact::ContactLaw;
 use crate::system::structure::{Contact, Limit, Relation};
 
 /// A law as a clipped line S = clip((r - c)/g, low, high).
@@ -18,7 +17,6 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// Of a law that is not a clipped line only the slip.
     pub(super) fn new(law: &Relation, dt: f64) -> Line {
         let impact = |compliance| Line {
             compliance,
@@ -45,17 +43,8 @@ impl Line {
             },
             Relation::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
             Relation::Coulomb { .. } => viscous(0.0),
-            // Bouc-Wen's and Dahl's models store S^2/(2 k).
-            Relation::CurvedFriction { law, .. } => Line {
-                compliance: 0.0,
-                by_increment: 1.0,
-                by_displacement: 0.0,
-                by_force: match law {
-                    ContactLaw::BoucWen(law) => law.compliance,
-                    ContactLaw::Dahl(law) => law.compliance,
-                    _ => 0.0,
-                },
-            },
+            // The forces are found from the law's own answer.
+            Relation::CurvedFriction { .. } => viscous(0.0),
             Relation::CurvedImpact { .. } => impact(0.0),
         }
     }

@@ -72,6 +72,41 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Reports an axis of `kind` with one value of its parameter.
+    pub fn has_two_values(&mut self, key: &str, row: usize, kind: &str) {
+        if let [one] = self.levels(row)[..] {
+            let name = &self.scope.problem.parameters()[row].name;
+            let message = format!(
+                "a {kind} needs two values of {name}, and all cases shown have {name} = {one}"
+            );
+            self.fault(key, message);
+        }
+    }
+
+    /// Reports an `x_range` that none of the values of the parameter along the axis lies in, nor between.
+    pub fn range_shows_some(&mut self, row: usize) {
+        let levels = self.levels(row);
+        let numbers = levels.iter().filter_map(|level| level.as_f64());
+        let extent = numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
+            [a.min(x), b.max(x)]
+        });
+        let name = self.scope.problem.parameters()[row].name.to_string();
+        self.range_overlaps(&name, extent);
+    }
+
+    /// Reports an `x_range` that has no part of the extent of what is along the axis; nothing if the extent is empty.
+    pub fn range_overlaps(&mut self, name: &str, [low, high]: [f64; 2]) {
+        if let Some([first, last]) = self.figure.ranges[0]
+            && low <= high
+            && (last < low || first > high)
+        {
+            let (low, high) = (shortest(low), shortest(high));
+            let message =
+                format!("shows nothing: {name} is from {low} to {high} in the cases shown");
+            self.fault("x_range", message);
+        }
+    }
+
     /// Reports a logarithmic scale for a parameter with values that have no logarithm.
     pub fn suits_scale(&mut self, key: &str, row: usize, scale: Scale) {
         let levels = self.levels(row);

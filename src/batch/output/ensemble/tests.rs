@@ -127,6 +127,11 @@ fn ensembles_are_compared_where_all_else_is_equal() {
     );
     let expected: Vec<String> = (1..12).map(|i| format!("gamma {i} {} ", i + 1)).collect();
     assert_eq!(pairs(&many), expected);
+    // Ten values are all compared, 10 9/2 pairs; of eleven the ten neighbours.
+    for (count, expected) in [(10, 45), (11, 10)] {
+        let text = many.replace("[12, 1, 12]", &format!("[{count}, 1, {count}]"));
+        assert_eq!(pairs(&text).len(), expected);
+    }
     // Two points of a design with each n: the design is the ensemble.
     let design = format!(
         r#""parameters": {{"gamma": {{"uniform": [1, 2]}}, "gap": {{"uniform": [0, 0.1]}}, "n": [4, 8], {REST}}},

@@ -26,6 +26,8 @@ mod point;
 mod tangents;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_convex;
 
 use super::Unsolved;
 use super::factor::Factor;

@@ -3,6 +3,7 @@
 mod bars;
 mod friction;
 mod impact;
+mod orders;
 mod random;
 mod restarts;
 mod rigid;

@@ -42,7 +42,7 @@ fn without_pressure(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violat
     };
     match normal {
         Normal::Constant(force) => {
-            let limit = (nu * force.value(case)?).max(0.0);
+            let limit = nu * force.value(case)?;
             Ok((Limit::constant(limit), limit))
         }
         Normal::Table(source) => {

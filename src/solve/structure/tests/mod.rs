@@ -8,6 +8,7 @@ mod dense;
 mod lanes;
 mod methods;
 mod motion;
+mod pushed;
 
 use crate::system::structure::{
     Contact, Limit, Load, Node, Relation, Signal, Structure, Symmetric, Table,
