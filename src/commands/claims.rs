@@ -33,16 +33,11 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     for (claim, findings) in all.iter().flat_map(Judged::claims) {
         let verdict = Verdict::of(findings.iter().map(|f| f.holds));
         let pairs = claim.readings.iter().zip(findings);
-        let holding = pairs
-            .clone()
-            .filter(|(_, f)| f.holds)
-            .map(|(r, _)| r.name.as_str());
         let changed = pairs.filter(|(r, f)| r.holds != f.holds);
         let changed: Vec<&str> = changed.map(|(r, _)| r.name.as_str()).collect();
         let mut statement = claim.statement.clone();
-        if verdict == Verdict::HoldsIf {
-            let holding: Vec<&str> = holding.collect();
-            statement += &format!(" [if: {}]", holding.join("; "));
+        if let Some(condition) = claims::condition(claim, findings) {
+            statement += &format!(" [if: {condition}]");
         }
         if !changed.is_empty() {
             statement += &format!(" [changed: {}]", changed.join("; "));
@@ -58,6 +53,12 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     print(&table(&rows))?;
     let count = rows.len() - 1;
     let changed: usize = all.iter().map(Judged::changed).sum();
+    let near: Vec<_> = all.iter().map(Judged::near).collect();
+    let near_count: usize = near.iter().map(|(count, _)| count).sum();
+    let unexplained: usize = near.iter().map(|(_, wrong)| wrong).sum();
+    note(&format!(
+        "{near_count} readings near a limit, {unexplained} without a reason"
+    ));
     note(&format!(
         "{count} claims, {changed} with a verdict other than recorded; {}",
         path.display()
