@@ -28,7 +28,7 @@ impl Judged {
         })
     }
 
-    /// Number of readings near a limit, and of those among them without a reason; a reason that is not needed counts, too.
+    /// Number of readings near a limit, and of readings that lack a reason or have one that is not needed.
     pub fn near(&self) -> (usize, usize) {
         let near = self.readings().filter(|(_, _, f)| !f.near.is_empty());
         let wrong = |(_, reading, finding): &(_, &Reading, &Finding)| {

@@ -53,11 +53,12 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     print(&table(&rows))?;
     let count = rows.len() - 1;
     let changed: usize = all.iter().map(Judged::changed).sum();
-    let near: Vec<_> = all.iter().map(Judged::near).collect();
-    let near_count: usize = near.iter().map(|(count, _)| count).sum();
-    let unexplained: usize = near.iter().map(|(_, wrong)| wrong).sum();
+    let (near, unexplained) = all
+        .iter()
+        .map(Judged::near)
+        .fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
     note(&format!(
-        "{near_count} readings near a limit, {unexplained} without a reason"
+        "readings near a limit: {near}, without a reason or with one that is not needed: {unexplained}"
     ));
     note(&format!(
         "{count} claims, {changed} with a verdict other than recorded; {}",
