@@ -31,4 +31,7 @@ fn the_claims_have_their_recorded_verdicts() {
     assert!(!out.contains("CHANGED"), "{out}");
     let none = "claims, 0 with a verdict other than recorded";
     assert!(err.contains(none), "{err}");
+    // Each verdict that depends on the choice of its limit says why the limit is this one.
+    let reasons = "without a reason or with one that is not needed: 0\n";
+    assert!(err.contains(reasons), "{err}");
 }

@@ -2,12 +2,10 @@
 
 use super::Finding;
 use super::ledger::{Demand, Expect, Over, Reading};
+use super::within::{Limits, Met, within};
 use crate::batch::{self, Outcome};
 use crate::problem::{Lines, Problem, Snapshot};
 use crate::study::Study;
-
-/// Most values that a finding lists separately.
-const MOST: usize = 6;
 
 /// Tests everything that a reading expects.
 pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Finding {
@@ -15,14 +13,26 @@ pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Findin
         .expect
         .iter()
         .map(|e| expectation(study, outcomes, e));
-    let (holds, found): (Vec<bool>, Vec<String>) = results.unzip();
-    Finding {
-        holds: holds.into_iter().all(|holds| holds),
-        found,
-    }
+    finding(results.collect())
 }
 
-fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, String) {
+/// The finding of a reading from the results of its expectations.
+fn finding(all: Vec<Met>) -> Finding {
+    let holds = all.iter().all(|met| met.holds);
+    let near: Vec<String> = match holds {
+        true => all.iter().filter(|met| !met.narrower).collect(),
+        // It would hold with wider limits: those not met now are near theirs.
+        false if all.iter().all(|met| met.wider) => all.iter().filter(|met| !met.holds).collect(),
+        false => Vec::new(),
+    }
+    .into_iter()
+    .map(|met: &Met| met.found.clone())
+    .collect();
+    let found = all.into_iter().map(|met| met.found).collect();
+    Finding { holds, found, near }
+}
+
+fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> Met {
     let cases = outcomes.iter().filter(|o| expect.filter.matches(&o.case));
     let mut cases: Vec<&Outcome> = cases.collect();
     let reduced = match expect.demand {
@@ -55,12 +65,12 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
     };
     match &expect.demand {
         Demand::Within { metric, min, max } => {
-            let values = cases.iter().map(|o| value(o, *metric)).collect();
+            let values: Vec<_> = cases.iter().map(|o| value(o, *metric)).collect();
             let mut name = named(*metric);
             if expect.over.is_some() {
                 name.push(':');
             }
-            within(values, &name, *min, *max)
+            within(&values, &name, *min, *max)
         }
         Demand::Trend {
             metric,
@@ -77,7 +87,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             let name = named(*metric);
             let parameter = &problem.parameters()[*along].name;
             let found = format!("{name} along `{parameter}`: {}", listed(&line));
-            (holds, found)
+            Met::plain(holds, found)
         }
         Demand::LeastAt {
             metric,
@@ -88,7 +98,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             let least = line.and_then(|line| line.into_iter().min_by(|a, b| a[1].total_cmp(&b[1])));
             let name = named(*metric);
             let Some([at, x]) = least else {
-                return (false, format!("{name} undefined"));
+                return Met::plain(false, format!("{name} undefined"));
             };
             let parameter = &problem.parameters()[*along].name;
             let found = format!(
@@ -96,7 +106,8 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
                 short(at),
                 short(x)
             );
-            (at >= range[0] && at <= range[1], found)
+            let [min, max] = range.map(Some);
+            Met::of(&[Some(at)], Limits { min, max }, found)
         }
         Demand::AwayFromFronts {
             profile,
@@ -106,8 +117,9 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
         } => {
             let errors = cases.iter();
             let errors = errors.map(|o| away_from_fronts(problem, o, *profile, times, *away));
+            let errors: Vec<_> = errors.collect();
             let name = format!("`{}`", problem.schema().profiles[*profile].name);
-            within(errors.collect(), &name, None, Some(*max))
+            within(&errors, &name, None, Some(*max))
         }
         Demand::LaterEvent {
             later,
@@ -118,9 +130,9 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
             let errors = cases
                 .iter()
                 .map(|o| later_error(problem, o, *later, flights));
-            let name = format!("`{}`", problem.schema().later[*later]);
-            let (holds, found) = within(errors.collect(), &name, *min, *max);
-            (holds, format!("difference of {found}"))
+            let errors: Vec<_> = errors.collect();
+            let name = format!("difference of `{}`", problem.schema().later[*later]);
+            within(&errors, &name, *min, *max)
         }
     }
 }
@@ -129,39 +141,6 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> (bool, S
 fn partner<'a>(over: &Over, outcome: &Outcome, all: &'a [Outcome]) -> Option<&'a Outcome> {
     all.iter()
         .find(|other| over.pairs(&outcome.case, &other.case))
-}
-
-/// The result for limits of values, which `name` names in Markdown.
-fn within(
-    values: Vec<Option<f64>>,
-    name: &str,
-    min: Option<f64>,
-    max: Option<f64>,
-) -> (bool, String) {
-    let inside = |x: &f64| min.is_none_or(|min| *x >= min) && max.is_none_or(|max| *x <= max);
-    let holds = values.iter().all(|x| x.as_ref().is_some_and(inside));
-    let limits = match (min, max) {
-        (Some(min), Some(max)) => format!(" ({}..{})", short(min), short(max)),
-        (Some(min), None) => format!(" (at least {})", short(min)),
-        (None, Some(max)) => format!(" (at most {})", short(max)),
-        (None, None) => String::new(),
-    };
-    (holds, format!("{name} {}{limits}", summary(&values)))
-}
-
-/// Values as text: each of them, or the range of many.
-fn summary(values: &[Option<f64>]) -> String {
-    let known: Vec<f64> = values.iter().copied().flatten().collect();
-    if known.len() < values.len() || known.is_empty() {
-        return "undefined".into();
-    }
-    if known.len() <= MOST {
-        let each: Vec<String> = known.into_iter().map(short).collect();
-        return each.join(", ");
-    }
-    let low = known.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = known.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    format!("{}..{} in {} cases", short(low), short(high), known.len())
 }
 
 /// Parameter and value of every case in rising order of the parameter; `None` if a value is undefined.
@@ -254,10 +233,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn limits_apply_to_every_value_and_an_undefined_one_fails() {
-        let inside = |values: &[Option<f64>]| within(values.to_vec(), "x", Some(1.0), Some(2.0)).0;
-        assert!(inside(&[Some(1.0), Some(2.0)]));
-        assert!(!inside(&[Some(1.0), Some(2.1)]) && !inside(&[Some(1.5), None]));
+    fn a_reading_is_near_its_limit_if_moved_limits_change_its_verdict() {
+        let met = |x: f64| within(&[Some(x)], "x", Some(0.9), Some(1.1));
+        let near = |values: &[f64]| finding(values.iter().map(|x| met(*x)).collect()).near.len();
+        // Holds: each value near a limit counts. Fails: only if no value is far outside.
+        assert_eq!(near(&[1.0, 1.05]), 0);
+        assert_eq!(near(&[1.0, 1.095, 0.905]), 2);
+        assert_eq!(near(&[1.095, 1.105]), 1);
+        assert_eq!(near(&[1.105, 1.2]), 0);
     }
 
     #[test]
@@ -265,8 +248,6 @@ mod tests {
         assert_eq!(short(0.123456), "0.1235");
         assert_eq!(short(1e-7), "1e-7");
         assert_eq!(short(0.0), "0");
-        assert_eq!(summary(&[Some(1.0), None]), "undefined");
-        assert_eq!(summary(&[Some(3.0); 7]), "3..3 in 7 cases");
     }
 
     #[test]

@@ -3,8 +3,10 @@
 mod judge;
 pub mod ledger;
 mod page;
+mod within;
 
-pub use page::{Judged, page};
+pub use page::{Judged, condition, page};
+pub use within::NEAR;
 
 use crate::batch;
 use crate::batch::store::{STORE, Store};
@@ -67,6 +69,8 @@ pub struct Finding {
     pub holds: bool,
     /// The values found for each expectation, in Markdown.
     pub found: Vec<String>,
+    /// The values of the expectations that are so near their limits that limits moved by `NEAR` change the verdict.
+    pub near: Vec<String>,
 }
 
 /// Tests every claim of a ledger, reading by reading. Each study is run once. Cases in the store of its folder in `out` are not

@@ -1,7 +1,7 @@
 //! The ledgers as a page: a table of verdicts for each paper or subject, then every claim with its readings and numbers.
 
-use super::ledger::{Claim, Ledger};
-use super::{Finding, Verdict};
+use super::ledger::{Claim, Ledger, Reading};
+use super::{Finding, NEAR, Verdict};
 use std::fmt::Write;
 
 /// A ledger with the findings of each reading of each claim.
@@ -18,6 +18,23 @@ impl Judged {
     pub fn claims(&self) -> impl Iterator<Item = (&Claim, &[Finding])> {
         let findings = self.findings.iter().map(Vec::as_slice);
         self.ledger.claims.iter().zip(findings)
+    }
+
+    /// Every reading with its claim and its finding.
+    fn readings(&self) -> impl Iterator<Item = (&Claim, &Reading, &Finding)> {
+        self.claims().flat_map(|(claim, findings)| {
+            let readings = claim.readings.iter().zip(findings);
+            readings.map(move |(reading, finding)| (claim, reading, finding))
+        })
+    }
+
+    /// Number of readings near a limit, and of readings that lack a reason or have one that is not needed.
+    pub fn near(&self) -> (usize, usize) {
+        let near = self.readings().filter(|(_, _, f)| !f.near.is_empty());
+        let wrong = |(_, reading, finding): &(_, &Reading, &Finding)| {
+            finding.near.is_empty() == reading.near.is_some()
+        };
+        (near.count(), self.readings().filter(wrong).count())
     }
 
     /// Number of claims with a reading whose result is not the recorded one.
@@ -45,20 +62,60 @@ pub fn page(all: &[Judged]) -> String {
         let _ = write!(page, "\n## {}\n\n", judged.ledger.paper);
         page.push_str("| | statement | verdict |\n| --- | --- | --- |\n");
         for (claim, findings) in judged.claims() {
-            let verdict = verdict(findings).as_str();
+            let mut verdict = verdict(findings).as_str().to_owned();
+            if let Some(condition) = condition(claim, findings) {
+                verdict += &format!(": {}", cell(&condition));
+            }
             let id = &claim.id;
             let _ = writeln!(
                 page,
                 "| [{id}](#{}) | {} | {verdict} |",
                 id.to_lowercase(),
-                cell(&claim.statement)
+                cell(&claim.statement),
             );
         }
         for (claim, findings) in judged.claims() {
             section(&mut page, &judged.ledger, claim, findings);
         }
     }
+    near(&mut page, all);
     page
+}
+
+/// The readings whose verdicts depend on the choice of a limit, each with the reason for the limit.
+fn near(page: &mut String, all: &[Judged]) {
+    let percent = 100.0 * NEAR;
+    let _ = write!(
+        page,
+        "\n## Verdicts near a limit\n\nA reading is listed here if its verdict changes when its limits move by {percent} % of half their range, or of \
+         the limit if there is only one. Trends have no limit.\n\n| claim | reading | computed | why this limit |\n| --- | --- | --- | --- |\n"
+    );
+    for (claim, reading, finding) in all.iter().flat_map(Judged::readings) {
+        let reason = match (&reading.near, finding.near.is_empty()) {
+            (None, true) => continue,
+            (Some(reason), false) => cell(reason),
+            (None, false) => "**no reason given**".into(),
+            (Some(_), true) => {
+                "**a reason is given, but the reading is not near its limit**".into()
+            }
+        };
+        let id = &claim.id;
+        let _ = writeln!(
+            page,
+            "| [{id}](#{}) | {} | {} | {reason} |",
+            id.to_lowercase(),
+            cell(&reading.name),
+            cell(&finding.near.join("; "))
+        );
+    }
+}
+
+/// The readings in which a claim holds, if these are some of several.
+pub fn condition(claim: &Claim, findings: &[Finding]) -> Option<String> {
+    let readings = claim.readings.iter().zip(findings);
+    let holding = readings.filter(|(_, finding)| finding.holds);
+    let names: Vec<&str> = holding.map(|(reading, _)| &*reading.name).collect();
+    (verdict(findings) == Verdict::HoldsIf).then(|| names.join("; "))
 }
 
 /// The verdict of a claim by its findings.
@@ -69,11 +126,14 @@ pub fn verdict(findings: &[Finding]) -> Verdict {
 fn section(page: &mut String, ledger: &Ledger, claim: &Claim, findings: &[Finding]) {
     let _ = write!(
         page,
-        "\n### {}\n\n{}: {} **{}**\n\nThe test: {}.\n\n",
+        "\n### {}\n\n{}: {} {}\n\nThe test: {}.\n\n",
         claim.id,
         claim.place,
         claim.statement,
-        capital(verdict(findings).as_str()),
+        match condition(claim, findings) {
+            Some(condition) => format!("**Holds if:** {condition}."),
+            None => format!("**{}**", capital(verdict(findings).as_str())),
+        },
         claim.quantity
     );
     page.push_str("| reading | computed | holds | figure |\n| --- | --- | --- | --- |\n");

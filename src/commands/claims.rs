@@ -33,16 +33,11 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     for (claim, findings) in all.iter().flat_map(Judged::claims) {
         let verdict = Verdict::of(findings.iter().map(|f| f.holds));
         let pairs = claim.readings.iter().zip(findings);
-        let holding = pairs
-            .clone()
-            .filter(|(_, f)| f.holds)
-            .map(|(r, _)| r.name.as_str());
         let changed = pairs.filter(|(r, f)| r.holds != f.holds);
         let changed: Vec<&str> = changed.map(|(r, _)| r.name.as_str()).collect();
         let mut statement = claim.statement.clone();
-        if verdict == Verdict::HoldsIf {
-            let holding: Vec<&str> = holding.collect();
-            statement += &format!(" [if: {}]", holding.join("; "));
+        if let Some(condition) = claims::condition(claim, findings) {
+            statement += &format!(" [if: {condition}]");
         }
         if !changed.is_empty() {
             statement += &format!(" [changed: {}]", changed.join("; "));
@@ -58,6 +53,13 @@ pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     print(&table(&rows))?;
     let count = rows.len() - 1;
     let changed: usize = all.iter().map(Judged::changed).sum();
+    let (near, unexplained) = all
+        .iter()
+        .map(Judged::near)
+        .fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+    note(&format!(
+        "readings near a limit: {near}, without a reason or with one that is not needed: {unexplained}"
+    ));
     note(&format!(
         "{count} claims, {changed} with a verdict other than recorded; {}",
         path.display()

@@ -5,6 +5,7 @@ mod bad_impact;
 mod begin;
 mod checks;
 mod claims;
+mod claims_near;
 mod compare;
 mod designs;
 #[cfg(unix)]

@@ -16,7 +16,7 @@ use crate::study::tree::{Node, Tree};
 use crate::study::value::{name, text};
 
 const CLAIM: [&str; 6] = ["id", "where", "says", "quantity", "readings", "because"];
-const READING: [&str; 5] = ["reading", "study", "figure", "expect", "holds"];
+const READING: [&str; 6] = ["reading", "study", "figure", "expect", "holds", "near"];
 
 /// Reads a ledger and its studies. Faults name the file as `file` does.
 ///
@@ -217,11 +217,14 @@ fn reading(
     if faults.count() == before && expect.is_empty() {
         object.missing("expect", "at least one expectation", faults);
     }
+    let near = object.get("near");
+    let near = near.and_then(|node| text(node, &object.path("near"), faults));
     (faults.count() == before).then_some(Reading {
         name: assumed?,
         study: at,
         figure,
         expect,
         holds: holds?,
+        near,
     })
 }

@@ -62,6 +62,8 @@ pub struct Reading {
     pub expect: Vec<Expect>,
     /// The recorded verdict.
     pub holds: bool,
+    /// Why a limit stays that the values are near.
+    pub near: Option<String>,
 }
 
 /// One condition for a reading to hold.
