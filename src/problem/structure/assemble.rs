@@ -4,9 +4,10 @@ use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
 use super::node::{NodeName, Numbering};
-use super::template::{Moved, Scaled, SpringNumbers, Template};
+use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template};
 use crate::problem::{Case, Violation};
 use crate::system::structure::{Load, Node, Relation, Structure, Symmetric};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Most elements of a bar, and most nodes of a structure.
@@ -93,8 +94,8 @@ fn draft(
     draft.masses();
     draft.bars();
     draft.springs();
-    draft.rayleigh();
     draft.contacts();
+    draft.rayleigh();
     draft.loads();
     draft.start();
     draft.modal_damping();
@@ -102,6 +103,14 @@ fn draft(
     match draft.violations.is_empty() {
         true => Ok((draft.structure, draft.numbering)),
         false => Err(draft.violations),
+    }
+}
+
+/// The K of Rayleigh and modal damping.
+pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> Cow<'a, Symmetric> {
+    match template.damping_stiffness {
+        DampingStiffness::WithoutContacts => Cow::Borrowed(&structure.stiffness),
+        DampingStiffness::Initial => Cow::Owned(structure.initial_stiffness()),
     }
 }
 
@@ -197,19 +206,15 @@ impl Draft<'_> {
         }
     }
 
-    /// C += mass M + stiffness K, K without the contacts.
+    /// C += mass M + stiffness K.
     fn rayleigh(&mut self) {
         let [mass, stiffness] = &self.template.rayleigh;
         let (mass, stiffness) = (self.optional(mass), self.optional(stiffness));
-        let Structure {
-            nodes,
-            stiffness: k,
-            damping,
-            ..
-        } = &mut self.structure;
-        if stiffness != 0.0 {
-            damping.add_matrix(k, stiffness);
+        if stiffness != 0.0 && self.build {
+            let k = damping_stiffness(self.template, &self.structure).into_owned();
+            self.structure.damping.add_matrix(&k, stiffness);
         }
+        let Structure { nodes, damping, .. } = &mut self.structure;
         if mass != 0.0 && self.build {
             for (i, node) in nodes.iter().enumerate() {
                 damping.add(i, i, mass * node.mass);

@@ -86,7 +86,8 @@ impl StructureProblem {
         let (mut structure, numbering) = assemble(&self.template, case, finer).map_err(broken)?;
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
-            damping::add_modal(&mut structure, ratio).ok_or(Unsolvable::NoModes)?;
+            let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
+            damping::add_modal(&mut structure, &stiffness, ratio).ok_or(Unsolvable::NoModes)?;
         }
         Ok((structure, numbering))
     }

@@ -170,6 +170,10 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "ground" => function.clone(),
         "start" => named(all_numbers(keys::START, &[])),
         "contacts_reference" => json!({ "enum": keys::REFERENCES }),
+        "damping_stiffness" => {
+            let [first, ..] = keys::DAMPING_STIFFNESSES;
+            json!({ "enum": keys::DAMPING_STIFFNESSES, "default": first })
+        }
         _ => any(),
     };
     described(keys::STRUCTURE, value, &[])

@@ -20,11 +20,15 @@ pub(in crate::study) const STRUCTURE: Keys = &[
     ),
     (
         "rayleigh",
-        "C += mass M + stiffness K, K without the contacts",
+        "C += mass M + stiffness K, K of \"damping_stiffness\"",
     ),
     (
         "modal_damping",
-        "damping ratio in every mode of the structure without contacts",
+        "damping ratio in every mode of M and K, K of \"damping_stiffness\"",
+    ),
+    (
+        "damping_stiffness",
+        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with the elastic contacts at their stiffness at rest",
     ),
     (
         "contacts",
@@ -231,6 +235,9 @@ pub(in crate::study) const START: Keys = &[("u", "displacement"), ("v", "velocit
 
 /// Names of the references.
 pub(in crate::study) const REFERENCES: [&str; 2] = ["softened", "rigid"];
+
+/// Names of the stiffnesses of damping.
+pub(in crate::study) const DAMPING_STIFFNESSES: [&str; 2] = ["without-contacts", "initial"];
 
 /// The names of keys.
 pub(in crate::study) fn names(keys: Keys) -> Vec<&'static str> {

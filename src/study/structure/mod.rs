@@ -18,8 +18,8 @@ use crate::problem::Problem;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channel::Names;
 use crate::problem::structure::schema::{self, Named};
-use crate::problem::structure::template::{Reference, Template};
-use keys::{REFERENCES, STRUCTURE};
+use crate::problem::structure::template::{DampingStiffness, Reference, Template};
+use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
 use reader::{Reader, named, open};
 use std::path::Path;
 use std::sync::Arc;
@@ -74,6 +74,7 @@ pub(super) fn problem(
             crate::problem::parameter::Range::NotNegative,
             faults,
         ),
+        damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
         contacts: contacts::contacts(&contacts, &reader, faults),
         loads: object.items("loads", faults, |node, path, faults| {
             loads::load(node, path, &reader, faults)
@@ -158,5 +159,14 @@ fn reference(object: &Object, faults: &mut Faults) -> Option<Reference> {
     match value::name(node, &path, "reference", &REFERENCES, faults)? {
         0 => Some(Reference::Softened),
         _ => Some(Reference::Rigid),
+    }
+}
+
+fn damping_stiffness(object: &Object, faults: &mut Faults) -> Option<DampingStiffness> {
+    let node = object.get("damping_stiffness")?;
+    let path = object.path("damping_stiffness");
+    match value::name(node, &path, "stiffness", &DAMPING_STIFFNESSES, faults)? {
+        0 => Some(DampingStiffness::WithoutContacts),
+        _ => Some(DampingStiffness::Initial),
     }
 }
