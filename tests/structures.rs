@@ -147,12 +147,12 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"unit\": \"g\"",
             "\"unit\": \"gal\"",
             "structure.ground.unit",
-            "allowed: g, m/s2, cm/s2",
+            "allowed: g, m/s2, cm/s2, mm/s2",
         ),
         (
             "\"unit\": \"g\"",
             "\"unit\": \"m/s2\"",
-            "structure.ground.record",
+            "structure.ground.unit",
             "the file is in g",
         ),
         (
@@ -190,6 +190,18 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"t, kN, ell, s\"",
             "structure.units",
             "length in m, cm or mm",
+        ),
+        (
+            "\"t, kN, m, s\"",
+            "\"kg, kN, mm, s\"",
+            "4:12: structure.units",
+            "kg mm/s^2 is mN, 0.001 N, not kN; give \"kg, mN, mm, s\"",
+        ),
+        (
+            "\"unit\": \"g\"",
+            "\"mean\": \"off\"",
+            "structure.ground.mean",
+            "allowed: removed, kept",
         ),
         (
             "\"softened\"",

@@ -54,6 +54,9 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(description) = study.problem.description(&case) {
         text += &format!("\n{description}");
     }
+    if let Some(note) = study.problem.note() {
+        text += &format!("note: {note}\n");
+    }
     let broken = Violation::all(&study.violations(number));
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");

@@ -102,6 +102,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn identity(&self) -> &str {
         ""
     }
+    /// What was done to input files that the study does not ask for, in words; `None` if nothing was.
+    fn note(&self) -> Option<&str> {
+        None
+    }
     /// Lines that describe a completed case, for `explain`.
     fn description(&self, _case: &Case) -> Option<String> {
         None

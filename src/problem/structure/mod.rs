@@ -4,6 +4,7 @@ pub mod amount;
 mod assemble;
 pub mod channel;
 mod columns;
+pub mod consistent;
 pub mod contacts;
 mod damping;
 mod describe;
@@ -56,19 +57,22 @@ pub struct StructureProblem {
     metrics: Vec<StructureMetric>,
     drawn: Vec<Drawn>,
     identity: String,
+    note: Option<String>,
 }
 
 /// Most numbers of a history: 2 GiB.
 const MOST_NUMBERS: f64 = 268_435_456.0;
 
 impl StructureProblem {
-    /// The problem of a template with these tables. `identity` is different for different structures and records.
+    /// The problem of a template with these tables. `identity` is different for different structures and records; `note` says what
+    /// was done to the records.
     pub fn new(
         template: Template,
         schema: Arc<Schema>,
         metrics: Vec<StructureMetric>,
         drawn: Vec<Drawn>,
         identity: String,
+        note: Option<String>,
     ) -> StructureProblem {
         StructureProblem {
             schema,
@@ -76,6 +80,7 @@ impl StructureProblem {
             metrics,
             drawn,
             identity,
+            note,
         }
     }
 
@@ -184,6 +189,10 @@ impl Problem for StructureProblem {
 
     fn identity(&self) -> &str {
         &self.identity
+    }
+
+    fn note(&self) -> Option<&str> {
+        self.note.as_deref()
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {

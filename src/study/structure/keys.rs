@@ -7,7 +7,7 @@ pub(in crate::study) type Keys = &'static [(&'static str, &'static str)];
 pub(in crate::study) const STRUCTURE: Keys = &[
     (
         "units",
-        "units of mass, force, length and time, such as \"t, kN, m, s\"; nothing is converted but records",
+        "units of mass, force, length and time, such as \"t, kN, m, s\", with force = mass length/time^2; nothing is converted but records",
     ),
     ("masses", "lumped masses: a node for each name"),
     (
@@ -174,7 +174,14 @@ pub(in crate::study) const FUNCTION: Keys = &[
         "synthetic",
         "a synthetic acceleration by its seed, or by its seed and the frequency of its ground filter",
     ),
-    ("unit", "unit of a record: g, m/s2 or cm/s2"),
+    (
+        "unit",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2; not needed if the file names it",
+    ),
+    (
+        "mean",
+        "mean of a record: \"removed\" or \"kept\"; if left out, that of K-NET is removed, because its counts have an offset, and others are kept",
+    ),
     ("scale", "factor of the function"),
 ];
 

@@ -17,6 +17,7 @@ use super::value;
 use crate::problem::Problem;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channel::Names;
+use crate::problem::structure::consistent;
 use crate::problem::structure::schema::{self, Named};
 use crate::problem::structure::template::{DampingStiffness, Reference, Template};
 use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
@@ -58,6 +59,7 @@ pub(super) fn problem(
         folder,
         used: Default::default(),
         records: Default::default(),
+        removed_means: Default::default(),
     };
     let template = Template {
         units,
@@ -119,11 +121,12 @@ pub(super) fn problem(
     if faults.count() == before {
         names::report_unused(root_node, &parameters, &first.parameters, faults);
     }
+    let note = records::note(&reader);
     let identity = names::identity(node, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
-            template, schema, metrics, drawn, identity,
+            template, schema, metrics, drawn, identity, note,
         )) as _
     })
 }
@@ -137,6 +140,10 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     let Some(text) = value::text(node, &path, faults) else {
         return (String::new(), 1.0);
     };
+    if let Some(message) = consistent::fault(&text) {
+        faults.add(node.at, &path, message);
+        return (String::new(), 1.0);
+    }
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
     let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
