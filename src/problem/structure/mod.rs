@@ -25,13 +25,16 @@ mod units;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_initial;
 
 pub use ground::GroundMotion;
+pub use made::MOST_NUMBERS as MOST_SAMPLED;
 pub use scheme::Scheme;
 
 use super::cases::Cases;
 use super::method;
-use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
+use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
 use crate::history::History;
 use crate::methods::MethodChoice;
 use crate::solve::structure::{critical_fault, has_critical_step};
@@ -189,6 +192,27 @@ impl Problem for StructureProblem {
 
     fn identity(&self) -> &str {
         &self.identity
+    }
+
+    fn samples(&self, case: &Case) -> Samples {
+        let mut samples = Samples::default();
+        for source in self.template.sampled() {
+            // A case that breaks a rule makes none.
+            let Ok((key, points)) = source.samples(case) else {
+                return Samples::default();
+            };
+            samples.key.extend(key);
+            samples.work += source.sampling_work(points);
+            samples.numbers = samples.numbers.max(made::numbers(points));
+        }
+        samples
+    }
+
+    fn sampled_so_far(&self) -> u64 {
+        self.template
+            .sampled()
+            .map(|source| source.made_so_far())
+            .sum()
     }
 
     fn note(&self) -> Option<&str> {

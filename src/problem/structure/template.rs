@@ -36,6 +36,24 @@ pub struct Template {
     pub reference: Option<Reference>,
 }
 
+impl Template {
+    /// The functions of time whose signals are computed sample by sample.
+    pub fn sampled(&self) -> impl Iterator<Item = &Source> {
+        let loads = self.loads.iter().map(|load| &load.force.source);
+        let ground = self.ground.iter().map(|ground| &ground.source);
+        let normals = self
+            .contacts
+            .iter()
+            .filter_map(|contact| match &contact.normal {
+                Some(Normal::Table(source)) => Some(source),
+                Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
+                Some(Normal::Constant(_)) | None => None,
+            });
+        let all = loads.chain(ground).chain(normals);
+        all.filter(|source| source.is_sampled())
+    }
+}
+
 /// The stiffness K in Rayleigh and modal damping.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DampingStiffness {
