@@ -147,12 +147,12 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"unit\": \"g\"",
             "\"unit\": \"gal\"",
             "structure.ground.unit",
-            "allowed: g, m/s2, cm/s2",
+            "allowed: g, m/s2, cm/s2, mm/s2",
         ),
         (
             "\"unit\": \"g\"",
             "\"unit\": \"m/s2\"",
-            "structure.ground.record",
+            "structure.ground.unit",
             "the file is in g",
         ),
         (
@@ -190,6 +190,18 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
             "\"t, kN, ell, s\"",
             "structure.units",
             "length in m, cm or mm",
+        ),
+        (
+            "\"t, kN, m, s\"",
+            "\"kg, kN, mm, s\"",
+            "4:12: structure.units",
+            "kg mm/s^2 is mN, 0.001 N, not kN; give \"kg, mN, mm, s\"",
+        ),
+        (
+            "\"unit\": \"g\"",
+            "\"mean\": \"off\"",
+            "structure.ground.mean",
+            "allowed: removed, kept",
         ),
         (
             "\"softened\"",
@@ -617,4 +629,65 @@ fn viscosity_and_stiffness_stay_where_the_normal_force_varies() {
             );
         }
     }
+}
+
+#[test]
+fn the_mean_of_a_knet_record_is_removed_and_said_or_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let header = [
+        "Origin Time       2000/01/01 00:00:00",
+        "Lat.              0",
+        "Long.             0",
+        "Depth. (km)       0",
+        "Mag.              0",
+        "Station Code      NONE",
+        "Station Lat.      0",
+        "Station Long.     0",
+        "Station Height(m) 0",
+        "Record Time       2000/01/01 00:00:15",
+        "Sampling Freq(Hz) 100Hz",
+        "Duration Time(s)  0.04",
+        "Dir.              N-S",
+        "Scale Factor      2000(gal)/8000",
+        "Max. Acc. (gal)   1",
+        "Last Correction   2000/01/01 00:00:00",
+        "Memo.",
+    ];
+    let record = header.join("\n") + "\n104 96 103 97\n";
+    fs::write(folder.path().join("a.EW"), record).unwrap();
+    let study = |mean: &str| {
+        let text = format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1}}, "metrics": ["peak(m)"],
+              "structure": {{"units": "kg, N, m, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": 1}}],
+                "ground": {{"record": "a.EW"{mean}}}}}}}"#
+        );
+        read(folder.path(), &text).unwrap_or_else(|why| panic!("{why}"))
+    };
+    let values = |study: &Study| {
+        let motion = study
+            .problem
+            .ground_motion(&study.case(0).unwrap())
+            .unwrap();
+        motion.acceleration.values()[..4].to_vec()
+    };
+    // 0.25 gal a count: 4 counts are 0.01 m/s2, and the mean is 25 gal. A product of roundings of 0.26.
+    let near = |a: Vec<f64>, b: [f64; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-16);
+    let study_of = study("");
+    assert!(near(values(&study_of), [0.01, -0.01, 0.0075, -0.0075]));
+    let note = study_of.problem.note().unwrap();
+    assert!(
+        note.starts_with("the mean of \"a.EW\", 25 cm/s2, is removed"),
+        "{note}"
+    );
+    let removed = study(r#", "mean": "removed""#);
+    assert_eq!(removed.problem.note(), None);
+    assert_eq!(values(&removed), values(&study_of));
+    let kept = study(r#", "mean": "kept""#);
+    assert_eq!(kept.problem.note(), None);
+    assert!(
+        near(values(&kept), [0.26, 0.24, 0.2575, 0.2425]),
+        "{:?}",
+        values(&kept)
+    );
+    assert_ne!(kept.problem.identity(), removed.problem.identity());
 }

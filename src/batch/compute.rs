@@ -5,10 +5,12 @@ use super::options::RunOptions;
 use super::part_result::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
-use crate::problem::{Case, Solution};
+use crate::problem::structure::MOST_SAMPLED;
+use crate::problem::{Case, Samples, Solution};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::study::Study;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Largest number of cases of one sweep if there are several threads.
 const MOST_CASES: u64 = 4096;
@@ -58,6 +60,45 @@ pub(super) fn solvable_rows(cases: &Cases) -> Vec<u32> {
         .collect()
 }
 
+/// The rows in an order in which every sampled signal is made once: blocks of rows whose signals fit in memory, for each thread
+/// two. In a block, and if all signals fit, the order stays.
+fn in_order(study: &Study, cases: &Cases, rows: Vec<u32>) -> Vec<u32> {
+    let mut shown = cases.shown();
+    let Some(first) = rows.first() else {
+        return rows;
+    };
+    if study
+        .problem
+        .samples(shown.at(*first as usize))
+        .key
+        .is_empty()
+    {
+        return rows;
+    }
+    let room = MOST_SAMPLED / (2 * rayon::current_num_threads());
+    let (mut block, mut used, mut total) = (0_u32, 0, 0);
+    let mut blocks: BTreeMap<Samples, u32> = BTreeMap::new();
+    let block_of = |row: &u32| {
+        let samples = study.problem.samples(shown.at(*row as usize));
+        if let Some(known) = blocks.get(&samples) {
+            return (*known, *row);
+        }
+        if used + samples.numbers > room {
+            (block, used) = (block + 1, 0);
+        }
+        used += samples.numbers;
+        total += samples.numbers;
+        blocks.insert(samples, block);
+        (block, *row)
+    };
+    let mut ordered: Vec<(u32, u32)> = rows.iter().map(block_of).collect();
+    if total <= MOST_SAMPLED {
+        return rows;
+    }
+    ordered.sort_unstable();
+    ordered.into_iter().map(|(_, row)| row).collect()
+}
+
 /// The metrics of these rows of a part, which have this work, and the histories to keep. `tick` receives the number of finished rows, some at a
 /// time.
 pub(super) fn compute_rows(
@@ -73,6 +114,10 @@ pub(super) fn compute_rows(
     let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows
         .iter()
         .partition(|row| lanes && !(options.keep_history)(shown.at(**row as usize)));
+    let (in_lanes, single) = (
+        in_order(study, cases, in_lanes),
+        in_order(study, cases, single),
+    );
     let slice = match rayon::current_num_threads() {
         1 if work <= LONGEST_SWEEP => cases.len().max(1),
         1 => (LONGEST_SWEEP / work * rows.len() as f64).max(FEWEST_CASES as f64) as usize,
@@ -89,7 +134,7 @@ pub(super) fn compute_rows(
         .map(sweep)
         .collect::<Result<_, Error>>()?;
     let swept = swept.into_iter().reduce(MetricTable::followed_by);
-    if in_lanes.len() == cases.len() {
+    if in_lanes.len() == cases.len() && in_lanes.is_sorted() {
         return Ok((swept.unwrap_or_default(), Solutions::new()));
     }
     let mut shown = cases.shown();

@@ -3,10 +3,12 @@
 use super::compute::{SWEEP_WORK, compute_rows, keep_memory, parallel_tasks, slice, solvable_rows};
 use super::options::RunOptions;
 use crate::error::Error;
+use crate::problem::Case;
 use crate::problem::cases::Cases;
 use crate::problem::parameter::Value;
 use crate::study::Study;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -46,8 +48,34 @@ pub fn total(study: &Study) -> f64 {
     work.sum::<f64>() * stride as f64
 }
 
+/// Work of making the sampled signals of all cases, each once; an estimate from evenly spaced cases if there are very many.
+pub fn sampling(study: &Study) -> f64 {
+    let raw = study.raw_len();
+    let stride = raw.div_ceil(MOST_SUMMED);
+    let sampled = (0..raw).step_by(stride as usize);
+    let mut signals = BTreeSet::new();
+    let mut cases = 0;
+    for case in sampled.filter_map(|raw| study.combination(raw)) {
+        let samples = study.problem.samples(&case);
+        match (samples.key.is_empty(), cases) {
+            (true, 0) => return 0.0,
+            (true, _) => continue,
+            (false, _) => {}
+        }
+        cases += 1;
+        signals.insert(samples);
+    }
+    let work: f64 = signals.iter().map(|samples| samples.work as f64).sum();
+    // Signals that most cases have for themselves are as many as the cases.
+    match 2 * signals.len() > cases {
+        true => work * stride as f64,
+        false => work,
+    }
+}
+
 /// Computes groups of cases from the whole study, which has the work `total`, until all are computed or the time is over.
-/// It uses as many threads as a run can use.
+/// It uses as many threads as a run can use. In place of a case with other sampled signals than those of `like`, or with a
+/// reference, `like` itself is computed: nothing is made that it does not need.
 ///
 /// # Errors
 /// The first of `on_solution`.
@@ -55,7 +83,7 @@ pub fn measure(
     study: &Study,
     total: f64,
     options: &RunOptions,
-    limit: Duration,
+    (like, limit): (&Case, Duration),
 ) -> Result<Measurement, Error> {
     keep_memory();
     let tasks = parallel_tasks(study, options, total).max(1);
@@ -73,7 +101,7 @@ pub fn measure(
                 break;
             }
             let group = (u128::from(index) * u128::from(stride) % u128::from(groups)) as u64;
-            let cases = sample(study, group * size, size);
+            let cases = sample(study, like, group * size, size);
             let rows = solvable_rows(&cases);
             let work = work(study, &cases, &rows);
             compute_rows(study, 0, (&cases, &rows, work), &|_| (), options)?;
@@ -92,9 +120,10 @@ pub fn measure(
     })
 }
 
-/// The cases of `size` raw combinations from `from` on, with a shorter duration if they are much work.
-fn sample(study: &Study, from: u64, size: u64) -> Cases {
+/// The cases of `size` raw combinations from `from` on, or `like` in their places, with a shorter duration if they are much work.
+fn sample(study: &Study, like: &Case, from: u64, size: u64) -> Cases {
     let (_, cases) = study.columns(from, (from + size).min(study.raw_len()));
+    let cases = alike(study, like, cases);
     let rows = solvable_rows(&cases);
     let share = SWEEP_WORK / work(study, &cases, &rows);
     if share >= 1.0 {
@@ -111,6 +140,23 @@ fn sample(study: &Study, from: u64, size: u64) -> Cases {
         }
     }
     short
+}
+
+/// The cases, or `like` in the places of those for which a signal or a reference is made that `like` does not need.
+fn alike(study: &Study, like: &Case, cases: Cases) -> Cases {
+    let own = study.problem.samples(like);
+    let has_reference = study.problem.reference_work(like, &study.metrics) > 0;
+    if own.key.is_empty() && !has_reference {
+        return cases;
+    }
+    let rows = solvable_rows(&cases);
+    let (mut replaced, mut shown) = (Cases::new(study.problem.schema()), cases.shown());
+    for row in rows {
+        let case = shown.at(row as usize);
+        let keep = !has_reference && study.problem.samples(case) == own;
+        replaced.push(if keep { case } else { like });
+    }
+    replaced
 }
 
 /// Steps times modes of some cases.
@@ -142,7 +188,6 @@ fn stride(groups: u64) -> u64 {
 mod tests {
     use super::*;
     use crate::study::parse;
-    use std::collections::BTreeSet;
 
     fn study(parameters: &str) -> Study {
         let text = format!(
@@ -174,11 +219,13 @@ mod tests {
         let study = study(r#""beta": {"linspace": [1, 2, 300]}, "dT": 0.1, "duration": 3"#);
         let work = total(&study);
         assert_eq!(work, 9000.0);
-        let all = measure(&study, work, &RunOptions::METRICS, Duration::MAX).unwrap();
+        let like = study.case(0).unwrap();
+        let within = |limit| measure(&study, work, &RunOptions::METRICS, (&like, limit)).unwrap();
+        let all = within(Duration::MAX);
         assert_eq!((all.cases, all.work), (300, 9000.0));
         // A sweep of one slice uses one thread.
         assert_eq!(all.threads, 1);
-        let none = measure(&study, work, &RunOptions::METRICS, Duration::ZERO).unwrap();
+        let none = within(Duration::ZERO);
         assert_eq!((none.cases, none.work), (0, 0.0));
     }
 
@@ -186,7 +233,8 @@ mod tests {
     fn cases_of_much_work_are_measured_with_a_shorter_duration() {
         // 3e7 steps in each of 64 cases. All together are shortened to the limit.
         let study = study(r#""beta": {"linspace": [1, 2, 64]}, "dT": 1e-7, "duration": 3"#);
-        let cases = sample(&study, 0, slice(study.raw_len(), total(&study)));
+        let like = study.case(0).unwrap();
+        let cases = sample(&study, &like, 0, slice(study.raw_len(), total(&study)));
         assert_eq!(cases.len(), 64);
         let work = work(&study, &cases, &solvable_rows(&cases));
         // The number of steps is rounded: up to one step in each case.

@@ -1,6 +1,7 @@
 //! In how many cases of a study of structures a change of 1e-10 in start and loads reaches 1 % of the motion.
 
 use super::cost::total;
+use crate::problem::Case;
 use crate::problem::structure::schema::NAME;
 use crate::study::Study;
 use rayon::prelude::*;
@@ -34,13 +35,36 @@ impl Divergence {
 
 /// Evenly spaced cases of a study of structures, the same ones on every machine; `None` for another problem.
 pub fn sampled(study: &Study) -> Option<Divergence> {
+    sampled_if(study, |_| true)
+}
+
+/// The same of the cases that need no other sampled signals than this case. It is one of them.
+pub fn sampled_like(study: &Study, number: u64) -> Option<Divergence> {
+    let own = study.problem.samples(&study.case(number)?);
+    sampled_if(study, |case| study.problem.samples(case) == own).map(|found| {
+        match found.looked_at {
+            0 => {
+                let case = study.case(number);
+                let mut one = Divergence::default();
+                one.add(case.and_then(|case| study.problem.diverges(&case)));
+                Divergence {
+                    cases: found.cases,
+                    ..one
+                }
+            }
+            _ => found,
+        }
+    })
+}
+
+fn sampled_if(study: &Study, wanted: impl Fn(&Case) -> bool + Sync) -> Option<Divergence> {
     if study.problem.name() != NAME {
         return None;
     }
     let cases = study.len();
     let numbers = numbers(cases, total(study));
     let diverges = |number: &u64| {
-        let case = study.case(*number)?;
+        let case = study.case(*number).filter(|case| wanted(case))?;
         study.problem.diverges(&case)
     };
     let found: Vec<Option<bool>> = numbers.par_iter().map(diverges).collect();

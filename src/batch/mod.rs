@@ -17,6 +17,8 @@ mod shard;
 pub mod store;
 #[cfg(test)]
 mod tests_columns;
+#[cfg(test)]
+mod tests_samples;
 mod units;
 pub mod work_progress;
 

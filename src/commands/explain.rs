@@ -4,7 +4,7 @@ use super::UNSOLVED;
 use super::list::cases;
 use super::sources::Source;
 use super::terminal::{print, progress, table};
-use slipgap::batch::cost::{measure, total};
+use slipgap::batch::cost::{measure, sampling, total};
 use slipgap::batch::{RunOptions, chunk, divergence};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
@@ -54,12 +54,15 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(description) = study.problem.description(&case) {
         text += &format!("\n{description}");
     }
+    if let Some(note) = study.problem.note() {
+        text += &format!("note: {note}\n");
+    }
     let broken = Violation::all(&study.violations(number));
     if let Some(why) = &broken {
         text += &format!("\nthis case cannot be solved: {why}\n");
     }
     text += &format!("\n{}", cost(study, &case)?);
-    if let Some(divergence) = divergence::sampled(study) {
+    if let Some(divergence) = divergence::sampled_like(study, number) {
         text += &format!("divergence: {divergence}\n");
     }
     let metrics: Vec<&str> = study
@@ -126,18 +129,21 @@ fn cost(study: &Study, case: &Case) -> Result<String, Error> {
         keep_history: &|case| study_figures::show_history(study, case),
         ..RunOptions::METRICS
     };
-    let measured = measure(study, total, &options, MEASURING)?;
+    let measured = measure(study, total, &options, (case, MEASURING))?;
     let threads = match measured.threads {
         1 => "1 thread".into(),
         threads => format!("{threads} threads"),
     };
-    let time = match measured.seconds_for(total) {
+    let time = match measured.seconds_for(total + sampling(study)) {
         Some(seconds) => format!("{} on {threads}", progress::duration(seconds)),
         None => "not measured".into(),
     };
+    let shares = !study.problem.samples(case).key.is_empty()
+        || study.problem.reference_work(case, &study.metrics) > 0;
+    let alike = if shares { " like this one" } else { "" };
     Ok(format!(
         "steps: {steps}; steps x modes: {work} of {total:.3e} in all cases; {} of the store\n\
-         time to compute all cases: {time}, estimated from {} cases in {}\n",
+         time to compute all cases: {time}, estimated from {} cases{alike} in {}\n",
         parts(study, total),
         measured.cases,
         progress::duration(measured.seconds)

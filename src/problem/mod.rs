@@ -102,6 +102,18 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn identity(&self) -> &str {
         ""
     }
+    /// What identifies the sampled signals of a completed case.
+    fn samples(&self, _case: &Case) -> Samples {
+        Samples::default()
+    }
+    /// Number of sampled signals that were made so far; cases share them.
+    fn sampled_so_far(&self) -> u64 {
+        0
+    }
+    /// What was done to input files that the study does not ask for, in words; `None` if nothing was.
+    fn note(&self) -> Option<&str> {
+        None
+    }
     /// Lines that describe a completed case, for `explain`.
     fn description(&self, _case: &Case) -> Option<String> {
         None
@@ -157,6 +169,17 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
         let number = |row| case.at(row).unwrap_or(f64::NAN);
         steps(number(self.schema().duration), number(self.schema().step))
     }
+}
+
+/// The sampled signals of a case, such as synthetic ground motions.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Samples {
+    /// The same for cases that share all of them; empty without any.
+    pub key: Vec<u64>,
+    /// Size of the largest one in numbers, of which [`structure::MOST_SAMPLED`] are kept for each load.
+    pub numbers: usize,
+    /// Cost of making all of them, in steps times modes.
+    pub work: u64,
 }
 
 /// Every problem there is.

@@ -21,6 +21,8 @@ pub struct Counts {
     contact_metric: Option<usize>,
     /// Name of the parameter that is the duration.
     duration: String,
+    /// What was done to input files.
+    note: Option<String>,
 }
 
 impl Counts {
@@ -35,6 +37,7 @@ impl Counts {
             divergence: Divergence::default(),
             contact_metric: schema.contact_metric,
             duration: schema.parameters[schema.duration].name.to_string(),
+            note: study.problem.note().map(str::to_owned),
         }
     }
 
@@ -67,6 +70,9 @@ impl Counts {
 
     /// Writes the numbers that are not 0.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        if let Some(note) = &self.note {
+            writeln!(out, "<p>Note: {}.</p>", escape(note))?;
+        }
         if self.without_contact > 0 {
             writeln!(
                 out,

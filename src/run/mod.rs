@@ -161,6 +161,9 @@ pub fn run_study(
     folder.list(histories.into_iter());
     let mut paths = Vec::new();
     let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
+    if let Some(note) = study.problem.note() {
+        observer.note(&source.line(note));
+    }
     if without_contact > 0 {
         let schema = study.problem.schema();
         let duration = &schema.parameters[schema.duration].name;

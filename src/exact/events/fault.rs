@@ -54,7 +54,7 @@ impl fmt::Display for EventsFault {
             }
             EventsFault::TooManyPieces { most, time } => write!(
                 f,
-                "the exact motion needs more than {most} pieces up to t = {time}; a contact is too stiff or too viscous for it"
+                "the exact motion needs more than {most} pieces up to t = {time}; the structure or a contact is too stiff or too viscous for it, or a load too fast"
             ),
             EventsFault::Singular { time } => write!(
                 f,

@@ -34,7 +34,9 @@ pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
 use crate::system::structure::{Limit, Relation, Structure};
+use model::Model;
 use motion::Motion;
+use phase::ContactState;
 use room::Room;
 
 /// The motion at one time; at an event, after it.
@@ -147,6 +149,23 @@ pub fn run(
         least_impact_rate: motion.least_impact_rate,
         book: motion.book,
     })
+}
+
+/// About how many pieces the motion up to `end` has: friction sticks, impact contacts are open. 0 for a motion that is refused.
+pub fn pieces(structure: &Structure, end: f64) -> f64 {
+    let phases = structure
+        .contacts
+        .iter()
+        .map(|contact| match contact.law.is_impact() {
+            true => ContactState::in_phase(Phase::Open),
+            false => ContactState::in_phase(Phase::Closed),
+        });
+    let phases: Vec<ContactState> = phases.collect();
+    let pieces = Model::new(structure).pieces(&phases, end);
+    match refuse_laws(structure).is_ok() && pieces <= MOST_PIECES as f64 {
+        true => pieces,
+        false => 0.0,
+    }
 }
 
 /// Between events every law has to be linear, and every limit the sum of a constant and a signal.

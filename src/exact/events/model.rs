@@ -64,6 +64,13 @@ impl Model<'_> {
         LONGEST / rate.max(self.fastest_load)
     }
 
+    /// Number of pieces of a motion up to `end` with contacts in these phases all the time: a new one starts at each point of a
+    /// table, and none is longer than the phases allow.
+    pub fn pieces(&self, contacts: &[ContactState], end: f64) -> f64 {
+        let points = self.points.iter().filter(|point| **point < end).count();
+        (end / self.piece_length(contacts)).max(points as f64)
+    }
+
     /// The relative value of a contact without its gap.
     pub fn relative(&self, contact: usize, x: &[f64]) -> f64 {
         self.structure.relative(contact, x)

@@ -49,11 +49,14 @@ impl<'a> Motion<'a> {
     /// The motion at t = 0, up to `end`.
     pub fn start(structure: &'a Structure, end: f64) -> Result<Motion<'a>, EventsFault> {
         let model = Model::new(structure);
-        let open = ContactState {
-            phase: Phase::Open,
-            origin: 0.0,
-            force: 0.0,
-        };
+        let open = ContactState::in_phase(Phase::Open);
+        // Contacts only shorten the pieces.
+        if model.pieces(&vec![open; structure.contacts.len()], end) > MOST_PIECES as f64 {
+            return Err(EventsFault::TooManyPieces {
+                most: MOST_PIECES,
+                time: end,
+            });
+        }
         let mut motion = Motion {
             series: Series::new(&model),
             scales: Scales::new(structure.contacts.len()),

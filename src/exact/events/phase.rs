@@ -40,6 +40,15 @@ pub enum Force {
 }
 
 impl ContactState {
+    /// A contact in a phase, without force.
+    pub fn in_phase(phase: Phase) -> ContactState {
+        ContactState {
+            phase,
+            origin: 0.0,
+            force: 0.0,
+        }
+    }
+
     /// The force that the law has in the present phase.
     pub fn law(&self, law: &Relation) -> Force {
         match (self.phase, law) {

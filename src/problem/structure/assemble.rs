@@ -4,18 +4,29 @@ use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
 use super::node::{NodeName, Numbering};
-use super::template::{Moved, Scaled, SpringNumbers, Template};
+use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template};
 use crate::problem::{Case, Violation};
 use crate::system::structure::{Load, Node, Relation, Structure, Symmetric};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Most elements of a bar, and most nodes of a structure.
 pub const MOST_NODES: u32 = 100_000;
 
+/// What of a structure is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Detail {
+    /// Nothing: its numbers are checked.
+    Numbers,
+    /// All but sampled loads, which are checked.
+    WithoutSamples,
+    /// All.
+    Whole,
+}
+
 /// A structure under construction, with all rules that it breaks.
 struct Draft<'a> {
-    /// Whether the structure is built; if not, its numbers are only checked.
-    build: bool,
+    detail: Detail,
     template: &'a Template,
     case: &'a Case,
     numbering: Numbering,
@@ -28,7 +39,7 @@ struct Draft<'a> {
 /// # Errors
 /// Every rule that the case breaks.
 pub fn check(template: &Template, case: &Case) -> Result<Numbering, Vec<Violation>> {
-    draft(template, case, 1, false).map(|(_, numbering)| numbering)
+    draft(template, case, 1, Detail::Numbers).map(|(_, numbering)| numbering)
 }
 
 /// The structure of a case, without modal damping, and the numbers of its nodes. Each bar has `finer` times its elements;
@@ -41,14 +52,22 @@ pub fn assemble(
     case: &Case,
     finer: u32,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
-    draft(template, case, finer, true)
+    draft(template, case, finer, Detail::Whole)
+}
+
+/// The structure of a case without its sampled loads, for the cost of its motion.
+///
+/// # Errors
+/// Every rule that the case breaks.
+pub fn outline(template: &Template, case: &Case, finer: u32) -> Result<Structure, Vec<Violation>> {
+    draft(template, case, finer, Detail::WithoutSamples).map(|(structure, _)| structure)
 }
 
 fn draft(
     template: &Template,
     case: &Case,
     finer: u32,
-    build: bool,
+    detail: Detail,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
     let mut violations = Vec::new();
     let mut elements = Vec::new();
@@ -72,9 +91,12 @@ fn draft(
     }
     let numbering = Numbering::new(template.masses.len(), elements, finer);
     let nodes = numbering.nodes();
-    let size = if build { nodes } else { 0 };
+    let size = match detail {
+        Detail::Numbers => 0,
+        Detail::WithoutSamples | Detail::Whole => nodes,
+    };
     let mut draft = Draft {
-        build,
+        detail,
         template,
         case,
         numbering,
@@ -93,8 +115,8 @@ fn draft(
     draft.masses();
     draft.bars();
     draft.springs();
-    draft.rayleigh();
     draft.contacts();
+    draft.rayleigh();
     draft.loads();
     draft.start();
     draft.modal_damping();
@@ -105,7 +127,20 @@ fn draft(
     }
 }
 
+/// The K of Rayleigh and modal damping.
+pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> Cow<'a, Symmetric> {
+    match template.damping_stiffness {
+        DampingStiffness::WithoutContacts => Cow::Borrowed(&structure.stiffness),
+        DampingStiffness::Initial => Cow::Owned(structure.initial_stiffness()),
+    }
+}
+
 impl Draft<'_> {
+    /// Whether matrices and nodes are made.
+    fn is_built(&self) -> bool {
+        self.detail != Detail::Numbers
+    }
+
     /// The value, or 0 with the rule that it breaks.
     fn value(&mut self, amount: &Amount) -> f64 {
         let value = amount.value(self.case);
@@ -147,7 +182,7 @@ impl Draft<'_> {
             let k = elements * stiffness / length;
             let c = self.optional(&bar.stiffness_damping) * k;
             let first = self.numbering.first(b);
-            for i in if self.build { 0..n + 1 } else { 0..0 } {
+            for i in if self.is_built() { 0..n + 1 } else { 0..0 } {
                 let (place, mass) = match i {
                     0 => ("left".to_owned(), 0.5 * element),
                     i if i == n => ("right".to_owned(), 0.5 * element),
@@ -156,7 +191,7 @@ impl Draft<'_> {
                 let name = format!("{}.{place}", bar.name);
                 self.structure.nodes.push(Node { name, mass });
             }
-            for i in if self.build {
+            for i in if self.is_built() {
                 first..first + n as usize
             } else {
                 0..0
@@ -167,7 +202,7 @@ impl Draft<'_> {
     }
 
     fn add(&mut self, between: [Option<usize>; 2], k: f64, c: f64) {
-        if !self.build {
+        if !self.is_built() {
             return;
         }
         self.structure.stiffness.add_spring(between, k);
@@ -197,20 +232,16 @@ impl Draft<'_> {
         }
     }
 
-    /// C += mass M + stiffness K, K without the contacts.
+    /// C += mass M + stiffness K.
     fn rayleigh(&mut self) {
         let [mass, stiffness] = &self.template.rayleigh;
         let (mass, stiffness) = (self.optional(mass), self.optional(stiffness));
-        let Structure {
-            nodes,
-            stiffness: k,
-            damping,
-            ..
-        } = &mut self.structure;
-        if stiffness != 0.0 {
-            damping.add_matrix(k, stiffness);
+        if stiffness != 0.0 && self.is_built() {
+            let k = damping_stiffness(self.template, &self.structure).into_owned();
+            self.structure.damping.add_matrix(&k, stiffness);
         }
-        if mass != 0.0 && self.build {
+        if mass != 0.0 && self.is_built() {
+            let Structure { nodes, damping, .. } = &mut self.structure;
             for (i, node) in nodes.iter().enumerate() {
                 damping.add(i, i, mass * node.mass);
             }
@@ -226,7 +257,12 @@ impl Draft<'_> {
                 self.violations.push(contacts::violation(contact, message));
             }
             let gap = self.optional(&contact.gap);
-            let law = contacts::relation(contact, self.case, self.template.metre);
+            let law = contacts::relation(
+                contact,
+                self.case,
+                self.template.metre,
+                self.detail == Detail::Whole,
+            );
             if let Some(law) = self.checked(law) {
                 self.structure
                     .contacts
@@ -257,6 +293,11 @@ impl Draft<'_> {
     }
 
     fn load(&mut self, force: &Scaled, pattern: impl Fn(&[Node], f64) -> Vec<(usize, f64)>) {
+        if self.detail != Detail::Whole && force.source.is_sampled() {
+            let checked = force.check(self.case, self.template.metre);
+            self.checked(checked);
+            return;
+        }
         let found = force.in_case(self.case, self.template.metre);
         if let Some((signal, scale)) = self.checked(found) {
             let pattern = pattern(&self.structure.nodes, scale);

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 /// Most lines of a list.
 const MOST_LINES: usize = 12;
 
-/// Nodes and masses, natural periods without contacts, contacts, and parts that nothing holds.
+/// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
 pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
     let mass: f64 = structure.nodes.iter().map(|node| node.mass).sum();
     let units = match units {
@@ -28,8 +28,17 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
         .iter()
         .map(|node| format!("{} {}", node.name, short(node.mass)));
     text += &list("nodes and masses", nodes.collect());
-    if let Some((omega2, _)) = modes(structure) {
-        text += &periods(omega2);
+    if let Some((omega2, _)) = modes(structure, &structure.stiffness) {
+        text += &periods("without contacts", omega2);
+    }
+    let elastic = |contact: &Contact| contact.initial_stiffness() > 0.0;
+    if structure.contacts.iter().any(elastic)
+        && let Some((omega2, _)) = modes(structure, &structure.initial_stiffness())
+    {
+        text += &periods(
+            "with the elastic contacts at their initial stiffness",
+            omega2,
+        );
     }
     let contacts = structure.contacts.iter().map(|contact| {
         let end = |node: Option<usize>| node.map_or("ground", |node| &structure.nodes[node].name);
@@ -48,23 +57,24 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
         )
     });
     text += &lines("contacts", contacts.collect());
-    for part in free_parts(structure) {
+    for part in structure.unheld_parts() {
         text += &format!("nothing holds {part}: without contact and load it moves on freely\n");
     }
     text += "for a picture of the structure, add {\"name\": \"scheme\", \"kind\": \"scheme\"} to \"figures\"\n";
     text
 }
 
-fn periods(omega2: Vec<f64>) -> String {
+/// The periods of these squares of natural frequencies, and the number of rigid-body modes.
+fn periods(which: &str, omega2: Vec<f64>) -> String {
     let largest = omega2.iter().fold(0.0, |a: f64, b| a.max(*b));
     // Round-off of the eigensolver.
     let (free, mut held): (Vec<f64>, Vec<f64>) =
         omega2.into_iter().partition(|x| *x <= 1e-12 * largest);
     held.sort_by(f64::total_cmp);
     let periods = held.iter().map(|x| short(2.0 * PI / x.sqrt())).collect();
-    let mut text = list("natural periods without contacts", periods);
+    let mut text = list(&format!("natural periods {which}"), periods);
     if !free.is_empty() {
-        text += &format!("rigid-body modes: {}\n", free.len());
+        text += &format!("rigid-body modes {which}: {}\n", free.len());
     }
     text
 }
@@ -197,52 +207,4 @@ fn lines(what: &str, items: Vec<String>) -> String {
         true => String::new(),
         false => format!("{what}:\n{all}"),
     }
-}
-
-/// The parts that springs connect neither to the ground nor to the rest, by the names of their nodes.
-fn free_parts(structure: &Structure) -> Vec<String> {
-    let size = structure.len();
-    let mut part: Vec<usize> = (0..size).collect();
-    let mut held = vec![0.0; size];
-    let root = |part: &[usize], mut i: usize| {
-        while part[i] != i {
-            i = part[i];
-        }
-        i
-    };
-    // A spring to the ground is what is left of the sum of a row of K.
-    for ((i, j), k) in structure.stiffness.entries() {
-        held[i] += k;
-        if i != j {
-            held[j] += k;
-            let (a, b) = (root(&part, i), root(&part, j));
-            part[a.max(b)] = a.min(b);
-        }
-    }
-    let diagonal: Vec<f64> = {
-        let mut diagonal = vec![0.0; size];
-        for ((i, j), k) in structure.stiffness.entries() {
-            if i == j {
-                diagonal[i] = k;
-            }
-        }
-        diagonal
-    };
-    let mut free = Vec::new();
-    for first in (0..size).filter(|i| part[*i] == *i) {
-        let members: Vec<usize> = (0..size).filter(|i| root(&part, *i) == first).collect();
-        let is_held = members
-            .iter()
-            .any(|i| held[*i] > 1e-12 * diagonal[*i].max(f64::MIN_POSITIVE));
-        if !is_held {
-            let names = members.iter().map(|i| structure.nodes[*i].name.as_str());
-            let names: Vec<&str> = names.collect();
-            free.push(match names[..] {
-                [one] => one.to_owned(),
-                [one, .., last] => format!("{one} to {last}"),
-                [] => String::new(),
-            });
-        }
-    }
-    free
 }

@@ -59,7 +59,7 @@ mod tests {
     fn motion(ground: &str) -> super::GroundMotion {
         let text = format!(
             r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 2}}, "metrics": ["peak(m)"],
-              "structure": {{"units": "t, kN, cm, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": 1}}],
+              "structure": {{"units": "t, daN, cm, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": 1}}],
                 "ground": {ground}}}}}"#
         );
         let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));

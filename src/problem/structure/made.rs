@@ -1,82 +1,106 @@
 //! Signals that cases share, so that samples are computed once for all cases with the same numbers.
 
+use crate::problem::Violation;
 use crate::system::structure::Signal;
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-/// Most numbers of all kept signals: 64 MiB, or 1397 synthetic records.
-const MOST_NUMBERS: usize = 8 << 20;
+/// Most numbers of all kept signals: 64 MiB, or 1386 synthetic records.
+pub const MOST_NUMBERS: usize = 8 << 20;
 
 /// Numbers that a kept signal needs besides its points: key and pointers.
 const OVERHEAD: usize = 32;
 
+/// A signal that one of the cases which need it makes, while the others wait for it.
+pub type Cell = Arc<OnceLock<Result<Arc<Signal>, Violation>>>;
+
 /// The signals made so far, by the bits of their numbers.
 #[derive(Debug, Default)]
 pub struct Made {
-    signals: BTreeMap<Vec<u64>, Arc<Signal>>,
+    signals: BTreeMap<Vec<u64>, Kept>,
     numbers: usize,
+    clock: u64,
+    /// Number of sampled signals that were made, those that are no longer kept included.
+    pub count: u64,
+}
+
+/// A kept signal.
+#[derive(Debug)]
+struct Kept {
+    cell: Cell,
+    numbers: usize,
+    /// When it was used last.
+    used: u64,
 }
 
 impl Made {
-    /// The signal with this key.
-    pub fn get(&self, key: &[u64]) -> Option<Arc<Signal>> {
-        self.signals.get(key).cloned()
+    /// The signal with this key, which has so many points. If there are too many numbers, the signals that were not used for the
+    /// longest time are dropped first, half of the numbers at a time.
+    pub fn cell(&mut self, key: &[u64], points: usize) -> Cell {
+        self.clock += 1;
+        if let Some(kept) = self.signals.get_mut(key) {
+            kept.used = self.clock;
+            return kept.cell.clone();
+        }
+        let numbers = numbers(points);
+        if self.numbers + numbers > MOST_NUMBERS {
+            self.drop_oldest();
+        }
+        self.numbers += numbers;
+        let kept = Kept {
+            cell: Cell::default(),
+            numbers,
+            used: self.clock,
+        };
+        let cell = kept.cell.clone();
+        self.signals.insert(key.to_vec(), kept);
+        cell
     }
 
-    /// Keeps a signal. If there are too many, every second one is dropped first: a sweep that returns to the same records still
-    /// finds half of them.
-    pub fn keep(&mut self, key: Vec<u64>, signal: Arc<Signal>) {
-        let own = numbers(&signal);
-        while self.numbers + own > MOST_NUMBERS && !self.signals.is_empty() {
-            let mut kept = false;
-            self.signals.retain(|_, _| {
-                kept = !kept;
-                !kept
-            });
-            self.numbers = self.signals.values().map(|signal| numbers(signal)).sum();
+    fn drop_oldest(&mut self) {
+        let mut ages: Vec<(u64, usize)> =
+            self.signals.values().map(|k| (k.used, k.numbers)).collect();
+        ages.sort_unstable();
+        let (mut left, mut before) = (self.numbers, 0);
+        for (used, numbers) in ages {
+            if left <= MOST_NUMBERS / 2 {
+                break;
+            }
+            (left, before) = (left - numbers, used);
         }
-        self.numbers += own;
-        if let Some(replaced) = self.signals.insert(key, signal) {
-            self.numbers -= numbers(&replaced);
-        }
+        self.signals.retain(|_, kept| kept.used > before);
+        self.numbers = left;
     }
 }
 
-/// Size of a kept signal in numbers.
-fn numbers(signal: &Signal) -> usize {
-    OVERHEAD
-        + match signal {
-            Signal::Table(table) => 2 * table.times().len(),
-            Signal::Sine { .. } => 0,
-        }
+/// Size of a kept signal with so many points, in numbers.
+pub fn numbers(points: usize) -> usize {
+    OVERHEAD + 2 * points
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::system::structure::Table;
 
     #[test]
-    fn the_memory_of_kept_signals_is_bounded_and_the_last_ones_are_found() {
+    fn the_memory_of_kept_signals_is_bounded_and_those_used_last_are_found() {
         let mut made = Made::default();
         let points = MOST_NUMBERS / 16;
-        let times: Vec<f64> = (0..points).map(|i| i as f64).collect();
-        let table = Table::new(times, vec![0.0; points]).unwrap();
-        let signal = Arc::new(Signal::Table(table));
-        for key in 0..100 {
-            made.keep(vec![key], signal.clone());
-            assert!(made.get(&[key]).is_some());
+        let first = made.cell(&[0], points);
+        for key in 1..100 {
+            let cell = made.cell(&[key], points);
+            assert!(Arc::ptr_eq(&cell, &made.cell(&[key], points)));
+            // Used again and again, it stays.
+            assert!(Arc::ptr_eq(&first, &made.cell(&[0], points)));
             // 8 of 1/8 and its overhead do not fit.
-            assert!((1..=7).contains(&made.signals.len().max(1)));
-            assert!(made.numbers <= MOST_NUMBERS);
-            assert_eq!(made.numbers, made.signals.len() * numbers(&signal));
+            assert!((2..=7).contains(&made.signals.len()));
+            assert_eq!(made.numbers, made.signals.len() * numbers(points));
         }
         // A signal that is larger than all that may be kept is kept alone.
-        let times: Vec<f64> = (0..MOST_NUMBERS).map(|i| i as f64).collect();
-        let table = Table::new(times, vec![0.0; MOST_NUMBERS]).unwrap();
-        made.keep(vec![1000], Arc::new(Signal::Table(table)));
+        made.cell(&[1000], MOST_NUMBERS);
+        made.cell(&[1001], MOST_NUMBERS);
         assert_eq!(made.signals.len(), 1);
-        made.keep(vec![0], signal);
+        made.cell(&[0], points);
         assert_eq!(made.signals.len(), 1);
     }
 }

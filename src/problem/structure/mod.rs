@@ -4,6 +4,7 @@ pub mod amount;
 mod assemble;
 pub mod channel;
 mod columns;
+pub mod consistent;
 pub mod contacts;
 mod damping;
 mod describe;
@@ -24,13 +25,16 @@ mod units;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_initial;
 
 pub use ground::GroundMotion;
+pub use made::MOST_NUMBERS as MOST_SAMPLED;
 pub use scheme::Scheme;
 
 use super::cases::Cases;
 use super::method;
-use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
+use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
 use crate::history::History;
 use crate::methods::MethodChoice;
 use crate::solve::structure::{critical_fault, has_critical_step};
@@ -56,19 +60,22 @@ pub struct StructureProblem {
     metrics: Vec<StructureMetric>,
     drawn: Vec<Drawn>,
     identity: String,
+    note: Option<String>,
 }
 
 /// Most numbers of a history: 2 GiB.
 const MOST_NUMBERS: f64 = 268_435_456.0;
 
 impl StructureProblem {
-    /// The problem of a template with these tables. `identity` is different for different structures and records.
+    /// The problem of a template with these tables. `identity` is different for different structures and records; `note` says what
+    /// was done to the records.
     pub fn new(
         template: Template,
         schema: Arc<Schema>,
         metrics: Vec<StructureMetric>,
         drawn: Vec<Drawn>,
         identity: String,
+        note: Option<String>,
     ) -> StructureProblem {
         StructureProblem {
             schema,
@@ -76,6 +83,7 @@ impl StructureProblem {
             metrics,
             drawn,
             identity,
+            note,
         }
     }
 
@@ -86,7 +94,8 @@ impl StructureProblem {
         let (mut structure, numbering) = assemble(&self.template, case, finer).map_err(broken)?;
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
-            damping::add_modal(&mut structure, ratio).ok_or(Unsolvable::NoModes)?;
+            let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
+            damping::add_modal(&mut structure, &stiffness, ratio).ok_or(Unsolvable::NoModes)?;
         }
         Ok((structure, numbering))
     }
@@ -183,6 +192,31 @@ impl Problem for StructureProblem {
 
     fn identity(&self) -> &str {
         &self.identity
+    }
+
+    fn samples(&self, case: &Case) -> Samples {
+        let mut samples = Samples::default();
+        for source in self.template.sampled() {
+            // A case that breaks a rule makes none.
+            let Ok((key, points)) = source.samples(case) else {
+                return Samples::default();
+            };
+            samples.key.extend(key);
+            samples.work += source.sampling_work(points);
+            samples.numbers = samples.numbers.max(made::numbers(points));
+        }
+        samples
+    }
+
+    fn sampled_so_far(&self) -> u64 {
+        self.template
+            .sampled()
+            .map(|source| source.made_so_far())
+            .sum()
+    }
+
+    fn note(&self) -> Option<&str> {
+        self.note.as_deref()
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {

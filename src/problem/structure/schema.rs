@@ -261,7 +261,7 @@ mod tests {
         let study = crate::study::parse(
             "s",
             r#"{"problem": "structure", "parameters": {"dt": 0.01, "duration": 1}, "metrics": ["peak(m)", "energy_error"],
-              "structure": {"units": "t, kN, mm, s", "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
+              "structure": {"units": "t, N, mm, s", "masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
                 "start": {"m": {"u": 1}}}}"#,
         )
         .unwrap_or_else(|e| panic!("{e}"));

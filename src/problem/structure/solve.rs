@@ -9,6 +9,7 @@ use super::motion::{self, Recording, Run};
 use super::node::Numbering;
 use super::sweep::Ready;
 use super::template::Reference;
+use crate::exact::events;
 use crate::methods::MethodKind;
 use crate::problem::{Case, Problem};
 use crate::solve::Unsolvable;
@@ -64,15 +65,35 @@ impl StructureProblem {
         if !self.has(&ERRORS) {
             return 0;
         }
-        // Measured, for three girders in the first second: 0.04 s with 33 nodes, 0.2 s with 63.
-        let nodes = assemble::check(&self.template, case).map_or(1, |numbering| numbering.nodes());
-        let cube = (nodes as u64).saturating_pow(3).saturating_mul(500);
-        let finer = match self.has(&[Reduction::MeshError]) {
-            true => cube.saturating_mul(u64::from(FINER).pow(3)),
-            false => 0,
-        };
+        let mut work = self.motion_work(case, 1);
+        if self.has(&[Reduction::RegularisationError]) {
+            work *= 2.0;
+        }
+        if self.has(&[Reduction::MeshError]) {
+            work += self.motion_work(case, FINER);
+        }
         let at_steps = self.work(case).saturating_mul(30);
-        at_steps.saturating_add(cube).saturating_add(finer)
+        at_steps.saturating_add(work as u64)
+    }
+
+    /// Cost of the pieces of one exact motion.
+    fn motion_work(&self, case: &Case, finer: u32) -> f64 {
+        let Ok(outline) = assemble::outline(&self.template, case, finer) else {
+            return 0.0;
+        };
+        let outline = match self.against_rigid() {
+            true => motion::rigid(&outline),
+            false => outline,
+        };
+        let points: usize = self
+            .template
+            .sampled()
+            .filter_map(|source| Some(source.samples(case).ok()?.1))
+            .sum();
+        let duration = case.at(self.schema.duration).unwrap_or_default();
+        let pieces = events::pieces(&outline, duration).max(points as f64);
+        // Measured: 3 us for a piece of one node, and about 1 us for each further node or contact.
+        pieces * (1500.0 + 500.0 * (outline.len() + outline.contacts.len()) as f64)
     }
 
     /// The quantities that the metrics with these reductions need.

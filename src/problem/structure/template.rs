@@ -20,8 +20,10 @@ pub struct Template {
     pub springs: Vec<Spring>,
     /// C += mass M + stiffness K.
     pub rayleigh: [Option<Amount>; 2],
-    /// One damping ratio in every mode of the structure without contacts.
+    /// One damping ratio in every mode of the structure.
     pub modal_damping: Option<Amount>,
+    /// The stiffness of Rayleigh and modal damping.
+    pub damping_stiffness: DampingStiffness,
     /// The contacts.
     pub contacts: Vec<Contact>,
     /// Forces on nodes.
@@ -32,6 +34,34 @@ pub struct Template {
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
     pub reference: Option<Reference>,
+}
+
+impl Template {
+    /// The functions of time whose signals are computed sample by sample.
+    pub fn sampled(&self) -> impl Iterator<Item = &Source> {
+        let loads = self.loads.iter().map(|load| &load.force.source);
+        let ground = self.ground.iter().map(|ground| &ground.source);
+        let normals = self
+            .contacts
+            .iter()
+            .filter_map(|contact| match &contact.normal {
+                Some(Normal::Table(source)) => Some(source),
+                Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
+                Some(Normal::Constant(_)) | None => None,
+            });
+        let all = loads.chain(ground).chain(normals);
+        all.filter(|source| source.is_sampled())
+    }
+}
+
+/// The stiffness K in Rayleigh and modal damping.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DampingStiffness {
+    /// K without the contacts.
+    #[default]
+    WithoutContacts,
+    /// K with the elastic contacts at their initial stiffness.
+    Initial,
 }
 
 /// Which exact motion histories and error metrics compare with.

@@ -181,7 +181,7 @@ fn a_synthetic_motion_has_a_seed_and_a_frequency() {
     let text = |synthetic: &str| {
         format!(
             r#"{{"problem": "structure", "parameters": {{"omega": 15.6, "dt": 0.01, "duration": 3}}, "metrics": ["peak(m)"],
-              "structure": {{"units": "t, kN, cm, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": "omega"}}],
+              "structure": {{"units": "t, daN, cm, s", "masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": "omega"}}],
                 "ground": {{"synthetic": {synthetic}}}}}}}"#
         )
     };

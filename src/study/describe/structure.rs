@@ -13,6 +13,7 @@ use crate::study::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::study::figure::kinds::{KINDS, Needs};
 use crate::study::structure::keys::{self, Keys};
 use crate::system::loads::Unit;
+use crate::system::loads::record::Mean;
 use serde_json::{Map, Value as Json, json};
 
 /// The rules for studies of structures.
@@ -114,6 +115,7 @@ fn function_value(key: &str) -> Json {
         "table" => described(keys::TABLE, |_| numbers(), &["t", "f"]),
         "record" => json!({ "type": "string" }),
         "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+        "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
         "pulse" => described(
             keys::PULSE,
             |key| match key {
@@ -170,6 +172,10 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "ground" => function.clone(),
         "start" => named(all_numbers(keys::START, &[])),
         "contacts_reference" => json!({ "enum": keys::REFERENCES }),
+        "damping_stiffness" => {
+            let [first, ..] = keys::DAMPING_STIFFNESSES;
+            json!({ "enum": keys::DAMPING_STIFFNESSES, "default": first })
+        }
         _ => any(),
     };
     described(keys::STRUCTURE, value, &[])

@@ -7,7 +7,7 @@ pub(in crate::study) type Keys = &'static [(&'static str, &'static str)];
 pub(in crate::study) const STRUCTURE: Keys = &[
     (
         "units",
-        "units of mass, force, length and time, such as \"t, kN, m, s\"; nothing is converted but records",
+        "units of mass, force, length and time, such as \"t, kN, m, s\", with force = mass length/time^2; nothing is converted but records",
     ),
     ("masses", "lumped masses: a node for each name"),
     (
@@ -20,11 +20,15 @@ pub(in crate::study) const STRUCTURE: Keys = &[
     ),
     (
         "rayleigh",
-        "C += mass M + stiffness K, K without the contacts",
+        "C += mass M + stiffness K, K of \"damping_stiffness\"",
     ),
     (
         "modal_damping",
-        "damping ratio in every mode of the structure without contacts",
+        "damping ratio in every mode of M and K, K of \"damping_stiffness\"",
+    ),
+    (
+        "damping_stiffness",
+        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with the elastic contacts at their stiffness at rest",
     ),
     (
         "contacts",
@@ -173,7 +177,14 @@ pub(in crate::study) const FUNCTION: Keys = &[
         "synthetic",
         "a synthetic acceleration by its seed, or by its seed and the frequency of its ground filter",
     ),
-    ("unit", "unit of a record: g, m/s2 or cm/s2"),
+    (
+        "unit",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2; not needed if the file names it",
+    ),
+    (
+        "mean",
+        "mean of a record: \"removed\" or \"kept\"; if left out, that of K-NET is removed, because its counts have an offset, and others are kept",
+    ),
     ("scale", "factor of the function"),
 ];
 
@@ -237,6 +248,9 @@ pub(in crate::study) const START: Keys = &[("u", "displacement"), ("v", "velocit
 
 /// Names of the references.
 pub(in crate::study) const REFERENCES: [&str; 2] = ["softened", "rigid"];
+
+/// Names of the stiffnesses of damping.
+pub(in crate::study) const DAMPING_STIFFNESSES: [&str; 2] = ["without-contacts", "initial"];
 
 /// The names of keys.
 pub(in crate::study) fn names(keys: Keys) -> Vec<&'static str> {

@@ -38,6 +38,15 @@ pub(super) fn scaled(
     function(&object, node.at, path, reader, faults)
 }
 
+/// Keys that only a record has, and the message for another function with one.
+const OF_RECORDS: [(&str, &str); 2] = [
+    (
+        "unit",
+        "only a record has a unit; other functions are in the units of the study",
+    ),
+    ("mean", "only the mean of a record is removed or kept"),
+];
+
 fn function(
     object: &Object,
     at: usize,
@@ -58,9 +67,10 @@ fn function(
         );
         return None;
     };
-    if let (Some(unit), false) = (object.get("unit"), member.key == "record") {
-        let message = "only a record has a unit; other functions are in the units of the study";
-        faults.add(unit.at, &object.path("unit"), message);
+    for (key, message) in OF_RECORDS {
+        if let (Some(node), false) = (object.get(key), member.key == "record") {
+            faults.add(node.at, &object.path(key), message);
+        }
     }
     let inner = join(path, &member.key);
     let scale = reader.optional(object, "scale", Range::Any, faults);

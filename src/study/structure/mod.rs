@@ -17,9 +17,10 @@ use super::value;
 use crate::problem::Problem;
 use crate::problem::structure::StructureProblem;
 use crate::problem::structure::channel::Names;
+use crate::problem::structure::consistent;
 use crate::problem::structure::schema::{self, Named};
-use crate::problem::structure::template::{Reference, Template};
-use keys::{REFERENCES, STRUCTURE};
+use crate::problem::structure::template::{DampingStiffness, Reference, Template};
+use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
 use reader::{Reader, named, open};
 use std::path::Path;
 use std::sync::Arc;
@@ -58,6 +59,7 @@ pub(super) fn problem(
         folder,
         used: Default::default(),
         records: Default::default(),
+        removed_means: Default::default(),
     };
     let template = Template {
         units,
@@ -74,6 +76,7 @@ pub(super) fn problem(
             crate::problem::parameter::Range::NotNegative,
             faults,
         ),
+        damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
         contacts: contacts::contacts(&contacts, &reader, faults),
         loads: object.items("loads", faults, |node, path, faults| {
             loads::load(node, path, &reader, faults)
@@ -118,11 +121,12 @@ pub(super) fn problem(
     if faults.count() == before {
         names::report_unused(root_node, &parameters, &first.parameters, faults);
     }
+    let note = records::note(&reader);
     let identity = names::identity(node, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
-            template, schema, metrics, drawn, identity,
+            template, schema, metrics, drawn, identity, note,
         )) as _
     })
 }
@@ -136,6 +140,10 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     let Some(text) = value::text(node, &path, faults) else {
         return (String::new(), 1.0);
     };
+    if let Some(message) = consistent::fault(&text) {
+        faults.add(node.at, &path, message);
+        return (String::new(), 1.0);
+    }
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
     let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
@@ -158,5 +166,14 @@ fn reference(object: &Object, faults: &mut Faults) -> Option<Reference> {
     match value::name(node, &path, "reference", &REFERENCES, faults)? {
         0 => Some(Reference::Softened),
         _ => Some(Reference::Rigid),
+    }
+}
+
+fn damping_stiffness(object: &Object, faults: &mut Faults) -> Option<DampingStiffness> {
+    let node = object.get("damping_stiffness")?;
+    let path = object.path("damping_stiffness");
+    match value::name(node, &path, "stiffness", &DAMPING_STIFFNESSES, faults)? {
+        0 => Some(DampingStiffness::WithoutContacts),
+        _ => Some(DampingStiffness::Initial),
     }
 }

@@ -30,6 +30,8 @@ pub(super) struct Reader<'a> {
     pub folder: &'a Path,
     /// Rows of the parameters that the structure contains.
     pub used: RefCell<BTreeSet<usize>>,
+    /// Records whose mean is removed without a key that says so, with this mean.
+    pub removed_means: RefCell<Vec<(String, String)>>,
     /// The bytes of the records, for the identity of the structure.
     pub records: RefCell<Vec<(String, Vec<u8>)>>,
 }

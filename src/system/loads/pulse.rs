@@ -12,8 +12,7 @@ const MOST: f64 = 1e7;
 ///
 /// Its peak a is at t = `at`. It is straight between samples at distances `sampled`, and 0 after 2 at.
 pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<Table, String> {
-    positive("frequency", frequency)?;
-    positive("at", at)?;
+    ricker_points(amplitude, frequency, at, sampled)?;
     table(2.0 * at, sampled, |t| {
         let root = PI * frequency * (t - at);
         let x = root * root;
@@ -30,7 +29,7 @@ pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<T
 ///
 /// It is straight between samples at distances `sampled`, and 0 after the period.
 pub fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, String> {
-    positive("period", period)?;
+    cosine_points(amplitude, period, sampled)?;
     table(period, sampled, |t| {
         if t < period {
             amplitude * sin(2.0 * PI * (t / period))
@@ -40,20 +39,61 @@ pub fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, String
     })
 }
 
+/// Most points of [`ricker`] with these numbers.
+///
+/// # Errors
+/// It does not make a pulse of them.
+pub fn ricker_points(
+    amplitude: f64,
+    frequency: f64,
+    at: f64,
+    sampled: f64,
+) -> Result<usize, String> {
+    positive("frequency", frequency)?;
+    positive("at", at)?;
+    points(amplitude, 2.0 * at, sampled)
+}
+
+/// Most points of [`cosine`] with these numbers.
+///
+/// # Errors
+/// It does not make a pulse of them.
+pub fn cosine_points(amplitude: f64, period: f64, sampled: f64) -> Result<usize, String> {
+    positive("period", period)?;
+    points(amplitude, period, sampled)
+}
+
+/// The intervals, their ends, and a jump.
+fn points(amplitude: f64, end: f64, sampled: f64) -> Result<usize, String> {
+    let intervals = intervals(end, sampled)?;
+    match amplitude.abs() <= LARGEST {
+        true => Ok(intervals + 2),
+        false => Err("the pulse must be finite".into()),
+    }
+}
+
+/// Largest amplitude of a pulse: the factor 1 - 2x of a wavelet does not overflow.
+const LARGEST: f64 = 1e300;
+
 /// Samples of a function from 0 to `end`, which is the last one also where it is no multiple of `sampled`.
 fn table(end: f64, sampled: f64, value: impl Fn(f64) -> f64) -> Result<Table, String> {
-    positive("sampled", sampled)?;
-    // A quotient just above a whole number is round-off, not a further interval.
-    let intervals = (end / sampled * (1.0 - 1e-12)).ceil();
-    if intervals > MOST {
-        return Err(format!(
-            "sampled must give at most {MOST} points, got {intervals}"
-        ));
-    }
-    let inner = (0..intervals as usize).map(|i| i as f64 * sampled);
+    let inner = (0..intervals(end, sampled)?).map(|i| i as f64 * sampled);
     let times: Vec<f64> = inner.chain([end]).collect();
     let values = times.iter().map(|t| value(*t)).collect();
     zero_beyond(times, values).ok_or_else(|| "the pulse must be finite".into())
+}
+
+/// Number of intervals from 0 to `end`.
+fn intervals(end: f64, sampled: f64) -> Result<usize, String> {
+    positive("sampled", sampled)?;
+    // A quotient just above a whole number is round-off, not a further interval.
+    let intervals = (end / sampled * (1.0 - 1e-12)).ceil();
+    match intervals <= MOST {
+        true => Ok(intervals as usize),
+        false => Err(format!(
+            "sampled must give at most {MOST} points, got {intervals}"
+        )),
+    }
 }
 
 /// Refuses a number that is not > 0 and finite.

@@ -26,8 +26,7 @@ impl fmt::Display for SignalFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SignalFault::NoUnit => {
-                let [g, m, cm] = Unit::ALL;
-                write!(f, "the record has no unit; give {g}, {m} or {cm}")
+                write!(f, "the record has no unit; give {}", Unit::names())
             }
             SignalFault::TwoUnits { file, study } => {
                 write!(
@@ -87,6 +86,7 @@ mod tests {
             times: vec![1.0, 1.5, 2.0],
             values: vec![4.0, 2.0, -2.0],
             unit,
+            removed_mean: None,
         }
     }
 

@@ -14,11 +14,18 @@ pub enum Unit {
     MetrePerSecond2,
     /// cm/s2, which is 1 gal.
     CentimetrePerSecond2,
+    /// mm/s2.
+    MillimetrePerSecond2,
 }
 
 impl Unit {
     /// All units.
-    pub const ALL: [Unit; 3] = [Unit::G, Unit::MetrePerSecond2, Unit::CentimetrePerSecond2];
+    pub const ALL: [Unit; 4] = [
+        Unit::G,
+        Unit::MetrePerSecond2,
+        Unit::CentimetrePerSecond2,
+        Unit::MillimetrePerSecond2,
+    ];
 
     /// The unit in m/s2.
     pub fn in_m_s2(self) -> f64 {
@@ -26,6 +33,7 @@ impl Unit {
             Unit::G => STANDARD_GRAVITY,
             Unit::MetrePerSecond2 => 1.0,
             Unit::CentimetrePerSecond2 => 0.01,
+            Unit::MillimetrePerSecond2 => 0.001,
         }
     }
 
@@ -35,12 +43,30 @@ impl Unit {
             Unit::G => "g",
             Unit::MetrePerSecond2 => "m/s2",
             Unit::CentimetrePerSecond2 => "cm/s2",
+            Unit::MillimetrePerSecond2 => "mm/s2",
         }
     }
 
     /// The unit with this name in a study.
     pub fn from_name(name: &str) -> Option<Unit> {
         Unit::ALL.into_iter().find(|unit| unit.name() == name)
+    }
+
+    /// The unit that the header of a record writes so: `G`, `GAL`, `cm/sec/sec`, `M/S**2`, `mm/s^2`, `cm/s\u{b2}`.
+    pub fn spelled(text: &str) -> Option<Unit> {
+        let text = text.trim().trim_end_matches(['.', ',', ';', ':']);
+        let plain = text.to_ascii_lowercase().replace("**", "").replace('^', "");
+        let plain = plain.replace('\u{b2}', "2").replace("sec", "s");
+        match plain.as_str() {
+            "gal" | "gals" => Some(Unit::CentimetrePerSecond2),
+            _ => Unit::from_name(&plain.replace("/s/s", "/s2")),
+        }
+    }
+
+    /// The names of all units, for messages.
+    pub fn names() -> String {
+        let [first @ .., last] = Unit::ALL.map(Unit::name);
+        format!("{} or {last}", first.join(", "))
     }
 }
 
@@ -60,6 +86,19 @@ mod tests {
         assert_eq!(named("g"), Some(9.80665));
         assert_eq!(named("m/s2"), Some(1.0));
         assert_eq!(named("cm/s2"), Some(0.01));
+        assert_eq!(named("mm/s2"), Some(0.001));
+        assert_eq!(Unit::names(), "g, m/s2, cm/s2 or mm/s2");
+        for (text, unit) in [
+            ("G.", 9.80665),
+            ("GAL", 0.01),
+            ("CM/SEC/SEC", 0.01),
+            ("M/S**2", 1.0),
+            ("mm/sec^2,", 0.001),
+            ("m/s\u{b2}", 1.0),
+        ] {
+            assert_eq!(Unit::spelled(text).map(Unit::in_m_s2), Some(unit), "{text}");
+        }
+        assert_eq!(Unit::spelled("FURLONGS"), None);
         for name in ["", "G", "gal", "m/s^2"] {
             assert_eq!(named(name), None);
         }

@@ -4,6 +4,7 @@
 //! S resists the opening of the contact: S <= 0 in an impact.
 
 pub mod factor;
+mod initial;
 pub mod lists;
 mod matrix;
 mod relation;

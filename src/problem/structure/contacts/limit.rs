@@ -25,7 +25,11 @@ pub(super) fn limit(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violat
 }
 
 fn without_pressure(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violation> {
-    let Numbers { contact, case } = numbers;
+    let Numbers {
+        contact,
+        case,
+        with_samples,
+    } = numbers;
     if let Some(limit) = &contact.limit {
         let limit = limit.value(case)?;
         return Ok((Limit::constant(limit), limit));
@@ -54,6 +58,10 @@ fn without_pressure(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violat
         }
         Normal::Weight { weight, vertical } => {
             let weight = nu * weight.value(case)?;
+            if !with_samples && vertical.source.is_sampled() {
+                vertical.check(case, metre)?;
+                return Ok((Limit::constant(weight), weight));
+            }
             let (signal, scale) = vertical.in_case(case, metre)?;
             let gravity = STANDARD_GRAVITY / metre;
             let varying = Some((weight * scale / gravity, signal));

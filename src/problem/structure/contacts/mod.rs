@@ -157,14 +157,25 @@ pub const KEYS: [(&str, &[&str]); 17] = [
 
 /// The law of a contact in a case.
 ///
+/// Without samples, sampled functions of time are only checked, and the limit is the one at rest.
+///
 /// # Errors
 /// A number that the law needs is missing or out of its range.
-pub fn relation(contact: &Contact, case: &Case, metre: f64) -> Result<Relation, Violation> {
+pub fn relation(
+    contact: &Contact,
+    case: &Case,
+    metre: f64,
+    with_samples: bool,
+) -> Result<Relation, Violation> {
     let name = contact.law.name(case);
     let Some(law) = LawName::parse(name) else {
         return Err(violation(contact, format!("no law \"{name}\"")));
     };
-    let numbers = Numbers { contact, case };
+    let numbers = Numbers {
+        contact,
+        case,
+        with_samples,
+    };
     match law.is_friction() {
         true => friction::relation(law, numbers, metre),
         false => impact::relation(law, numbers),
@@ -176,6 +187,7 @@ pub fn relation(contact: &Contact, case: &Case, metre: f64) -> Result<Relation, 
 struct Numbers<'a> {
     contact: &'a Contact,
     case: &'a Case,
+    with_samples: bool,
 }
 
 impl Numbers<'_> {

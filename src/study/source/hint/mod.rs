@@ -247,6 +247,7 @@ mod tests {
             ("210 GPa", Some("GPa")),
             ("7850 kg/m^3", Some("kg/m^3")),
             ("9.81 m/s²", Some("m/s²")),
+            ("120 mm/s2", Some("mm/s2")),
             ("1e-3 m", Some("m")),
             ("-5 %", Some("%")),
             ("2 pi", None),

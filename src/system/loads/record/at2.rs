@@ -54,6 +54,7 @@ pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, Place> {
         times: (0..values.len()).map(|i| i as f64 * dt).collect(),
         values,
         unit: titles.iter().find_map(|title| unit(title)),
+        removed_mean: None,
     })
 }
 
@@ -90,18 +91,8 @@ fn without_second(field: &str) -> &str {
 /// The unit of a title such as `ACCELERATION TIME SERIES IN UNITS OF G`.
 fn unit(title: &str) -> Option<Unit> {
     let title = title.to_ascii_uppercase();
-    let (_, after) = title.split_once("UNITS OF")?;
-    match after
-        .split_whitespace()
-        .next()?
-        .trim_end_matches(['.', ',', ';', ':'])
-    {
-        "G" => Some(Unit::G),
-        "M/S/S" | "M/S2" | "M/S**2" | "M/S^2" | "M/SEC/SEC" | "M/SEC2" | "M/SEC**2" => {
-            Some(Unit::MetrePerSecond2)
-        }
-        "GAL" | "CM/S/S" | "CM/S2" | "CM/S**2" | "CM/S^2" | "CM/SEC/SEC" | "CM/SEC2"
-        | "CM/SEC**2" => Some(Unit::CentimetrePerSecond2),
-        _ => None,
-    }
+    let (_, after) = title.split_once("UNITS")?;
+    let after = after.trim_start_matches([':', '=', ' ']);
+    let after = after.strip_prefix("OF ").unwrap_or(after);
+    Unit::spelled(after.split_whitespace().next()?)
 }

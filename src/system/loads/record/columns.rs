@@ -2,6 +2,7 @@
 
 use super::number::number;
 use super::{Place, Record, end, fault};
+use crate::system::loads::Unit;
 
 /// The record of a file with two columns.
 pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
@@ -15,7 +16,8 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
     let mut record = Record {
         times: Vec::new(),
         values: Vec::new(),
-        unit: None,
+        unit: lines[..from].iter().find_map(|line| unit(line)),
+        removed_mean: None,
     };
     for (index, line) in lines.iter().enumerate().skip(from) {
         if line.trim().is_empty() {
@@ -34,6 +36,13 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
         return Err(fault(from, message));
     }
     Ok(record)
+}
+
+/// The unit of acceleration in brackets in a line of the header, as in `Acc. (m/s2)`.
+fn unit(line: &str) -> Option<Unit> {
+    let inner = line.split(['(', '[']).skip(1);
+    let mut inner = inner.filter_map(|text| text.split([')', ']']).next());
+    inner.find_map(Unit::spelled)
 }
 
 const NO_ROW: &str = "the file has no row of two numbers; allowed: two columns t and a with decimal points, PEER AT2, K-NET ASCII";

@@ -1,7 +1,7 @@
 //! K-NET and KiK-net ASCII: a header of 17 lines, the last one `Memo.`, then counts of the digitiser in rows.
 
 use super::number::{all, number};
-use super::{Place, Record, end, fault, shown};
+use super::{Mean, Place, Record, end, fault, mean as means, shown};
 use crate::system::loads::Unit;
 
 /// Lines of the header.
@@ -22,8 +22,8 @@ fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
         .find_map(|(index, rest)| Some((index, rest?.trim())))
 }
 
-/// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b.
-pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
+/// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b, or count a/b if the mean is kept.
+pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, Place> {
     let memo = lines.get(HEADER - 1).map(|line| line.trim());
     if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
         let message = "a K-NET header must have 17 lines, the last one \"Memo.\"";
@@ -41,11 +41,18 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
         return Err(fault(end(lines), "a record needs two or more numbers"));
     }
     let dt = 1.0 / frequency;
-    let mean = counts.iter().sum::<f64>() / counts.len() as f64;
+    let offset = match mean {
+        Mean::Removed => means::of(&counts),
+        Mean::Kept => 0.0,
+    };
     let record = Record {
         times: (0..counts.len()).map(|i| i as f64 * dt).collect(),
-        values: counts.iter().map(|count| (count - mean) * scale).collect(),
+        values: counts
+            .iter()
+            .map(|count| (count - offset) * scale)
+            .collect(),
         unit: Some(Unit::CentimetrePerSecond2),
+        removed_mean: (mean == Mean::Removed).then_some(offset * scale),
     };
     let finite = record
         .times

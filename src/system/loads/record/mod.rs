@@ -6,7 +6,10 @@
 mod at2;
 mod columns;
 mod knet;
+mod mean;
 mod number;
+
+pub use mean::Mean;
 
 use super::Unit;
 use std::fmt;
@@ -18,8 +21,22 @@ pub struct Record {
     pub times: Vec<f64>,
     /// Accelerations in the record's unit, one for each time.
     pub values: Vec<f64>,
-    /// The unit that the file has: cm/s2 (gal) for K-NET, the one of the header for AT2, none for two columns.
+    /// The unit that the file has: cm/s2 (gal) for K-NET, the one of the header for AT2 and for two columns, none without one there.
     pub unit: Option<Unit>,
+    /// The mean that was subtracted from the values, in the same unit; `None` if they are those of the file.
+    pub removed_mean: Option<f64>,
+}
+
+impl Record {
+    /// The same without the mean of its values, if that is not yet removed.
+    fn without_mean(mut self) -> Record {
+        if self.removed_mean.is_none() {
+            let mean = mean::of(&self.values);
+            self.values.iter_mut().for_each(|value| *value -= mean);
+            self.removed_mean = Some(mean);
+        }
+        self
+    }
 }
 
 /// Why a file is no record: displayed as `FILE:LINE: MESSAGE`.
@@ -39,18 +56,23 @@ impl fmt::Display for RecordFault {
     }
 }
 
-/// The content of a record file; `name` is for messages only.
-pub fn parse(name: &str, bytes: &[u8]) -> Result<Record, RecordFault> {
+/// The content of a record file; `name` is for messages only. Without `mean`, the mean of K-NET is removed, because its counts have
+/// the offset of the digitiser, and that of the other formats is kept.
+pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, RecordFault> {
     let text = String::from_utf8_lossy(bytes); // Names of stations in a header may have any encoding.
     let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
     let record = if knet::is_format(&lines) {
-        knet::parse(&lines)
+        knet::parse(&lines, mean.unwrap_or(Mean::Removed))
     } else if let Some(header) = at2::header(&lines) {
         // The header of two columns may name NPTS and DT, too.
         at2::parse(&lines, header).or_else(|fault| columns::parse(&lines).map_err(|_| fault))
     } else {
         columns::parse(&lines)
     };
+    let record = record.map(|record| match mean {
+        Some(Mean::Removed) => record.without_mean(),
+        Some(Mean::Kept) | None => record,
+    });
     record.map_err(|Place { line, message }| RecordFault {
         name: name.to_owned(),
         line,

@@ -4,12 +4,12 @@ use super::*;
 use proptest::prelude::*;
 
 fn read(text: &str) -> Record {
-    parse("file", text.as_bytes()).unwrap()
+    parse("file", text.as_bytes(), None).unwrap()
 }
 
 /// The fault of a text, as displayed for a file named `f`.
 fn refused(text: &str) -> String {
-    parse("f", text.as_bytes()).unwrap_err().to_string()
+    parse("f", text.as_bytes(), None).unwrap_err().to_string()
 }
 
 /// An AT2 file with this fourth line and these rows.
@@ -76,11 +76,12 @@ fn an_at2_header_may_have_another_unit_another_place_or_other_letters() {
     assert_eq!(unit("OF CM/S/S. FILTER"), Some(Unit::CentimetrePerSecond2));
     assert_eq!(unit("OF m/s2"), Some(Unit::MetrePerSecond2));
     assert_eq!(unit("OF G. FILTER POINTS: HP=0.1 Hz"), Some(Unit::G));
+    assert_eq!(unit("OF MM/S/S"), Some(Unit::MillimetrePerSecond2));
     assert_eq!(unit("OF FURLONGS"), None);
     assert_eq!(unit(""), None);
     assert_eq!(read(&format!("\u{feff}\n{text}")).values, [1.0, 2.0]);
     let latin = [b"Le\xf3n\n".as_slice(), text.as_bytes()].concat();
-    assert_eq!(parse("f", &latin).unwrap().values, [1.0, 2.0]);
+    assert_eq!(parse("f", &latin, None).unwrap().values, [1.0, 2.0]);
 }
 
 #[test]
@@ -148,7 +149,9 @@ fn two_columns_may_have_any_separator_and_header() {
             let record = read(&text);
             assert_eq!(record.times, [0.0, 0.02, 0.03], "{text}");
             assert_eq!(record.values, [1.5, -20.0, 0.3]);
-            assert_eq!(record.unit, None);
+            // The second header names no unit, the third one m/s2.
+            let unit = header.contains("Acc.").then_some(Unit::MetrePerSecond2);
+            assert_eq!(record.unit, unit);
         }
     }
     assert_eq!(read("0,1,\n1,2,\n").values, [1.0, 2.0]);
@@ -202,6 +205,36 @@ fn knet_counts_are_scaled_without_their_mean() {
     // 0.07 times 100 is above 7 in floating point.
     let record = read(&knet(["100Hz", "0.07", "1(gal)/1"], "1 2 3 4 5 6 7"));
     assert_eq!(record.values, [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0]);
+}
+
+#[test]
+fn the_mean_of_any_record_is_kept_or_removed() {
+    let with = |text: &str, mean| parse("f", text.as_bytes(), mean).unwrap();
+    // Counts 104, 96, 103, 97 with the mean 100, 0.25 gal a count: powers of two, so without round-off.
+    let text = knet(["100Hz", "0.04", "2000(gal)/8000"], "104 96 103 97\n");
+    let kept = with(&text, Some(Mean::Kept));
+    assert_eq!(
+        (kept.values, kept.removed_mean),
+        (vec![26.0, 24.0, 25.75, 24.25], None)
+    );
+    for mean in [None, Some(Mean::Removed)] {
+        let removed = with(&text, mean);
+        assert_eq!(removed.values, [1.0, -1.0, 0.75, -0.75]);
+        assert_eq!(removed.removed_mean, Some(25.0));
+    }
+    let text = at2("NPTS= 4, DT= 1", "1 2 3 6");
+    for mean in [None, Some(Mean::Kept)] {
+        let kept = with(&text, mean);
+        assert_eq!(
+            (kept.values, kept.removed_mean),
+            (vec![1.0, 2.0, 3.0, 6.0], None)
+        );
+    }
+    let removed = with(&text, Some(Mean::Removed));
+    assert_eq!(
+        (removed.values, removed.removed_mean),
+        (vec![-2.0, -1.0, 0.0, 3.0], Some(3.0))
+    );
 }
 
 #[test]
@@ -309,7 +342,7 @@ proptest! {
 
     #[test]
     fn no_text_panics_and_a_record_is_a_table(pieces in proptest::collection::vec(piece(), 0..60)) {
-        holds(&parse("f", pieces.concat().as_bytes()));
+        holds(&parse("f", pieces.concat().as_bytes(), None));
     }
 
     #[test]
@@ -318,12 +351,12 @@ proptest! {
         rows in proptest::collection::vec(piece(), 0..20),
     ) {
         let [a, b, c] = header;
-        holds(&parse("f", knet([&a, &b, &c], &rows.concat()).as_bytes()));
+        holds(&parse("f", knet([&a, &b, &c], &rows.concat()).as_bytes(), None));
     }
 
     #[test]
     fn no_bytes_panic(bytes in any::<Vec<u8>>()) {
-        holds(&parse("f", &bytes));
+        holds(&parse("f", &bytes, None));
     }
 }
 

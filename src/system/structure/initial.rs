@@ -1,0 +1,239 @@
+//! The elastic contacts of a structure at rest, with their initial stiffness.
+
+use super::{Contact, Relation, Structure, Symmetric};
+use crate::contact::ContactLaw;
+
+impl Contact {
+    /// Initial stiffness dS/dr at S = 0; 0 for a contact that is not elastic at t = 0.
+    ///
+    /// Friction with an elastic part has the stiffness of this part, k of displacement-control `[F (9)]`, Bouc-Wen and Dahl, sigma0 of
+    /// LuGre, if its limit at t = 0 is positive. Viscous and rigid laws have none. An impact contact is elastic at rest if it is pressed
+    /// there, gap < 0: then k, or (3/2) k_h (-gap)^(1/2) of k_h delta^(3/2). One that is open or only touches has no force at rest, and
+    /// no stiffness against opening.
+    pub fn initial_stiffness(&self) -> f64 {
+        let pressed = |k: f64| if self.gap < 0.0 { k } else { 0.0 };
+        let hertz = |k: f64| pressed(1.5 * k * (-self.gap).sqrt());
+        let loaded = |k: f64| {
+            let limit = self.law.limit().map_or(0.0, |limit| limit.at(0.0));
+            if limit > 0.0 { k } else { 0.0 }
+        };
+        match &self.law {
+            Relation::ImpactSpring { stiffness } => pressed(*stiffness),
+            Relation::DisplacementControl { stiffness, .. } => loaded(*stiffness),
+            Relation::RigidStop { .. }
+            | Relation::VelocityControl { .. }
+            | Relation::Coulomb { .. } => 0.0,
+            Relation::CurvedImpact { law, .. } | Relation::CurvedFriction { law, .. } => {
+                match law {
+                    ContactLaw::KelvinVoigt(law) => pressed(law.stiffness),
+                    ContactLaw::Hertz(law) => hertz(law.stiffness),
+                    ContactLaw::HertzDamp(law) => hertz(law.stiffness),
+                    ContactLaw::HuntCrossley(law) => hertz(law.stiffness),
+                    ContactLaw::Ye(law) => hertz(law.stiffness),
+                    ContactLaw::Jankowski(law) => hertz(law.stiffness),
+                    ContactLaw::BoucWen(law) => loaded(1.0 / law.compliance),
+                    ContactLaw::Dahl(law) => loaded(1.0 / law.compliance),
+                    ContactLaw::Lugre(law) => loaded(law.sigma0),
+                    _ => 0.0,
+                }
+            }
+        }
+    }
+
+    /// Whether it holds its nodes together at rest: it is elastic, or Coulomb friction that sticks.
+    fn holds(&self) -> bool {
+        let sticks = |limit: &super::Limit| limit.at(0.0) > 0.0;
+        self.initial_stiffness() > 0.0
+            || matches!(&self.law, Relation::Coulomb { limit } if sticks(limit))
+    }
+}
+
+impl Structure {
+    /// K with the elastic contacts at their initial stiffness ([`Contact::initial_stiffness`]).
+    pub fn initial_stiffness(&self) -> Symmetric {
+        let mut stiffness = self.stiffness.clone();
+        for contact in &self.contacts {
+            let k = contact.initial_stiffness();
+            if k > 0.0 {
+                stiffness.add_spring(contact.between, k);
+            }
+        }
+        stiffness
+    }
+
+    /// The parts that nothing holds at rest, by the names of their nodes: neither springs nor contacts that are elastic or stick
+    /// connect them with the ground.
+    pub fn unheld_parts(&self) -> Vec<String> {
+        let size = self.len();
+        let mut part: Vec<usize> = (0..size).collect();
+        let mut held = vec![0.0; size];
+        let mut diagonal = vec![0.0; size];
+        // A spring to the ground is what is left of the sum of a row of K.
+        for ((i, j), k) in self.stiffness.entries() {
+            held[i] += k;
+            if i != j {
+                held[j] += k;
+                join(&mut part, i, j);
+            } else {
+                diagonal[i] = k;
+            }
+        }
+        let mut grounded: Vec<bool> = held
+            .iter()
+            .zip(&diagonal)
+            .map(|(held, diagonal)| *held > 1e-12 * diagonal.max(f64::MIN_POSITIVE))
+            .collect();
+        for contact in self.contacts.iter().filter(|contact| contact.holds()) {
+            match contact.between {
+                [Some(i), Some(j)] => join(&mut part, i, j),
+                [Some(node), None] | [None, Some(node)] => grounded[node] = true,
+                [None, None] => {}
+            }
+        }
+        let mut free = Vec::new();
+        for first in (0..size).filter(|i| part[*i] == *i) {
+            let members: Vec<usize> = (0..size).filter(|i| root(&part, *i) == first).collect();
+            if members.iter().any(|i| grounded[*i]) {
+                continue;
+            }
+            let name = |i: &usize| self.nodes[*i].name.as_str();
+            match members[..] {
+                [one] => free.push(name(&one).to_owned()),
+                [one, .., last] => free.push(format!("{} to {}", name(&one), name(&last))),
+                [] => {}
+            }
+        }
+        free
+    }
+}
+
+/// The first node of the part of a node.
+fn root(part: &[usize], mut i: usize) -> usize {
+    while part[i] != i {
+        i = part[i];
+    }
+    i
+}
+
+/// Makes one part of the parts of two nodes.
+fn join(part: &mut [usize], i: usize, j: usize) {
+    let (a, b) = (root(part, i), root(part, j));
+    part[a.max(b)] = a.min(b);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{BoucWen, Hertz, KelvinVoigt, Lugre, Tanh};
+    use crate::system::structure::{Limit, Node};
+
+    fn contact(between: [Option<usize>; 2], gap: f64, law: Relation) -> Contact {
+        Contact {
+            name: "c".into(),
+            between,
+            gap,
+            law,
+        }
+    }
+
+    fn limit(force: f64) -> Limit {
+        Limit::constant(force)
+    }
+
+    #[test]
+    fn the_initial_stiffness_is_the_slope_of_the_law() {
+        let elastic = |k: f64, force: f64| Relation::DisplacementControl {
+            stiffness: k,
+            limit: limit(force),
+        };
+        let friction = |law: ContactLaw| Relation::CurvedFriction {
+            law,
+            limit: limit(2.0),
+        };
+        let impact = |law: ContactLaw| Relation::CurvedImpact {
+            law,
+            restitution: 1.0,
+        };
+        let compliance = 1.0 / 64.0;
+        let lugre = Lugre {
+            sigma0: 80.0,
+            sigma1: 1.0,
+            sigma2: 1.0,
+            limit: 2.0,
+            static_limit: 2.0,
+            stribeck_velocity: 1.0,
+        };
+        let boucwen = BoucWen {
+            compliance,
+            limit: 2.0,
+            exponent: 2.0,
+        };
+        let tanh = Tanh {
+            compliance,
+            limit: 2.0,
+            ratio: 1.0,
+            rate: 0.0,
+        };
+        let spring = Relation::ImpactSpring { stiffness: 90.0 };
+        let hertz = impact(ContactLaw::Hertz(Hertz { stiffness: 100.0 }));
+        let kelvin = impact(ContactLaw::KelvinVoigt(KelvinVoigt::new(70.0, 0.5, 1.0)));
+        for (law, gap, k) in [
+            (elastic(50.0, 2.0), 0.0, 50.0),
+            (elastic(50.0, 2.0), 0.3, 50.0),
+            (elastic(50.0, 0.0), 0.0, 0.0),
+            (friction(ContactLaw::BoucWen(boucwen)), 0.0, 64.0),
+            (friction(ContactLaw::Lugre(lugre)), 0.0, 80.0),
+            (friction(ContactLaw::Tanh(tanh)), 0.0, 0.0),
+            (Relation::Coulomb { limit: limit(2.0) }, 0.0, 0.0),
+            (spring.clone(), 0.01, 0.0),
+            (spring.clone(), 0.0, 0.0),
+            (spring, -0.01, 90.0),
+            (kelvin, -0.01, 70.0),
+            // d/dr of 100 (0.04 - r)^1.5 at r = 0.
+            (hertz, -0.04, 30.0),
+        ] {
+            let own = contact([None, Some(0)], gap, law).initial_stiffness();
+            // Round-off of a square root.
+            assert!((own - k).abs() <= 1e-14 * k, "{own} {k}");
+        }
+    }
+
+    #[test]
+    fn elastic_contacts_and_coulomb_friction_hold_and_open_gaps_do_not() {
+        let elastic = Relation::DisplacementControl {
+            stiffness: 50.0,
+            limit: limit(2.0),
+        };
+        let coulomb = Relation::Coulomb { limit: limit(2.0) };
+        let gap = Relation::ImpactSpring { stiffness: 1e4 };
+        let structure = |contacts: Vec<Contact>| {
+            let mut stiffness = Symmetric::zeros(4);
+            stiffness.add_spring([Some(1), Some(2)], 10.0);
+            Structure {
+                nodes: ["a", "b", "c", "d"]
+                    .map(|name| Node {
+                        name: name.into(),
+                        mass: 1.0,
+                    })
+                    .to_vec(),
+                stiffness,
+                damping: Symmetric::zeros(4),
+                contacts,
+                loads: Vec::new(),
+                displacement: vec![0.0; 4],
+                velocity: vec![0.0; 4],
+            }
+        };
+        let all = ["a", "b to c", "d"];
+        assert_eq!(structure(Vec::new()).unheld_parts(), all);
+        let open = contact([None, Some(0)], 0.01, gap);
+        assert_eq!(structure(vec![open.clone()]).unheld_parts(), all);
+        // d holds on to c by friction, and b to the ground.
+        let held = vec![
+            open,
+            contact([Some(1), None], 0.0, elastic),
+            contact([Some(3), Some(2)], 0.0, coulomb),
+        ];
+        assert_eq!(structure(held).unheld_parts(), ["a"]);
+    }
+}
