@@ -88,3 +88,4 @@ pub mod study;
 pub mod study_figures;
 pub mod system;
 pub mod textbook;
+pub mod warnings;

@@ -18,6 +18,7 @@ pub mod store;
 #[cfg(test)]
 mod tests_columns;
 mod units;
+mod warned;
 pub mod work_progress;
 
 pub use compute::{keep_memory, solution};
@@ -27,6 +28,7 @@ pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
 pub use shard::{Shard, ShardResult, run_shard, shard_of};
 pub use units::with_unit_columns;
+pub use warned::{WarnedCases, WarningCounts};
 
 use crate::error::Error;
 use crate::study::Study;

@@ -27,8 +27,10 @@ use crate::batch::store::Store;
 use crate::batch::{self, RunOptions};
 use crate::error::Error;
 use crate::figures::style;
+use crate::batch::WarnedCases;
 use crate::problem::{Solution, cases_without_contact};
 use crate::study_figures;
+use crate::warnings::StudyWarnings;
 use std::path::PathBuf;
 use tables::Tables;
 
@@ -66,6 +68,8 @@ pub struct Written {
     pub paths: Vec<PathBuf>,
     /// Whether every case was solved.
     pub solved: bool,
+    /// The warnings.
+    pub warnings: Vec<WarnedCases>,
 }
 
 impl Written {
@@ -115,10 +119,12 @@ pub fn run_study(
     let mut designs = DesignMetrics::new(study);
     let mut reductions = ReducedMetrics::new(study);
     let mut ensembles = EnsembleMetrics::new(study);
+    let mut warnings = StudyWarnings::new(study);
     let mut without_contact = 0;
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         observer.part(&part);
+        warnings.add(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
         designs.add(&part);
         reductions.add(&part);
@@ -153,14 +159,9 @@ pub fn run_study(
     folder.list(histories.into_iter());
     let mut paths = Vec::new();
     let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
-    if without_contact > 0 {
-        let schema = study.problem.schema();
-        let duration = &schema.parameters[schema.duration].name;
-        let cases = tally.cases();
-        let what = format!(
-            "{without_contact} of {cases} cases have no contact before `{duration}`; their contact metrics are undefined"
-        );
-        observer.note(&source.line(&what));
+    let warnings = warnings.list();
+    for warning in &warnings {
+        observer.note(&source.line(&warning.to_string()));
     }
     if let Some(indices) = indices(source, &designs, observer)? {
         paths.push(folder.write(INDICES, &indices)?);
@@ -177,7 +178,11 @@ pub fn run_study(
     figures::write(study, &mut shown, output.dpi, &mut folder, &mut paths)?;
     // An outdated part that cannot be removed is reported last, because the results are complete.
     let closed = store.close();
-    folder.close(study, &source.file, without_contact)?;
+    folder.close(study, &source.file, without_contact, &warnings)?;
     closed?;
-    Ok(Written { paths, solved })
+    Ok(Written {
+        paths,
+        solved,
+        warnings,
+    })
 }

@@ -20,7 +20,9 @@ pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+mod touch;
 mod units;
+mod warn;
 
 #[cfg(test)]
 mod tests;
@@ -233,7 +235,7 @@ impl Problem for StructureProblem {
         let all = all_numbers(&ready.structure);
         let drawn = self.drawn_numbers(&ready.numbering);
         let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
-        let (motions, metrics) = self.solve_ready(&ready, &recorded)?;
+        let (motions, metrics, warnings) = self.solve_ready(&ready, &recorded)?;
         let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
         let exact = match (self.template.reference, self.against_rigid()) {
             (None, _) => &None,
@@ -251,6 +253,7 @@ impl Problem for StructureProblem {
             computed: history(computed),
             exact: history(exact.unwrap_or_default()),
             metrics,
+            warnings,
         };
         match solution.computed.is_finite() {
             true => Ok(solution),

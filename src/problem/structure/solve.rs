@@ -9,10 +9,11 @@ use super::motion::{self, Recording, Run};
 use super::node::Numbering;
 use super::sweep::Ready;
 use super::template::Reference;
+use super::warn;
 use crate::methods::MethodKind;
 use crate::problem::{Case, Problem};
-use crate::solve::Unsolvable;
 use crate::solve::structure::Prepared;
+use crate::solve::{Unsolvable, Warnings};
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
@@ -40,6 +41,9 @@ const SOFTENED: [Reduction; 3] = [
     Reduction::RegularisationError,
     Reduction::MeshError,
 ];
+
+/// The motions of a case, its metrics and its warnings.
+pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
 
 /// Each number once, in the order of their first places.
 pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
@@ -97,7 +101,7 @@ impl StructureProblem {
         &self,
         ready: &Ready,
         more: &[Number],
-    ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
+    ) -> Result<JudgedCase, Unsolvable> {
         let numbers = self.numbers(&ready.numbering, |_| true);
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);
@@ -124,6 +128,7 @@ impl StructureProblem {
             last: first.last,
             numbers: &numbers,
             energy: false,
+            watch: None,
         };
         let others = cases.map(|ready| motion::perturbed(&ready.structure));
         motion::steps(&others.each_ref(), prepared, recording).map(Some)
@@ -134,6 +139,7 @@ impl StructureProblem {
             last: ready.last,
             numbers,
             energy: self.has(&[Reduction::EnergyError, Reduction::NumericalDissipation]),
+            watch: (!self.template.contacts.is_empty()).then_some(warn::EVERY),
         }
     }
 
@@ -145,8 +151,8 @@ impl StructureProblem {
         run: Run,
         perturbed: Option<Run>,
         more: &[Number],
-    ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
-        let (computed, energies) = run?;
+    ) -> Result<JudgedCase, Unsolvable> {
+        let (computed, energies, watched) = run?;
         let Ready {
             structure,
             numbering,
@@ -193,6 +199,7 @@ impl StructureProblem {
         let values = metrics
             .map(|metric| judge::value(metric, of, &motions))
             .collect();
-        Ok((motions, values))
+        let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
+        Ok((motions, values, warnings))
     }
 }
