@@ -34,7 +34,7 @@ use super::cases::Cases;
 use super::method;
 use super::{Case, HistoryColumn, Problem, Schema, Solution, Violation, time_rules};
 use crate::history::History;
-use crate::methods::MethodChoice;
+use crate::methods::{MethodChoice, MethodKind};
 use crate::solve::structure::{critical_fault, has_critical_step};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
@@ -114,6 +114,22 @@ impl StructureProblem {
         let mut parameters = self.schema.parameters.iter();
         let row = parameters.position(|parameter| parameter.name == name)?;
         method::of_case(case, row)
+    }
+
+    /// Rigid impacts whose restitution the method of the case ignores.
+    fn ignored_restitutions(&self, case: &Case) -> Vec<Violation> {
+        let ignores = |method: &MethodChoice| method.kind() != MethodKind::MoreauJean;
+        if !self.method(case).as_ref().is_some_and(ignores) {
+            return Vec::new();
+        }
+        let mut parameters = self.schema.parameters.iter();
+        let row = parameters.position(|own| own.name == method::PARAMETERS[0].name);
+        let name = row.map_or("", |row| case.name_at(row));
+        let contacts = self.template.contacts.iter();
+        let rigid = contacts.filter_map(|contact| contacts::restitution(contact, case));
+        rigid
+            .map(|(given, e)| given.violation(method::ignores_restitution(name, e)))
+            .collect()
     }
 
     /// The rules of a method with a critical step.
@@ -211,6 +227,7 @@ impl Problem for StructureProblem {
                     });
                 }
                 if violations.is_empty() {
+                    violations.extend(self.ignored_restitutions(case));
                     violations.extend(self.step_rules(case, step));
                 }
             }
