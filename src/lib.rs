@@ -24,8 +24,8 @@
 //!                -> results -> figures, checks, reports
 //! ```
 //!
-//! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`checks`], [`compare`],
-//! [`recommend`], [`run`], [`figures`], [`batch`] with the store, [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
+//! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`compare`],
+//! [`recommend`], [`run`], [`warnings`], [`checks`], [`figures`], [`batch`] with the store, [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
 //! [`exact`], [`methods`], [`system`], [`contact`], [`statistics`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
 //! iteration, which the fast form is tested against.
 //!
@@ -88,3 +88,4 @@ pub mod study;
 pub mod study_figures;
 pub mod system;
 pub mod textbook;
+pub mod warnings;

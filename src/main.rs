@@ -25,7 +25,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 success; 1 internal error or I/O error; 2 mistake on the command line or in a study; 3 a case could not be solved; \
-4 parts of a merge are missing; 5 a check is not met, a verdict differs from the recorded one, results differ, or no case reaches the target; 130 interrupted.";
+4 parts of a merge are missing; 5 a check is not met, a warning is denied, a verdict differs from the recorded one, results differ, or no case reaches the target; 130 interrupted.";
 
 #[derive(Subcommand)]
 enum Verb {
@@ -95,6 +95,9 @@ struct Run {
     /// Stop at the first case that cannot be solved
     #[arg(long)]
     fail_fast: bool,
+    /// Exit with 5 if there is a warning
+    #[arg(long)]
+    deny_warnings: bool,
     /// Format of the results; by default the store, and results.csv for up to 10^5 cases
     #[arg(long, value_enum)]
     format: Option<Format>,
@@ -103,7 +106,7 @@ struct Run {
     dpi: u32,
     /// Only compute the parts of shard I of N into the store in DIR: every N-th part, beginning with part I; `merge` writes the
     /// results
-    #[arg(long, value_name = "I/N", conflicts_with_all = ["histories", "fail_fast", "format", "dpi"])]
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["histories", "fail_fast", "deny_warnings", "format", "dpi"])]
     shard: Option<Shard>,
     #[command(flatten)]
     jobs: Jobs,
@@ -119,6 +122,9 @@ struct Merge {
     /// Number of shards; if parts are missing, the message then names the shards to run again
     #[arg(long, value_name = "N", value_parser = whole::<u64>(1, u64::MAX))]
     shards: Option<u64>,
+    /// Exit with 5 if there is a warning
+    #[arg(long)]
+    deny_warnings: bool,
     /// Format of the results; by default the store, and results.csv for up to 10^5 cases
     #[arg(long, value_enum)]
     format: Option<Format>,
@@ -265,7 +271,7 @@ fn execute(cli: Cli) -> Result<u8, Error> {
                 dpi: run.dpi,
             };
             let pool = run.jobs.thread_pool()?;
-            pool.install(|| commands::run::run(&studies, &run.out, &output))
+            pool.install(|| commands::run::run(&studies, &run.out, &output, run.deny_warnings))
         }
         Verb::Merge(merge) => {
             let studies = merge.studies.read()?;
@@ -275,7 +281,10 @@ fn execute(cli: Cli) -> Result<u8, Error> {
                 ..OutputOptions::default()
             };
             let pool = merge.jobs.thread_pool()?;
-            pool.install(|| commands::merge::merge(&studies, &merge.out, merge.shards, &output))
+            pool.install(|| {
+                let (out, deny) = (&merge.out, merge.deny_warnings);
+                commands::merge::merge(&studies, out, merge.shards, &output, deny)
+            })
         }
         Verb::Sbatch(args) => {
             let sbatch = SbatchArgs {

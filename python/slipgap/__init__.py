@@ -13,6 +13,7 @@ Every case is compared with its exact solution. A study is the path of a study f
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Callable, Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -29,6 +30,8 @@ from ._records import (
     Fault,
     Recommendation,
     SlipgapError,
+    SlipgapWarning,
+    WarnedCases,
 )
 from ._slipgap import Figure, Results, Solution, Table, __version__
 
@@ -48,8 +51,10 @@ __all__ = [
     "Recommendation",
     "Results",
     "SlipgapError",
+    "SlipgapWarning",
     "Solution",
     "Table",
+    "WarnedCases",
     "__version__",
     "compare",
     "exact",
@@ -80,11 +85,16 @@ def run(
     :param set: parameters to set, as ``--set`` does: names with numbers, lists, or text (a name or an expression)
     :param progress: whether a bar of tqdm shows the progress; if left out, on a terminal and in a notebook; or a function
         that is called some times a second with the numbers of finished and of all cases
-    :returns: table, figures, checks and failures; a case that cannot be solved is a row without metrics
+    Each kind of warning is issued once, as a :class:`SlipgapWarning`, and is in ``results.warnings``.
+
+    :returns: table, figures, checks, failures and warnings; a case that cannot be solved is a row without metrics
     :raises SlipgapError: a study with mistakes, or a file that cannot be read or written
     """
     with reporter(progress) as report:
-        return _slipgap.run(study, out, jobs, set, report)
+        results = _slipgap.run(study, out, jobs, set, report)
+    for warned in results.warnings:
+        warnings.warn(warned.message, SlipgapWarning, stacklevel=2)
+    return results
 
 
 def solve(

@@ -23,6 +23,10 @@ class Fault(NamedTuple):
     """What is wrong and what is allowed."""
 
 
+class SlipgapWarning(UserWarning):
+    """A study with cases that were solved and may still mislead; see ``results.warnings``."""
+
+
 class SlipgapError(Exception):
     """A study, an argument or a file that slipgap cannot work with, or a case without a solution.
 
@@ -66,6 +70,21 @@ class Failure(NamedTuple):
     """Number of the case."""
     reason: str
     """Why."""
+
+
+class WarnedCases(NamedTuple):
+    """The cases of a study with one kind of warning."""
+
+    kind: str
+    """Name of the kind, such as ``contact-gain``."""
+    cases: int
+    """Number of the cases."""
+    case: int
+    """Number of the first one."""
+    parameters: dict[str, Any]
+    """Its parameters that vary in the study."""
+    message: str
+    """What the cases have, as on stderr of the program."""
 
 
 class Change(NamedTuple):

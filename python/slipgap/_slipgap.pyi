@@ -6,7 +6,7 @@ from typing import Any, final
 import numpy
 from numpy.typing import NDArray
 
-from ._records import Check, Comparison, Failure, Recommendation
+from ._records import Check, Comparison, Failure, Recommendation, WarnedCases
 
 __all__ = [
     "Figure",
@@ -56,6 +56,8 @@ class Results:
     def checks(self) -> list[Check]: ...
     @property
     def failures(self) -> list[Failure]: ...
+    @property
+    def warnings(self) -> list[WarnedCases]: ...
     @property
     def manifest(self) -> dict[str, Any]: ...
     @property

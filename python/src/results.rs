@@ -6,15 +6,18 @@ use crate::table::Table;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
+use slipgap::batch::WarnedCases;
 use slipgap::batch::output::manifest;
 use slipgap::checks;
 use slipgap::error::Error;
+use slipgap::problem::parameter::Value;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The classes `slipgap.Check` and `slipgap.Failure`.
+/// The classes `slipgap.Check`, `slipgap.Failure` and `slipgap.WarnedCases`.
 static CHECK: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FAILURE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static WARNED: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// The results of a study, as `slipgap.run` returns them.
 #[pyclass(frozen, module = "slipgap")]
@@ -33,6 +36,7 @@ pub struct Results {
     /// By check of the study: the cases and the values; NaN if a value is undefined.
     pub checked: Vec<Vec<(u64, f64)>>,
     pub without_contact: u64,
+    pub warnings: Vec<WarnedCases>,
 }
 
 impl Results {
@@ -88,6 +92,25 @@ impl Results {
             .collect()
     }
 
+    /// The kinds of warnings, each with the number of its cases and one of them.
+    #[getter]
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let class = WARNED.import(py, "slipgap._records", "WarnedCases")?;
+        let record = |warning: &WarnedCases| {
+            let parameters = PyDict::new(py);
+            for (name, value) in &warning.parameters {
+                match value {
+                    Value::Number(x) => parameters.set_item(name, x)?,
+                    Value::Whole(n) => parameters.set_item(name, n)?,
+                    Value::Name(text) => parameters.set_item(name, text)?,
+                }
+            }
+            let message = warning.to_string();
+            class.call1((warning.kind.name(), warning.cases, warning.case, parameters, message))
+        };
+        self.warnings.iter().map(record).collect()
+    }
+
     /// The origin of the results, as in manifest.json.
     #[getter]
     fn manifest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
@@ -98,7 +121,10 @@ impl Results {
                 std::fs::read_to_string(&file).map_err(Error::io("cannot read", file))
             }
             None => {
-                let entries = manifest(&source.study, &source.file, &[], self.without_contact);
+                let entries = {
+                    let counted = self.without_contact;
+                    manifest(&source.study, &source.file, &[], counted, &self.warnings)
+                };
                 Ok(serde_json::Value::Object(entries).to_string())
             }
         });

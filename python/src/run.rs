@@ -15,9 +15,11 @@ use slipgap::batch::work_progress::WorkProgress;
 use slipgap::batch::{self, Outcome, PartResult, RunOptions};
 use slipgap::checks::{self, ReducedChecks};
 use slipgap::error::Error;
+use slipgap::batch::WarnedCases;
 use slipgap::problem::cases_without_contact;
 use slipgap::run::{Observer, OutputOptions, Source, run_study};
 use slipgap::study_figures;
+use slipgap::warnings::StudyWarnings;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -27,6 +29,7 @@ struct Collected {
     failures: Vec<(u64, String)>,
     checked: Vec<Vec<(u64, f64)>>,
     without_contact: u64,
+    warnings: Vec<WarnedCases>,
     /// The cases that figures show; none if the run wrote the figures.
     shown: Vec<Outcome>,
 }
@@ -83,6 +86,7 @@ pub fn run(
         failures: collected.failures,
         checked: collected.checked,
         without_contact: collected.without_contact,
+        warnings: collected.warnings,
     })
 }
 
@@ -127,6 +131,7 @@ struct Collector<'a> {
     shared: (ProgressBar, Arc<WorkProgress>),
     columns: Columns,
     reduced: ReducedChecks<'a>,
+    warnings: StudyWarnings<'a>,
     collected: Collected,
     error: Option<Error>,
 }
@@ -141,11 +146,13 @@ impl<'a> Collector<'a> {
             shared,
             columns: Columns::new(study),
             reduced: ReducedChecks::new(study),
+            warnings: StudyWarnings::new(study),
             collected: Collected {
                 batches: Vec::new(),
                 failures: Vec::new(),
                 checked: vec![Vec::new(); study.checks.len()],
                 without_contact: 0,
+                warnings: Vec::new(),
                 shown: Vec::new(),
             },
             error: None,
@@ -153,6 +160,7 @@ impl<'a> Collector<'a> {
     }
 
     fn add(&mut self, part: &PartResult) -> Result<(), Error> {
+        self.warnings.add(part);
         let (study, collected) = (self.study, &mut self.collected);
         collected.batches.push(self.columns.of(study, part)?);
         let failures = part.metrics.failures();
@@ -180,6 +188,7 @@ impl<'a> Collector<'a> {
         for (check, case, value) in self.reduced.values() {
             self.collected.checked[check].push((case, value.unwrap_or(f64::NAN)));
         }
+        self.collected.warnings = self.warnings.list();
         self.collected.shown = shown;
         Ok(self.collected)
     }

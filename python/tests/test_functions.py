@@ -262,3 +262,31 @@ def test_errors_can_be_copied() -> None:
         slipgap.solve(FIG5 | {"alpha": -1})
     for other in [copy.copy(caught.value), pickle.loads(pickle.dumps(caught.value))]:
         assert str(other) == str(caught.value) and other.path == caught.value.path
+
+
+def test_a_run_warns_of_cases_that_may_mislead() -> None:
+    """A body on a spring far too stiff for the step: once with a record of each kind, and once without any."""
+    structure = {
+        "masses": {"a": 1},
+        "springs": [{"between": ["ground", "a"], "k": 1}],
+        "contacts": {"stop": {"law": "impact", "between": ["a", "ground"], "gap": "gap", "k": 1e6}},
+        "start": {"a": {"v": -1}},
+    }
+    study: dict[str, Any] = {
+        "problem": "structure",
+        "parameters": {"gap": [9, 0.1], "dt": 0.01, "duration": 2},
+        "structure": structure,
+        "metrics": ["peak(a)"],
+    }
+    with pytest.warns(slipgap.SlipgapWarning, match="1 of 2 cases have an impact that touches") as issued:
+        results = slipgap.run(study)
+    by_kind = {warned.kind: warned for warned in results.warnings}
+    assert len(issued) == len(by_kind)
+    # pi sqrt(1/1e6) is 0.3 steps.
+    short = by_kind["short-contact"]
+    assert (short.cases, short.case, short.parameters) == (1, 1, {"gap": 0.1})
+    assert by_kind["no-contact"].case == 0
+    assert [entry["kind"] for entry in results.manifest["warnings"]] == list(by_kind)
+    structure["contacts"] = {}
+    study["parameters"] = {"dt": 0.01, "duration": 2}
+    assert slipgap.run(study).warnings == []

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::problem::cases::Cases;
 use crate::problem::structure::MOST_SAMPLED;
 use crate::problem::{Case, Samples, Solution};
-use crate::solve::{MetricTable, Unsolvable};
+use crate::solve::{MetricTable, Unsolvable, Warnings};
 use crate::study::Study;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -158,15 +158,20 @@ pub(super) fn compute_rows(
     for (row, why) in cases.refused() {
         metrics.fail(row, Unsolvable::BrokenRules(why.to_owned()));
     }
-    for (row, (own, solution)) in solved {
+    for (row, (own, warnings, solution)) in solved {
         metrics.put(row, own);
+        metrics.warn(row, warnings);
         solutions.extend(solution.map(|solution| (row, solution)));
     }
     Ok((metrics, solutions))
 }
 
-/// The metrics of one case, or why it has none, and its histories if they are kept.
-type SolvedCase = (Result<Vec<Option<f64>>, Unsolvable>, Option<Box<Solution>>);
+/// The metrics of one case, or why it has none, its warnings, and its histories if they are kept.
+type SolvedCase = (
+    Result<Vec<Option<f64>>, Unsolvable>,
+    Warnings,
+    Option<Box<Solution>>,
+);
 
 /// Solves one case with its histories.
 fn solve_case(
@@ -177,14 +182,14 @@ fn solve_case(
 ) -> Result<SolvedCase, Error> {
     let solution = match solution(study, case) {
         Ok(solution) => solution,
-        Err(why) => return Ok((Err(why), None)),
+        Err(why) => return Ok((Err(why), Warnings::NONE, None)),
     };
     if let Some(on_solution) = options.on_solution {
         on_solution(number, &solution)?;
     }
-    let metrics = solution.metrics.clone();
+    let (metrics, warnings) = (solution.metrics.clone(), solution.warnings);
     let kept = (options.keep_history)(case).then(|| Box::new(solution));
-    Ok((Ok(metrics), kept))
+    Ok((Ok(metrics), warnings, kept))
 }
 
 /// The solution of one case, with or without iteration as in the study.

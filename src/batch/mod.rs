@@ -20,6 +20,7 @@ mod tests_columns;
 #[cfg(test)]
 mod tests_samples;
 mod units;
+mod warned;
 pub mod work_progress;
 
 pub use compute::{keep_memory, solution};
@@ -29,6 +30,7 @@ pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
 pub use shard::{Shard, ShardResult, run_shard, shard_of};
 pub use units::with_unit_columns;
+pub use warned::{WarnedCases, WarningCounts};
 
 use crate::error::Error;
 use crate::study::Study;

@@ -8,6 +8,7 @@ use slipgap::checks::{self, ReducedChecks, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 use slipgap::run::{UnsolvedCases, cases_run, without_value};
+use slipgap::warnings::StudyWarnings;
 
 /// The cases and values that the checks of a study test, check by check; NaN if a value is undefined. The lines are made
 /// one by one, because a million lines take half a gigabyte.
@@ -54,9 +55,11 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     let mut values = vec![Vec::new(); study.checks.len()];
     let mut reduced = ReducedChecks::new(study);
     let mut unsolved = UnsolvedCases::new(source);
+    let mut warnings = StudyWarnings::new(study);
     let mut cases = 0;
     batch::run(study, &bar, &RunOptions::METRICS, |part| {
         cases += part.len() as u64;
+        warnings.add(&part);
         let mut shown = part.cases.shown();
         for place in 0..part.len() {
             let number = part.number(place);
@@ -73,6 +76,9 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     })?;
     progress::finish(&bar, &source.name, &cases_run(cases));
     unsolved.lines().for_each(|line| note(&line));
+    for warning in warnings.list() {
+        note(&source.line(&warning.to_string()));
+    }
     for (name, empty, cases) in reduced.empty() {
         note(&without_value(source, name, empty, cases));
     }

@@ -5,10 +5,11 @@ use super::list::cases;
 use super::sources::Source;
 use super::terminal::{print, progress, table};
 use slipgap::batch::cost::{measure, sampling, total};
-use slipgap::batch::{RunOptions, chunk, divergence};
+use slipgap::batch::{RunOptions, chunk, divergence, solution};
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
+use slipgap::solve::Warning;
 use slipgap::study::Study;
 use slipgap::study_figures;
 use std::time::Duration;
@@ -62,6 +63,9 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
         text += &format!("\nthis case cannot be solved: {why}\n");
     }
     text += &format!("\n{}", cost(study, &case)?);
+    if broken.is_none() {
+        text += &warnings(study, &case);
+    }
     if let Some(divergence) = divergence::sampled_like(study, number) {
         text += &format!("divergence: {divergence}\n");
     }
@@ -92,6 +96,24 @@ pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     );
     let code = print(&text)?;
     Ok(broken.map_or(code, |_| UNSOLVED))
+}
+
+/// Most work of a case that is solved for its warnings: a fraction of a second.
+const SOLVED: u64 = 100_000_000;
+
+/// The warnings of the case, as a run reports them.
+fn warnings(study: &Study, case: &Case) -> String {
+    let work = study.work(case);
+    if work > SOLVED {
+        return "warnings: not looked for, the case takes long; `run` reports them\n".into();
+    }
+    match solution(study, case) {
+        Err(why) => format!("warnings: none, the case could not be solved: {why}\n"),
+        Ok(solution) => {
+            let line = |kind: Warning| format!("warning: {}: cases {}\n", kind.name(), kind.message());
+            solution.warnings.iter().map(line).collect()
+        }
+    }
 }
 
 /// The origin of the value of a parameter.

@@ -1,8 +1,8 @@
 //! `slipgap merge`: tables, figures and manifest of studies whose cases shards have computed.
 
-use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{Terminal, print, report_error};
+use super::{NOT_MET, UNSOLVED};
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::{STORE, Store};
 use slipgap::error::Error;
@@ -10,15 +10,16 @@ use slipgap::run::{OutputOptions, merge_study};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Merges every study into its folder in `out`; returns the exit code. `shards` is the number of shards, if it is known. Of a
+/// Merges every study into its folder in `out`; returns the exit code, that of a warning only if warnings are denied. `shards` is the number of shards, if it is known. Of a
 /// study with missing parts nothing is written; the others are merged.
 pub fn merge(
     sources: &[Source],
     out: &Path,
     shards: Option<u64>,
     output: &OutputOptions,
+    deny_warnings: bool,
 ) -> Result<u8, Error> {
-    let (mut unsolved, mut missing) = (None, None);
+    let (mut unsolved, mut warned, mut missing) = (None, None, None);
     for source in sources {
         let path = out.join(&source.name);
         let made = not_there(&path.join(STORE));
@@ -28,6 +29,9 @@ pub fn merge(
                 print(&written.list())?;
                 if !written.solved {
                     unsolved = Some(UNSOLVED);
+                }
+                if deny_warnings && !written.warnings.is_empty() {
+                    warned = Some(NOT_MET);
                 }
             }
             Err(error @ Error::PartsMissing(_)) => {
@@ -39,7 +43,7 @@ pub fn merge(
             Err(other) => return Err(other),
         }
     }
-    Ok(missing.or(unsolved).unwrap_or(0))
+    Ok(missing.or(unsolved).or(warned).unwrap_or(0))
 }
 
 /// The folders that are made to make this one, itself first.

@@ -18,6 +18,7 @@ use slipgap::report::{
 };
 use slipgap::run::{self, OutputOptions, Tally};
 use slipgap::study_figures;
+use slipgap::warnings::StudyWarnings;
 use std::path::{Path, PathBuf};
 
 /// Name of the page.
@@ -74,6 +75,7 @@ fn section<'a>(
     let mut tally = Tally::new(store.is_empty(), false);
     let mut results = Results::new(study, store.folder().to_owned(), largest);
     let (mut counts, mut checks) = (Counts::new(study), Checks::default());
+    let mut warnings = StudyWarnings::new(study);
     let mut shown = Vec::new();
     let mut designs = DesignMetrics::new(study);
     let mut reduced = ReducedChecks::new(study);
@@ -81,6 +83,7 @@ fn section<'a>(
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         designs.add(&part);
+        warnings.add(&part);
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);
         }
@@ -97,6 +100,7 @@ fn section<'a>(
     })?;
     progress::finish(&bar, &source.name, &tally.summary());
     store.close()?;
+    counts.warnings = warnings.list();
     counts.look_for_divergence(study);
     checks.judge_reduced(study, &reduced);
     let indices = run::indices(source, &designs, &mut Terminal)?;

@@ -1,8 +1,8 @@
 //! `slipgap run`: results, figures and, if wanted, histories of every study.
 
-use super::UNSOLVED;
 use super::sources::Source;
 use super::terminal::{Terminal, print};
+use super::{NOT_MET, UNSOLVED};
 use clap::ValueEnum;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::Store;
@@ -26,23 +26,31 @@ impl Format {
     }
 }
 
-/// Runs the studies into `out`; returns the exit code.
-pub fn run(sources: &[Source], out: &Path, output: &OutputOptions) -> Result<u8, Error> {
+/// Runs the studies into `out`; returns the exit code, that of a warning only if warnings are denied.
+pub fn run(
+    sources: &[Source],
+    out: &Path,
+    output: &OutputOptions,
+    deny_warnings: bool,
+) -> Result<u8, Error> {
     // All folders are opened first: a folder that cannot be written or is in use ends the command before any computing.
     for source in sources {
         let path = out.join(&source.name);
         Folder::of_study(&path)?;
         Store::open(&path)?;
     }
-    let mut code = 0;
+    let (mut solved, mut warned) = (true, false);
     for source in sources {
         let path = out.join(&source.name);
         let folder = Folder::of_study(&path)?;
         let written = run_study(source, folder, Store::open(&path)?, output, &mut Terminal)?;
         print(&written.list())?;
-        if !written.solved {
-            code = UNSOLVED;
-        }
+        solved &= written.solved;
+        warned |= !written.warnings.is_empty();
     }
-    Ok(code)
+    Ok(match (solved, deny_warnings && warned) {
+        (false, _) => UNSOLVED,
+        (true, true) => NOT_MET,
+        (true, false) => 0,
+    })
 }

@@ -82,6 +82,15 @@ pub static PARAMETERS: [Parameter; 6] = [
     .with_column_if_given(),
 ];
 
+/// Why a method other than moreau-jean cannot have this restitution of a rigid contact.
+pub(super) fn ignores_restitution(method: &str, restitution: f64) -> String {
+    format!(
+        "{method} ignores the restitution {} of a rigid contact: the bodies part at 0 to 3 times the closing speed, by chance; allowed: \
+         method moreau-jean, or a law with stiffness; give each method its own block in \"blocks\"",
+        shortest(restitution)
+    )
+}
+
 /// The method of a completed case, whose parameters are in the table from row `first` on; `None` for a parameter that is not given.
 pub fn of_case(case: &Case, first: usize) -> Option<MethodChoice> {
     let number = |name: usize| case.at(first + name);

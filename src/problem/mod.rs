@@ -226,6 +226,8 @@ fn sweep_cases<const L: usize, A: LaneCase<L>, B: LaneCase<L>>(
             Ok(Form::Other(own)) if own.system().last <= LONGEST => others.push((place, own)),
             Ok(_) => {
                 let solution = problem.solve(case, &[]);
+                let warnings = solution.as_ref().map(|solution| solution.warnings);
+                table.warn(place, warnings.unwrap_or_default());
                 table.put(place, solution.map(|solution| solution.metrics));
             }
             Err(why) => table.fail(place, why),

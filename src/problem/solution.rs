@@ -2,6 +2,7 @@
 
 use crate::history::History;
 use crate::problem::schema::Channel;
+use crate::solve::Warnings;
 
 /// The state along the structure at one time.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,4 +42,6 @@ pub struct Solution {
     pub exact: History,
     /// In the order of the problem's table; `None` if undefined for the case.
     pub metrics: Vec<Option<f64>>,
+    /// What it warns of.
+    pub warnings: Warnings,
 }

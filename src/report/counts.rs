@@ -1,43 +1,33 @@
-//! Numbers of cases without a solution or without contact.
+//! Numbers of cases without a solution, and the warnings.
 
-use super::text::escape;
-use crate::batch::Outcome;
+use super::text::{code, escape};
+use crate::batch::{Outcome, WarnedCases};
 use crate::batch::divergence::{self, Divergence};
 use crate::solve::Unsolvable;
 use crate::study::Study;
 use std::io::{self, Write};
 
 /// The numbers of cases so far.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Counts {
     cases: u64,
     unsolved: u64,
     /// The first case that could not be solved, and why.
     first_unsolved: Option<(u64, Unsolvable)>,
-    without_contact: u64,
     /// The cases that diverge, by metrics that say it.
     divergence: Divergence,
-    /// Row of the metric that is undefined only in cases without contact, if the problem has one.
-    contact_metric: Option<usize>,
-    /// Name of the parameter that is the duration.
-    duration: String,
     /// What was done to input files.
     note: Option<String>,
+    /// The warnings, when all cases are counted.
+    pub warnings: Vec<WarnedCases>,
 }
 
 impl Counts {
     /// No case yet.
     pub fn new(study: &Study) -> Counts {
-        let schema = study.problem.schema();
         Counts {
-            cases: 0,
-            unsolved: 0,
-            first_unsolved: None,
-            without_contact: 0,
-            divergence: Divergence::default(),
-            contact_metric: schema.contact_metric,
-            duration: schema.parameters[schema.duration].name.to_string(),
             note: study.problem.note().map(str::to_owned),
+            ..Counts::default()
         }
     }
 
@@ -53,11 +43,6 @@ impl Counts {
             self.unsolved += 1;
             self.first_unsolved
                 .get_or_insert_with(|| (number, why.clone()));
-        } else if self
-            .contact_metric
-            .is_some_and(|row| outcome.metrics[row].is_none())
-        {
-            self.without_contact += 1;
         }
     }
 
@@ -73,13 +58,13 @@ impl Counts {
         if let Some(note) = &self.note {
             writeln!(out, "<p>Note: {}.</p>", escape(note))?;
         }
-        if self.without_contact > 0 {
+        for warning in &self.warnings {
+            let [sentence, example] = [warning.sentence(), warning.example()];
+            let (kind, example) = (warning.kind.name(), escape(&example));
             writeln!(
                 out,
-                "<p>{} of {} cases have no contact before <code>{}</code>; their contact metrics are undefined.</p>",
-                self.without_contact,
-                self.cases,
-                escape(&self.duration)
+                "<p>{}.</p>\n<p class=\"facts\">warning {kind}; {example}</p>",
+                code(&escape(&sentence))
             )?;
         }
         if self.divergence.looked_at > 0 {

@@ -9,6 +9,16 @@ pub fn escape(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
+/// Escaped text with what is between backticks as code.
+pub fn code(escaped: &str) -> String {
+    let parts = escaped.split('`').enumerate();
+    let shown = parts.map(|(i, part)| match i % 2 {
+        0 => part.to_owned(),
+        _ => format!("<code>{part}</code>"),
+    });
+    shown.collect()
+}
+
 /// The text with a visible sign for every character that HTML forbids: control characters other than tabs and line ends,
 /// and noncharacters.
 pub fn printable(text: &str) -> String {
@@ -51,6 +61,12 @@ mod tests {
         let changed = all.chars().zip(left.chars()).filter(|(a, b)| a != b);
         // 30 of C0, delete, 32 of C1, and the 66 noncharacters.
         assert_eq!(changed.count(), 30 + 1 + 32 + 66);
+    }
+
+    #[test]
+    fn words_between_backticks_are_code() {
+        assert_eq!(code("a `b` c, `d`"), "a <code>b</code> c, <code>d</code>");
+        assert_eq!(code("plain"), "plain");
     }
 
     #[test]

@@ -27,8 +27,10 @@ use crate::batch::store::Store;
 use crate::batch::{self, RunOptions};
 use crate::error::Error;
 use crate::figures::style;
+use crate::batch::WarnedCases;
 use crate::problem::{Solution, cases_without_contact};
 use crate::study_figures;
+use crate::warnings::StudyWarnings;
 use std::path::PathBuf;
 use tables::Tables;
 
@@ -68,6 +70,8 @@ pub struct Written {
     pub solved: bool,
     /// Whether results.csv is left out because there are too many cases.
     pub without_table: bool,
+    /// The warnings.
+    pub warnings: Vec<WarnedCases>,
 }
 
 impl Written {
@@ -123,10 +127,12 @@ pub fn run_study(
     let mut designs = DesignMetrics::new(study);
     let mut reductions = ReducedMetrics::new(study);
     let mut ensembles = EnsembleMetrics::new(study);
+    let mut warnings = StudyWarnings::new(study);
     let mut without_contact = 0;
     batch::run(study, &bar, &options, |part| {
         tally.add(&part);
         observer.part(&part);
+        warnings.add(&part);
         without_contact += cases_without_contact(&*study.problem, &part.metrics);
         designs.add(&part);
         reductions.add(&part);
@@ -164,14 +170,9 @@ pub fn run_study(
     if let Some(note) = study.problem.note() {
         observer.note(&source.line(note));
     }
-    if without_contact > 0 {
-        let schema = study.problem.schema();
-        let duration = &schema.parameters[schema.duration].name;
-        let cases = tally.cases();
-        let what = format!(
-            "{without_contact} of {cases} cases have no contact before `{duration}`; their contact metrics are undefined"
-        );
-        observer.note(&source.line(&what));
+    let warnings = warnings.list();
+    for warning in &warnings {
+        observer.note(&source.line(&warning.to_string()));
     }
     if let Some(indices) = indices(source, &designs, observer)? {
         paths.push(folder.write(INDICES, &indices)?);
@@ -188,11 +189,12 @@ pub fn run_study(
     figures::write(study, &mut shown, output.dpi, &mut folder, &mut paths)?;
     // An outdated part that cannot be removed is reported last, because the results are complete.
     let closed = store.close();
-    folder.close(study, &source.file, without_contact)?;
+    folder.close(study, &source.file, without_contact, &warnings)?;
     closed?;
     Ok(Written {
         paths,
         solved,
         without_table: output.table.is_none() && cases > MOST_ROWS,
+        warnings,
     })
 }

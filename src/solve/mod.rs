@@ -6,10 +6,12 @@ pub mod sweep;
 mod table;
 mod track;
 mod unsolvable;
+mod warning;
 
 pub use table::MetricTable;
 pub use track::{ContactTrack, Displacements, Track};
 pub use unsolvable::Unsolvable;
+pub use warning::{FEWEST_STEPS, TOO_FEW_STEPS, WARNINGS, Warning, Warnings};
 
 use crate::contact::{Answer, AnyLaw, ContactLaw, StepFlexibility, Visitor};
 use crate::lane::Lane;

@@ -1,7 +1,7 @@
 //! Many cases in lanes: their order, and which of them have the same reference.
 
 use super::table::MetricTable;
-use super::{Motion, ToSystem, Track, Unsolvable, advance};
+use super::{Motion, ToSystem, Track, Unsolvable, Warnings, advance};
 use crate::lane::Lane;
 use crate::methods::average_acceleration::Modes;
 use std::ops::Range;
@@ -38,6 +38,11 @@ pub trait LaneCase<const L: usize>: ToSystem {
         lane: usize,
         reference: &Self::Reference,
     ) -> Self::OneMetrics;
+    /// The warnings of a case with these metrics.
+    #[inline(always)]
+    fn warnings(&self, _metrics: impl Fn(usize) -> f64) -> Warnings {
+        Warnings::NONE
+    }
 }
 
 /// The numbers that an exact solution at the steps of a run depends on.
@@ -134,11 +139,13 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
                 let all = C::metrics(&lanes, &self.motion, reference);
                 for l in solved {
                     table.set(rows[l], all.as_ref().iter().map(|metric| metric.0[l]));
+                    table.warn(rows[l], lanes[l].warnings(|i| all.as_ref()[i].0[l]));
                 }
             } else {
                 for l in solved {
                     let one = lanes[l].metrics_of_one(&self.motion, l, reference);
                     table.set(rows[l], one.as_ref().iter().map(|metric| metric.0[0]));
+                    table.warn(rows[l], lanes[l].warnings(|i| one.as_ref()[i].0[0]));
                 }
             }
         }

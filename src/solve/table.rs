@@ -1,9 +1,9 @@
 //! The metrics of many cases.
 
-use super::Unsolvable;
+use super::{Unsolvable, Warnings};
 use std::collections::BTreeMap;
 
-/// The metrics of many cases, row by row, and why some have none.
+/// The metrics of many cases, row by row, why some have none, and the warnings of others.
 ///
 /// ```
 /// use slipgap::solve::{MetricTable, Unsolvable};
@@ -24,6 +24,8 @@ pub struct MetricTable {
     /// NaN for an undefined metric: half of the memory of an option.
     metrics: Vec<f64>,
     failures: BTreeMap<usize, Unsolvable>,
+    /// Empty if no case has a warning.
+    warnings: Vec<Warnings>,
 }
 
 impl MetricTable {
@@ -34,6 +36,7 @@ impl MetricTable {
             width,
             metrics: vec![f64::NAN; len * width],
             failures: BTreeMap::new(),
+            warnings: Vec::new(),
         }
     }
 
@@ -73,6 +76,17 @@ impl MetricTable {
         self.failures.iter().map(|(case, why)| (*case, why))
     }
 
+    /// The warnings of a case.
+    pub fn warnings(&self, case: usize) -> Warnings {
+        self.warnings.get(case).copied().unwrap_or_default()
+    }
+
+    /// The cases with warnings, in increasing order.
+    pub fn warned(&self) -> impl Iterator<Item = (usize, Warnings)> + '_ {
+        let all = self.warnings.iter().copied().enumerate();
+        all.filter(|(_, warnings)| !warnings.is_empty())
+    }
+
     /// Number of cases that were solved and do not have a metric.
     pub fn solved_without(&self, metric: usize) -> u64 {
         let without = |(case, cell): &(usize, Option<f64>)| {
@@ -98,6 +112,16 @@ impl MetricTable {
         self.failures.insert(case, why);
     }
 
+    /// Sets the warnings of a case.
+    #[inline]
+    pub fn warn(&mut self, case: usize, warnings: Warnings) {
+        if warnings.is_empty() && self.warnings.is_empty() {
+            return;
+        }
+        self.warnings.resize(self.len, Warnings::NONE);
+        self.warnings[case] = warnings;
+    }
+
     /// Sets the result of a case: its metrics, or why it could not be solved.
     pub fn put(&mut self, case: usize, metrics: Result<Vec<Option<f64>>, Unsolvable>) {
         match metrics {
@@ -116,6 +140,7 @@ impl MetricTable {
         if let Some(why) = other.failure(from) {
             self.failures.insert(case, why.clone());
         }
+        self.warn(case, other.warnings(from));
     }
 
     /// This table and another of the same width below it.
@@ -124,6 +149,11 @@ impl MetricTable {
         self.failures
             .extend(moved.map(|(case, why)| (self.len + case, why)));
         self.metrics.extend(below.metrics);
+        if !self.warnings.is_empty() || !below.warnings.is_empty() {
+            self.warnings.resize(self.len, Warnings::NONE);
+            self.warnings.extend(below.warnings);
+            self.warnings.resize(self.len + below.len, Warnings::NONE);
+        }
         self.len += below.len;
         self
     }
@@ -141,6 +171,27 @@ fn defined(x: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn warnings_follow_their_cases() {
+        use crate::solve::Warning;
+        let gain = Warnings::NONE.with(Warning::ContactGain, true);
+        let (without, mut with) = (MetricTable::new(2, 1), MetricTable::new(3, 1));
+        with.warn(0, Warnings::NONE);
+        assert_eq!(with.warned().count(), 0);
+        with.warn(1, gain);
+        for (joined, place) in [
+            (without.clone().followed_by(with.clone()), 3),
+            (with.clone().followed_by(without), 1),
+        ] {
+            assert_eq!(joined.warned().collect::<Vec<_>>(), [(place, gain)]);
+        }
+        let mut copy = MetricTable::new(1, 1);
+        copy.copy(0, &with, 1);
+        assert_eq!(copy.warnings(0), gain);
+        copy.copy(0, &with, 0);
+        assert!(copy.warnings(0).is_empty());
+    }
 
     #[test]
     fn finite_numbers_keep_their_bits_and_others_are_undefined() {

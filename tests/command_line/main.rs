@@ -25,6 +25,7 @@ mod store;
 mod units;
 mod untouched;
 mod verbs;
+mod warnings;
 
 #[path = "../common/bench.rs"]
 mod bench;

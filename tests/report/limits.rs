@@ -149,7 +149,7 @@ fn cases_without_contact_or_solution_are_counted() {
     }
     let apart = page_of(&outcomes);
     assert!(apart.contains(
-        "<p>2 of 3 cases have no contact before <code>duration</code>; their contact metrics are undefined.</p>"
+        "<p>2 of 3 cases have no contact before <code>duration</code>; their contact metrics are undefined or 0.</p>"
     ));
     // A case without a solution has no metrics, but does not count as one without contact.
     outcomes[2].failure = Some(Unsolvable::Stored("S <grows>".into()));

@@ -4,6 +4,7 @@
 
 use super::atomic::write_atomically;
 use super::names::{HISTORIES, RESULTS, history_name};
+use crate::batch::WarnedCases;
 use crate::batch::key::SOLVER_VERSION;
 use crate::error::Error;
 use crate::study::{Setting, Study};
@@ -129,15 +130,17 @@ impl Manifest {
         write(folder, &entries)
     }
 
-    /// Writes the manifest of a run that has ended, with the number of cases without contact.
+    /// Writes the manifest of a run that has ended, with the number of cases without contact and the warnings.
     pub fn end(
         folder: &Path,
         study: &Study,
         file: &Path,
         files: &[String],
         cases_without_contact: u64,
+        warnings: &[WarnedCases],
     ) -> Result<(), Error> {
-        write(folder, &manifest(study, file, files, cases_without_contact))
+        let entries = manifest(study, file, files, cases_without_contact, warnings);
+        write(folder, &entries)
     }
 }
 
@@ -147,12 +150,15 @@ pub fn manifest(
     file: &Path,
     files: &[String],
     cases_without_contact: u64,
+    warnings: &[WarnedCases],
 ) -> Map<String, Value> {
     let mut entries = origin(study, file);
     entries.insert("files".into(), json!(files));
     if study.problem.schema().contact_metric.is_some() {
         entries.insert("cases_without_contact".into(), json!(cases_without_contact));
     }
+    let warnings = warnings.iter().map(WarnedCases::json);
+    entries.insert("warnings".into(), warnings.collect());
     entries
 }
 

@@ -11,6 +11,7 @@ pub mod tables;
 pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
 pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
 
+use super::WarnedCases;
 use crate::error::Error;
 use crate::study::Study;
 use atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
@@ -118,12 +119,13 @@ impl Folder {
     }
 
     /// Removes the files of former runs that this run did not write, then writes the manifest, with the number of cases
-    /// without contact.
+    /// without contact and the warnings.
     pub fn close(
         mut self,
         study: &Study,
         file: &Path,
         cases_without_contact: u64,
+        warnings: &[WarnedCases],
     ) -> Result<(), Error> {
         self.written.sort();
         let manifest = Manifest::read(&self.path)?;
@@ -142,6 +144,7 @@ impl Folder {
             file,
             &self.written,
             cases_without_contact,
+            warnings,
         )
     }
 

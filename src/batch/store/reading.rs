@@ -11,11 +11,17 @@ use crate::batch::key::{Difference, Key, case_hash};
 use crate::compare::Rows;
 use crate::problem::Case;
 use crate::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
-use crate::solve::{MetricTable, Unsolvable};
+use crate::solve::{MetricTable, Unsolvable, Warnings};
 use crate::study::Study;
 
 /// Column of the reason why a case could not be solved.
 pub const FAILURE: &str = "failure";
+
+/// Column of the names of the warnings of a case.
+pub const WARNED: &str = "warnings";
+
+/// Number of the columns of text after the metrics: failures, then warnings.
+const OWN_TEXTS: usize = 2;
 
 /// An error with this message.
 pub fn general(message: &str) -> ParquetError {
@@ -172,11 +178,14 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
         columns.push((metric, cells(reader, count)?));
         width = width.max(metric + 1);
     }
-    let place = place(file, FAILURE)?;
-    let ColumnReader::ByteArrayColumnReader(reader) = group.get_column_reader(place)? else {
-        return Err(general("a reason is not text"));
+    // By their places: a parameter may have the same name.
+    let own = group.num_columns().checked_sub(OWN_TEXTS);
+    let own = own.ok_or_else(|| general("a column is missing"))?;
+    let texts = |place: usize| match group.get_column_reader(place)? {
+        ColumnReader::ByteArrayColumnReader(reader) => cells(reader, count),
+        _ => Err(general("a column is not text")),
     };
-    let failures = cells(reader, count)?;
+    let (failures, warned) = (texts(own)?, texts(own + 1)?);
     let (mut table, mut row) = (
         MetricTable::new(failures.len(), width),
         vec![f64::NAN; width],
@@ -190,10 +199,15 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
             table.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
         }
     }
+    for (case, names) in warned.into_iter().enumerate() {
+        if let Some(names) = names {
+            table.warn(case, Warnings::parse(names.as_utf8()?));
+        }
+    }
     Ok(table)
 }
 
-/// The rows of a part as text, without the column of failures.
+/// The rows of a part as text, without the columns of failures and warnings.
 pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
     let mut text = Rows::default();
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
@@ -203,7 +217,9 @@ pub fn read_text(bytes: Vec<u8>) -> Result<Rows> {
         .columns()
         .iter()
         .map(|column| column.name().to_owned());
-    text.columns = names.filter(|name| name != FAILURE).collect();
+    text.columns = names.collect();
+    let own = text.columns.len().saturating_sub(OWN_TEXTS);
+    text.columns.truncate(own);
     let group = file.get_row_group(0)?;
     text.rows.resize(count, Vec::new());
     for place in 0..text.columns.len() {

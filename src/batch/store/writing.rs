@@ -1,4 +1,4 @@
-//! Encodes parts as Parquet: `case`, the parameters, the metrics, and `failure` if a case could not be solved.
+//! Encodes parts as Parquet: `case`, the parameters, the metrics, `failure` if a case could not be solved, and `warnings`.
 
 use std::iter::repeat_n;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
 use serde_json::json;
 
 use super::constant_columns::{ConstantColumns, EncodedColumn};
-use super::reading::{FAILURE, general};
+use super::reading::{FAILURE, WARNED, general};
 use crate::batch::key::Key;
 use crate::problem::cases::{Cases, Column};
 use crate::problem::parameter::{Kind, Value};
@@ -74,6 +74,22 @@ pub fn encode(
     write_next(&mut rows, |writer| {
         write_cells::<ByteArrayType>(writer, len, reasons)
     })?;
+    // Most parts have no warnings.
+    let place = columns.len() - 1;
+    match metrics.warned().next() {
+        None => {
+            let (bytes, footer) = constant_columns.column(place, None, len, || {
+                encode_column(&columns[place], &properties, |writer| {
+                    write_cells::<ByteArrayType>(writer, len, repeat_n(None, len))
+                })
+            })?;
+            rows.append_column(&bytes, footer)?;
+        }
+        Some(_) => write_next(&mut rows, |writer| {
+            let names = (0..len).map(|case| warnings(metrics, case));
+            write_cells::<ByteArrayType>(writer, len, names)
+        })?,
+    }
     rows.close()?;
     file.close()?;
     Ok(bytes)
@@ -172,6 +188,12 @@ fn name(value: Value) -> Option<ByteArray> {
     }
 }
 
+/// The names of the warnings of a case, if it has some.
+fn warnings(metrics: &MetricTable, case: usize) -> Option<ByteArray> {
+    let warnings = metrics.warnings(case);
+    (!warnings.is_empty()).then(|| ByteArray::from(warnings.names().as_str()))
+}
+
 fn schema(study: &Study) -> Result<Type> {
     let column = |name: &str, physical: Physical| {
         let text = (physical == Physical::BYTE_ARRAY).then_some(LogicalType::String);
@@ -202,6 +224,7 @@ fn schema(study: &Study) -> Result<Type> {
         )?);
     }
     fields.push(column(FAILURE, Physical::BYTE_ARRAY)?);
+    fields.push(column(WARNED, Physical::BYTE_ARRAY)?);
     Type::group_type_builder("results")
         .with_fields(fields)
         .build()
@@ -219,6 +242,7 @@ fn metadata(study: &Study, key: &Key) -> Vec<KeyValue> {
     let own = [
         ("case", "1", "number of the case, from 0"),
         (FAILURE, "", "why the case could not be solved"),
+        (WARNED, "", "names of the warnings of the case"),
     ];
     let described = own.into_iter().chain(parameters).chain(metrics);
     let columns: serde_json::Map<String, serde_json::Value> = described

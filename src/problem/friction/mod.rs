@@ -15,7 +15,7 @@ use crate::lane::Lane;
 use crate::methods::ContactWork;
 use crate::metrics::friction::{work_by_energy, work_by_steps};
 use crate::metrics::{self, cells};
-use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable};
+use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warnings};
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
 use std::sync::Arc;
@@ -138,6 +138,7 @@ impl FrictionOscillator {
             computed,
             exact,
             metrics,
+            warnings: Warnings::NONE,
         })
     }
 }

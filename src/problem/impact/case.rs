@@ -1,7 +1,7 @@
 //! A case of the bars as numbers, its system, and its default metrics in a sweep.
 
 use super::scaled::Scaled;
-use super::tables::rows;
+use super::tables::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVERLAP, rows};
 use crate::contact::{ContactLaw, LawsVisitor, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
@@ -11,7 +11,7 @@ use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, eva
 use crate::metrics::steps;
 use crate::problem::Case;
 use crate::solve::sweep::{LaneCase, ReferenceKey};
-use crate::solve::{Motion, ToSystem};
+use crate::solve::{FEWEST_STEPS, Motion, ToSystem, Warning, Warnings};
 use crate::system::{Linear, System};
 use multiversion::multiversion;
 
@@ -125,7 +125,21 @@ impl LaneCase<LANES> for ImpactCase {
         let energy = Energy::of_case(&track, &self.system(), exact.count());
         evaluate(&track, &energy, restitution, exact)
     }
+
+    #[inline(always)]
+    fn warnings(&self, metrics: impl Fn(usize) -> f64) -> Warnings {
+        // Half a step less: the metric is a whole number of steps with round-off.
+        let short = metrics(CONTACT_STEPS) < (FEWEST_STEPS - 0.5) * self.dt;
+        let gains = |row: usize| metrics(row) > GAIN;
+        Warnings::NONE
+            .with(Warning::ShortContact, short)
+            .with(Warning::BarGain, gains(ENERGY_DRIFT_MAX) || gains(ENERGY_DRIFT_FINAL))
+            .with(Warning::NoContact, metrics(MAX_OVERLAP).is_nan())
+    }
 }
+
+/// Gain of energy from which a case has a warning.
+const GAIN: f64 = 0.01;
 
 /// r of a rigid contact with a force: closed, with an overlap less than any round-off.
 const CLOSED: f64 = -1e-300;

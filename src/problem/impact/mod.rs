@@ -20,6 +20,7 @@ use crate::history::History;
 use crate::lane::Lane;
 use crate::metrics::impact::{Energy, Track};
 use crate::metrics::{self, cells};
+use crate::solve::sweep::LaneCase;
 use crate::solve::{self, MetricTable, ToSystem, Unsolvable};
 use crate::system::System;
 use case::{ImpactCase, LANES};
@@ -173,6 +174,7 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let (wave, sampled) = case.exact_at_steps();
     let exact = wave.history(&computed.time);
     let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
+    let warnings = case.warnings(|metric| own[metric].0[0]);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
     let budget = wants(BUDGET)
         .then(|| budget::references(&case.scaled, &computed.time))
@@ -189,6 +191,7 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
         computed,
         exact,
         metrics,
+        warnings,
     })
 }
 

@@ -21,6 +21,7 @@ const MOST_FRONTS: f64 = 1e5;
 pub(super) fn complete(case: &mut Case) -> Vec<Violation> {
     let mut violations = Vec::new();
     follow_left(case);
+    violations.extend(ignored_restitution(case));
     law::fill_restitution(case);
     stiffness(case, &mut violations);
     if let (Some(step), Some(duration)) = (case.at(rows::DT), case.at(rows::DURATION)) {
@@ -65,6 +66,18 @@ fn no_restitution(case: &Case) -> Option<Violation> {
     (zero && LawName::of(case) != Some(LawName::Rigid)).then(|| Violation {
         parameter: "restitution".into(),
         message: "must be > 0 for a law with damping, got 0".into(),
+        at: None,
+    })
+}
+
+/// A restitution that is given for rigid contact needs a method that knows it; its default does no harm.
+fn ignored_restitution(case: &Case) -> Option<Violation> {
+    let given = case.at(LAW + law::rows::RESTITUTION)?;
+    let method = method::of_case(case, METHOD)?;
+    let ignores = LawName::of(case) == Some(LawName::Rigid) && method.kind() != MethodKind::MoreauJean;
+    ignores.then(|| Violation {
+        parameter: "restitution".into(),
+        message: method::ignores_restitution(case.name_at(METHOD), given),
         at: None,
     })
 }

@@ -1,8 +1,10 @@
 //! The assembled structure as text, for `explain`.
 
 use super::damping::modes;
+use super::touch;
 use crate::contact::ContactLaw;
 use crate::problem::parameter::shortest;
+use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
 use crate::system::structure::{Contact, Limit, Relation, Structure};
 use std::f64::consts::PI;
 
@@ -148,21 +150,15 @@ fn friction(law: &ContactLaw) -> String {
     }
 }
 
-/// Fewest steps in a contact of two masses on a spring that give its force within some percent.
-const FEWEST_STEPS: f64 = 6.0;
-
-/// How long the nodes of an impact spring touch, as two free masses, and whether the step resolves it.
+/// How long the nodes of an impact touch, as two free masses, and whether the step resolves it; empty if only the motion says it.
 fn touch(structure: &Structure, contact: &Contact, dt: f64) -> String {
-    let Relation::ImpactSpring { stiffness } = contact.law else {
+    let Some(time) = touch::time(structure, contact, None) else {
         return String::new();
     };
-    let nodes = contact.between.iter().flatten();
-    let inverse: f64 = nodes.map(|node| 1.0 / structure.nodes[*node].mass).sum();
-    let time = PI / (stiffness * inverse).sqrt();
     let steps = time / dt;
     let warning = match steps < FEWEST_STEPS {
-        true => "; too few for its force, take a smaller dt",
-        false => "",
+        true => format!("; {TOO_FEW_STEPS}"),
+        false => String::new(),
     };
     format!(
         ", its nodes touch for {} = {steps:.1} steps{warning}",

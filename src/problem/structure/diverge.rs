@@ -31,6 +31,7 @@ impl StructureProblem {
             last,
             numbers: &numbers,
             energy: false,
+            watch: None,
         };
         let other = motion::perturbed(&structure);
         let [run, other] = motion::steps(&[&structure, &other], &prepared, recording);

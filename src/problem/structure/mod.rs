@@ -21,7 +21,9 @@ pub mod scheme;
 mod solve;
 mod sweep;
 pub mod template;
+mod touch;
 mod units;
+mod warn;
 
 #[cfg(test)]
 mod tests;
@@ -36,7 +38,7 @@ use super::cases::Cases;
 use super::method;
 use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
 use crate::history::History;
-use crate::methods::MethodChoice;
+use crate::methods::{MethodChoice, MethodKind};
 use crate::solve::structure::{critical_fault, has_critical_step};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
@@ -121,6 +123,22 @@ impl StructureProblem {
         let mut parameters = self.schema.parameters.iter();
         let row = parameters.position(|parameter| parameter.name == name)?;
         method::of_case(case, row)
+    }
+
+    /// Rigid impacts whose restitution the method of the case ignores.
+    fn ignored_restitutions(&self, case: &Case) -> Vec<Violation> {
+        let ignores = |method: &MethodChoice| method.kind() != MethodKind::MoreauJean;
+        if !self.method(case).as_ref().is_some_and(ignores) {
+            return Vec::new();
+        }
+        let mut parameters = self.schema.parameters.iter();
+        let row = parameters.position(|own| own.name == method::PARAMETERS[0].name);
+        let name = row.map_or("", |row| case.name_at(row));
+        let contacts = self.template.contacts.iter();
+        let rigid = contacts.filter_map(|contact| contacts::restitution(contact, case));
+        rigid
+            .map(|(given, e)| given.violation(method::ignores_restitution(name, e)))
+            .collect()
     }
 
     /// The rules of a method with a critical step.
@@ -243,6 +261,7 @@ impl Problem for StructureProblem {
                     });
                 }
                 if violations.is_empty() {
+                    violations.extend(self.ignored_restitutions(case));
                     violations.extend(self.step_rules(case, step));
                 }
             }
@@ -267,7 +286,7 @@ impl Problem for StructureProblem {
         let all = all_numbers(&ready.structure);
         let drawn = self.drawn_numbers(&ready.numbering);
         let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
-        let (motions, metrics) = self.solve_ready(&ready, &recorded)?;
+        let (motions, metrics, warnings) = self.solve_ready(&ready, &recorded)?;
         let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
         let exact = match (self.template.reference, self.against_rigid()) {
             (None, _) => &None,
@@ -285,6 +304,7 @@ impl Problem for StructureProblem {
             computed: history(computed),
             exact: history(exact.unwrap_or_default()),
             metrics,
+            warnings,
         };
         match solution.computed.is_finite() {
             true => Ok(solution),

@@ -6,7 +6,7 @@ use crate::exact::events;
 use crate::lane::Lane;
 use crate::methods::MethodChoice;
 use crate::solve::Unsolvable;
-use crate::solve::structure::{Books, Prepared, State, run};
+use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run};
 use crate::system::structure::{Relation, Structure};
 
 /// Cases side by side.
@@ -21,6 +21,8 @@ pub struct Recording<'a> {
     pub numbers: &'a [Number],
     /// Whether the energy books are kept.
     pub energy: bool,
+    /// Whether the contacts are watched for warnings, and every how many steps the energy is looked at.
+    pub watch: Option<usize>,
 }
 
 /// Energies of a run over the largest energy; NaN if an energy overflows.
@@ -32,8 +34,8 @@ pub struct Energies {
     pub dissipation: f64,
 }
 
-/// A run: its quantities and, if the books are kept, its energies; or why it failed.
-pub type Run = Result<(Recorded, Option<Energies>), Unsolvable>;
+/// A run: its quantities, its energies if the books are kept, and what its contacts show if they are watched; or why it failed.
+pub type Run = Result<(Recorded, Option<Energies>, Option<Watched>), Unsolvable>;
 
 /// The linear part of a structure with steps of `dt` by a method.
 pub fn prepare(
@@ -54,11 +56,13 @@ pub fn steps<const L: usize>(
         last,
         numbers,
         energy,
+        watch: every,
     } = recording;
     let count = last as usize + 1;
     // All lanes of a number are next to one another: one store for each number and step.
     let mut rows: Vec<Lane<L>> = Vec::with_capacity(count * numbers.len());
     let mut books: Option<Books<L>> = None;
+    let mut watch: Option<Watch<L>> = None;
     let ends = run(
         structures,
         prepared,
@@ -69,6 +73,11 @@ pub fn steps<const L: usize>(
                 Some(books) => books.add(state),
                 None if energy && step == 0 => books = Some(Books::new(state)),
                 None => {}
+            }
+            match (&mut watch, every) {
+                (Some(watch), _) => watch.add(state),
+                (None, Some(every)) => watch = Some(Watch::new(state, every)),
+                (None, None) => {}
             }
         },
     );
@@ -90,7 +99,8 @@ pub fn steps<const L: usize>(
             error: error[l],
             dissipation: dissipation[l],
         });
-        Ok((recorded, energies))
+        let watched = watch.as_ref().map(|watch| watch.of_lane(l));
+        Ok((recorded, energies, watched))
     })
 }
 

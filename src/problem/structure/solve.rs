@@ -10,10 +10,11 @@ use super::node::Numbering;
 use super::sweep::Ready;
 use super::template::Reference;
 use crate::exact::events;
+use super::warn;
 use crate::methods::MethodKind;
 use crate::problem::{Case, Problem};
-use crate::solve::Unsolvable;
 use crate::solve::structure::Prepared;
+use crate::solve::{Unsolvable, Warnings};
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
@@ -41,6 +42,9 @@ const SOFTENED: [Reduction; 3] = [
     Reduction::RegularisationError,
     Reduction::MeshError,
 ];
+
+/// The motions of a case, its metrics and its warnings.
+pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
 
 /// Each number once, in the order of their first places.
 pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
@@ -118,7 +122,7 @@ impl StructureProblem {
         &self,
         ready: &Ready,
         more: &[Number],
-    ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
+    ) -> Result<JudgedCase, Unsolvable> {
         let numbers = self.numbers(&ready.numbering, |_| true);
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let recording = self.recording(ready, &numbers);
@@ -145,6 +149,7 @@ impl StructureProblem {
             last: first.last,
             numbers: &numbers,
             energy: false,
+            watch: None,
         };
         let others = cases.map(|ready| motion::perturbed(&ready.structure));
         motion::steps(&others.each_ref(), prepared, recording).map(Some)
@@ -155,6 +160,7 @@ impl StructureProblem {
             last: ready.last,
             numbers,
             energy: self.has(&[Reduction::EnergyError, Reduction::NumericalDissipation]),
+            watch: (!self.template.contacts.is_empty()).then_some(warn::EVERY),
         }
     }
 
@@ -166,8 +172,8 @@ impl StructureProblem {
         run: Run,
         perturbed: Option<Run>,
         more: &[Number],
-    ) -> Result<(Motions, Vec<Option<f64>>), Unsolvable> {
-        let (computed, energies) = run?;
+    ) -> Result<JudgedCase, Unsolvable> {
+        let (computed, energies, watched) = run?;
         let Ready {
             structure,
             numbering,
@@ -214,6 +220,7 @@ impl StructureProblem {
         let values = metrics
             .map(|metric| judge::value(metric, of, &motions).filter(|x| x.is_finite()))
             .collect();
-        Ok((motions, values))
+        let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
+        Ok((motions, values, warnings))
     }
 }

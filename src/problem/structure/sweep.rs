@@ -153,6 +153,9 @@ fn solve_lanes<const L: usize>(
     let runs = runs.into_iter().zip(perturbed);
     for (ready, (run, perturbed)) in cases.iter().zip(runs).take(used) {
         let judged = problem.judge(ready, run, perturbed, &[]);
+        if let Ok((_, _, warnings)) = &judged {
+            table.warn(ready.place, *warnings);
+        }
         table.put(ready.place, judged.map(|judged| judged.1));
     }
 }

@@ -65,12 +65,14 @@ mod prepared;
 mod run;
 mod state;
 mod visited;
+mod watch;
 
 pub use books::Books;
 pub use general::{CriticalFault, critical_fault, critical_step, has_critical_step};
 pub use prepared::Prepared;
 pub use run::run;
 pub use visited::{ContactStep, State};
+pub use watch::{Watch, Watched, WatchedContact};
 
 #[cfg(test)]
 mod tests;

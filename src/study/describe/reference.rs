@@ -6,6 +6,7 @@ use super::structure;
 use super::values::allowed;
 use crate::problem::parameter::{Default, Parameter};
 use crate::problem::{PROBLEMS, Problem};
+use crate::solve::WARNINGS;
 use crate::study::axes::axis_rule::RULES;
 use crate::study::axes::design;
 use crate::study::axes::interval::INTERVALS;
@@ -42,7 +43,18 @@ pub fn reference() -> String {
         .replace("{{words}}", &pairs(&WORDS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
         .replace("{{checks}}", &pairs(&checks::KEYS))
+        .replace("{{warnings}}", &warnings())
         .replace("{{problems}}\n", &problems.join("\n"))
+}
+
+/// The kinds of warnings.
+fn warnings() -> String {
+    let mut text = String::from("| kind | the cases | when |\n| --- | --- | --- |\n");
+    for kind in WARNINGS {
+        let (name, message, meaning) = (kind.name(), cell(kind.message()), cell(kind.meaning()));
+        let _ = writeln!(text, "| `{name}` | {message} | {meaning} |");
+    }
+    text.trim_end().to_owned()
 }
 
 fn pairs(table: &[(&str, &str)]) -> String {

@@ -165,6 +165,13 @@ pub const TAKEN: Rows<usize> = metric_of("contact_dissipation")..metric_of("cost
 /// Empty if and only if there is no contact.
 pub const MAX_OVERLAP: usize = metric_of("max_overlap");
 
+/// Rows that warnings look at.
+pub const CONTACT_STEPS: usize = metric_of("contact_steps");
+/// See `CONTACT_STEPS`.
+pub const ENERGY_DRIFT_MAX: usize = metric_of("energy_drift_max");
+/// See `CONTACT_STEPS`.
+pub const ENERGY_DRIFT_FINAL: usize = metric_of("energy_drift_final");
+
 pub(super) static BUDGETS: [Budget; 2] = [
     Budget {
         name: Borrowed("r"),

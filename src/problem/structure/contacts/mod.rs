@@ -182,6 +182,17 @@ pub fn relation(
     }
 }
 
+/// The restitution of a rigid impact in a case, with its place in the study; `None` for another law.
+pub fn restitution<'a>(contact: &'a Contact, case: &Case) -> Option<(&'a Amount, f64)> {
+    let given = contact.e.as_ref()?;
+    let rigid = match LawName::parse(contact.law.name(case))? {
+        LawName::Rigid => true,
+        LawName::Impact => contact.k.is_none(),
+        _ => false,
+    };
+    Some((given, given.value(case).ok()?)).filter(|_| rigid)
+}
+
 /// The numbers of a contact in a case.
 #[derive(Clone, Copy)]
 struct Numbers<'a> {

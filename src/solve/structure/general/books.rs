@@ -57,15 +57,11 @@ impl<const L: usize> General<'_, L> {
                 supplied = supplied - mean * difference(&|at| by(at, 0)) * link.c;
             }
             for (c, work) in contacts.iter_mut().enumerate() {
-                let ([r, rdot, s], [r_end, rdot_end, s_end]) = (start.contacts[c], end.contacts[c]);
-                let mut step = (s + s_end) * 0.5 * (r_end - r);
-                let impulse = s_end * ((rdot + rdot_end) * (0.5 * sub_step.length));
-                for (l, by_impulse) in self.contacts[c].by_impulse.iter().enumerate() {
-                    step.0[l] = if *by_impulse { impulse.0[l] } else { step.0[l] };
-                }
+                let step = self.contact_work(part, c);
                 *work = *work + step;
                 supplied = supplied - step;
                 let [i, j] = self.prepared.between[c];
+                let [s, s_end] = [start, end].map(|stage| stage.contacts[c][2]);
                 let force = s * s0 + s_end * s1;
                 unbalanced = unbalanced - force * (moved(j) - moved(i));
             }
@@ -73,6 +69,29 @@ impl<const L: usize> General<'_, L> {
         StepWork {
             supplied,
             unbalanced,
+        }
+    }
+
+    /// The work of the structure on a contact in a sub-step of the last step.
+    #[inline(always)]
+    fn contact_work(&self, part: usize, c: usize) -> Lane<L> {
+        let length = self.prepared.sub_steps[part].sub_step.length;
+        let [[r, rdot, s], [r_end, rdot_end, s_end]] =
+            [part, part + 1].map(|stage| self.stages[stage].contacts[c]);
+        let mut step = (s + s_end) * 0.5 * (r_end - r);
+        let impulse = s_end * ((rdot + rdot_end) * (0.5 * length));
+        for (l, by_impulse) in self.contacts[c].by_impulse.iter().enumerate() {
+            step.0[l] = if *by_impulse { impulse.0[l] } else { step.0[l] };
+        }
+        step
+    }
+
+    /// Adds the work on each contact in the last step.
+    pub(in crate::solve::structure) fn add_contact_work(&self, works: &mut [Lane<L>]) {
+        for part in 0..self.prepared.sub_steps.len() {
+            for (c, work) in works.iter_mut().enumerate() {
+                *work = *work + self.contact_work(part, c);
+            }
         }
     }
 

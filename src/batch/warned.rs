@@ -1,0 +1,121 @@
+//! The cases of a study with one kind of warning.
+
+use crate::problem::Case;
+use crate::problem::parameter::Value;
+use crate::solve::{WARNINGS, Warning};
+use crate::study::Study;
+use serde_json::{Map, Value as Json, json};
+use std::fmt;
+
+/// The cases of a study with one kind of warning: how many, and the first one as an example.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WarnedCases {
+    /// The kind.
+    pub kind: Warning,
+    /// Their number.
+    pub cases: u64,
+    /// Number of all cases.
+    pub of: u64,
+    /// Number of the first one.
+    pub case: u64,
+    /// The parameters of it that vary in the study, by name.
+    pub parameters: Vec<(String, Value)>,
+}
+
+impl WarnedCases {
+    /// What they have, as a sentence without its full stop.
+    pub fn sentence(&self) -> String {
+        format!("{} of {} cases {}", self.cases, self.of, self.kind.message())
+    }
+
+    /// The example, as in `case 3: gap = 0.1, n = 5`.
+    pub fn example(&self) -> String {
+        let parameters = self.parameters.iter();
+        let values = parameters.map(|(name, value)| format!("{name} = {value}"));
+        let values: Vec<String> = values.collect();
+        match values.is_empty() {
+            true => format!("case {}", self.case),
+            false => format!("case {}: {}", self.case, values.join(", ")),
+        }
+    }
+
+    /// The entry of manifest.json.
+    pub fn json(&self) -> Json {
+        let value = |value: &Value| match value {
+            Value::Number(x) => json!(x),
+            Value::Whole(n) => json!(n),
+            Value::Name(name) => json!(name),
+        };
+        let parameters = self.parameters.iter();
+        let parameters: Map<String, Json> = parameters
+            .map(|(name, own)| (name.clone(), value(own)))
+            .collect();
+        json!({
+            "kind": self.kind.name(),
+            "cases": self.cases,
+            "case": self.case,
+            "parameters": parameters,
+            "message": self.to_string(),
+        })
+    }
+}
+
+impl fmt::Display for WarnedCases {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (sentence, kind) = (self.sentence(), self.kind.name());
+        write!(f, "{sentence} (warning {kind}; {})", self.example())
+    }
+}
+
+/// The numbers of cases by kind, in the order of the table.
+#[derive(Debug, Clone, Default)]
+pub struct WarningCounts([Option<(u64, u64)>; WARNINGS.len()]);
+
+impl WarningCounts {
+    /// Counts a case with a warning; cases may come in any order.
+    pub fn add(&mut self, kind: Warning, case: u64) {
+        let place = WARNINGS.iter().position(|own| *own == kind);
+        if let Some(place) = place {
+            let (count, first) = self.0[place].unwrap_or((0, case));
+            self.0[place] = Some((count + 1, first.min(case)));
+        }
+    }
+
+    /// The kinds that some of the `of` cases of the study have.
+    pub fn list(&self, study: &Study, of: u64) -> Vec<WarnedCases> {
+        let found = WARNINGS.into_iter().zip(self.0);
+        let found = found.filter_map(|(kind, found)| Some((kind, found?)));
+        let warned = found.map(|(kind, (cases, case))| WarnedCases {
+            kind,
+            cases,
+            of,
+            case,
+            parameters: study.case(case).map_or(Vec::new(), |own| varying(study, case, &own)),
+        });
+        warned.collect()
+    }
+}
+
+/// The parameters of a case that vary in the study: those on axes, and given ones that differ from block to block.
+fn varying(study: &Study, number: u64, case: &Case) -> Vec<(String, Value)> {
+    let Some(block) = study.block_of(number) else {
+        return Vec::new();
+    };
+    let firsts = (0..study.blocks.len()).filter_map(|i| study.case(study.first_of(i)));
+    let firsts: Vec<Case> = firsts.collect();
+    let on_axis = |row: usize| {
+        let groups = block.groups.iter().filter(|group| group.len() > 1);
+        groups.flat_map(|group| &group.axes).any(|axis| axis.parameter == row)
+    };
+    let differs = |row: usize| {
+        let other = |other: &Case| !Value::identical(other.values[row], case.values[row]);
+        study.blocks.iter().any(|block| block.gives(row)) && firsts.iter().any(other)
+    };
+    let rows = study.parameter_columns().into_iter();
+    let rows = rows.filter(|row| on_axis(*row) || differs(*row));
+    let named = rows.filter_map(|row| {
+        let name = study.problem.parameters()[row].name.to_string();
+        Some((name, case.values[row]?))
+    });
+    named.collect()
+}

@@ -1,0 +1,167 @@
+//! The warnings of a case of structures.
+
+use super::channel::{Number, Quantity};
+use super::judge::{self, Recorded};
+use super::loads::Kind;
+use super::metric::{Reduction, StructureMetric};
+use super::motion::{self, Recording};
+use super::sweep::Ready;
+use super::template::{Normal, Scaled};
+use super::touch;
+use super::{StructureProblem, solve::distinct};
+use crate::contact::ContactLaw;
+use crate::problem::Case;
+use crate::solve::structure::{Watched, WatchedContact};
+use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
+use crate::system::loads::STANDARD_GRAVITY;
+use crate::system::structure::{Contact, Relation, Signal};
+
+/// Steps from one look at the energy to the next: it takes about as long as a step.
+pub const EVERY: usize = 16;
+
+/// Share of the largest energy that a contact may make.
+const GAIN: f64 = 0.01;
+
+/// Peaks of a record in g, beyond which its unit is wrong.
+const PEAKS: [f64; 2] = [1e-4, 3.0];
+
+/// Steps in a row in which a force must turn back, and the share of its peak by which it must, to alternate.
+const TURNS: usize = 6;
+const TURN: f64 = 0.01;
+
+impl StructureProblem {
+    /// The warnings of a case with these quantities.
+    pub(super) fn warnings_of(
+        &self,
+        ready: &Ready,
+        computed: &Recorded,
+        watched: Option<&Watched>,
+    ) -> Result<Warnings, Unsolvable> {
+        let structure = &ready.structure;
+        let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
+        let contacts = || structure.contacts.iter().zip(contacts);
+        let short = |(contact, seen): (&Contact, &WatchedContact)| {
+            let touches = contact.law.is_impact() && seen.force < 0.0;
+            let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
+            let time = overlap.and_then(|_| touch::time(structure, contact, overlap));
+            time.is_some_and(|time| time < FEWEST_STEPS * ready.dt)
+        };
+        let mut impacts = contacts().filter(|(contact, _)| contact.law.is_impact());
+        let touches = |(_, seen): (&Contact, &WatchedContact)| seen.force < 0.0;
+        let some = impacts.clone().next().is_some();
+        Ok(Warnings::NONE
+            .with(Warning::ShortContact, contacts().any(short))
+            .with(Warning::ContactGain, self.gains(ready, watched)?)
+            .with(Warning::AlternatingForce, self.force_alternates(ready, computed))
+            .with(Warning::UnheldPart, !structure.unheld_parts().is_empty())
+            .with(Warning::RecordPeak, self.has_strange_record(&ready.case))
+            .with(Warning::NoContact, some && !impacts.any(touches)))
+    }
+
+    /// Whether a contact makes more than 1 % of the largest energy.
+    fn gains(&self, ready: &Ready, watched: Option<&Watched>) -> Result<bool, Unsolvable> {
+        let gains = |watched: &Watched| {
+            let most = -GAIN * watched.energy;
+            let mut contacts = watched.contacts.iter();
+            contacts.any(|contact| contact.work + watched.stored < most)
+        };
+        // The energy between the steps that were looked at can only be larger. The few cases left are looked at again.
+        if !watched.is_some_and(gains) {
+            return Ok(false);
+        }
+        let recording = Recording {
+            last: ready.last,
+            numbers: &[],
+            energy: false,
+            watch: Some(1),
+        };
+        let prepared = motion::prepare(&ready.structure, &ready.method, ready.dt)?;
+        let [run] = motion::steps(&[&ready.structure], &prepared, recording);
+        Ok(run?.2.as_ref().is_some_and(gains))
+    }
+
+    /// Whether a metric is of the force of a friction contact that resists velocity, and this force alternates.
+    fn force_alternates(&self, ready: &Ready, computed: &Recorded) -> bool {
+        let contacts = &ready.structure.contacts;
+        let of_force = |metric: &&StructureMetric| {
+            !matches!(
+                metric.reduction,
+                Reduction::Work | Reduction::OpenTime | Reduction::ImpactsBeforeDivergence
+            )
+        };
+        let metrics = self.metrics.iter().filter(of_force);
+        let numbers = metrics.flat_map(|m| judge::needed(m, &ready.numbering, contacts.len()));
+        let mut forces = distinct(numbers).into_iter().filter(|number| match number {
+            Number::Contact(contact, Quantity::Force) => resists_velocity(&contacts[*contact].law),
+            _ => false,
+        });
+        forces.any(|force| alternates(computed.of(force)))
+    }
+
+    /// Whether a record has a peak that no earthquake has.
+    fn has_strange_record(&self, case: &Case) -> bool {
+        let template = &self.template;
+        let vertical = template.contacts.iter().filter_map(|contact| match &contact.normal {
+            Some(Normal::Weight { vertical, .. }) => Some(vertical),
+            _ => None,
+        });
+        let gravity = STANDARD_GRAVITY / template.metre;
+        let strange = |record: &Scaled| {
+            let kind = record.source.kind();
+            if !matches!(kind, Kind::Record { .. } | Kind::Synthetic { .. }) {
+                return false;
+            }
+            let Ok((signal, scale)) = record.in_case(case, template.metre) else {
+                return false;
+            };
+            let Signal::Table(table) = &*signal else {
+                return false;
+            };
+            let values = table.values().iter();
+            let peak = values.fold(0.0, |peak: f64, a| peak.max(a.abs())) * scale.abs() / gravity;
+            scale != 0.0 && !(PEAKS[0]..=PEAKS[1]).contains(&peak)
+        };
+        template.ground.iter().chain(vertical).any(strange)
+    }
+}
+
+/// Whether a friction law without elastic displacement: its force may jump from step to step.
+fn resists_velocity(law: &Relation) -> bool {
+    match law {
+        Relation::Coulomb { .. } | Relation::VelocityControl { .. } => true,
+        Relation::CurvedFriction { law, .. } => matches!(
+            law,
+            ContactLaw::Bearing(_) | ContactLaw::Tanh(_) | ContactLaw::Stribeck(_)
+        ),
+        _ => false,
+    }
+}
+
+/// Whether a force turns back at each of some steps in a row, by more than a share of its peak.
+fn alternates(force: &[f64]) -> bool {
+    let peak = force.iter().fold(0.0, |peak: f64, s| peak.max(s.abs()));
+    let mut turns = 0;
+    force.windows(3).any(|s| {
+        let [before, after] = [s[1] - s[0], s[2] - s[1]];
+        let turns_back = before * after < 0.0 && before.abs().min(after.abs()) > TURN * peak;
+        turns = if turns_back { turns + 1 } else { 0 };
+        turns >= TURNS
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_alternates_if_it_turns_back_at_many_steps_in_a_row() {
+        let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let ripple = |size: f64| -> Vec<f64> { (0..40).map(|i| 1.0 + size * sign(i)).collect() };
+        // The change is twice the size, the peak 1 + size.
+        assert!(alternates(&ripple(0.006)) && !alternates(&ripple(0.004)));
+        assert!(!alternates(&ripple(0.5)[..7]) && alternates(&ripple(0.5)[..8]));
+        // Four steps in a period are resolved.
+        let sine: Vec<f64> = (0..40).map(|i| [0.0, 1.0, 0.0, -1.0][i % 4]).collect();
+        assert!(!alternates(&sine) && !alternates(&[]));
+    }
+}

@@ -1,0 +1,130 @@
+//! What warnings need of a run: how far each contact was closed, its force and its work, and the largest energy.
+
+use super::State;
+use super::visited::Kind;
+use crate::lane::Lane;
+
+/// The contacts of L structures over a run.
+#[derive(Debug, Clone)]
+pub struct Watch<const L: usize> {
+    contacts: Vec<Contact<L>>,
+    /// Work of the last step, for methods whose state has both ends of it.
+    works: Vec<Lane<L>>,
+    /// Energy that the contacts store at t = 0.
+    stored: Lane<L>,
+    /// Largest energy at the steps that are looked at.
+    energy: Lane<L>,
+    /// Steps from one look at the energy to the next.
+    every: usize,
+    step: usize,
+}
+
+/// A contact over a run.
+#[derive(Debug, Clone, Copy)]
+struct Contact<const L: usize> {
+    /// r and S after the last step.
+    last: [Lane<L>; 2],
+    /// Smallest r and S.
+    smallest: [Lane<L>; 2],
+    /// Work up to the last step, and the smallest work up to any step.
+    work: [Lane<L>; 2],
+}
+
+/// What a run of one structure shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Watched {
+    /// Of each contact.
+    pub contacts: Vec<WatchedContact>,
+    /// Energy that the contacts store at t = 0.
+    pub stored: f64,
+    /// Largest energy: kinetic, strain, and stored in contacts, at the steps that were looked at.
+    pub energy: f64,
+}
+
+/// What a run shows of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WatchedContact {
+    /// Smallest relative displacement r.
+    pub displacement: f64,
+    /// Smallest force S; below 0 if an impact touches.
+    pub force: f64,
+    /// Smallest work of the structure on the contact, the integral of S dr, up to any step.
+    pub work: f64,
+}
+
+impl<const L: usize> Watch<L> {
+    /// From the state at t = 0 on; the energy is looked at every so many steps, since it takes as long as a step.
+    pub fn new(start: &State<L>, every: usize) -> Self {
+        let zero = Lane::splat(0.0);
+        let contacts = (0..start.contacts()).map(|c| {
+            let now = start.contact(c);
+            let now = [now.displacement, now.force];
+            Contact {
+                last: now,
+                smallest: now,
+                work: [zero; 2],
+            }
+        });
+        let stored = start.stored_energy();
+        Watch {
+            contacts: contacts.collect(),
+            works: vec![zero; start.contacts()],
+            stored,
+            energy: start.energy() + stored,
+            every,
+            step: 0,
+        }
+    }
+
+    /// Adds the step to `state`.
+    #[inline(always)]
+    pub fn add(&mut self, state: &State<L>) {
+        self.step += 1;
+        match &state.0 {
+            Kind::Average(state) => {
+                for (contact, now) in self.contacts.iter_mut().zip(state.contact_states()) {
+                    let [r, s] = contact.last;
+                    contact.add(now, (s + now[1]) * 0.5 * (now[0] - r));
+                }
+            }
+            Kind::General(general) => {
+                self.works.fill(Lane::splat(0.0));
+                general.add_contact_work(&mut self.works);
+                for (c, (contact, work)) in self.contacts.iter_mut().zip(&self.works).enumerate() {
+                    let now = state.contact(c);
+                    contact.add([now.displacement, now.force], *work);
+                }
+            }
+        }
+        if self.step.is_multiple_of(self.every) {
+            self.energy = self.energy.larger(state.energy() + state.stored_energy());
+        }
+    }
+
+    /// What the run of a lane shows.
+    pub fn of_lane(&self, l: usize) -> Watched {
+        let contacts = self.contacts.iter().map(|contact| WatchedContact {
+            displacement: contact.smallest[0].0[l],
+            force: contact.smallest[1].0[l],
+            work: contact.work[1].0[l],
+        });
+        Watched {
+            contacts: contacts.collect(),
+            stored: self.stored.0[l],
+            energy: self.energy.0[l],
+        }
+    }
+}
+
+impl<const L: usize> Contact<L> {
+    /// Adds a step to r and S with this work.
+    #[inline(always)]
+    fn add(&mut self, now: [Lane<L>; 2], work: Lane<L>) {
+        let [sum, least] = self.work;
+        let sum = sum + work;
+        self.work = [sum, least.smaller(sum)];
+        let [r, s] = self.smallest;
+        self.smallest = [r.smaller(now[0]), s.smaller(now[1])];
+        self.last = now;
+    }
+}

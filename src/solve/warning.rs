@@ -1,0 +1,153 @@
+//! What a run says about cases that were solved and may still mislead: the kinds, and the set of a case.
+
+/// Fewest steps in a contact of two masses on a spring that give its force within some percent.
+pub const FEWEST_STEPS: f64 = 6.0;
+
+/// What an impact with few steps needs.
+pub const TOO_FEW_STEPS: &str = "too few for its force, take a smaller dt";
+
+macro_rules! warnings {
+    ($($variant:ident $name:literal $message:literal $meaning:literal),+ $(,)?) => {
+        /// A kind of warning.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Warning {
+            $(#[doc = $meaning] $variant),+
+        }
+
+        /// The kinds in the order of messages.
+        pub const WARNINGS: [Warning; [$($name),+].len()] = [$(Warning::$variant),+];
+
+        impl Warning {
+            /// Its name.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Warning::$variant => $name),+
+                }
+            }
+
+            /// What its cases have, as in "3 of 40 cases have ...".
+            pub const fn message(self) -> &'static str {
+                match self {
+                    $(Warning::$variant => $message),+
+                }
+            }
+
+            /// When a case has it.
+            pub const fn meaning(self) -> &'static str {
+                match self {
+                    $(Warning::$variant => $meaning),+
+                }
+            }
+        }
+    };
+}
+
+warnings! {
+    ShortContact "short-contact"
+        "have an impact that touches for fewer than 6 steps at the stiffness it reaches: too few for its force, take a smaller dt"
+        "An impact of a structure touches, and two free masses of its nodes would touch for fewer than 6 steps at its stiffness; for the laws with delta^1.5 at the largest overlap of the run. Bars: `contact_steps` is fewer than 6 steps.",
+    ContactGain "contact-gain"
+        "have a contact whose work is negative by more than 1 % of the largest energy: it makes energy, and peaks may be far too high; take a smaller dt"
+        "Up to some step, the work of a contact and what it stored at t = 0 are negative by more than 1 % of the largest energy of the structure, contacts included.",
+    BarGain "bar-gain"
+        "have bars that gain more than 1 % of their energy; take a smaller dt or a softer contact"
+        "`energy_drift_max` or `energy_drift_final` of the bars is above 1 %.",
+    AlternatingForce "alternating-force"
+        "have metrics of the force of a rigid friction contact that alternates from step to step; displacements and work are good, these metrics are not"
+        "A metric uses the force of a friction contact that resists velocity; over 6 steps in a row the change of the force changes its sign and is larger than 1 % of the peak of the force.",
+    UnheldPart "unheld-part"
+        "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
+        "Springs connect a part of the structure neither to the ground nor to the rest.",
+    RecordPeak "record-peak"
+        "have a record with a peak above 3 g or below 1e-4 g: look at its unit and its scale"
+        "A recorded or synthetic ground acceleration, horizontal or vertical, times its scale, has a peak above 3 g or below 1e-4 g. A scale of 0 is no mistake.",
+    NoContact "no-contact"
+        "have no contact before `duration`; their contact metrics are undefined or 0"
+        "No impact touches before `duration`.",
+    CheckNotMet "check-not-met"
+        "do not meet a check; `slipgap check` lists all checks"
+        "A check of the study is not met.",
+}
+
+/// The warnings of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Warnings(u8);
+
+impl Warnings {
+    /// No warning.
+    pub const NONE: Warnings = Warnings(0);
+
+    /// The set of a text of [`Warnings::names`]; unknown names are left out.
+    pub fn parse(text: &str) -> Warnings {
+        let known = |name: &str| WARNINGS.into_iter().find(|kind| kind.name() == name);
+        let kinds = text.split(' ').filter_map(known);
+        kinds.fold(Warnings::NONE, |set, kind| set.with(kind, true))
+    }
+
+    /// The names, with blanks between them.
+    pub fn names(self) -> String {
+        self.iter().map(Warning::name).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether the case has this one.
+    pub fn has(self, kind: Warning) -> bool {
+        self.0 & kind.bit() != 0
+    }
+
+    /// The set with this one, if `applies`.
+    #[must_use]
+    pub fn with(self, kind: Warning, applies: bool) -> Warnings {
+        match applies {
+            true => Warnings(self.0 | kind.bit()),
+            false => self,
+        }
+    }
+
+    /// Its warnings, in the order of the table.
+    pub fn iter(self) -> impl Iterator<Item = Warning> {
+        WARNINGS.into_iter().filter(move |kind| self.has(*kind))
+    }
+}
+
+impl Warning {
+    const fn bit(self) -> u8 {
+        1 << self as u8
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_set_has_what_was_put_in_and_reads_back() {
+        assert!(Warnings::NONE.is_empty());
+        let some = Warnings::NONE
+            .with(Warning::RecordPeak, true)
+            .with(Warning::ShortContact, true)
+            .with(Warning::NoContact, false);
+        let kinds: Vec<Warning> = some.iter().collect();
+        assert_eq!(kinds, [Warning::ShortContact, Warning::RecordPeak]);
+        assert_eq!(some.names(), "short-contact record-peak");
+        assert_eq!(Warnings::parse(&some.names()), some);
+        assert_eq!(Warnings::parse("other record-peak"), Warnings::NONE.with(Warning::RecordPeak, true));
+        assert!(Warnings::parse("").is_empty());
+        let all = WARNINGS.iter().fold(Warnings::NONE, |all, kind| all.with(*kind, true));
+        assert_eq!(Warnings::parse(&all.names()).iter().count(), WARNINGS.len());
+    }
+
+    #[test]
+    fn names_differ_and_messages_fit_after_a_number_of_cases() {
+        for (i, kind) in WARNINGS.iter().enumerate() {
+            assert!(WARNINGS[..i].iter().all(|other| other.name() != kind.name()));
+            let first = kind.message().split(' ').next();
+            assert!(matches!(first, Some("have" | "do")), "{}", kind.message());
+        }
+        assert!(Warning::ShortContact.message().ends_with(TOO_FEW_STEPS));
+    }
+}

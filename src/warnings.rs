@@ -1,0 +1,68 @@
+//! The warnings of a study, collected part by part: those of its cases, and checks that are not met.
+
+use crate::batch::{PartResult, WarnedCases, WarningCounts};
+use crate::checks::{self, ReducedChecks};
+use crate::solve::Warning;
+use crate::study::Study;
+use std::collections::BTreeSet;
+
+/// The warnings of the cases so far.
+#[derive(Debug)]
+pub struct StudyWarnings<'a> {
+    study: &'a Study,
+    cases: u64,
+    counts: WarningCounts,
+    reduced: ReducedChecks<'a>,
+    /// Cases with a check that is not met.
+    not_met: BTreeSet<u64>,
+}
+
+impl<'a> StudyWarnings<'a> {
+    /// No case yet.
+    pub fn new(study: &'a Study) -> StudyWarnings<'a> {
+        StudyWarnings {
+            study,
+            cases: 0,
+            counts: WarningCounts::default(),
+            reduced: ReducedChecks::new(study),
+            not_met: BTreeSet::new(),
+        }
+    }
+
+    /// Adds the cases of a part, computed or from the store.
+    pub fn add(&mut self, part: &PartResult) {
+        self.cases += part.len() as u64;
+        for (row, warnings) in part.metrics.warned() {
+            let number = part.number(row);
+            warnings.iter().for_each(|kind| self.counts.add(kind, number));
+        }
+        if self.study.checks.is_empty() {
+            return;
+        }
+        let mut shown = part.cases.shown();
+        for row in 0..part.len() {
+            let (number, case) = (part.number(row), shown.at(row));
+            let value = |metric| part.metrics.row(row).nth(metric).flatten();
+            let mut tested = checks::applicable(self.study, case, value);
+            let fails =
+                |(check, value)| !checks::verdict(self.study, check, number, value).holds();
+            if tested.any(fails) {
+                self.not_met.insert(number);
+            }
+            self.reduced.add(number, case, value);
+        }
+    }
+
+    /// The warnings, after all parts.
+    pub fn list(mut self) -> Vec<WarnedCases> {
+        for (check, case, value) in self.reduced.values() {
+            if !checks::verdict(self.study, check, case, value).holds() {
+                self.not_met.insert(case);
+            }
+        }
+        for case in &self.not_met {
+            self.counts.add(Warning::CheckNotMet, *case);
+        }
+        self.counts.list(self.study, self.cases)
+    }
+}
