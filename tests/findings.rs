@@ -26,7 +26,9 @@ fn table(study: &Path) -> Vec<BTreeMap<String, f64>> {
     let name = study.file_stem().unwrap();
     let text = std::fs::read_to_string(out.path().join(name).join("results.csv")).unwrap();
     let mut lines = text.lines();
-    let columns: Vec<&str> = lines.next().unwrap().split(',').collect();
+    // The name of a metric with two arguments has a comma.
+    let head = lines.next().unwrap().replace(", ", " ").replace('"', "");
+    let columns: Vec<&str> = head.split(',').collect();
     let row = |line: &str| {
         let cells = columns.iter().zip(line.split(','));
         let numbers = cells.filter_map(|(c, x)| Some((c.to_string(), x.parse().ok()?)));
@@ -280,4 +282,62 @@ fn a_disturbance_grows_a_thousand_times_more_in_the_force_than_in_r() {
     let r = most(calm.displacement(), disturbed.displacement());
     assert!((0.5e9..2e9).contains(&force), "{force}");
     assert!((3.5e5..14e5).contains(&r), "{r}");
+}
+
+#[test]
+fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
+    // docs/findings-structures.md, question 3: short bridge, k = 100 EA/L, twenty records.
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(root.join("studies/bridges-divergence.json")).unwrap();
+    let mut study: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let mut block = study["blocks"][0].clone();
+    let parameters = block["parameters"].as_object_mut().unwrap();
+    for value in parameters.values_mut() {
+        // The first of the three bridges.
+        if let Some(first) = value.as_array().filter(|all| all.len() == 3) {
+            *value = json!([first[0]]);
+        }
+    }
+    parameters.insert("seed".into(), json!({ "range": [1, 20, 1] }));
+    parameters.insert("stiffness".into(), json!(100));
+    parameters.insert("steps".into(), json!([20, 40, 80]));
+    study["blocks"] = json!([block]);
+    let levels = [(1e-9, "1e-9"), (1e-6, "1e-6"), (1e-3, "1e-3")];
+    let each = ["impacts_before_divergence", "divergence"]
+        .map(|word| levels.map(|(_, level)| format!("{word}(g1.right, {level})")));
+    study["metrics"] = json!([vec!["difference(g1.right)".to_owned()], each.concat()].concat());
+    for key in ["$schema", "reductions", "checks"] {
+        study.as_object_mut().unwrap().remove(key);
+    }
+    study["figures"] = json!([{ "name": "scheme", "kind": "scheme" }]);
+    let rows = written(&study.to_string());
+    for (steps, growth, shares) in [
+        (20.0, 1.68, [100.0, 100.0, 95.0]),
+        (40.0, 1.32, [95.0, 95.0, 15.0]),
+        (80.0, 1.07, [50.0, 0.0, 0.0]),
+    ] {
+        let own: Vec<_> = rows.iter().filter(|row| is(row, "steps", steps)).collect();
+        assert_eq!(own.len(), 20);
+        for (limit, share) in [1e-6, 1e-3, 1e-2].into_iter().zip(shares) {
+            let reached = own
+                .iter()
+                .filter(|row| row["difference(g1.right)"] >= limit);
+            assert_eq!(5.0 * reached.count() as f64, share, "T_I/{steps}, {limit}");
+        }
+        // The factor of an impact, from 1e-9 to 1e-3, or to 1e-6 if no more is reached. Above, the growth ends.
+        let factor = |row: &&BTreeMap<String, f64>| {
+            let reached = levels
+                .iter()
+                .filter(|(_, name)| row.contains_key(&format!("divergence(g1.right {name})")));
+            let impacts = |name: &str| row[&format!("impacts_before_divergence(g1.right {name})")];
+            let (last, name) = reached.last()?;
+            let count = impacts(name) - impacts("1e-9");
+            (*last > 1e-8 && count > 0.0).then(|| (last / 1e-9).powf(1.0 / count))
+        };
+        let mut factors: Vec<f64> = own.iter().filter_map(|row| factor(row)).collect();
+        factors.sort_by(f64::total_cmp);
+        let middle = factors.len() / 2;
+        let median = (factors[middle] + factors[(factors.len() - 1) / 2]) / 2.0;
+        near(median, growth, 0.5e-2, "growth per impact");
+    }
 }
