@@ -3,11 +3,11 @@
 mod commands;
 
 use clap::{Args, Parser, Subcommand};
-use commands::Jobs;
 use commands::recommend::RecommendArgs;
 use commands::run::Format;
 use commands::sbatch::{SbatchArgs, TimeLimit};
 use commands::sources::Source;
+use commands::{Jobs, whole};
 use slipgap::batch::Shard;
 use slipgap::error::Error;
 use slipgap::figures::style;
@@ -59,10 +59,10 @@ enum Verb {
 #[derive(Args)]
 struct Studies {
     /// Study files, or folders with all sub-folders; `-` reads standard input, and its results go to the folder stdin
-    #[arg(value_name = "STUDY|FOLDER", default_value = "studies")]
+    #[arg(value_name = "STUDY|FOLDER", default_value = commands::sources::STUDIES)]
     studies: Vec<PathBuf>,
     /// Largest number of raw combinations in a study
-    #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES)]
+    #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES, value_parser = whole::<u64>(0, u64::MAX))]
     limit: u64,
     #[command(flatten)]
     settings: Settings,
@@ -99,7 +99,7 @@ struct Run {
     #[arg(long, value_enum)]
     format: Option<Format>,
     /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
-    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = clap::value_parser!(u32).range(72..=1200))]
+    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = whole::<u32>(72, 1200))]
     dpi: u32,
     /// Only compute the parts of shard I of N into the store in DIR: every N-th part, beginning with part I; `merge` writes the
     /// results
@@ -117,13 +117,13 @@ struct Merge {
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     /// Number of shards; if parts are missing, the message then names the shards to run again
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1, u64::MAX))]
     shards: Option<u64>,
     /// Format of the results; by default the store, and results.csv for up to 10^5 cases
     #[arg(long, value_enum)]
     format: Option<Format>,
     /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
-    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = clap::value_parser!(u32).range(72..=1200))]
+    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = whole::<u32>(72, 1200))]
     dpi: u32,
     #[command(flatten)]
     jobs: Jobs,
@@ -135,7 +135,7 @@ struct Sbatch {
     #[arg(value_name = "STUDY|FOLDER")]
     study: PathBuf,
     /// Number of shards, each a task of the array
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1, u64::from(u32::MAX)))]
     shards: u32,
     /// Folder for the results, which all nodes must see
     #[arg(long, value_name = "DIR", default_value = "figures")]
@@ -150,7 +150,7 @@ struct Sbatch {
     #[arg(long)]
     requeue: bool,
     /// Largest number of raw combinations in a study
-    #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES)]
+    #[arg(long, value_name = "CASES", default_value_t = slipgap::study::MOST_CASES, value_parser = whole::<u64>(0, u64::MAX))]
     limit: u64,
     #[command(flatten)]
     settings: Settings,
@@ -190,7 +190,7 @@ struct Explain {
     /// Study file; `-` is standard input
     study: PathBuf,
     /// Number of the case, from 0
-    #[arg(default_value_t = 0)]
+    #[arg(default_value_t = 0, value_parser = whole::<u64>(0, u64::MAX))]
     case: u64,
     #[command(flatten)]
     settings: Settings,

@@ -34,7 +34,11 @@ pub fn check(sources: &[Source]) -> Result<u8, Error> {
     }))?;
     let verdicts = || all.iter().flat_map(CheckedValues::verdicts);
     let failed = verdicts().filter(|verdict| !verdict.holds()).count();
-    note(&format!("{} checks, {failed} not met", verdicts().count()));
+    let checks = match verdicts().count() {
+        1 => "1 check".to_owned(),
+        count => format!("{count} checks"),
+    };
+    note(&format!("{checks}, {failed} not met"));
     // A case without a solution decides the exit code before a check that is not met.
     Ok(match (all_solved, failed) {
         (false, _) => UNSOLVED,

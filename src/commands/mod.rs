@@ -27,11 +27,28 @@ pub const NOT_MET: u8 = 5;
 /// Exit code after Ctrl-C.
 const INTERRUPTED: i32 = 130;
 
+/// Reads a whole number from `least` to `most`, or the reason why a text is none.
+pub fn whole<T: TryFrom<u64>>(
+    least: u64,
+    most: u64,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let number = text.parse::<u64>().ok();
+        let number = number.filter(|n| (least..=most).contains(n));
+        number
+            .and_then(|n| T::try_from(n).ok())
+            .ok_or_else(|| match most {
+                u64::MAX => format!("must be a whole number >= {least}"),
+                _ => format!("must be a whole number from {least} to {most}"),
+            })
+    }
+}
+
 /// The number of threads of a verb.
 #[derive(Args)]
 pub struct Jobs {
     /// Number of threads, at most 1024; if left out, one for each core
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024))]
     pub jobs: Option<u16>,
 }
 

@@ -93,7 +93,7 @@ pub fn run_study(
     folder.begin(study, &source.file, histories_of)?;
     let (bar, work) = observer.begin_cases(source);
     let mut tables = Tables::create(source, &folder, output.table.unwrap_or(cases <= MOST_ROWS))?;
-    let mut tally = Tally::new(store.is_empty());
+    let mut tally = Tally::new(store.is_empty(), output.histories);
     let mut shown = Vec::new();
     let on_solution = |number: u64, solution: &Solution| {
         if let Some(case) = &study.case(number) {

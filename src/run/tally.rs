@@ -10,6 +10,8 @@ const MOST_REASONS: usize = 3;
 pub struct Tally {
     /// Whether the store was empty.
     new_store: bool,
+    /// Whether all cases are computed, also those of the store.
+    again: bool,
     /// Number of all cases.
     cases: u64,
     from_store: u64,
@@ -19,9 +21,10 @@ pub struct Tally {
 
 impl Tally {
     /// No cases yet.
-    pub fn new(new_store: bool) -> Tally {
+    pub fn new(new_store: bool, again: bool) -> Tally {
         Tally {
             new_store,
+            again,
             cases: 0,
             from_store: 0,
             reasons: Vec::new(),
@@ -55,6 +58,12 @@ impl Tally {
         }
         if self.new_store {
             return cases_run(cases);
+        }
+        if self.again {
+            return format!(
+                "{}, also those of the store, for their histories",
+                cases_run(cases)
+            );
         }
         let text = |(reason, count): &(String, u64)| match count {
             1 => reason.clone(),

@@ -35,6 +35,9 @@ pub fn read(paths: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<S
     })
 }
 
+/// Where studies are if the command line names none.
+pub const STUDIES: &str = "studies";
+
 /// The name of standard input on the command line.
 pub const DASH: &str = "-";
 
@@ -64,6 +67,10 @@ fn find(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
 }
 
 fn find_named(path: &Path) -> Result<Vec<(PathBuf, String)>, Error> {
+    if path == Path::new(STUDIES) && !path.exists() {
+        let message = "no folder studies here; name a study file or a folder, or write a first study by `slipgap init`";
+        return Err(Error::Usage(message.into()));
+    }
     if !path.is_dir() {
         return Ok(vec![(path.to_owned(), file_name(path)?)]);
     }

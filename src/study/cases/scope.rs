@@ -26,6 +26,8 @@ pub(crate) struct Scope {
     pub ensemble: Option<Vec<usize>>,
     /// Whether each step is solved once; there are then no profiles.
     pub once: bool,
+    /// Names of the parameters that the command line sets.
+    pub set: Vec<String>,
 }
 
 impl Scope {
@@ -161,8 +163,12 @@ impl Scope {
             shown.push("...".into());
         }
         let shown = shown.join(", ");
+        let by = match self.set.iter().any(|name| **name == **parameter) {
+            true => format!(", by --set {parameter}"),
+            false => String::new(),
+        };
         Some(format!(
-            "no case has {parameter} = {wanted}; the values are {shown}"
+            "no case has {parameter} = {wanted}; the values are {shown}{by}"
         ))
     }
 

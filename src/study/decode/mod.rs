@@ -99,7 +99,11 @@ impl Input {
         let starts: Vec<usize> = starts.collect();
         let mut faults = Faults::default();
         setting::put_all(&mut root, &self.settings, &starts, &mut faults);
-        match study(&root, limit, &self.folder, &mut faults) {
+        let set = self
+            .settings
+            .iter()
+            .map(|setting| setting.name().to_owned());
+        match study(&root, limit, &self.folder, set.collect(), &mut faults) {
             Some(study) if faults.count() == 0 => Ok(Study {
                 settings: self.settings.clone(),
                 sha256: self.sha256(),
@@ -110,11 +114,13 @@ impl Input {
     }
 }
 
-/// The study at `root`, of at most `limit` raw combinations, without its settings and hash; records are in `folder`.
+/// The study at `root`, of at most `limit` raw combinations, without its settings and hash; records are in `folder`. The command
+/// line set the parameters `set`.
 pub(in crate::study) fn study(
     root: &Node,
     limit: u64,
     folder: &Path,
+    set: Vec<String>,
     faults: &mut Faults,
 ) -> Option<Study> {
     let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
@@ -150,6 +156,7 @@ pub(in crate::study) fn study(
         blocks,
         ensemble: None,
         once,
+        set,
     };
     scope.ensemble = ensemble(&object, &scope, faults);
     let metrics: Vec<&str> = metrics.iter().map(String::as_str).collect();

@@ -43,7 +43,7 @@ impl Setting {
         format!("--set {text}")
     }
 
-    fn name(&self) -> &str {
+    pub(in crate::study) fn name(&self) -> &str {
         self.text[..self.equals].trim()
     }
 

@@ -65,7 +65,15 @@ fn parse(text: &str, table: &[Parameter], kind: Kind) -> Result<Formula, Express
         }
         Some(')') => Err(parser.fault("')' without '('")),
         Some('=') => Err(parser.fault("write == to compare")),
-        Some(c) => Err(parser.fault(format!("expected an operator, got '{}'", c.escape_debug()))),
+        Some(c) => {
+            let hint = match c {
+                ',' => "; the decimal sign is '.', and a list is written [0, 1]",
+                c if c.is_alphabetic() => "; a product is written with *",
+                _ => "",
+            };
+            let c = c.escape_debug();
+            Err(parser.fault(format!("expected an operator, got '{c}'{hint}")))
+        }
     }
 }
 

@@ -56,6 +56,8 @@ impl Decoded for Budget {
         }
         checker.has_values("x", self.x);
         checker.suits_scale("x", self.x, Scale::Log);
+        checker.has_two_values("x", self.x, KIND.name);
+        checker.range_shows_some(self.x);
         if let Some(row) = self.panels {
             checker.has_values("panels", row);
             checker.panels_fit(row, self.y.len());

@@ -51,6 +51,7 @@ impl Decoded for Convergence {
     fn check_cases(&self, checker: &mut Checker) {
         if !sampled::refused(checker, KIND.name) {
             metric::check(checker, self.x, Scale::Log, self.by, KIND.name);
+            checker.has_two_values("x", self.x, KIND.name);
         }
     }
 

@@ -64,6 +64,7 @@ impl Decoded for Fragility {
     fn check_cases(&self, checker: &mut Checker) {
         ensembles::check(checker, Some(self.x), self.by, KIND.name);
         checker.suits_scale("x", self.x, self.x_scale);
+        checker.range_shows_some(self.x);
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

@@ -2,6 +2,7 @@
 
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::problem::parameter::Value;
+use crate::problem::unit::Dimension;
 use crate::study::Scale;
 use crate::study::figure::checker::{Checker, NARROW};
 use crate::study::figure::keys::{BY, IN_UNITS, PANELS, Takes, X_RANGE, Y_RANGE, key};
@@ -72,10 +73,27 @@ impl Decoded for History {
 
     fn check_cases(&self, checker: &mut Checker) {
         check(checker, self.by, self.panels, 1, KIND.name);
+        self.check_times(checker);
     }
 
     fn draws_histories(&self) -> bool {
         true
+    }
+}
+
+impl History {
+    /// Reports an `x_range` after the end of every history, or before their start.
+    fn check_times(&self, checker: &mut Checker) {
+        let problem = &*checker.scope.problem;
+        let ends = checker.cases().filter_map(|case| {
+            let size = match self.in_units {
+                true => problem.size(&case, Dimension::Time)?,
+                false => 1.0,
+            };
+            Some(case.at(problem.schema().duration)? * size)
+        });
+        let end = ends.fold(f64::NEG_INFINITY, f64::max);
+        checker.range_overlaps("the time", [0.0, end]);
     }
 }
 

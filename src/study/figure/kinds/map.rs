@@ -95,6 +95,7 @@ impl Decoded for Map {
         let axes = [("x", self.x), ("y", self.y)];
         for ((key, row), scale) in axes.into_iter().zip(self.scales) {
             checker.has_values(key, row);
+            checker.has_two_values(key, row, KIND.name);
             checker.suits_scale(key, row, scale);
         }
         if self.x == self.y {

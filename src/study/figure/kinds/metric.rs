@@ -58,6 +58,7 @@ impl Decoded for Metric {
 pub(super) fn check(checker: &mut Checker, x: usize, scale: Scale, by: Option<usize>, kind: &str) {
     checker.has_values("x", x);
     checker.suits_scale("x", x, scale);
+    checker.range_shows_some(x);
     if let Some(by) = by {
         checker.has_values("by", by);
         let what = format!("a {kind} figure with \"by\" shows one case at each point of a curve");

@@ -66,6 +66,7 @@ impl Decoded for Quantiles {
     fn check_cases(&self, checker: &mut Checker) {
         ensembles::check(checker, Some(self.x), self.by, KIND.name);
         checker.suits_scale("x", self.x, self.scales[0]);
+        checker.range_shows_some(self.x);
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

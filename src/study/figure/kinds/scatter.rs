@@ -84,6 +84,9 @@ impl Decoded for Scatter {
             if let Some(Column::Parameter(row)) = column {
                 checker.has_values(key, row);
                 checker.suits_scale(key, row, scale);
+                if key == "x" {
+                    checker.range_shows_some(row);
+                }
             }
         }
         if self.x == self.y {

@@ -13,7 +13,14 @@ const LONGEST: usize = 100;
 pub(in crate::study) fn outside(name: &str, allowed: &[&str]) -> Option<String> {
     let in_units = |name: &str| scaled(name).is_some_and(|metric| allowed.contains(&metric));
     if in_units(name) && !allowed.iter().any(|known| in_units(known)) {
-        return Some(NEEDS_UNITS.into());
+        // The quantities of a history have names without units.
+        let quantity = scaled(name).filter(|_| allowed.contains(&"r"));
+        return Some(match quantity {
+            Some(quantity) => format!(
+                "write \"{quantity}\", and \"in_units\": true in the figure of a study with \"units\""
+            ),
+            None => NEEDS_UNITS.into(),
+        });
     }
     let name = plain(name);
     if synonym(&name, allowed).is_some() {
