@@ -63,9 +63,9 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
 	cargo test --locked --workspace --test slurm -- --ignored --nocapture
 
-# Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch` changes one part, and
-# `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a pattern.
-# What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
+# Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch`
+# changes one part, and `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a
+# pattern. What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
 PART = numbers structures events problem batch run study figures claims recommend
 ONLY = .
 changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -e 'src/exact/events/**' -f 'src/metrics/**' -f 'src/solve/**' \
