@@ -91,7 +91,8 @@ changed_claims = -f 'src/claims/**' -f src/checks.rs
 noticed_claims = --test command_line --test findings
 changed_recommend = -f 'src/recommend/**'
 noticed_recommend = --test recommend
-changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' -- --lib $(noticed_$(1))
+# As arguments of cargo, so that no other tests are compiled after each change.
+changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib $(noticed_$(1)))
 
 # 2: something survived, 3: something ran into its time limit; the next part all the same.
 mutants: ## change the code of every part in every small way; a test must fail for each change
