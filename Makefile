@@ -63,15 +63,24 @@ torture: ## kill and disturb runs in many ways, and check that the next run give
 slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, preempted and cancelled tasks, then the merge
 	cargo test --locked --workspace --test slurm -- --ignored --nocapture
 
-# A day on two cores for all parts, and not part of CI. `make mutants PART=batch` changes one part, and
-# `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a pattern.
-# What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
-PART = numbers batch study figures claims recommend
+# Days on two cores for all parts (tests/mutants.md has the number of changes of each), and not part of CI. `make mutants PART=batch`
+# changes one part, and `make mutants PART=study ONLY=axis_rule` those of its lines as `cargo mutants --list` names them that match a
+# pattern. What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
+PART = numbers structures events problem batch run study figures claims recommend
 ONLY = .
-changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -f 'src/metrics/**'
+changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -e 'src/exact/events/**' -f 'src/metrics/**' -f 'src/solve/**' \
+  -e 'src/solve/structure/**' -f 'src/system/**' -e 'src/system/structure/**' -e 'src/system/loads/**'
 noticed_numbers = --test budget --test budget_impact --test mesh --test friction --test friction_work --test impact \
   --test impact_contact --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
-  --test sweep --test two_forms --test two_forms_impact
+  --test massless --test sweep --test two_forms --test two_forms_impact
+changed_structures = -f 'src/solve/structure/**' -f 'src/system/structure/**' -f 'src/system/loads/**'
+noticed_structures = --test structures --test structures_laws --test structures_exact
+changed_events = -f 'src/exact/events/**'
+noticed_events = --test structures_exact
+changed_problem = -f 'src/problem/**'
+noticed_problem = --test structures --test structures_exact --test friction --test impact --test bad_studies --test study_language --test units
+changed_run = -f 'src/run/**'
+noticed_run = --test command_line
 changed_batch = -f 'src/batch/**' -f 'src/statistics/**' -f 'src/compare/**'
 noticed_batch = --test command_line
 changed_study = -f 'src/study/**' -e 'src/study/describe/**'
@@ -82,10 +91,11 @@ changed_claims = -f 'src/claims/**' -f src/checks.rs
 noticed_claims = --test command_line --test findings
 changed_recommend = -f 'src/recommend/**'
 noticed_recommend = --test recommend
-changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' -- --lib $(noticed_$(1))
+# As arguments of cargo, so that no other tests are compiled after each change.
+changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib $(noticed_$(1)))
 
 # 2: something survived, 3: something ran into its time limit; the next part all the same.
-mutants: ## change numbers, batch, study, figures, claims and recommend in every small way; a test must fail for each change
+mutants: ## change the code of every part in every small way; a test must fail for each change
 	cargo mutants --version || cargo install --locked cargo-mutants
 	mkdir -p $(PART:%=target/mutants/%)
 	@set -x; $(foreach part,$(PART),$(call changes,$(part)) || test $$? -le 3 || exit 1;)

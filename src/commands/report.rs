@@ -4,6 +4,7 @@ use super::claims;
 use super::sources::Source;
 use super::terminal::{Terminal, note, print, progress};
 use indicatif::ProgressBar;
+use rayon::prelude::*;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::{Folder, is_outdated};
@@ -17,6 +18,7 @@ use slipgap::report::{
     self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
 };
 use slipgap::run::{self, OutputOptions, Tally};
+use slipgap::study::Study;
 use slipgap::study_figures;
 use slipgap::warnings::StudyWarnings;
 use std::path::{Path, PathBuf};
@@ -42,6 +44,14 @@ pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
         bytes_left = bytes_left.saturating_sub(section.results.bytes());
         sections.push(section);
     }
+    // Together, because the few cases of one study do not keep all threads busy.
+    let counts: Vec<(&mut Counts, &Study)> = sections
+        .iter_mut()
+        .map(|section| (&mut section.counts, section.study))
+        .collect();
+    counts
+        .into_par_iter()
+        .for_each(|(counts, study)| counts.look_for_divergence(study));
     // The claims read the stores of the sections.
     for (section, readings) in sections
         .iter_mut()
@@ -101,7 +111,6 @@ fn section<'a>(
     progress::finish(&bar, &source.name, &tally.summary());
     store.close()?;
     counts.warnings = warnings.list();
-    counts.look_for_divergence(study);
     checks.judge_reduced(study, &reduced);
     let indices = run::indices(source, &designs, &mut Terminal)?;
     let mut drawings = Vec::new();

@@ -330,3 +330,24 @@ fn a_setting_of_a_part_of_a_structure_says_what_is_set() {
     }
     bench.expect(0, &["list", "s.json", "--set", "p=3"]);
 }
+
+#[test]
+fn a_where_without_cases_names_the_setting_that_changed_them() {
+    let bench = Bench::new();
+    let figure = r#", "figures": [{ "name": "f", "kind": "history", "where": { "x0": 8 } }]"#;
+    let parameters =
+        r#""law": "velocity-control", "beta": 0.3, "dT": 0.5, "duration": 3, "x0": [8, 9]"#;
+    bench.file("s.json", friction(parameters, figure));
+    bench.expect(0, &["list", "s.json"]);
+    let done = bench.expect(2, &["list", "s.json", "--set", "x0=10"]);
+    let says = "figures[0].where: no case has x0 = 8; the values are 10, by --set x0\n";
+    assert!(done.err.contains(says), "{done:?}");
+    // Another setting is not the reason.
+    bench.file("t.json", friction(parameters, &figure.replace('8', "7")));
+    let done = bench.expect(2, &["list", "t.json", "--set", "beta=0.2"]);
+    assert!(
+        done.err
+            .contains("no case has x0 = 7; the values are 8, 9\n"),
+        "{done:?}"
+    );
+}

@@ -189,3 +189,70 @@ fn another_limit_of_the_number_of_cases() {
         done.out
     );
 }
+
+#[test]
+fn numbers_that_are_none_are_named_with_what_is_allowed() {
+    let bench = Bench::new();
+    bench.file("s.json", friction(ONE, ""));
+    for (words, says) in [
+        (
+            &["explain", "s.json", "abc"][..],
+            "'abc' for '[CASE]': must be a whole number >= 0",
+        ),
+        (
+            &["run", "s.json", "--dpi", "300.5"],
+            "'300.5' for '--dpi <N>': must be a whole number from 72 to 1200",
+        ),
+        (
+            &["run", "s.json", "--dpi", "71"],
+            "'71' for '--dpi <N>': must be a whole number from 72 to 1200",
+        ),
+        (
+            &["run", "s.json", "--jobs", "1025"],
+            "must be a whole number from 1 to 1024",
+        ),
+        (
+            &["list", "s.json", "--limit", "1e6"],
+            "'1e6' for '--limit <CASES>': must be a whole number >= 0",
+        ),
+        (
+            &["merge", "s.json", "--shards", "0"],
+            "must be a whole number >= 1",
+        ),
+    ] {
+        let done = bench.expect(2, words);
+        assert!(done.err.contains(says), "{done:?}");
+    }
+    bench.expect(0, &["run", "s.json", "--dpi", "72", "--jobs", "1"]);
+}
+
+#[test]
+fn without_a_folder_of_studies_the_message_says_what_to_do() {
+    let bench = Bench::new();
+    for verb in ["run", "check", "list", "report"] {
+        let done = bench.expect(2, &[verb]);
+        assert_eq!(
+            done.err,
+            "slipgap: no folder studies here; name a study file or a folder, or write a first study by `slipgap init`\n"
+        );
+    }
+    bench.expect(0, &["init", "first", "--problem", "bar-impact"]);
+    bench.expect(0, &["list"]);
+}
+
+#[test]
+fn one_check_is_one_check_and_histories_are_a_reason_to_run_again() {
+    let bench = Bench::new();
+    let check = r#", "checks": [{ "metric": "rms_error", "max": 1 }]"#;
+    bench.file("s.json", friction(ONE, check));
+    let done = bench.expect(0, &["check", "s.json"]);
+    assert!(done.err.ends_with("1 check, 0 not met\n"), "{done:?}");
+    let histories = ["run", "s.json", "--histories"];
+    let first = bench.expect(0, &histories);
+    assert_eq!(first.err, "s: 1 case run\n");
+    let again = bench.expect(0, &histories);
+    assert_eq!(
+        again.err,
+        "s: 1 case run, also those of the store, for their histories\n"
+    );
+}

@@ -55,9 +55,8 @@ impl Motion<'_> {
                 self.close(rate);
                 self.record(contact, EventKind::Impact { rate });
             }
+            // Softened friction whose rdot has jumped beyond its phase has the next event, at the same time.
             self.begin();
-            let (mut review, states) = self.review();
-            review.friction(states);
         }
         let Motion {
             model,

@@ -77,7 +77,7 @@ impl<'a> Checker<'a> {
         if let [one] = self.levels(row)[..] {
             let name = &self.scope.problem.parameters()[row].name;
             let message = format!(
-                "a {kind} needs two values of {name}, and all cases shown have {name} = {one}"
+                "a {kind} figure needs two values of {name}, and all cases shown have {name} = {one}"
             );
             self.fault(key, message);
         }
@@ -147,5 +147,98 @@ impl<'a> Checker<'a> {
             self.fault("panels", message);
         }
         count <= MOST_PANELS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::study::parse;
+
+    /// The faults of a study of two widths and three steps with a figure.
+    fn faults(figure: &str) -> String {
+        let text = format!(
+            r#"{{"problem": "friction-oscillator", "parameters": {{"law": "velocity-control", "beta": [0.1, 0.2], "dT": [0.1, 0.2, 0.3],
+              "x0": 8, "duration": 12}}, "figures": [{{"name": "f", {figure}}}]}}"#
+        );
+        parse("s", &text)
+            .err()
+            .map(|e| e.to_string())
+            .unwrap_or_default()
+    }
+
+    #[test]
+    fn an_axis_has_two_values() {
+        for (kind, keys, key, name) in [
+            (
+                "map",
+                r#""x": "x0", "y": "dT", "z": "rms_error""#,
+                "x",
+                "x0 = 8",
+            ),
+            (
+                "map",
+                r#""x": "dT", "y": "beta", "z": "rms_error", "where": {"beta": 0.1}"#,
+                "y",
+                "beta = 0.1",
+            ),
+            (
+                "convergence",
+                r#""y": "rms_error", "where": {"dT": 0.2}"#,
+                "x",
+                "dT = 0.2",
+            ),
+            (
+                "budget",
+                r#""x": "dT", "where": {"dT": 0.2, "beta": 0.1}"#,
+                "x",
+                "dT = 0.2",
+            ),
+        ] {
+            let found = faults(&format!(r#""kind": "{kind}", {keys}"#));
+            let parameter = name.split(' ').next().unwrap();
+            let says = format!(
+                "figures[0].{key}: a {kind} figure needs two values of {parameter}, and all cases shown have {name}"
+            );
+            assert!(found.contains(&says), "{found}");
+        }
+        assert_eq!(
+            faults(r#""kind": "map", "x": "beta", "y": "dT", "z": "rms_error""#),
+            ""
+        );
+        assert_eq!(faults(r#""kind": "convergence", "y": "rms_error""#), "");
+    }
+
+    #[test]
+    fn a_range_shows_a_part_of_the_axis() {
+        let metric = r#""kind": "metric", "x": "dT", "y": "rms_error""#;
+        let history = r#""kind": "history", "where": {"dT": 0.1}"#;
+        for (figure, range, extent) in [
+            (metric, "[0.31, 1]", "dT is from 0.1 to 0.3"),
+            (metric, "[0, 0.09]", "dT is from 0.1 to 0.3"),
+            (
+                r#""kind": "convergence", "y": "rms_error""#,
+                "[1, 2]",
+                "dT is from 0.1 to 0.3",
+            ),
+            (
+                r#""kind": "scatter", "x": "beta", "y": "rms_error""#,
+                "[1, 2]",
+                "beta is from 0.1 to 0.2",
+            ),
+            (history, "[12.5, 13]", "the time is from 0 to 12"),
+            (history, "[-2, -1]", "the time is from 0 to 12"),
+        ] {
+            let found = faults(&format!(r#"{figure}, "x_range": {range}"#));
+            let says = format!("figures[0].x_range: shows nothing: {extent} in the cases shown");
+            assert!(found.contains(&says), "{found}");
+        }
+        // Between two points there is a line.
+        for (figure, range) in [
+            (metric, "[0.11, 0.19]"),
+            (metric, "[0.3, 1]"),
+            (history, "[11, 20]"),
+        ] {
+            assert_eq!(faults(&format!(r#"{figure}, "x_range": {range}"#)), "");
+        }
     }
 }

@@ -13,10 +13,13 @@ const LONGEST: usize = 100;
 pub(in crate::study) fn outside(name: &str, allowed: &[&str]) -> Option<String> {
     let in_units = |name: &str| scaled(name).is_some_and(|metric| allowed.contains(&metric));
     if in_units(name) && !allowed.iter().any(|known| in_units(known)) {
-        // A history has its quantities without units.
-        return Some(match allowed.contains(&"r") {
-            true => "the quantity has its name without the unit, and the figure \"in_units\": true; the study has \"units\"".into(),
-            false => NEEDS_UNITS.into(),
+        // The quantities of a history have names without units.
+        let quantity = scaled(name).filter(|_| allowed.contains(&"r"));
+        return Some(match quantity {
+            Some(quantity) => format!(
+                "write \"{quantity}\", and \"in_units\": true in the figure of a study with \"units\""
+            ),
+            None => NEEDS_UNITS.into(),
         });
     }
     let name = plain(name);
