@@ -237,12 +237,9 @@ fn solve(seed: u64, structures: usize) -> [usize; 3] {
 
 #[test]
 fn bodies_at_rest_have_forces_with_every_pair_of_laws() {
-    // Each pair twice, with both of the first methods.
-    let [solved, refused, singular] = solve(1, 2 * LAWS * LAWS);
-    assert!(
-        refused == 0 && singular < 12,
-        "{solved} {refused} {singular}"
-    );
+    // Each pair with each method. Central difference has no curved laws, and moreau-jean not beside rigid ones.
+    let [solved, refused, singular] = solve(1, METHODS * LAWS * LAWS);
+    assert!(solved > 2000, "{solved} {refused} {singular}");
 }
 
 /// `cargo test --lib two_hundred_thousand -- --ignored`, some minutes.
@@ -251,6 +248,5 @@ fn bodies_at_rest_have_forces_with_every_pair_of_laws() {
 fn two_hundred_thousand_structures_with_bodies_at_rest_have_forces() {
     let [solved, refused, singular] = solve(2, 200_000);
     println!("{solved} solved, {refused} refused, {singular} not unique");
-    // Central difference has no curved laws, and moreau-jean not beside rigid ones.
     assert!(solved > 160_000, "{solved} {refused} {singular}");
 }
