@@ -8,11 +8,11 @@ use slipgap::problem::friction::FrictionOscillator;
 use slipgap::problem::impact::BarImpact;
 use slipgap::problem::parameter::Value;
 use slipgap::problem::{Case, Problem, Solution};
-use slipgap::recommend::friction::Friction;
+use slipgap::recommend::friction::{Friction, Releases};
 use slipgap::recommend::impact::{FixedParameters, Impact, energy_change};
 use slipgap::recommend::{
-    Answer, Candidate, CostLevel, EnergyChange, Fixed, Request, SearchSpace, Stop, Target, metric,
-    search, with_finer_step,
+    Answer, Candidate, CostLevel, EnergyChange, Fixed, Outcome, Request, SearchSpace, Stop, Target,
+    elsewhere, metric, refine, search, with_finer_step,
 };
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -222,6 +222,201 @@ fn an_answer_holds_with_a_finer_step_if_one_does() {
     let best = chosen(&answer);
     assert!(best.worst <= 1.0 && !best.converged && !holds(best, &request));
     assert!(answer.own_step.is_none());
+}
+
+#[test]
+fn metrics_are_refined_until_they_settle() {
+    let of = |given: &serde_json::Value, targets: &[(&'static str, f64)]| {
+        let case = common::case(&BarImpact, given);
+        let request = impact(targets);
+        assert!(reaches(
+            &BarImpact,
+            &case,
+            &Request {
+                energy_gain: f64::INFINITY,
+                ..request.clone()
+            }
+        ));
+        let refined = refine(
+            &BarImpact,
+            &request.targets,
+            std::slice::from_ref(&case),
+            &mut 0,
+        );
+        // The outcome again, by solving with the last step.
+        let last = with_finer_step(&BarImpact, &case, refined[0].factor);
+        let free = Request {
+            energy_gain: f64::INFINITY,
+            ..request
+        };
+        assert_eq!(
+            reaches(&BarImpact, &last, &free),
+            refined[0].outcome != Outcome::Misses
+        );
+        (refined[0].outcome, refined[0].factor)
+    };
+    // The peak force of a damped spring grows with every halving: 1.0935 at a 16th of the step, 1.111 at a 32nd, 1.133 in the limit.
+    let damped = json!({"law": "kelvin-voigt", "restitution": 0.9, "method": "moreau-jean", "theta": 0.5, "mass": "lumped", "n": 15,
+        "gamma": 0.891, "dt": 1.0 / 12.0, "duration": 1.5});
+    let (outcome, factor) = of(&damped, &[("peak_force", 0.1)]);
+    assert!(
+        outcome == Outcome::Misses && factor > 16,
+        "{outcome:?} {factor}"
+    );
+    // In steps of nearly one element errors of mesh and step cancel: 0.154 becomes 0.225.
+    let cancels = json!({"law": "impact-spring", "method": "central-difference", "mass": "massless-contact", "n": 8, "gamma": 3.55,
+        "dt": 0.47 / 8.0, "duration": 1.5});
+    assert_eq!(
+        of(&cancels, &[("rms_error_rdot", 0.2)]),
+        (Outcome::Misses, 2)
+    );
+    assert_eq!(of(&cancels, &[("rms_error_rdot", 0.25)]).0, Outcome::Holds);
+}
+
+#[test]
+fn steps_of_nearly_one_element_are_searched() {
+    let fixed = FixedParameters {
+        choice: Fixed {
+            law: Some("impact-spring"),
+            method: Some("central-difference"),
+        },
+        mass: Some("massless-contact"),
+        ..FixedParameters::default()
+    };
+    let space = Impact::new(fixed).unwrap();
+    // Cases that are known to reach the target with their own step, where they gain up to 3 % of the energy.
+    for (name, limit, n, gamma, passes) in [
+        ("rms_error_rdot", 0.2, 8, 3.55, 0.94),
+        ("rms_error_r", 0.02, 13, 5.6, 0.96),
+    ] {
+        let dt = passes / f64::from(2 * n);
+        let known = json!({"law": "impact-spring", "method": "central-difference", "mass": "massless-contact", "n": n,
+            "gamma": gamma, "dt": dt, "duration": 1.5});
+        let known = common::case(&BarImpact, &known);
+        let request = Request {
+            energy_gain: 0.03,
+            ..impact(&[(name, limit)])
+        };
+        assert!(reaches(&BarImpact, &known, &request));
+        let answer = search(&space, &request);
+        let own = answer.own_step.as_ref().unwrap();
+        assert!(
+            own.cost <= BarImpact.work(&known) && !own.converged,
+            "{own:?}"
+        );
+        let best = chosen(&answer);
+        assert!(best.converged && converged(&BarImpact, &best.cases[0], &request));
+    }
+}
+
+/// The exact motion of a release and one cycle more.
+fn released(case: &Case, x0: f64) -> Case {
+    let mut case = case.clone();
+    let rows = FrictionOscillator.parameters().iter();
+    for (row, parameter) in rows.enumerate() {
+        match &*parameter.name {
+            "x0" => case.values[row] = Some(Value::Number(x0)),
+            "duration" => {
+                let half_cycles = ((x0 - 1.0) / 2.0).ceil();
+                case.values[row] = Some(Value::Number((half_cycles + 2.0) * PI));
+            }
+            _ => {}
+        }
+    }
+    case
+}
+
+#[test]
+fn an_answer_for_a_range_of_releases_holds_between_them() {
+    let error = |case: &Case| {
+        let metrics = FrictionOscillator.solve(case, &[]).unwrap().metrics;
+        metrics[metric(&FrictionOscillator, "rms_error")].unwrap()
+    };
+    // A fixed set in which no number of the search is, and both sides of the odd numbers, where the errors have cusps.
+    let dense = |from: f64, to: f64| {
+        let odd = (0..20).map(|k| f64::from(2 * k + 1));
+        let cusps = odd.flat_map(|odd| [odd - 1e-9, odd, odd + 1e-9]);
+        let count = ((to - from) / 0.0137) as u32;
+        let all = (0..count).map(move |i| from + 0.0137 * (f64::from(i) + 0.31));
+        all.chain(cusps.filter(move |x0| (from..=to).contains(x0)))
+            .collect::<Vec<f64>>()
+    };
+    for (law, method, limit, from, to) in [
+        ("tanh", "central-difference", 0.01, 8.0, 20.0),
+        (
+            "displacement-control",
+            "average-acceleration",
+            0.05,
+            8.0,
+            20.0,
+        ),
+        ("coulomb", "central-difference", 0.02, 2.0, 7.5),
+    ] {
+        let fixed = Fixed {
+            law: Some(law),
+            method: Some(method),
+        };
+        let space = Friction::new(fixed, Releases::Range(from, to));
+        let answer = search(&space, &rms(limit));
+        let best = chosen(&answer);
+        assert!(best.converged);
+        for x0 in dense(from, to) {
+            let case = released(&best.cases[0], x0);
+            assert!(error(&case) <= limit, "{law} at {x0}: {}", error(&case));
+            let half = with_finer_step(&FrictionOscillator, &case, 2);
+            assert!(
+                error(&half) <= limit,
+                "{law} at {x0} with half the step: {}",
+                error(&half)
+            );
+        }
+        let found = elsewhere(&space, &rms(limit), best).unwrap();
+        assert_eq!((found.ends, found.missed), ([from, to], 0));
+        // The case shown is the release with the largest error of those searched.
+        let shown = error(&best.cases[0]);
+        assert!(
+            shown >= found.error * 0.98 && shown <= best.worst * limit,
+            "{found:?} {shown}"
+        );
+    }
+}
+
+#[test]
+fn an_answer_for_one_release_says_what_it_misses() {
+    let fixed = Fixed {
+        law: Some("tanh"),
+        method: Some("central-difference"),
+    };
+    let space = Friction::new(fixed, 12.0);
+    let answer = search(&space, &rms(0.01));
+    let best = chosen(&answer);
+    let found = elsewhere(&space, &rms(0.01), best).unwrap();
+    assert_eq!((found.ends, found.count), ([8.0, 20.0], 1201));
+    let error = |x0: f64| {
+        let metrics = FrictionOscillator
+            .solve(&released(&best.cases[0], x0), &[])
+            .unwrap()
+            .metrics;
+        metrics[metric(&FrictionOscillator, "rms_error")].unwrap()
+    };
+    let errors: Vec<f64> = (0..=1200)
+        .map(|i| error(8.0 + f64::from(i) * 0.01))
+        .collect();
+    let missed = errors.iter().filter(|error| **error > 0.01).count();
+    let largest = errors.iter().copied().fold(0.0, f64::max);
+    assert_eq!(found.missed, missed);
+    assert!(missed > 200 && (found.error - largest).abs() < 1e-12);
+    // The printed sentence has the same numbers.
+    let folder = tempfile::tempdir().unwrap();
+    let output = slipgap(
+        folder.path(),
+        "recommend friction-oscillator --rms 0.01 --law tanh --method central-difference --x0 12",
+    );
+    let share = 100.0 * missed as f64 / 1201.0;
+    let sentence = format!(
+        "Of 1201 releases from 8 to 20, {share:.0} % miss the target; the largest rms_error is "
+    );
+    assert!(text(&output).contains(&sentence), "{}", text(&output));
 }
 
 /// (E_i - E_0)/E_0 at every step after the first: the end of a run with this duration.
@@ -507,7 +702,10 @@ fn cells(line: &str) -> Vec<&str> {
 fn printed_metrics_are_those_of_a_study() {
     let folder = tempfile::tempdir().unwrap();
     for (problem, words) in [
-        ("friction-oscillator", "--rms 0.05"),
+        (
+            "friction-oscillator",
+            "--rms 0.05 --law tanh --method central-difference",
+        ),
         (
             "bar-impact",
             "--overlap 0.15 --peak-force-error 0.3 --method hht --law hunt-crossley",
@@ -568,7 +766,8 @@ fn printed_metrics_are_those_of_a_study() {
 fn names_of_rows_agree_with_their_numbers() {
     let folder = tempfile::tempdir().unwrap();
     for words in [
-        "friction-oscillator --rms 0.05",
+        "friction-oscillator --rms 0.05 --x0 12",
+        "friction-oscillator --rms 0.05 --x0 5..9 --law coulomb",
         "friction-oscillator --rms 0.05 --x0 -8.3 --law displacement-control",
         "bar-impact --overlap 0.1 --law impact-spring --method average-acceleration",
         "bar-impact --overlap 0.15 --peak-force-error 0.2 --law impact-spring --method average-acceleration",
@@ -736,6 +935,15 @@ fn exit_codes_of_unreachable_targets_and_wrong_arguments() {
         "recommend bar-impact --overlap 0.1 --law rigid --gamma 1",
         "recommend bar-impact --overlap 0.1 --law rigid --method central-difference --mass lumped",
         "recommend friction-oscillator --law velocity-control --rms 0.1 --x0 0",
+        "recommend friction-oscillator --rms 0.1 --x0 20..8",
+        "recommend friction-oscillator --rms 0.1 --x0 8..8",
+        "recommend friction-oscillator --rms 0.1 --x0 0..5",
+        "recommend friction-oscillator --rms 0.1 --x0 8..",
+        "recommend friction-oscillator --rms 0.1 --x0 ..20",
+        "recommend friction-oscillator --rms 0.1 --x0 8..inf",
+        "recommend friction-oscillator --rms 0.1 --x0 8...20",
+        "recommend friction-oscillator --rms 0.1 --x0 1..60",
+        "recommend friction-oscillator --rms 0.1 --x0 990..1001",
     ] {
         assert_eq!(slipgap(folder.path(), bad).status.code(), Some(2), "{bad}");
     }
@@ -772,9 +980,9 @@ fn an_answer_that_depends_on_its_step_has_a_warning() {
     let warning = "Warning: this answer is valid only for its own time step.";
     assert!(printed(&impact).starts_with(warning));
     // A finer step is better for a narrow friction law.
-    let friction = ["friction-oscillator", "--rms", "0.05"];
+    let friction = ["friction-oscillator", "--rms", "0.05", "--x0", "12"];
     let friction = printed(&friction);
-    assert!(friction.contains("the same, step/16"), "{friction}");
+    assert!(friction.contains("the same, step/"), "{friction}");
     assert!(!friction.contains("its own time step"), "{friction}");
 }
 
