@@ -132,7 +132,8 @@ fn run_span(scene: &mut Scene, place: &str, span: &str) {
     if verb.starts_with('-') || is_placeholder(verb) {
         return;
     }
-    let open = rest.is_empty() || rest.iter().any(|word| is_placeholder(word));
+    let only_options = *verb != "schema" && rest.iter().all(|word| word.starts_with('-'));
+    let open = rest.is_empty() || only_options || rest.iter().any(|word| is_placeholder(word));
     if !open && *verb != "recommend" {
         return scene.run(place, span, &[], 0);
     }

@@ -106,12 +106,9 @@ impl Scene {
             }
         }
         // Other tests run the studies of the repository (tests/fresh.rs, tests/shipped.rs), some of which take minutes here.
-        if args[0] == "run"
-            && args
-                .get(1)
-                .is_some_and(|study| self.shipped.contains(study))
-        {
-            args[0] = "list".into();
+        let shipped = args.iter().find(|arg| self.shipped.contains(arg));
+        if let (Some(study), "run" | "check") = (shipped, args[0].as_str()) {
+            args = vec!["list".into(), study.clone()];
         }
         if ["run", "check"].contains(&args[0].as_str()) {
             args.extend_from_slice(more);
