@@ -1,10 +1,12 @@
 //! Labels of cases: parameters that no part of the structure contains, in a `zip` with parameters that it does.
 
-use super::names::{Choices, given, interned_choices, member, members, texts};
+use super::names::{Choices, Choosing, given, interned_choices, member, members, texts};
 use crate::problem::interned;
 use crate::problem::parameter::LABEL;
 use crate::problem::structure::schema::{FIXED, named, of_method};
 use crate::study::expression::Formula;
+use crate::study::source::faults::{Faults, quoted};
+use crate::study::source::plain::unprintable;
 use crate::study::source::tree::{Node, Tree};
 
 /// The parameters whose values are texts that are no numbers and that neither the structure nor another parameter contains, with
@@ -93,4 +95,43 @@ pub(super) fn is_label(root: &Node, name: &str, used: &dyn Fn(&str) -> bool) -> 
         }
     }
     lists > 0
+}
+
+/// Characters with which a spreadsheet takes a cell for a formula.
+const FORMULA: [char; 4] = ['=', '+', '-', '@'];
+
+/// Reports labels and names of records that no cell of a table can show as they are. A table has them without a mark that keeps
+/// them from being a formula, so that programs read the same text as in the study.
+pub(super) fn report_texts_of_tables(
+    node: &Node,
+    path: &str,
+    name: &str,
+    choices: &Choosing,
+    faults: &mut Faults,
+) {
+    let mut chosen = choices.parts.iter().chain(&choices.labels);
+    if !chosen.any(|known| known.0 == name) {
+        return;
+    }
+    match &node.tree {
+        Tree::List(items) => {
+            for (i, item) in items.iter().enumerate() {
+                report_texts_of_tables(item, &format!("{path}[{i}]"), name, choices, faults);
+            }
+        }
+        Tree::Text(text) => {
+            if let Some(c) = unprintable(text) {
+                let message =
+                    format!("must be a string of printable characters on one line, got {c}");
+                faults.add(node.at, path, message);
+            } else if text.trim_start().starts_with(FORMULA) {
+                let message = format!(
+                    "must not begin with =, +, - or @, because a spreadsheet takes {} in results.csv for a formula",
+                    quoted(text)
+                );
+                faults.add(node.at, path, message);
+            }
+        }
+        _ => {}
+    }
 }

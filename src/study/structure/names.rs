@@ -1,6 +1,6 @@
 //! The names that a study gives its parameters, and the identity of its structure.
 
-use super::labels::{is_label, labels};
+use super::labels::{is_label, labels, report_texts_of_tables};
 use super::reader::{Reader, is_name};
 use crate::problem::interned;
 use crate::problem::method::PARAMETERS;
@@ -11,7 +11,6 @@ use crate::problem::structure::schema::{FIXED, Named, of_method};
 use crate::study::expression::Formula;
 use crate::study::expression::tokens::FUNCTIONS;
 use crate::study::source::faults::{Faults, join, quoted};
-use crate::study::source::plain::unprintable;
 use crate::study::source::tree::{Member, Node, Tree};
 use sha2::{Digest, Sha256};
 
@@ -219,45 +218,6 @@ pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -
         required: true,
     }));
     parameters
-}
-
-/// Characters with which a spreadsheet takes a cell for a formula.
-const FORMULA: [char; 4] = ['=', '+', '-', '@'];
-
-/// Reports labels and names of records that no cell of a table can show as they are. A table has them without a mark that keeps
-/// them from being a formula, so that programs read the same text as in the study.
-fn report_texts_of_tables(
-    node: &Node,
-    path: &str,
-    name: &str,
-    choices: &Choosing,
-    faults: &mut Faults,
-) {
-    let mut chosen = choices.parts.iter().chain(&choices.labels);
-    if !chosen.any(|known| known.0 == name) {
-        return;
-    }
-    match &node.tree {
-        Tree::List(items) => {
-            for (i, item) in items.iter().enumerate() {
-                report_texts_of_tables(item, &format!("{path}[{i}]"), name, choices, faults);
-            }
-        }
-        Tree::Text(text) => {
-            if let Some(c) = unprintable(text) {
-                let message =
-                    format!("must be a string of printable characters on one line, got {c}");
-                faults.add(node.at, path, message);
-            } else if text.trim_start().starts_with(FORMULA) {
-                let message = format!(
-                    "must not begin with =, +, - or @, because a spreadsheet takes {} in results.csv for a formula",
-                    quoted(text)
-                );
-                faults.add(node.at, path, message);
-            }
-        }
-        _ => {}
-    }
 }
 
 /// Reports the parameters that neither the structure nor another parameter nor a condition contains, and that are no labels.
