@@ -74,7 +74,7 @@ fn section<'a>(
     };
     let mut tally = Tally::new(store.is_empty());
     let mut results = Results::new(study, store.folder().to_owned(), largest);
-    let (mut counts, mut checks) = (Counts::default(), Checks::default());
+    let (mut counts, mut checks) = (Counts::new(study), Checks::default());
     let mut warnings = StudyWarnings::new(study);
     let mut shown = Vec::new();
     let mut designs = DesignMetrics::new(study);

@@ -1,26 +1,44 @@
 //! Numbers of cases without a solution, and the warnings.
 
 use super::text::{code, escape};
-use crate::batch::{Outcome, WarnedCases};
 use crate::batch::divergence::{self, Divergence};
-use crate::solve::Unsolvable;
+use crate::batch::{Outcome, WarnedCases};
+use crate::solve::{Unsolvable, Warning};
 use crate::study::Study;
 use std::io::{self, Write};
 
 /// The numbers of cases so far.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Counts {
     cases: u64,
     unsolved: u64,
     /// The first case that could not be solved, and why.
     first_unsolved: Option<(u64, Unsolvable)>,
+    /// Number of cases without contact, and the first one.
+    without_contact: Option<(u64, u64)>,
     /// The cases that diverge, by metrics that say it.
     divergence: Divergence,
-    /// The warnings, when all cases are counted.
+    /// Row of the metric that is undefined only in cases without contact, if the problem has one.
+    contact_metric: Option<usize>,
+    /// The warnings, when all cases are counted; without any, cases without contact are written as they were counted here.
     pub warnings: Vec<WarnedCases>,
 }
 
 impl Counts {
+    /// No case yet.
+    pub fn new(study: &Study) -> Counts {
+        let schema = study.problem.schema();
+        Counts {
+            cases: 0,
+            unsolved: 0,
+            first_unsolved: None,
+            without_contact: None,
+            divergence: Divergence::default(),
+            contact_metric: schema.contact_metric,
+            warnings: Vec::new(),
+        }
+    }
+
     /// Counts the next case.
     pub fn add(&mut self, study: &Study, number: u64, outcome: &Outcome) {
         self.cases += 1;
@@ -33,6 +51,12 @@ impl Counts {
             self.unsolved += 1;
             self.first_unsolved
                 .get_or_insert_with(|| (number, why.clone()));
+        } else if self
+            .contact_metric
+            .is_some_and(|row| outcome.metrics[row].is_none())
+        {
+            let (count, first) = self.without_contact.unwrap_or((0, number));
+            self.without_contact = Some((count + 1, first));
         }
     }
 
@@ -45,7 +69,15 @@ impl Counts {
 
     /// Writes the numbers that are not 0.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        for warning in &self.warnings {
+        let counted = self.without_contact.map(|(cases, case)| WarnedCases {
+            kind: Warning::NoContact,
+            cases,
+            of: self.cases,
+            case,
+            parameters: Vec::new(),
+        });
+        let counted = counted.filter(|_| self.warnings.is_empty());
+        for warning in self.warnings.iter().chain(&counted) {
             let [sentence, example] = [warning.sentence(), warning.example()];
             let (kind, example) = (warning.kind.name(), escape(&example));
             writeln!(
