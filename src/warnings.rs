@@ -34,7 +34,9 @@ impl<'a> StudyWarnings<'a> {
         self.cases += part.len() as u64;
         for (row, warnings) in part.metrics.warned() {
             let number = part.number(row);
-            warnings.iter().for_each(|kind| self.counts.add(kind, number));
+            warnings
+                .iter()
+                .for_each(|kind| self.counts.add(kind, number));
         }
         if self.study.checks.is_empty() {
             return;
@@ -44,8 +46,7 @@ impl<'a> StudyWarnings<'a> {
             let (number, case) = (part.number(row), shown.at(row));
             let value = |metric| part.metrics.row(row).nth(metric).flatten();
             let mut tested = checks::applicable(self.study, case, value);
-            let fails =
-                |(check, value)| !checks::verdict(self.study, check, number, value).holds();
+            let fails = |(check, value)| !checks::verdict(self.study, check, number, value).holds();
             if tested.any(fails) {
                 self.not_met.insert(number);
             }

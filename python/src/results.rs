@@ -106,7 +106,13 @@ impl Results {
                 }
             }
             let message = warning.to_string();
-            class.call1((warning.kind.name(), warning.cases, warning.case, parameters, message))
+            class.call1((
+                warning.kind.name(),
+                warning.cases,
+                warning.case,
+                parameters,
+                message,
+            ))
         };
         self.warnings.iter().map(record).collect()
     }

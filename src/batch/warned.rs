@@ -25,7 +25,12 @@ pub struct WarnedCases {
 impl WarnedCases {
     /// What they have, as a sentence without its full stop.
     pub fn sentence(&self) -> String {
-        format!("{} of {} cases {}", self.cases, self.of, self.kind.message())
+        format!(
+            "{} of {} cases {}",
+            self.cases,
+            self.of,
+            self.kind.message()
+        )
     }
 
     /// The example, as in `case 3: gap = 0.1, n = 5`.
@@ -90,7 +95,9 @@ impl WarningCounts {
             cases,
             of,
             case,
-            parameters: study.case(case).map_or(Vec::new(), |own| varying(study, case, &own)),
+            parameters: study
+                .case(case)
+                .map_or(Vec::new(), |own| varying(study, case, &own)),
         });
         warned.collect()
     }
@@ -105,7 +112,9 @@ fn varying(study: &Study, number: u64, case: &Case) -> Vec<(String, Value)> {
     let firsts: Vec<Case> = firsts.collect();
     let on_axis = |row: usize| {
         let groups = block.groups.iter().filter(|group| group.len() > 1);
-        groups.flat_map(|group| &group.axes).any(|axis| axis.parameter == row)
+        groups
+            .flat_map(|group| &group.axes)
+            .any(|axis| axis.parameter == row)
     };
     let differs = |row: usize| {
         let other = |other: &Case| !Value::identical(other.values[row], case.values[row]);

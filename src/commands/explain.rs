@@ -110,7 +110,8 @@ fn warnings(study: &Study, case: &Case) -> String {
     match solution(study, case) {
         Err(why) => format!("warnings: none, the case could not be solved: {why}\n"),
         Ok(solution) => {
-            let line = |kind: Warning| format!("warning: {}: cases {}\n", kind.name(), kind.message());
+            let line =
+                |kind: Warning| format!("warning: {}: cases {}\n", kind.name(), kind.message());
             solution.warnings.iter().map(line).collect()
         }
     }

@@ -18,6 +18,7 @@ pub use source::{Source, check_printable, file_name};
 pub use tally::{Tally, cases_run};
 pub use unsolved::UnsolvedCases;
 
+use crate::batch::WarnedCases;
 use crate::batch::output::ensemble::EnsembleMetrics;
 use crate::batch::output::reductions::ReducedMetrics;
 use crate::batch::output::sobol::DesignMetrics;
@@ -27,7 +28,6 @@ use crate::batch::store::Store;
 use crate::batch::{self, RunOptions};
 use crate::error::Error;
 use crate::figures::style;
-use crate::batch::WarnedCases;
 use crate::problem::{Solution, cases_without_contact};
 use crate::study_figures;
 use crate::warnings::StudyWarnings;

@@ -135,16 +135,25 @@ mod tests {
         assert_eq!(kinds, [Warning::ShortContact, Warning::RecordPeak]);
         assert_eq!(some.names(), "short-contact record-peak");
         assert_eq!(Warnings::parse(&some.names()), some);
-        assert_eq!(Warnings::parse("other record-peak"), Warnings::NONE.with(Warning::RecordPeak, true));
+        assert_eq!(
+            Warnings::parse("other record-peak"),
+            Warnings::NONE.with(Warning::RecordPeak, true)
+        );
         assert!(Warnings::parse("").is_empty());
-        let all = WARNINGS.iter().fold(Warnings::NONE, |all, kind| all.with(*kind, true));
+        let all = WARNINGS
+            .iter()
+            .fold(Warnings::NONE, |all, kind| all.with(*kind, true));
         assert_eq!(Warnings::parse(&all.names()).iter().count(), WARNINGS.len());
     }
 
     #[test]
     fn names_differ_and_messages_fit_after_a_number_of_cases() {
         for (i, kind) in WARNINGS.iter().enumerate() {
-            assert!(WARNINGS[..i].iter().all(|other| other.name() != kind.name()));
+            assert!(
+                WARNINGS[..i]
+                    .iter()
+                    .all(|other| other.name() != kind.name())
+            );
             let first = kind.message().split(' ').next();
             assert!(matches!(first, Some("have" | "do")), "{}", kind.message());
         }

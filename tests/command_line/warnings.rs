@@ -24,7 +24,11 @@ impl Bench {
             (kind, number("cases"), number("case"))
         });
         let kinds: Vec<_> = lines.collect();
-        assert_eq!(done.err.matches("(warning ").count(), kinds.len(), "{done:?}");
+        assert_eq!(
+            done.err.matches("(warning ").count(),
+            kinds.len(),
+            "{done:?}"
+        );
         kinds
     }
 }
@@ -60,8 +64,14 @@ fn impacts_of_every_law_need_some_steps_at_the_stiffness_they_reach() {
         // 3 and 8 steps. The gap of 5 does not close: then the step is fine.
         let parameters = r#""gap": [0.1, 5], "dt": [0.004, 0.01], "duration": 1"#;
         let kinds = bench.kinds(&body(parameters, &contact, "", "\"peak(a)\""));
-        assert!(kinds.contains(&("short-contact".to_owned(), 1, 1)), "{law}: {kinds:?}");
-        assert!(kinds.contains(&("no-contact".to_owned(), 2, 2)), "{law}: {kinds:?}");
+        assert!(
+            kinds.contains(&("short-contact".to_owned(), 1, 1)),
+            "{law}: {kinds:?}"
+        );
+        assert!(
+            kinds.contains(&("no-contact".to_owned(), 2, 2)),
+            "{law}: {kinds:?}"
+        );
     }
     // A spring that is reached slowly is softer: delta is (1.25e-4/1e5)^0.4 = 2.8e-4 at 0.01, and the body touches for 0.08 s.
     let contact = r#""law": "hertz", "k_h": 1e5, "between": ["ground", "a"]"#;
@@ -71,7 +81,10 @@ fn impacts_of_every_law_need_some_steps_at_the_stiffness_they_reach() {
     };
     assert_eq!(bench.kinds(&slow("-0.01")), []);
     let fast = bench.kinds(&slow("-1"));
-    assert!(fast.contains(&("short-contact".to_owned(), 1, 0)), "{fast:?}");
+    assert!(
+        fast.contains(&("short-contact".to_owned(), 1, 0)),
+        "{fast:?}"
+    );
 }
 
 /// A girder that pounds on a light plate before soil.
@@ -90,7 +103,8 @@ fn plate(parameters: &str) -> String {
 #[test]
 fn a_contact_that_makes_energy_is_found_although_the_books_balance() {
     let bench = Bench::new();
-    let parameters = r#""gap": [0.01, 0.0157, 0.02], "v": [0.5, 0.75, 1, 1.25, 1.5], "k": 1e7, "dt": 5e-4"#;
+    let parameters =
+        r#""gap": [0.01, 0.0157, 0.02], "v": [0.5, 0.75, 1, 1.25, 1.5], "k": 1e7, "dt": 5e-4"#;
     let kinds = bench.kinds(&plate(parameters));
     let table = bench.text("figures/s/results.csv");
     let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
@@ -110,7 +124,10 @@ fn a_contact_that_makes_energy_is_found_although_the_books_balance() {
     // The work up to the last step is that of the metric; up to an earlier one it may be less.
     let gain = kinds.iter().find(|kind| kind.0 == "contact-gain").unwrap();
     let most = makes.len() as u64 + 3;
-    assert!((makes.len() as u64..=most).contains(&gain.1) && gain.2 <= makes[0], "{gain:?} {makes:?}");
+    assert!(
+        (makes.len() as u64..=most).contains(&gain.1) && gain.2 <= makes[0],
+        "{gain:?} {makes:?}"
+    );
     // With 25 steps in a touch of pi sqrt(0.01/1e6) = 3.1e-4 s.
     let fine = r#""gap": 0.0157, "v": [0.5, 1.5], "k": 1e6, "dt": 1.25e-5"#;
     assert_eq!(bench.kinds(&plate(fine)), []);
@@ -124,10 +141,16 @@ fn bars_that_gain_energy_and_short_contacts_of_bars_are_found() {
             r#"{{"problem": "bar-impact", "parameters": {{"gamma": {gamma}, "n": {n}, "dt": {dt}, "duration": 2}}}}"#
         )
     };
-    assert_eq!(bench.kinds(&bars("[0.25, 8]", 40, "0.02")), some(&[("bar-gain", 1, 1)]));
-    // The bars touch for T_I: about 5 and 20 steps.
-    let kinds = bench.kinds(&bars("1", 4, "[0.05, 0.2]"));
-    assert!(kinds.contains(&("short-contact".to_owned(), 1, 1)), "{kinds:?}");
+    assert_eq!(
+        bench.kinds(&bars("[0.25, 8]", 40, "0.02")),
+        some(&[("bar-gain", 1, 1)])
+    );
+    // The bars touch for T_I and a little longer: about 5 and 20 steps.
+    let kinds = bench.kinds(&bars("1", 4, "[0.05, 0.25]"));
+    assert!(
+        kinds.contains(&("short-contact".to_owned(), 1, 1)),
+        "{kinds:?}"
+    );
     let apart = bars("0.25", 4, "0.0125").replace("\"n\"", "\"gap\": [0, 9], \"n\"");
     assert_eq!(bench.kinds(&apart), some(&[("no-contact", 1, 1)]));
 }
@@ -155,14 +178,19 @@ fn forces_of_rigid_friction_that_alternate_are_found_if_a_metric_uses_them() {
             "average-acceleration",
         ),
     ] {
-        assert_eq!(bench.kinds(&friction(law, metric, method)), [], "{law} {metric} {method}");
+        assert_eq!(
+            bench.kinds(&friction(law, metric, method)),
+            [],
+            "{law} {metric} {method}"
+        );
     }
 }
 
 #[test]
 fn parts_that_nothing_holds_and_strange_records_are_found() {
     let bench = Bench::new();
-    let contact = r#""law": "displacement-control", "rE": 0.01, "limit": 0.3, "between": ["ground", "a"]"#;
+    let contact =
+        r#""law": "displacement-control", "rE": 0.01, "limit": 0.3, "between": ["ground", "a"]"#;
     let held = body(r#""dt": 0.01, "duration": 1"#, contact, "", "\"peak(a)\"");
     assert_eq!(bench.kinds(&held), []);
     let free = held.replace(r#""a": 1}"#, r#""a": 1, "b": 2}"#);
@@ -185,15 +213,24 @@ fn warnings_name_a_case_are_the_same_from_everywhere_and_are_denied_on_request()
     let not_met = kinds.iter().find(|kind| kind.0 == "check-not-met").unwrap();
     assert_eq!(not_met.1, 1);
     // Gaps of 1 and more do not close before 0.5.
-    let apart = kinds.iter().position(|kind| kind.0 == "no-contact").unwrap();
+    let apart = kinds
+        .iter()
+        .position(|kind| kind.0 == "no-contact")
+        .unwrap();
     let (first, expected) = (kinds[apart].2, bench.warnings());
     assert_eq!(kinds[apart].1, 5 * 2501);
     assert_eq!(first, 2500);
     let parameters = &expected[apart]["parameters"];
-    assert_eq!((parameters["gap"].as_f64(), parameters["gamma"].as_f64()), (Some(1.0), Some(0.5)));
+    assert_eq!(
+        (parameters["gap"].as_f64(), parameters["gamma"].as_f64()),
+        (Some(1.0), Some(0.5))
+    );
     assert!(parameters["n"].is_null());
     let message = expected[apart]["message"].as_str().unwrap();
-    assert!(message.ends_with("(warning no-contact; case 2500: gamma = 0.5, gap = 1)"), "{message}");
+    assert!(
+        message.ends_with("(warning no-contact; case 2500: gamma = 0.5, gap = 1)"),
+        "{message}"
+    );
     // From the store; computed by one and two threads; merged.
     bench.expect(0, &["run", "s.json"]);
     assert_eq!(bench.warnings(), expected);
@@ -212,14 +249,24 @@ fn warnings_name_a_case_are_the_same_from_everywhere_and_are_denied_on_request()
     let check = bench.expect(5, &["check", "s.json"]);
     for warning in &expected {
         let message = warning["message"].as_str().unwrap();
-        assert!(done.err.contains(message) && check.err.contains(message), "{message}");
+        assert!(
+            done.err.contains(message) && check.err.contains(message),
+            "{message}"
+        );
     }
     bench.expect(5, &["run", "s.json", "--deny-warnings"]);
     let explained = bench.expect(0, &["explain", "s.json", "2500"]);
-    assert!(explained.out.contains("warning: no-contact: cases have no contact"), "{explained:?}");
+    assert!(
+        explained
+            .out
+            .contains("warning: no-contact: cases have no contact"),
+        "{explained:?}"
+    );
     bench.expect(0, &["report", "s.json"]);
     let page = bench.text("figures/report.html");
-    assert!(page.contains("<p class=\"facts\">warning no-contact; case 2500: gamma = 0.5, gap = 1</p>"));
+    assert!(
+        page.contains("<p class=\"facts\">warning no-contact; case 2500: gamma = 0.5, gap = 1</p>")
+    );
     // Nothing to warn of.
     let clean = r#"{"problem": "friction-oscillator", "parameters": {"law": "displacement-control", "alpha": 1, "dT": 0.5, "duration": 3}}"#;
     bench.file("clean.json", clean);
@@ -243,7 +290,10 @@ fn a_restitution_that_the_method_ignores_is_a_fault() {
             let done = bench.expect(2, &["list", "bad.json"]);
             let column = study(method).lines().nth(2).unwrap().find("0.5").unwrap() + 1;
             let place = format!("bad.json:3:{column}: structure.contacts.c.e: ");
-            assert!(done.err.starts_with(&place) && done.err.contains("moreau-jean"), "{done:?}");
+            assert!(
+                done.err.starts_with(&place) && done.err.contains("moreau-jean"),
+                "{done:?}"
+            );
         }
     }
     let bars = |more: &str| {
@@ -256,11 +306,15 @@ fn a_restitution_that_the_method_ignores_is_a_fault() {
         (r#", "restitution": 0"#, 2),
         (r#", "restitution": [0, 0.5], "method": "moreau-jean""#, 0),
         (r#", "method": ["bathe", "moreau-jean"]"#, 0),
-        (r#", "restitution": 0.5, "method": ["bathe", "moreau-jean"]"#, 2),
+        (
+            r#", "restitution": 0.5, "method": ["bathe", "moreau-jean"]"#,
+            2,
+        ),
     ] {
         bench.file("bars.json", bars(more));
         let done = bench.expect(code, &["list", "bars.json"]);
-        let names = done.err.contains("parameters.restitution: ") && done.err.contains("moreau-jean");
+        let names =
+            done.err.contains("parameters.restitution: ") && done.err.contains("moreau-jean");
         assert_eq!(names, code == 2, "{done:?}");
     }
 }

@@ -2,11 +2,11 @@
 
 use super::browser::{chromium, probe};
 use super::data::data;
-use slipgap::batch;
-use slipgap::batch::Outcome;
+use slipgap::batch::{self, Outcome, RunOptions, WarnedCases};
 use slipgap::report::{self, Checks, Counts, Indices, Results, Section};
 use slipgap::solve::Unsolvable;
 use slipgap::study::{self, Study};
+use slipgap::warnings::StudyWarnings;
 use std::path::PathBuf;
 
 const FRICTION: &str = r#"{ "problem": "friction-oscillator", "parameters": { "law": "velocity-control",
@@ -19,10 +19,23 @@ fn outcomes(study: &Study) -> Vec<Outcome> {
     batch::all(study, None, &indicatif::ProgressBar::hidden()).unwrap()
 }
 
+/// The warnings of a study.
+fn warnings(study: &Study) -> Vec<WarnedCases> {
+    let mut warnings = StudyWarnings::new(study);
+    let bar = indicatif::ProgressBar::hidden();
+    batch::run(study, &bar, &RunOptions::METRICS, |part| {
+        warnings.add(&part);
+        Ok(())
+    })
+    .unwrap();
+    warnings.list()
+}
+
 /// The page of one study with at most `most` bytes of results.
 fn page(study: &Study, text: &str, outcomes: &[Outcome], most: usize) -> String {
     let mut results = Results::new(study, PathBuf::from("out/s/store"), most);
     let mut counts = Counts::new(study);
+    counts.warnings = warnings(study);
     for (number, outcome) in (0..).zip(outcomes) {
         results.add(outcome);
         counts.add(study, number, outcome);
@@ -134,27 +147,17 @@ fn no_control_character_of_a_study_is_in_the_page() {
 #[test]
 fn cases_without_contact_or_solution_are_counted() {
     let study = study::parse("s.json", BARS).unwrap();
-    let mut outcomes = outcomes(&study);
-    let page_of = |outcomes: &[Outcome]| page(&study, BARS, outcomes, usize::MAX);
-    let touching = page_of(&outcomes);
-    assert!(!touching.contains("have no contact") && !touching.contains("could not be solved"));
-    let name = |metric: &usize| &study.problem.metrics()[*metric].name;
-    let overlap = *study
-        .metrics
-        .iter()
-        .find(|m| name(m) == "max_overlap")
-        .unwrap();
-    for apart in &mut outcomes[1..] {
-        apart.metrics[overlap] = None;
-    }
-    let apart = page_of(&outcomes);
-    assert!(apart.contains(
+    let mut touching = outcomes(&study);
+    let whole = page(&study, BARS, &touching, usize::MAX);
+    assert!(!whole.contains("have no contact") && !whole.contains("could not be solved"));
+    // Bars with a gap of 2 c T_I/2 meet after 1 T_I, that is after the duration.
+    let text = BARS.replace("\"n\": [2, 3, 4]", "\"n\": 2, \"gap\": [0, 2, 3]");
+    let apart = study::parse("s.json", &text).unwrap();
+    assert!(page(&apart, &text, &outcomes(&apart), usize::MAX).contains(
         "<p>2 of 3 cases have no contact before <code>duration</code>; their contact metrics are undefined or 0.</p>"
     ));
-    // A case without a solution has no metrics, but does not count as one without contact.
-    outcomes[2].failure = Some(Unsolvable::Stored("S <grows>".into()));
-    outcomes[2].metrics.fill(None);
-    let failed = page_of(&outcomes);
-    assert!(failed.contains("<p>1 of 3 cases have no contact"));
+    touching[2].failure = Some(Unsolvable::Stored("S <grows>".into()));
+    touching[2].metrics.fill(None);
+    let failed = page(&study, BARS, &touching, usize::MAX);
     assert!(failed.contains("<p>1 of 3 cases could not be solved; case 2: S &lt;grows&gt;.</p>"));
 }

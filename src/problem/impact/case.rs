@@ -133,7 +133,10 @@ impl LaneCase<LANES> for ImpactCase {
         let gains = |row: usize| metrics(row) > GAIN;
         Warnings::NONE
             .with(Warning::ShortContact, short)
-            .with(Warning::BarGain, gains(ENERGY_DRIFT_MAX) || gains(ENERGY_DRIFT_FINAL))
+            .with(
+                Warning::BarGain,
+                gains(ENERGY_DRIFT_MAX) || gains(ENERGY_DRIFT_FINAL),
+            )
             .with(Warning::NoContact, metrics(MAX_OVERLAP).is_nan())
     }
 }

@@ -74,7 +74,8 @@ fn no_restitution(case: &Case) -> Option<Violation> {
 fn ignored_restitution(case: &Case) -> Option<Violation> {
     let given = case.at(LAW + law::rows::RESTITUTION)?;
     let method = method::of_case(case, METHOD)?;
-    let ignores = LawName::of(case) == Some(LawName::Rigid) && method.kind() != MethodKind::MoreauJean;
+    let ignores =
+        LawName::of(case) == Some(LawName::Rigid) && method.kind() != MethodKind::MoreauJean;
     ignores.then(|| Violation {
         parameter: "restitution".into(),
         message: method::ignores_restitution(case.name_at(METHOD), given),

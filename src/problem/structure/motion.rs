@@ -76,7 +76,7 @@ pub fn steps<const L: usize>(
             }
             match (&mut watch, every) {
                 (Some(watch), _) => watch.add(state),
-                (None, Some(every)) => watch = Some(Watch::new(state, every)),
+                (None, Some(every)) => watch = Some(Watch::new(structures, state, every)),
                 (None, None) => {}
             }
         },

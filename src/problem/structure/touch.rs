@@ -121,7 +121,10 @@ mod tests {
         let e = 0.6;
         for (law, name) in [
             (ContactLaw::HertzDamp(HertzDamp::new(k_h, e)), "hertz-damp"),
-            (ContactLaw::HuntCrossley(HuntCrossley::new(k_h, e)), "hunt-crossley"),
+            (
+                ContactLaw::HuntCrossley(HuntCrossley::new(k_h, e)),
+                "hunt-crossley",
+            ),
             (ContactLaw::Ye(Ye::new(k_h, e)), "ye"),
             (
                 ContactLaw::Jankowski(Jankowski::new(k_h, e, 1.2)),

@@ -52,7 +52,10 @@ impl StructureProblem {
         Ok(Warnings::NONE
             .with(Warning::ShortContact, contacts().any(short))
             .with(Warning::ContactGain, self.gains(ready, watched)?)
-            .with(Warning::AlternatingForce, self.force_alternates(ready, computed))
+            .with(
+                Warning::AlternatingForce,
+                self.force_alternates(ready, computed),
+            )
             .with(Warning::UnheldPart, !structure.unheld_parts().is_empty())
             .with(Warning::RecordPeak, self.has_strange_record(&ready.case))
             .with(Warning::NoContact, some && !impacts.any(touches)))
@@ -101,10 +104,13 @@ impl StructureProblem {
     /// Whether a record has a peak that no earthquake has.
     fn has_strange_record(&self, case: &Case) -> bool {
         let template = &self.template;
-        let vertical = template.contacts.iter().filter_map(|contact| match &contact.normal {
-            Some(Normal::Weight { vertical, .. }) => Some(vertical),
-            _ => None,
-        });
+        let vertical = template
+            .contacts
+            .iter()
+            .filter_map(|contact| match &contact.normal {
+                Some(Normal::Weight { vertical, .. }) => Some(vertical),
+                _ => None,
+            });
         let gravity = STANDARD_GRAVITY / template.metre;
         let strange = |record: &Scaled| {
             let kind = record.source.kind();

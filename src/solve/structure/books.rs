@@ -191,7 +191,7 @@ impl<const L: usize> Average<'_, L> {
 
     /// r and S of the contacts.
     #[inline(always)]
-    pub(super) fn contact_states(&self) -> impl Iterator<Item = [Lane<L>; 2]> + '_ {
+    fn contact_states(&self) -> impl Iterator<Item = [Lane<L>; 2]> + '_ {
         let states = self.contacts.iter();
         states.map(|contact| [contact.p - contact.w * 0.5, contact.force])
     }

@@ -3,11 +3,13 @@
 use super::State;
 use super::visited::Kind;
 use crate::lane::Lane;
+use crate::system::structure::{Relation, Structure};
 
 /// The contacts of L structures over a run.
 #[derive(Debug, Clone)]
 pub struct Watch<const L: usize> {
-    contacts: Vec<Contact<L>>,
+    /// Those that may make energy, by their places.
+    contacts: Vec<(usize, Contact<L>)>,
     /// Work of the last step, for methods whose state has both ends of it.
     works: Vec<Lane<L>>,
     /// Energy that the contacts store at t = 0.
@@ -41,8 +43,8 @@ pub struct Watched {
     pub energy: f64,
 }
 
-/// What a run shows of a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// What a run shows of a contact; zeros for one that cannot make energy.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WatchedContact {
     /// Smallest relative displacement r.
     pub displacement: f64,
@@ -53,17 +55,22 @@ pub struct WatchedContact {
 }
 
 impl<const L: usize> Watch<L> {
-    /// From the state at t = 0 on; the energy is looked at every so many steps, since it takes as long as a step.
-    pub fn new(start: &State<L>, every: usize) -> Self {
+    /// From the state of these structures at t = 0 on; the energy is looked at every so many steps, since it takes as long as a step.
+    pub fn new(structures: &[&Structure; L], start: &State<L>, every: usize) -> Self {
         let zero = Lane::splat(0.0);
-        let contacts = (0..start.contacts()).map(|c| {
+        let by_average = matches!(start.0, Kind::Average(_));
+        let passive = |c: usize, of: &Structure| by_average && is_passive(&of.contacts[c].law);
+        let all = 0..start.contacts();
+        let watched = all.filter(|c| !structures.iter().all(|of| passive(*c, of)));
+        let contacts = watched.map(|c| {
             let now = start.contact(c);
             let now = [now.displacement, now.force];
-            Contact {
+            let contact = Contact {
                 last: now,
                 smallest: now,
                 work: [zero; 2],
-            }
+            };
+            (c, contact)
         });
         let stored = start.stored_energy();
         Watch {
@@ -82,7 +89,9 @@ impl<const L: usize> Watch<L> {
         self.step += 1;
         match &state.0 {
             Kind::Average(state) => {
-                for (contact, now) in self.contacts.iter_mut().zip(state.contact_states()) {
+                for (c, contact) in &mut self.contacts {
+                    let now = &state.contacts[*c];
+                    let now = [now.p - now.w * 0.5, now.force];
                     let [r, s] = contact.last;
                     contact.add(now, (s + now[1]) * 0.5 * (now[0] - r));
                 }
@@ -90,9 +99,9 @@ impl<const L: usize> Watch<L> {
             Kind::General(general) => {
                 self.works.fill(Lane::splat(0.0));
                 general.add_contact_work(&mut self.works);
-                for (c, (contact, work)) in self.contacts.iter_mut().zip(&self.works).enumerate() {
-                    let now = state.contact(c);
-                    contact.add([now.displacement, now.force], *work);
+                for (c, contact) in &mut self.contacts {
+                    let now = state.contact(*c);
+                    contact.add([now.displacement, now.force], self.works[*c]);
                 }
             }
         }
@@ -103,17 +112,33 @@ impl<const L: usize> Watch<L> {
 
     /// What the run of a lane shows.
     pub fn of_lane(&self, l: usize) -> Watched {
-        let contacts = self.contacts.iter().map(|contact| WatchedContact {
-            displacement: contact.smallest[0].0[l],
-            force: contact.smallest[1].0[l],
-            work: contact.work[1].0[l],
-        });
+        let mut contacts = vec![WatchedContact::default(); self.works.len()];
+        for (c, contact) in &self.contacts {
+            contacts[*c] = WatchedContact {
+                displacement: contact.smallest[0].0[l],
+                force: contact.smallest[1].0[l],
+                work: contact.work[1].0[l],
+            };
+        }
         Watched {
-            contacts: contacts.collect(),
+            contacts,
             stored: self.stored.0[l],
             energy: self.energy.0[l],
         }
     }
+}
+
+/// Whether no step of constant average acceleration has negative dissipation. For a force f(rdot) that rises and is odd,
+/// (f(a) + f(b))(a + b) >= 0. For an elastic force up to a constant limit the slip of a step has the sign of the limit that it reaches, and
+/// then the mean of both forces has it, too.
+fn is_passive(law: &Relation) -> bool {
+    let friction = matches!(
+        law,
+        Relation::DisplacementControl { .. }
+            | Relation::VelocityControl { .. }
+            | Relation::Coulomb { .. }
+    );
+    friction && law.limit().is_some_and(|limit| limit.varying.is_none())
 }
 
 impl<const L: usize> Contact<L> {
