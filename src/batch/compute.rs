@@ -1,16 +1,15 @@
 //! Computes cases: in lanes if possible, else one at a time.
 
+use super::blocks::blocks;
 use super::chunk::WORK;
 use super::options::RunOptions;
 use super::part_result::Solutions;
 use crate::error::Error;
 use crate::problem::cases::Cases;
-use crate::problem::structure::MOST_SAMPLED;
-use crate::problem::{Case, Samples, Solution};
+use crate::problem::{Case, Solution};
 use crate::solve::{MetricTable, Unsolvable, Warnings};
 use crate::study::Study;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 
 /// Largest number of cases of one sweep if there are several threads.
 const MOST_CASES: u64 = 4096;
@@ -60,45 +59,6 @@ pub(super) fn solvable_rows(cases: &Cases) -> Vec<u32> {
         .collect()
 }
 
-/// The rows in an order in which every sampled signal is made once: blocks of rows whose signals fit in memory, for each thread
-/// two. In a block, and if all signals fit, the order stays.
-fn in_order(study: &Study, cases: &Cases, rows: Vec<u32>) -> Vec<u32> {
-    let mut shown = cases.shown();
-    let Some(first) = rows.first() else {
-        return rows;
-    };
-    if study
-        .problem
-        .samples(shown.at(*first as usize))
-        .key
-        .is_empty()
-    {
-        return rows;
-    }
-    let room = MOST_SAMPLED / (2 * rayon::current_num_threads());
-    let (mut block, mut used, mut total) = (0_u32, 0, 0);
-    let mut blocks: BTreeMap<Samples, u32> = BTreeMap::new();
-    let block_of = |row: &u32| {
-        let samples = study.problem.samples(shown.at(*row as usize));
-        if let Some(known) = blocks.get(&samples) {
-            return (*known, *row);
-        }
-        if used + samples.numbers > room {
-            (block, used) = (block + 1, 0);
-        }
-        used += samples.numbers;
-        total += samples.numbers;
-        blocks.insert(samples, block);
-        (block, *row)
-    };
-    let mut ordered: Vec<(u32, u32)> = rows.iter().map(block_of).collect();
-    if total <= MOST_SAMPLED {
-        return rows;
-    }
-    ordered.sort_unstable();
-    ordered.into_iter().map(|(_, row)| row).collect()
-}
-
 /// The metrics of these rows of a part, which have this work, and the histories to keep. `tick` receives the number of finished rows, some at a
 /// time.
 pub(super) fn compute_rows(
@@ -114,10 +74,6 @@ pub(super) fn compute_rows(
     let (in_lanes, single): (Vec<u32>, Vec<u32>) = rows
         .iter()
         .partition(|row| lanes && !(options.keep_history)(shown.at(**row as usize)));
-    let (in_lanes, single) = (
-        in_order(study, cases, in_lanes),
-        in_order(study, cases, single),
-    );
     let slice = match rayon::current_num_threads() {
         1 if work <= LONGEST_SWEEP => cases.len().max(1),
         1 => (LONGEST_SWEEP / work * rows.len() as f64).max(FEWEST_CASES as f64) as usize,
@@ -129,25 +85,36 @@ pub(super) fn compute_rows(
         tick(rows.len());
         Ok(swept)
     };
-    let swept: Vec<MetricTable> = in_lanes
-        .par_chunks(slice)
-        .map(sweep)
-        .collect::<Result<_, Error>>()?;
+    let in_lanes = blocks(study, cases, in_lanes);
+    let mut swept: Vec<MetricTable> = Vec::new();
+    for block in &in_lanes {
+        // All threads work at a block.
+        let slice = match in_lanes.len() {
+            1 => slice,
+            _ => slice.min(block.len().div_ceil(rayon::current_num_threads())),
+        };
+        let tables = block.par_chunks(slice).map(sweep);
+        swept.extend(tables.collect::<Result<Vec<_>, Error>>()?);
+    }
+    let in_lanes = in_lanes.concat();
     let swept = swept.into_iter().reduce(MetricTable::followed_by);
     if in_lanes.len() == cases.len() && in_lanes.is_sorted() {
         return Ok((swept.unwrap_or_default(), Solutions::new()));
     }
     let mut shown = cases.shown();
-    let single = single.into_iter().map(|row| row as usize);
-    let single: Vec<(usize, Case)> = single.map(|row| (row, shown.at(row).clone())).collect();
     let solve = |(row, case): &(usize, Case)| {
         options.go_on()?;
         let solved = solve_case(study, first + cases.offset(*row), case, options);
         tick(1);
         solved.map(|solved| (*row, solved))
     };
-    let solved: Vec<(usize, SolvedCase)> =
-        single.par_iter().map(solve).collect::<Result<_, Error>>()?;
+    let mut solved: Vec<(usize, SolvedCase)> = Vec::new();
+    for block in blocks(study, cases, single) {
+        let block = block.into_iter().map(|row| row as usize);
+        let block: Vec<(usize, Case)> = block.map(|row| (row, shown.at(row).clone())).collect();
+        let own = block.par_iter().map(solve);
+        solved.extend(own.collect::<Result<Vec<_>, Error>>()?);
+    }
     let (mut metrics, mut solutions) =
         (MetricTable::new(cases.len(), table.len()), Solutions::new());
     for (place, row) in in_lanes.into_iter().enumerate() {

@@ -1,5 +1,6 @@
 //! Runs the cases of a study in parallel. No result depends on the order or on the number of threads.
 
+mod blocks;
 pub mod chunk;
 mod compute;
 pub mod cost;

@@ -1,6 +1,5 @@
 //! Whether units of mass, force, length and time agree: force = mass length/time^2.
 
-use crate::problem::parameter::shortest;
 use crate::system::loads::STANDARD_GRAVITY;
 
 /// Names of units with their size in SI units. Other names are not interpreted.
@@ -100,7 +99,7 @@ pub fn fault(text: &str) -> Option<String> {
     let mended: Vec<String> = mended.collect();
     let [m, f, l, t] = names;
     // Without round-off.
-    let newton = shortest(format!("{product:.6e}").parse().unwrap_or(product));
+    let newton: f64 = format!("{product:.6e}").parse().unwrap_or(product);
     let give = match mended.join(" or ") {
         none if none.is_empty() => "give units with force = mass length/time^2".to_owned(),
         all => format!("give {all}"),
