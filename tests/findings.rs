@@ -302,7 +302,7 @@ fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
     parameters.insert("stiffness".into(), json!(100));
     parameters.insert("steps".into(), json!([20, 40, 80]));
     study["blocks"] = json!([block]);
-    let levels = [(1e-9, "1e-9"), (1e-6, "1e-6"), (1e-3, "1e-3")];
+    let levels: [(f64, &str); 3] = [(1e-9, "1e-9"), (1e-6, "1e-6"), (1e-3, "1e-3")];
     let each = ["impacts_before_divergence", "divergence"]
         .map(|word| levels.map(|(_, level)| format!("{word}(g1.right, {level})")));
     study["metrics"] = json!([vec!["difference(g1.right)".to_owned()], each.concat()].concat());
