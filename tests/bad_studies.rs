@@ -994,9 +994,9 @@ fn files() {
 /// A study that uses every part of the language.
 fn whole_study() -> String {
     with(
-        GOOD,
+        &GOOD.replace("\"pi/10\"", "[\"pi/10\", \"pi/5\"]"),
         ",\n\"title\": \"t\", \"//\": \"remark\", \"metrics\": [\"rms_error\"],\n\"figures\": [\n\
-         {\"name\": \"a\", \"kind\": \"history\", \"by\": \"alpha\", \"where\": {\"x0\": \"12\"}},\n\
+         {\"name\": \"a\", \"kind\": \"history\", \"by\": \"alpha\", \"where\": {\"x0\": \"12\", \"dT\": \"pi/10\"}},\n\
          {\"name\": \"b\", \"kind\": \"metric\", \"x\": \"alpha\", \"y\": [\"rms_error\"], \"x_scale\": \"log\"},\n\
          {\"name\": \"c\", \"kind\": \"map\", \"x\": \"alpha\", \"y\": \"dT\", \"z\": \"max_error\"},\n\
          {\"name\": \"d\", \"kind\": \"law\"}],\n\

@@ -22,6 +22,8 @@ pub(in crate::study) struct Checker<'a> {
     /// One of the reductions that the figure shows, if it shows any.
     pub reduced: Option<&'a Reduction>,
     pub faults: &'a mut Faults,
+    /// Number of faults before the figure.
+    pub before: usize,
 }
 
 impl<'a> Checker<'a> {
@@ -72,9 +74,11 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Reports an axis of `kind` with one value of its parameter.
+    /// Reports an axis of `kind` with one value of its parameter, unless the figure has other faults.
     pub fn has_two_values(&mut self, key: &str, row: usize, kind: &str) {
-        if let [one] = self.levels(row)[..] {
+        if self.faults.count() == self.before
+            && let [one] = self.levels(row)[..]
+        {
             let name = &self.scope.problem.parameters()[row].name;
             let message = format!(
                 "a {kind} figure needs two values of {name}, and all cases shown have {name} = {one}"
@@ -171,7 +175,7 @@ mod tests {
         for (kind, keys, key, name) in [
             (
                 "map",
-                r#""x": "x0", "y": "dT", "z": "rms_error""#,
+                r#""x": "x0", "y": "dT", "z": "rms_error", "where": {"beta": 0.1}"#,
                 "x",
                 "x0 = 8",
             ),

@@ -93,6 +93,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
         scope,
         reduced: None,
         faults,
+        before,
     };
     let table = kind?;
     checker.reduced = reduced::check(table.name, table.keys, &mut checker);

@@ -56,7 +56,6 @@ impl Decoded for Budget {
         }
         checker.has_values("x", self.x);
         checker.suits_scale("x", self.x, Scale::Log);
-        checker.has_two_values("x", self.x, KIND.name);
         checker.range_shows_some(self.x);
         if let Some(row) = self.panels {
             checker.has_values("panels", row);
@@ -69,6 +68,7 @@ impl Decoded for Budget {
             "a budget shows one case at each point",
             "",
         );
+        checker.has_two_values("x", self.x, KIND.name);
     }
 
     fn measures(&self, problem: &dyn Problem) -> Vec<usize> {

@@ -95,7 +95,6 @@ impl Decoded for Map {
         let axes = [("x", self.x), ("y", self.y)];
         for ((key, row), scale) in axes.into_iter().zip(self.scales) {
             checker.has_values(key, row);
-            checker.has_two_values(key, row, KIND.name);
             checker.suits_scale(key, row, scale);
         }
         if self.x == self.y {
@@ -107,6 +106,9 @@ impl Decoded for Map {
             "a map shows one case at each point",
             "",
         );
+        for (key, row) in axes {
+            checker.has_two_values(key, row, KIND.name);
+        }
         for (i, at) in self.marks.iter().flat_map(|marks| &marks.at).enumerate() {
             for ((_, row), place) in axes.into_iter().zip(at) {
                 checker.reaches(row, *place, i);
