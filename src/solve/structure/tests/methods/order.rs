@@ -142,10 +142,10 @@ fn runge_kutta(end: f64, steps: u32) -> [f64; 3] {
 fn lugre_has_the_second_order_from_a_start_in_motion() {
     use crate::contact::{ContactLaw, Lugre};
     let end = 4.0;
-    let exact = runge_kutta(end, 40_000);
-    // Its own error is far below those of the steps.
-    let coarse = runge_kutta(end, 20_000);
-    assert!((0..2).all(|i| (exact[i] - coarse[i]).abs() < 1e-9));
+    let exact = runge_kutta(end, 80_000);
+    // Its own error, of second order at the kinks of |v|, is far below those of the steps, 7e-7 and more.
+    let coarse = runge_kutta(end, 40_000);
+    assert!((0..2).all(|i| (exact[i] - coarse[i]).abs() < 5e-8));
     let mut structure = masses(&[1.0]);
     structure.stiffness.add_spring([None, Some(0)], 4.0);
     structure.velocity[0] = START;
