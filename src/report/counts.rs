@@ -1,8 +1,8 @@
 //! Numbers of cases without a solution, and the warnings.
 
 use super::text::{code, escape};
-use crate::batch::{Outcome, WarnedCases};
 use crate::batch::divergence::{self, Divergence};
+use crate::batch::{Outcome, WarnedCases};
 use crate::solve::Unsolvable;
 use crate::study::Study;
 use std::io::{self, Write};
