@@ -41,7 +41,9 @@ pub fn files(root: &Path) -> io::Result<Vec<PathBuf>> {
 
 fn gather(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     let stem = path.file_stem().and_then(|stem| stem.to_str());
-    if stem.is_some_and(|stem| stem == "tests" || stem.ends_with("_tests")) {
+    let is_test =
+        |stem: &str| stem == "tests" || stem.ends_with("_tests") || stem.starts_with("tests_");
+    if stem.is_some_and(is_test) {
         return Ok(());
     }
     if !path.is_dir() {

@@ -414,13 +414,16 @@ proptest! {
         static_limit in 1.0..2.0_f64,
         stribeck_velocity in 0.05..3.0_f64,
     ) {
-        for static_limit in [1.0, static_limit] {
+        for (static_limit, velocity) in [(1.0, 0.0), (static_limit, 0.0), (1.0, 1.0), (static_limit, 1.0)] {
+            let mut step = step;
+            step.trial.velocity = step.trial.velocity * velocity;
             let law = lugre([sigma0, sigma1, sigma2, static_limit, stribeck_velocity]);
             let s = step.force(law);
             prop_assert!(mirrored(law, &step));
-            // The first step: sigma0 z = S(i) at its start, dz/dt the difference quotient.
-            let before = step.trial.force.0[0];
-            let change = step.trial.change.0[0] - step.on.start.h.0[0] * before - step.on.end.h.0[0] * s;
+            // The first step: dz/dt is the difference quotient, and sigma0 z = S(i) at its start at rest. If the contact moves, z is 0.
+            let force = step.trial.force.0[0];
+            let before = if step.trial.velocity.0[0] == 0.0 { force } else { 0.0 };
+            let change = step.trial.change.0[0] - step.on.start.h.0[0] * force - step.on.end.h.0[0] * s;
             let [_, rdot] = step.motion(s);
             let dt = 0.1;
             let v = change / dt / stribeck_velocity;

@@ -185,7 +185,11 @@ fn missing_folders_and_files() {
     bench.file("empty/readme.txt", "");
     let done = bench.expect(2, &["run", "empty"]);
     assert_eq!(done.err, "slipgap: no studies (*.json) in folder empty\n");
-    for words in [&["run", "none.json"][..], &["check"], &["list", "none"]] {
+    // Without an argument, the folder studies is meant.
+    let done = bench.expect(2, &["check"]);
+    let says = "slipgap: no folder studies here; name a study file or a folder, or write a first study by `slipgap init`\n";
+    assert_eq!(done.err, says);
+    for words in [&["run", "none.json"][..], &["list", "none"]] {
         let done = bench.run(words);
         assert_eq!(done.code, Some(1), "{done:?}");
         assert!(done.err.starts_with("slipgap: cannot read "), "{done:?}");

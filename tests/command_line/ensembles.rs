@@ -74,7 +74,7 @@ fn outdated_tables_are_removed() {
     assert!(exists("quantiles.csv") && !exists("two_samples.csv"));
     let none = STUDY
         .replace("\"ensemble\": \"x0\",", "")
-        .replace("distribution", "convergence");
+        .replace("distribution\"", "metric\", \"x\": \"x0\"");
     bench.file("s.json", &none);
     bench.expect(0, &["run", "s.json"]);
     assert!(!exists("quantiles.csv") && exists("d.png"));

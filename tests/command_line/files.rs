@@ -116,13 +116,15 @@ fn the_manifest_has_the_origin_of_results() {
             "program_version",
             "solver_version",
             "git_commit",
-            "files"
+            "files",
+            "warnings"
         ]
     );
     assert_eq!(manifest["study"], "s.json");
     assert_eq!(manifest["problem"], "friction-oscillator");
     assert_eq!(manifest["program_version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(manifest["files"], serde_json::json!(["results.csv"]));
+    assert_eq!(manifest["warnings"], serde_json::json!([]));
     assert_eq!(manifest["study_sha256"].as_str().unwrap().len(), 64);
 }
 

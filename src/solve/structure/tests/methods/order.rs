@@ -180,9 +180,10 @@ fn lugre_has_the_second_order_from_a_start_in_motion() {
             (0..2).fold(0.0, |most: f64, i| most.max((last[i] - exact[i]).abs()))
         });
         let observed = (errors[0] / errors[4]).log2() / 4.0;
-        // The place of a reversal in its step makes the constant uneven, by some tenths of a factor of 16^2.
+        // The place of a reversal in its step makes the constant uneven: error/dt^2 is between 0.4 and 1.9 down to steps of 0.00002,
+        // and log2(1.9/0.8)/4 is 0.31. An error of first order would give 1.
         assert!(
-            (observed - 2.0).abs() < 0.2,
+            (observed - 2.0).abs() < 0.35,
             "{method:?} {observed} {errors:?}"
         );
     }
