@@ -326,15 +326,15 @@ fn a_small_change_grows_with_every_impact_and_the_step_decides_by_how_much() {
         }
         // The factor of an impact, from 1e-9 to 1e-3, or to 1e-6 if no more is reached. Above, the growth ends.
         let factor = |row: &&BTreeMap<String, f64>| {
-            let reached = levels
+            let mut reached = levels
                 .iter()
                 .filter(|(_, name)| row.contains_key(&format!("divergence(g1.right {name})")));
             let impacts = |name: &str| row[&format!("impacts_before_divergence(g1.right {name})")];
-            let (last, name) = reached.last()?;
+            let (last, name) = reached.next_back()?;
             let count = impacts(name) - impacts("1e-9");
             (*last > 1e-8 && count > 0.0).then(|| (last / 1e-9).powf(1.0 / count))
         };
-        let mut factors: Vec<f64> = own.iter().filter_map(|row| factor(row)).collect();
+        let mut factors: Vec<f64> = own.iter().filter_map(factor).collect();
         factors.sort_by(f64::total_cmp);
         let middle = factors.len() / 2;
         let median = (factors[middle] + factors[(factors.len() - 1) / 2]) / 2.0;

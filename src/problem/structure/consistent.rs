@@ -171,10 +171,7 @@ mod tests {
         for text in ["kg, kN, mm, s", "t, MN, m, s", "g, N, cm, ms"] {
             let fault = fault(text).unwrap();
             let mended = fault.split('"').skip(1).step_by(2);
-            assert!(
-                mended.map(|text| self::fault(text)).all(|f| f.is_none()),
-                "{fault}"
-            );
+            assert!(mended.map(self::fault).all(|f| f.is_none()), "{fault}");
         }
         let fault = fault("m, kN, t, s").unwrap();
         assert!(
