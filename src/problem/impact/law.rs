@@ -23,7 +23,7 @@ choice! {
         Ye = "ye": "hertz with damping (Ye, Li and Zhu 2009)",
         Jankowski = "jankowski": "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
         Rigid = "rigid":
-            "without compliance: r >= 0 at the end of a step; with moreau-jean, restitution of the ends (Moreau 1988, Jean 1999)",
+            "without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)",
     }
 }
 
