@@ -86,7 +86,7 @@ pub static PARAMETERS: [Parameter; 6] = [
 pub(super) fn ignores_restitution(method: &str, restitution: f64) -> String {
     format!(
         "{method} ignores the restitution {} of a rigid contact: the bodies part at 0 to 3 times the closing speed, by chance; allowed: \
-         method moreau-jean, or a law with stiffness; give each method its own block in \"blocks\"",
+         method moreau-jean, or a law with stiffness for the other methods, in a block of its own in \"blocks\"",
         shortest(restitution)
     )
 }

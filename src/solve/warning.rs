@@ -53,11 +53,11 @@ warnings! {
         "have bars that gain more than 1 % of their energy; take a smaller dt or a softer contact"
         "`energy_drift_max` or `energy_drift_final` of the bars is above 1 %.",
     AlternatingForce "alternating-force"
-        "have metrics of the force of a rigid friction contact that alternates from step to step; displacements and work are good, these metrics are not"
+        "have metrics of the force of a friction contact that alternates from step to step; displacements and work are good, these metrics are not"
         "A metric uses the force of a friction contact that resists velocity; over 6 steps in a row the change of the force changes its sign and is larger than 1 % of the peak of the force.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
-        "Springs connect a part of the structure neither to the ground nor to the rest.",
+        "Neither springs nor contacts that are elastic or stick at t = 0 connect a part of the structure with the ground.",
     RecordPeak "record-peak"
         "have a record with a peak above 3 g or below 1e-4 g: look at its unit and its scale"
         "A recorded or synthetic ground acceleration, horizontal or vertical, times its scale, has a peak above 3 g or below 1e-4 g. A scale of 0 is no mistake.",

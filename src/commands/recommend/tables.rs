@@ -216,6 +216,9 @@ pub fn study_parameters(space: &dyn SearchSpace, case: &Case) -> String {
             continue;
         };
         let text = space.study_value(case, name);
+        if text == "-" {
+            continue;
+        }
         let text = match value {
             Value::Name(_) => format!("\"{text}\""),
             Value::Number(_) | Value::Whole(_) if text.contains(['/', '*']) => {

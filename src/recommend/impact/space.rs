@@ -63,6 +63,12 @@ impl SearchSpace for Impact {
     fn study_value(&self, case: &Case, name: &str) -> String {
         match (name, case.number(name)) {
             ("dt", Some(x)) => fraction(x).unwrap_or_else(|| shortest(x)),
+            // A study may not give it: the method ignores it.
+            ("restitution", _)
+                if plain(case, "law") == "rigid" && plain(case, "method") != "moreau-jean" =>
+            {
+                "-".into()
+            }
             _ => plain(case, name),
         }
     }

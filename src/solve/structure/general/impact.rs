@@ -5,11 +5,16 @@ use super::stepper::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
 
+/// Round-off of r over the largest displacement so far, of a stop that stays shut for a million steps: some 1000 times 2e-16.
+const ROUND_OFF: f64 = 1e-12;
+
 /// What rigid stops and Coulomb friction of the method of Moreau and Jean need.
 #[derive(Debug)]
 pub(super) struct Impacts<const L: usize> {
     /// The stops that are active in the step.
     active: Vec<[bool; L]>,
+    /// Largest displacement of the two nodes of each contact so far, and its gap.
+    size: Vec<[f64; L]>,
     /// For each place, the place whose velocity it has; see `rest`.
     pub(super) with: Vec<usize>,
 }
@@ -26,6 +31,7 @@ impl<const L: usize> Impacts<L> {
         let m = contacts.len();
         Some(Impacts {
             active: vec![[false; L]; m],
+            size: vec![[0.0; L]; m],
             with: (0..=prepared.nodes()).collect(),
         })
     }
@@ -36,19 +42,25 @@ impl<const L: usize> Impacts<L> {
 }
 
 impl<const L: usize> General<'_, L> {
-    /// Makes the stops active whose gap, predicted for the middle of the step by r + dt/2 rdot, is not positive.
+    /// Makes the stops active whose gap, predicted for the middle of the step by r + dt/2 rdot, is not positive. A stop that stays
+    /// shut has r = 0 and rdot = 0 but for round-off, which must not open it.
     pub(super) fn activate(&mut self, part: usize) {
         let Some(impacts) = &mut self.impacts else {
             return;
         };
-        let start = &self.stages[part].contacts;
+        let (start, nodes) = (&self.stages[part].contacts, &self.stages[part].nodes);
         let half = 0.5 * self.prepared.sub_steps[part].sub_step.length;
         let mut changed = false;
         for (c, contact) in self.contacts.iter().enumerate() {
             let before = impacts.active[c];
             for l in (0..L).filter(|l| contact.stop[*l]) {
                 let [r, rdot] = [0, 1].map(|k| start[c][k].0[l]);
-                impacts.active[c][l] = r + half * rdot <= 0.0;
+                let places = self.prepared.between[c].iter();
+                let moved = places.map(|place| nodes[*place][0].0[l].abs());
+                let size = &mut impacts.size[c][l];
+                *size = moved.fold(size.max(contact.gap.0[l].abs()), f64::max);
+                let least = if before[l] { ROUND_OFF * *size } else { 0.0 };
+                impacts.active[c][l] = r + half * rdot <= least;
             }
             // A limit that changes sets the bounds of all lanes.
             let new = self.step == 1 || self.inputs.limits_vary();

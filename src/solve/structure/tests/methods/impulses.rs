@@ -29,6 +29,42 @@ fn ball(restitution: f64) -> Structure {
 }
 
 #[test]
+fn round_off_does_not_open_a_stop_that_stays_shut() {
+    // Two masses of 1, the first on a spring of 100, the second pressed on it by 10: both move as one mass on the spring, so that
+    // u'' = -5 cos(omega t) and the force between them is 10 + u'', from 5 to 15.
+    for (gap, restitution) in [(0.0, 0.0), (0.0, 0.5), (0.0, 1.0), (0.3, 0.0)] {
+        let mut pair = masses(&[1.0, 1.0]);
+        pair.displacement[1] = -gap;
+        pair.stiffness.add_spring([None, Some(0)], 100.0);
+        pair.loads.push(Load {
+            pattern: vec![(1, -10.0)],
+            signal: Arc::new(Signal::Table(Table::new(vec![0.0], vec![1.0]).unwrap())),
+        });
+        pair.contacts = vec![stop([Some(0), Some(1)], gap, restitution)];
+        let omega = 50f64.sqrt();
+        for dt in [0.01, 0.001] {
+            books(&THETA, &pair, dt, (20.0 / dt) as usize, |step, state| {
+                let [r, rdot, s] = contact_of(state, 0);
+                assert!(
+                    r.abs() < 1e-12 && rdot.abs() < 1e-12,
+                    "{gap} {restitution} {step}: {r} {rdot}"
+                );
+                if step > 0 {
+                    // The period is wrong by (omega dt)^2/12, for 141 rad; the mean of both ends is cos(omega dt/2) times the middle.
+                    let t = (step as f64 - 0.5) * dt;
+                    let exact = -10.0 + 5.0 * (omega * t).cos();
+                    let most = 5.0 * (omega * dt).powi(2) * (omega * t / 12.0 + 0.13) + 1e-9;
+                    assert!(
+                        (s - exact).abs() < most,
+                        "{gap} {restitution} {dt} {step}: {s} {exact}"
+                    );
+                }
+            });
+        }
+    }
+}
+
+#[test]
 fn a_ball_bounces_at_the_times_and_speeds_of_the_exact_motion_within_first_order() {
     let ball = ball(0.8);
     let summary = events::run(&ball, &[0.0, 2.5], |_, _| ()).unwrap();
