@@ -148,7 +148,7 @@ class Elsewhere(NamedTuple):
     """First value."""
     last: float
     """Last value."""
-    count: int
+    solved: int
     """Number of values solved."""
     missed: int
     """Number of values at which the case misses a target."""

@@ -270,7 +270,7 @@ def test_a_run_warns_of_cases_that_may_mislead() -> None:
         "masses": {"a": 1},
         "springs": [{"between": ["ground", "a"], "k": 1}],
         "contacts": {"stop": {"law": "impact", "between": ["a", "ground"], "gap": "gap", "k": 1e6}},
-        "start": {"a": {"v": -1}},
+        "start": {"a": {"v": 1}},
     }
     study: dict[str, Any] = {
         "problem": "structure",
