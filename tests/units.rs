@@ -1,7 +1,8 @@
 //! Results in the units of a study, compared with physics worked out by hand and with the scaled results.
 
 use indicatif::ProgressBar;
-use slipgap::batch::output::tables::{ResultTable, write_history};
+use slipgap::batch::output::results::ResultTable;
+use slipgap::batch::output::tables::write_history;
 use slipgap::batch::{self, Outcome};
 use slipgap::figures::sheet::Sheet;
 use slipgap::figures::{DrawnCase, sheet};
@@ -29,9 +30,12 @@ fn bars(parameters: &str, more: &str) -> Study {
 /// results.csv as cells, the header first.
 fn table(study: &Study) -> Vec<Vec<String>> {
     let mut table = ResultTable::new(study, Vec::new()).unwrap();
-    for (number, outcome) in outcomes(study).iter().enumerate() {
-        table.row(number as u64, outcome).unwrap();
-    }
+    let add = |part| {
+        table.add(&part).unwrap();
+        Ok(())
+    };
+    let bar = ProgressBar::hidden();
+    batch::run(study, &bar, &batch::RunOptions::METRICS, add).unwrap();
     cells(&table.finish().unwrap())
 }
 

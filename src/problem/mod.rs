@@ -3,6 +3,7 @@
 mod case;
 pub mod cases;
 mod choice;
+pub mod digits;
 pub mod friction;
 pub mod impact;
 pub mod method;

@@ -139,28 +139,23 @@ pub fn run_study(
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);
         }
+        tables.add(&folder, &part)?;
+        let failed = part.metrics.failures().next();
+        if let Some((row, why)) = failed.filter(|_| output.fail_fast) {
+            bar.finish_and_clear();
+            let line = unsolved::line(source, part.number(row), why);
+            return Err(Error::Unsolved(line));
+        }
+        if output.histories {
+            let solved = (0..part.len()).filter(|row| part.metrics.failure(*row).is_none());
+            histories.extend(solved.map(|row| history_name(part.number(row))));
+        }
         // Cases are separated from the columns only if they are needed one by one.
-        if !tables.has_results()
-            && study.figures.is_empty()
-            && !output.histories
-            && part.metrics.failures().next().is_none()
-        {
+        if study.figures.is_empty() {
             return Ok(());
         }
-        for (number, outcome) in part.outcomes(study) {
-            tables.add(&folder, number, &outcome)?;
-            match &outcome.failure {
-                Some(why) if output.fail_fast => {
-                    bar.finish_and_clear();
-                    return Err(Error::Unsolved(unsolved::line(source, number, why)));
-                }
-                None if output.histories => histories.push(history_name(number)),
-                Some(_) | None => {}
-            }
-            if study_figures::show(study, &outcome.case) {
-                shown.push(outcome);
-            }
-        }
+        let outcomes = part.outcomes(study).into_iter().map(|(_, outcome)| outcome);
+        shown.extend(outcomes.filter(|outcome| study_figures::show(study, &outcome.case)));
         Ok(())
     })?;
     observer.end_cases(source, &bar, &tally.summary());

@@ -56,14 +56,15 @@ impl MetricTable {
         row.iter().map(|x| defined(*x))
     }
 
+    /// A metric of a case; `None` if it is undefined.
+    pub fn value(&self, case: usize, metric: usize) -> Option<f64> {
+        let inside = metric < self.width;
+        inside.then(|| defined(self.metrics[case * self.width + metric]))?
+    }
+
     /// A metric of every case; `None` if one is undefined.
     pub fn column(&self, metric: usize) -> impl Iterator<Item = Option<f64>> + '_ {
-        let (inside, width) = (metric < self.width, self.width);
-        let cell = move |case: usize| match inside {
-            true => defined(self.metrics[case * width + metric]),
-            false => None,
-        };
-        (0..self.len).map(cell)
+        (0..self.len).map(move |case| self.value(case, metric))
     }
 
     /// Why a case could not be solved, if so.
