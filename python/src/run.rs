@@ -172,7 +172,7 @@ impl<'a> Collector<'a> {
         }
         let mut shown = part.cases.shown();
         for (place, number) in (0..part.len()).zip(part.first..) {
-            let value = |metric| part.metrics.row(place).nth(metric).flatten();
+            let value = |metric| part.metrics.value(place, metric);
             for (check, value) in checks::applicable(study, shown.at(place), value) {
                 collected.checked[check].push((number, value.unwrap_or(f64::NAN)));
             }

@@ -120,7 +120,10 @@ impl Decimal {
                 text.extend_from_slice(&digits[1..]);
             }
             text.push(b'e');
-            push_whole(text, i64::from(power));
+            if power < 0 {
+                text.push(b'-');
+            }
+            push_whole(text, u64::from(power.unsigned_abs()));
         } else if self.exponent >= 0 {
             text.extend_from_slice(digits);
             zeros(text, self.exponent);
@@ -138,9 +141,9 @@ impl Decimal {
 }
 
 /// Appends a whole number.
-pub fn push_whole(text: &mut Vec<u8>, n: i64) {
+pub fn push_whole(text: &mut Vec<u8>, n: u64) {
     let mut digits = [0; 20];
-    let (mut rest, mut from) = (n.unsigned_abs(), digits.len());
+    let (mut rest, mut from) = (n, digits.len());
     loop {
         from -= 1;
         digits[from] = b'0' + (rest % 10) as u8;
@@ -148,9 +151,6 @@ pub fn push_whole(text: &mut Vec<u8>, n: i64) {
         if rest == 0 {
             break;
         }
-    }
-    if n < 0 {
-        text.push(b'-');
     }
     text.extend_from_slice(&digits[from..]);
 }
@@ -228,8 +228,8 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_are_written_with_their_sign() {
-        for n in [0, 7, -7, 10, 1_000_000, i64::MAX, i64::MIN] {
+    fn whole_numbers_have_all_digits() {
+        for n in [0, 7, 10, 99, 100, 1_000_000, u64::MAX] {
             let mut text = Vec::new();
             push_whole(&mut text, n);
             assert_eq!(text, n.to_string().into_bytes());

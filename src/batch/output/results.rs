@@ -1,10 +1,8 @@
 //! results.csv: one row for each case, in order. The columns are `case`, the parameters and the metrics.
 
 use crate::batch::PartResult;
-use crate::problem::cases::Column;
+use crate::problem::cases::{Cells, Column, NO_WHOLE, applies};
 use crate::problem::digits::{push_shortest, push_whole};
-use crate::problem::parameter::Value;
-use crate::solve::MetricTable;
 use crate::study::Study;
 use rayon::prelude::*;
 use std::io::{self, Write};
@@ -47,10 +45,13 @@ impl<'a, W: Write> ResultTable<'a, W> {
     /// Those of the writer.
     pub fn add(&mut self, part: &PartResult) -> io::Result<()> {
         let parameters = self.parameters.iter();
-        let parameters = parameters.map(|row| Cells::of_parameter(&part.cases.columns()[*row]));
+        let parameters = parameters.map(|row| Text::of_parameter(&part.cases.columns()[*row]));
         let metrics = self.study.columns.iter();
-        let metrics = metrics.map(|metric| Cells::Metric(&part.metrics, *metric));
-        let columns: Vec<Cells> = parameters.chain(metrics).collect();
+        let metrics = metrics.map(|metric| part.metrics.numbers(*metric));
+        let metrics = metrics.map(|numbers| numbers.map_or(Text::Same(Vec::new()), Text::Metrics));
+        let columns: Vec<Text> = parameters
+            .chain(metrics.map(Ok))
+            .collect::<io::Result<_>>()?;
         let starts = (0..part.len()).into_par_iter().step_by(ROWS);
         let rows = |start: usize| rows(part, &columns, start..part.len().min(start + ROWS));
         let written: Vec<Vec<u8>> = starts.map(rows).collect();
@@ -67,43 +68,82 @@ impl<'a, W: Write> ResultTable<'a, W> {
     }
 }
 
-/// The cells of a column.
-enum Cells<'a> {
-    /// The same text in all rows.
+/// The text of a column.
+enum Text<'a> {
+    /// The same in all rows.
     Same(Vec<u8>),
-    Values(&'a [Option<Value>]),
-    Metric(&'a MetricTable, usize),
+    Numbers(&'a [f64]),
+    /// NaN where one is undefined.
+    Metrics(&'a [f64]),
+    Whole(&'a [u64]),
+    /// The text of each name, and the place of the name of each case.
+    Names(Vec<Vec<u8>>, &'a [u32]),
 }
 
-impl Cells<'_> {
-    fn of_parameter(column: &Column) -> Cells<'_> {
-        match column {
-            Column::Same(value) => {
-                let mut text = Vec::new();
-                push_value(&mut text, *value);
-                Cells::Same(text)
+impl Text<'_> {
+    fn of_parameter(column: &Column) -> io::Result<Text<'_>> {
+        Ok(match column {
+            Column::Same(value) => Text::Same(match value {
+                None => Vec::new(),
+                Some(value) => in_csv(&value.to_string())?,
+            }),
+            Column::Each(Cells::Numbers(numbers)) => Text::Numbers(numbers),
+            Column::Each(Cells::Whole(numbers)) => Text::Whole(numbers),
+            Column::Each(Cells::Names { names, places }) => {
+                let names = names.iter().map(|name| in_csv(name));
+                Text::Names(names.collect::<io::Result<_>>()?, places)
             }
-            Column::Each(values) => Cells::Values(values),
-        }
+        })
     }
 
+    /// Nothing is written for what does not apply or is undefined.
     fn push(&self, text: &mut Vec<u8>, row: usize) {
         match self {
-            Cells::Same(same) => text.extend_from_slice(same),
-            Cells::Values(values) => push_value(text, values[row]),
-            Cells::Metric(metrics, metric) => {
-                let value = metrics.value(row, *metric).filter(|x| x.is_finite());
-                value.into_iter().for_each(|x| push_shortest(text, x));
+            Text::Same(same) => text.extend_from_slice(same),
+            Text::Numbers(numbers) => {
+                let x = numbers[row];
+                if applies(x) {
+                    push_shortest(text, x);
+                }
+            }
+            Text::Metrics(numbers) => {
+                let x = numbers[row];
+                if x.is_finite() {
+                    push_shortest(text, x);
+                }
+            }
+            Text::Whole(numbers) => {
+                let n = numbers[row];
+                if n != NO_WHOLE {
+                    push_whole(text, n);
+                }
+            }
+            Text::Names(names, places) => {
+                let name = names.get(places[row] as usize);
+                name.into_iter()
+                    .for_each(|name| text.extend_from_slice(name));
             }
         }
     }
+}
+
+/// A cell as the writer of csv writes it: in quotes if it needs them.
+fn in_csv(cell: &str) -> io::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // Behind an empty cell, because a record of one empty cell has quotes.
+    writer.write_record(["", cell])?;
+    let record = writer.into_inner().map_err(|e| e.into_error())?;
+    let cell = record
+        .strip_prefix(b",")
+        .and_then(|rest| rest.strip_suffix(b"\n"));
+    Ok(cell.unwrap_or_default().to_vec())
 }
 
 /// Some rows of a part as text.
-fn rows(part: &PartResult, columns: &[Cells], rows: Range<usize>) -> Vec<u8> {
+fn rows(part: &PartResult, columns: &[Text], rows: Range<usize>) -> Vec<u8> {
     let mut text = Vec::new();
     for row in rows {
-        push_whole(&mut text, part.number(row) as i64);
+        push_whole(&mut text, part.number(row));
         for column in columns {
             text.push(b',');
             column.push(&mut text, row);
@@ -111,25 +151,4 @@ fn rows(part: &PartResult, columns: &[Cells], rows: Range<usize>) -> Vec<u8> {
         text.push(b'\n');
     }
     text
-}
-
-/// Appends a value; nothing for a parameter that does not apply.
-fn push_value(text: &mut Vec<u8>, value: Option<Value>) {
-    match value {
-        None => {}
-        Some(Value::Number(x)) => push_shortest(text, x),
-        Some(Value::Whole(n)) => text.extend_from_slice(n.to_string().as_bytes()),
-        Some(Value::Name(name)) => push_name(text, name),
-    }
-}
-
-/// Appends a name, in quotes if it needs them.
-fn push_name(text: &mut Vec<u8>, name: &str) {
-    if name.contains([',', '"', '\n', '\r']) {
-        text.push(b'"');
-        text.extend_from_slice(name.replace('"', "\"\"").as_bytes());
-        text.push(b'"');
-    } else {
-        text.extend_from_slice(name.as_bytes());
-    }
 }
