@@ -8,7 +8,7 @@ use crate::batch::output::results::ResultTable;
 use crate::batch::output::tables::FailureTable;
 use crate::batch::output::{FAILURES, Folder, RESULTS};
 use crate::batch::store::Store;
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::io;
 use std::path::PathBuf;
 

@@ -1,10 +1,10 @@
 //! results.csv: one row for each case, in order. The columns are `case`, the parameters and the metrics.
 
 use crate::batch::PartResult;
-use crate::problem::cases::{Cells, Column, NO_WHOLE, applies};
-use crate::problem::digits::{push_shortest, push_whole};
-use crate::study::Study;
 use rayon::prelude::*;
+use slipgap_solver::problem::cases::{Cells, Column, NO_WHOLE, applies};
+use slipgap_solver::problem::digits::{push_shortest, push_whole};
+use slipgap_study::Study;
 use std::io::{self, Write};
 use std::ops::Range;
 

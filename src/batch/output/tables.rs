@@ -1,10 +1,10 @@
 //! CSV tables of cases without a solution, failures.csv, and of histories.
 
-use crate::problem::parameter::shortest;
-use crate::problem::unit::Dimension;
-use crate::problem::{Case, HistoryColumn, Solution};
-use crate::solve::Unsolvable;
-use crate::study::Study;
+use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::{Case, HistoryColumn, Solution};
+use slipgap_solver::solve::Unsolvable;
+use slipgap_study::Study;
 use std::io::{self, Write};
 
 /// failures.csv: the cases that could not be solved, with their parameters and the reason.
