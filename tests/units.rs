@@ -5,7 +5,7 @@ use slipgap::batch::output::results::ResultTable;
 use slipgap::batch::output::tables::write_history;
 use slipgap::batch::{self, Outcome};
 use slipgap::figures::sheet::Sheet;
-use slipgap::figures::{DrawnCase, sheet};
+use slipgap::figures::{ShownCases, sheet};
 use slipgap::problem::PROBLEMS;
 use slipgap::problem::unit::Dimension;
 use slipgap::study::{Study, parse};
@@ -302,17 +302,11 @@ fn drawn(study: &Study) -> Sheet {
     let outcomes = outcomes(study);
     let solutions = outcomes.iter().map(|o| study.problem.solve(&o.case, &[]));
     let solutions: Vec<_> = solutions.map(Result::unwrap).collect();
-    let shown = outcomes
-        .iter()
-        .zip(&solutions)
-        .map(|(outcome, solution)| DrawnCase {
-            case: &outcome.case,
-            metrics: &outcome.metrics,
-            solution: Some(solution),
-            snapshots: &[],
-        });
-    let shown: Vec<DrawnCase> = shown.collect();
-    sheet(study, &study.figures[0], &shown)
+    let mut shown = ShownCases::new(study.problem.schema());
+    for (outcome, solution) in outcomes.iter().zip(solutions) {
+        shown.push(&outcome.case, &outcome.metrics, Some(solution));
+    }
+    sheet(study, &study.figures[0], &shown.all())
 }
 
 #[test]

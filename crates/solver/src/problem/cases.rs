@@ -134,6 +134,11 @@ impl Cases {
         self.len == 0
     }
 
+    /// The schema of the problem.
+    pub fn schema(&self) -> &Arc<Schema> {
+        &self.schema
+    }
+
     /// One column for each row of the problem's table.
     pub fn columns(&self) -> &[Column] {
         &self.columns
