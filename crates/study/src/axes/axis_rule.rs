@@ -117,22 +117,23 @@ fn to_values(
 ) -> Option<Vec<Value>> {
     let mut values = Vec::new();
     for x in points {
-        let (value, allowed) = match parameter.kind {
-            Kind::Number(range) => (
-                (x.is_finite() && range.contains(x)).then_some(Value::Number(x)),
-                range.to_string(),
-            ),
+        let value = match parameter.kind {
+            Kind::Number(range) => {
+                (x.is_finite() && range.contains(x)).then_some(Value::Number(x))
+            }
             Kind::Whole { min, max } => {
                 let whole = x.round();
                 let inside = whole >= min as f64 && whole <= max as f64;
-                (
-                    inside.then_some(Value::Whole(whole as u64)),
-                    format!("a whole number from {min} to {max}"),
-                )
+                inside.then_some(Value::Whole(whole as u64))
             }
-            Kind::Choice(_) => (None, "a name or a list of names".into()),
+            Kind::Choice(_) => None,
         };
         let Some(value) = value else {
+            let allowed = match parameter.kind {
+                Kind::Number(range) => range.to_string(),
+                Kind::Whole { min, max } => format!("a whole number from {min} to {max}"),
+                Kind::Choice(_) => "a name or a list of names".into(),
+            };
             let x = Value::Number(x);
             faults.add(node.at, path, format!("must be {allowed}, got {x}"));
             return None;
