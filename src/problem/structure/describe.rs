@@ -108,6 +108,7 @@ fn law(law: &Relation) -> String {
         } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
         Relation::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
         Relation::CurvedImpact { law, .. } => impact(law),
+        Relation::Link { .. } => "link".to_owned(),
         Relation::CurvedFriction { law, limit: own } => {
             format!("{}, {}", friction(law), limit(own))
         }

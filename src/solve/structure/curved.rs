@@ -5,7 +5,9 @@
 
 use super::laws::{bounds, friction};
 use crate::contact::coupled::curved::{CurvedForces, Laws};
-use crate::contact::{Answer, AnyLaw, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved};
+use crate::contact::{
+    Answer, AnyLaw, ContactKind, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved,
+};
 use crate::lane::Lane;
 use crate::system::structure::{Relation, Structure};
 
@@ -87,7 +89,10 @@ impl Curved {
                 now: law,
                 own,
                 line: line(&relation, pace),
-                bounds: reach(&law, bounds(contact, 0.0)),
+                bounds: match relation.kind() {
+                    ContactKind::Link => [f64::NEG_INFINITY, f64::INFINITY],
+                    _ => reach(&law, bounds(contact, 0.0)),
+                },
                 relation,
                 motion: Motion::default(),
             }
@@ -188,7 +193,7 @@ impl Contact {
     /// overlap: then it is the present closing speed, or the mean one that closes the gap in the step. So it does not depend on the
     /// forces, and the law rises.
     fn begin(&mut self, scale: Scale) {
-        if !matches!(self.relation, Relation::CurvedImpact { .. }) {
+        if self.relation.kind() != ContactKind::Impact {
             return;
         }
         let motion = self.motion;
@@ -263,7 +268,9 @@ fn line(relation: &Relation, pace: f64) -> Option<f64> {
         }
         Relation::RigidStop { .. } | Relation::Coulomb { .. } => Some(0.0),
         Relation::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
-        Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => None,
+        Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } | Relation::Link { .. } => {
+            None
+        }
     }
 }
 

@@ -23,20 +23,20 @@ impl Contact {
             Relation::RigidStop { .. }
             | Relation::VelocityControl { .. }
             | Relation::Coulomb { .. } => 0.0,
-            Relation::CurvedImpact { law, .. } | Relation::CurvedFriction { law, .. } => {
-                match law {
-                    ContactLaw::KelvinVoigt(law) => pressed(law.stiffness),
-                    ContactLaw::Hertz(law) => hertz(law.stiffness),
-                    ContactLaw::HertzDamp(law) => hertz(law.stiffness),
-                    ContactLaw::HuntCrossley(law) => hertz(law.stiffness),
-                    ContactLaw::Ye(law) => hertz(law.stiffness),
-                    ContactLaw::Jankowski(law) => hertz(law.stiffness),
-                    ContactLaw::BoucWen(law) => loaded(1.0 / law.compliance),
-                    ContactLaw::Dahl(law) => loaded(1.0 / law.compliance),
-                    ContactLaw::Lugre(law) => loaded(law.sigma0),
-                    _ => 0.0,
-                }
-            }
+            Relation::CurvedImpact { law, .. }
+            | Relation::CurvedFriction { law, .. }
+            | Relation::Link { law } => match law {
+                ContactLaw::KelvinVoigt(law) => pressed(law.stiffness),
+                ContactLaw::Hertz(law) => hertz(law.stiffness),
+                ContactLaw::HertzDamp(law) => hertz(law.stiffness),
+                ContactLaw::HuntCrossley(law) => hertz(law.stiffness),
+                ContactLaw::Ye(law) => hertz(law.stiffness),
+                ContactLaw::Jankowski(law) => hertz(law.stiffness),
+                ContactLaw::BoucWen(law) => loaded(1.0 / law.compliance),
+                ContactLaw::Dahl(law) => loaded(1.0 / law.compliance),
+                ContactLaw::Lugre(law) => loaded(law.sigma0),
+                _ => 0.0,
+            },
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::Signal;
 use crate::contact::{
-    Bearing, BoucWen, ContactLaw, Dahl, DisplacementControl, ImpactSpring, Lugre, Rigid, Stribeck,
-    Tanh, VelocityControl,
+    Bearing, BoucWen, ContactKind, ContactLaw, Dahl, DisplacementControl, ImpactSpring, Lugre,
+    Rigid, Stribeck, Tanh, VelocityControl,
 };
 use std::sync::Arc;
 
@@ -53,15 +53,35 @@ pub enum Relation {
         /// Friction limit; of a coefficient that depends on velocity, the largest or the kinetic one.
         limit: Limit,
     },
+    /// A law of a link, whose force is always found from its own answer.
+    Link {
+        /// The law.
+        law: ContactLaw,
+    },
 }
 
 impl Relation {
-    /// The friction limit; `None` for an impact.
+    /// What the contact can do.
+    pub fn kind(&self) -> ContactKind {
+        match self {
+            Relation::ImpactSpring { .. }
+            | Relation::RigidStop { .. }
+            | Relation::CurvedImpact { .. } => ContactKind::Impact,
+            Relation::DisplacementControl { .. }
+            | Relation::VelocityControl { .. }
+            | Relation::CurvedFriction { .. }
+            | Relation::Coulomb { .. } => ContactKind::Friction,
+            Relation::Link { .. } => ContactKind::Link,
+        }
+    }
+
+    /// The friction limit; `None` for an impact and a link.
     pub fn limit(&self) -> Option<&Limit> {
         match self {
             Relation::ImpactSpring { .. }
             | Relation::RigidStop { .. }
-            | Relation::CurvedImpact { .. } => None,
+            | Relation::CurvedImpact { .. }
+            | Relation::Link { .. } => None,
             Relation::DisplacementControl { limit, .. }
             | Relation::VelocityControl { limit, .. }
             | Relation::CurvedFriction { limit, .. }
@@ -69,20 +89,15 @@ impl Relation {
         }
     }
 
-    /// Whether it is an impact, S <= 0.
-    pub fn is_impact(&self) -> bool {
-        self.limit().is_none()
-    }
-
     /// Whether the law is not a clipped line over a step.
     pub fn is_curved(&self) -> bool {
         matches!(
             self,
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. }
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } | Relation::Link { .. }
         )
     }
 
-    /// The law while the friction limit is this; an impact has none.
+    /// The law while the friction limit is this; only friction has one.
     pub fn law(&self, limit: f64) -> ContactLaw {
         match *self {
             Relation::ImpactSpring { stiffness } => {
@@ -104,7 +119,7 @@ impl Relation {
                 let compliance = 0.0;
                 ContactLaw::VelocityControl(VelocityControl { compliance, limit })
             }
-            Relation::CurvedImpact { law, .. } => law,
+            Relation::CurvedImpact { law, .. } | Relation::Link { law } => law,
             Relation::CurvedFriction { law, .. } => at_limit(law, limit),
         }
     }
