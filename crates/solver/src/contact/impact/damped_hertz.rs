@@ -2,8 +2,13 @@
 //! kappa.
 
 use super::collision::DampedHertz;
-use super::{ClosingSpeed, Free, hertz, loop_of, resisting};
-use crate::contact::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
+use super::{ClosingSpeed, Free, PUSHES, RigidImpact, hertz, loop_of, resisting};
+use crate::contact::numbers::{bars, structure};
+use crate::contact::offer::{Form, In, Offer};
+use crate::contact::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, lanes,
+};
 use crate::lane::Lane;
 
 /// The law over a step.
@@ -30,7 +35,7 @@ impl<const L: usize> StepLaw<L> for Step<L> {
 
 /// A law for each formula of kappa.
 macro_rules! laws {
-    ($($(#[$doc:meta])+ $law:ident: $restitution:ident => $kappa:expr;)+) => {$(
+    ($($(#[$doc:meta])+ $law:ident $name:literal: $meaning:literal, $restitution:ident => $kappa:expr;)+) => {$(
         $(#[$doc])+
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct $law {
@@ -58,6 +63,66 @@ macro_rules! laws {
             }
         }
 
+        impl Described for $law {
+            const KIND: ContactKind = ContactKind::Impact;
+            const NAME: &'static str = $name;
+            const OF_VELOCITY: bool = false;
+            const OFFERS: &'static [Offer] = &[
+                Offer {
+                    name: Self::NAME,
+                    oscillator: None,
+                    bars: Some(In {
+                        meaning: $meaning,
+                        numbers: &[&bars::K_H, &bars::RESTITUTION],
+                    }),
+                    structure: Some(In {
+                        meaning: $meaning,
+                        numbers: &[&structure::K_H, &structure::RESTITUTION],
+                    }),
+                    form: |given| {
+                        let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
+                        Ok(Form::Impact {
+                            law: ContactLaw::$law($law::new(k_h, restitution)),
+                            restitution,
+                        })
+                    },
+                },
+            ];
+            const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
+                RigidImpact::hertz(law.stiffness, law.damping, mass, speed)
+            });
+        }
+
+        impl Properties for $law {
+            fn shown(&self) -> Vec<(&'static str, f64)> {
+                vec![("k_h =", self.stiffness)]
+            }
+
+            fn largest_stiffness(&self, overlap: f64) -> f64 {
+                hertz::steepest(self.stiffness, overlap)
+            }
+
+            fn initial_stiffness(&self, overlap: f64) -> f64 {
+                if overlap > 0.0 { hertz::steepest(self.stiffness, overlap) } else { 0.0 }
+            }
+
+            fn reach(&self) -> f64 {
+                hertz::reach(self.stiffness)
+            }
+
+            fn bounds(&self) -> [f64; 2] {
+                PUSHES
+            }
+
+            fn over_velocity(&self) -> bool {
+                false
+            }
+
+            fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
+                hertz::touching_time(self.stiffness, inverse_mass, overlap?)
+            }
+        }
+
         impl Law for $law {
             type Step<const L: usize> = Step<L>;
 
@@ -79,11 +144,13 @@ macro_rules! laws {
 
 laws! {
     /// kappa = 3 (1 - e^2)/4 (Lankarani and Nikravesh 1990; for pounding Muthukumar and DesRoches 2006).
-    HertzDamp: e => 0.75 * (1.0 - e) * (1.0 + e);
+    HertzDamp "hertz-damp":
+        "hertz with damping (Lankarani and Nikravesh 1990; Muthukumar and DesRoches 2006)",
+        e => 0.75 * (1.0 - e) * (1.0 + e);
     /// kappa = 3 (1 - e)/2 (Hunt and Crossley 1975).
-    HuntCrossley: e => 1.5 * (1.0 - e);
+    HuntCrossley "hunt-crossley": "hertz with damping (Hunt and Crossley 1975)", e => 1.5 * (1.0 - e);
     /// kappa = 8 (1 - e)/(5 e) (Ye, Li and Zhu 2009).
-    Ye: e => 1.6 * (1.0 - e) / e;
+    Ye "ye": "hertz with damping (Ye, Li and Zhu 2009)", e => 1.6 * (1.0 - e) / e;
 }
 
 fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {

@@ -22,6 +22,7 @@ mod jankowski;
 mod kelvin_voigt;
 mod newton;
 mod rigid;
+mod rigid_impact;
 #[cfg(test)]
 mod tests;
 
@@ -31,7 +32,9 @@ pub use hertz::Hertz;
 pub use jankowski::Jankowski;
 pub use kelvin_voigt::KelvinVoigt;
 pub use rigid::Rigid;
+pub use rigid_impact::RigidImpact;
 
+use super::offer::Form;
 use super::{Flexibility, Trial};
 use crate::lane::Lane;
 
@@ -53,6 +56,17 @@ impl<const L: usize> Free<L> {
             overlap: (-r).larger(Lane::splat(0.0)),
             closing: trial.force * start.h_rate - trial.rate,
         }
+    }
+}
+
+/// The bounds of S of an impact.
+pub(super) const PUSHES: [f64; 2] = [f64::NEG_INFINITY, 0.0];
+
+/// A rigid impact.
+pub(super) fn stop(restitution: f64) -> Result<Form, String> {
+    match restitution <= 1.0 {
+        true => Ok(Form::Stop { restitution }),
+        false => Err(format!("e must be from 0 to 1, got {restitution}")),
     }
 }
 

@@ -9,7 +9,7 @@ use super::sweep::Ready;
 use super::template::{Normal, Scaled};
 use super::touch;
 use super::{StructureProblem, solve::distinct};
-use crate::contact::{ContactKind, ContactLaw};
+use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
@@ -136,10 +136,7 @@ impl StructureProblem {
 fn resists_velocity(law: &Relation) -> bool {
     match law {
         Relation::Coulomb { .. } | Relation::VelocityControl { .. } => true,
-        Relation::CurvedFriction { law, .. } => matches!(
-            law,
-            ContactLaw::Bearing(_) | ContactLaw::Tanh(_) | ContactLaw::Stribeck(_)
-        ),
+        Relation::CurvedFriction { law, .. } => law.of_velocity(),
         _ => false,
     }
 }

@@ -3,7 +3,6 @@
 //! Every law answers alone, r' = y - a S ([`CurvedForces`]). Within a step rdot' is affine in r' for every method, so an answer with
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact.
 
-use super::laws::{bounds, friction};
 use crate::contact::coupled::curved::{CurvedForces, Laws};
 use crate::contact::{
     Answer, AnyLaw, ContactKind, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved,
@@ -89,10 +88,7 @@ impl Curved {
                 now: law,
                 own,
                 line: line(&relation, pace),
-                bounds: match relation.kind() {
-                    ContactKind::Link => [f64::NEG_INFINITY, f64::INFINITY],
-                    _ => reach(&law, bounds(contact, 0.0)),
-                },
+                bounds: law.properties().bounds(),
                 relation,
                 motion: Motion::default(),
             }
@@ -113,7 +109,8 @@ impl Curved {
         let has_one = |contact: &Contact| {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
-            law.has_one_root(&self.scale.steps(contact.own)[0])
+            law.properties()
+                .has_one_root(&self.scale.steps(contact.own)[0])
         };
         !self.contacts.iter().all(has_one)
     }
@@ -124,7 +121,7 @@ impl Curved {
         let law = contact.relation.law(limit);
         contact.law.change(&law, &self.scale.steps(contact.own));
         contact.now = law;
-        contact.bounds = reach(&law, friction(limit));
+        contact.bounds = law.properties().bounds();
     }
 
     /// Takes over what the laws remember from the sub-step before.
@@ -274,23 +271,12 @@ fn line(relation: &Relation, pace: f64) -> Option<f64> {
     }
 }
 
-/// The bounds of the force of a law with these limits.
-fn reach(law: &ContactLaw, [low, high]: [f64; 2]) -> [f64; 2] {
-    match law {
-        ContactLaw::Stribeck(law) => friction(law.static_limit),
-        ContactLaw::Lugre(_) => [f64::NEG_INFINITY, f64::INFINITY],
-        _ => [low, high],
-    }
-}
-
 /// S(0) of a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent.
 pub(super) fn first_force(relation: &Relation, r: f64, rdot: f64) -> f64 {
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
-    match law {
-        ContactLaw::BoucWen(_) | ContactLaw::Dahl(_) => return 0.0,
-        ContactLaw::Lugre(law) => return law.unbent(rdot),
-        _ => (),
+    if let Some(force) = law.properties().unbent_force(rdot) {
+        return force;
     }
     let scale = Scale { pace: 0.0, dt: 1.0 };
     let mut law: AnyLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));

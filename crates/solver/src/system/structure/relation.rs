@@ -1,9 +1,9 @@
 //! The law of a contact of a structure.
 
 use super::Signal;
+use crate::contact::offer::Form;
 use crate::contact::{
-    Bearing, BoucWen, ContactKind, ContactLaw, Dahl, DisplacementControl, ImpactSpring, Lugre,
-    Rigid, Stribeck, Tanh, VelocityControl,
+    ContactKind, ContactLaw, DisplacementControl, ImpactSpring, Rigid, VelocityControl,
 };
 use std::sync::Arc;
 
@@ -61,6 +61,20 @@ pub enum Relation {
 }
 
 impl Relation {
+    /// The law of a form; a law of friction has this limit.
+    pub fn new(form: Form, limit: Limit) -> Relation {
+        match form {
+            Form::Spring { stiffness } => Relation::ImpactSpring { stiffness },
+            Form::Stop { restitution } => Relation::RigidStop { restitution },
+            Form::Elastic { stiffness } => Relation::DisplacementControl { stiffness, limit },
+            Form::Viscous { viscosity } => Relation::VelocityControl { viscosity, limit },
+            Form::Coulomb => Relation::Coulomb { limit },
+            Form::Impact { law, restitution } => Relation::CurvedImpact { law, restitution },
+            Form::Friction(law) => Relation::CurvedFriction { law, limit },
+            Form::Link(law) => Relation::Link { law },
+        }
+    }
+
     /// What the contact can do.
     pub fn kind(&self) -> ContactKind {
         match self {
@@ -120,33 +134,8 @@ impl Relation {
                 ContactLaw::VelocityControl(VelocityControl { compliance, limit })
             }
             Relation::CurvedImpact { law, .. } | Relation::Link { law } => law,
-            Relation::CurvedFriction { law, .. } => at_limit(law, limit),
+            Relation::CurvedFriction { law, .. } => law.at_limit(limit),
         }
-    }
-}
-
-/// A law of friction with another limit; the static one stays in proportion.
-fn at_limit(law: ContactLaw, limit: f64) -> ContactLaw {
-    let in_proportion = |of: f64, to: f64| match to > 0.0 {
-        true => of / to * limit,
-        false => limit,
-    };
-    match law {
-        ContactLaw::Bearing(law) => ContactLaw::Bearing(Bearing { limit, ..law }),
-        ContactLaw::Tanh(law) => ContactLaw::Tanh(Tanh { limit, ..law }),
-        ContactLaw::BoucWen(law) => ContactLaw::BoucWen(BoucWen { limit, ..law }),
-        ContactLaw::Dahl(law) => ContactLaw::Dahl(Dahl { limit, ..law }),
-        ContactLaw::Stribeck(law) => ContactLaw::Stribeck(Stribeck {
-            limit,
-            static_limit: in_proportion(law.static_limit, law.limit),
-            ..law
-        }),
-        ContactLaw::Lugre(law) => ContactLaw::Lugre(Lugre {
-            limit,
-            static_limit: in_proportion(law.static_limit, law.limit),
-            ..law
-        }),
-        other => other,
     }
 }
 

@@ -128,7 +128,7 @@ fn with_contacts(structure: &Structure) -> Symmetric {
             // The stiffness of delta^1.5 grows with an overlap that is not known: only an unstable step without it is certain.
             Relation::CurvedImpact { law, .. }
             | Relation::CurvedFriction { law, .. }
-            | Relation::Link { law } => law.largest_stiffness(0.0),
+            | Relation::Link { law } => law.properties().largest_stiffness(0.0),
             Relation::RigidStop { .. }
             | Relation::VelocityControl { .. }
             | Relation::Coulomb { .. } => 0.0,
