@@ -2,7 +2,7 @@
 
 use super::element::Element;
 use super::impact::*;
-use super::offer::{self, Offered};
+use super::offer::{self, Offered, Place};
 use super::*;
 use crate::lane::Lane;
 use multiversion::multiversion;
@@ -228,6 +228,17 @@ pub const ALL: [Offered; offer::count(OFFERS)] = {
     };
     offer::collect(OFFERS, first)
 };
+
+impl Offered {
+    /// The law of this name in a problem.
+    #[inline]
+    pub fn named(place: Place, name: &str) -> Option<&'static Offered> {
+        // Names of the tables: mostly the same memory.
+        let is = |law: &&Offered| std::ptr::eq(law.offer.name, name) || law.offer.name == name;
+        let mut offered = LAWS.iter().filter(|law| law.at(place).is_some());
+        offered.find(is)
+    }
+}
 
 impl ContactLaw {
     /// Whether r >= 0 holds without compliance.

@@ -5,6 +5,7 @@ pub mod cases;
 mod choice;
 pub mod friction;
 pub mod impact;
+mod laws;
 pub mod method;
 pub mod parameter;
 pub mod schema;

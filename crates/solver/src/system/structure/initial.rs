@@ -103,7 +103,7 @@ fn join(part: &mut [usize], i: usize, j: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{BoucWen, Hertz, KelvinVoigt, Lugre, Tanh};
+    use crate::contact::{BoucWen, ContactLaw, Hertz, KelvinVoigt, Lugre, Tanh};
     use crate::system::structure::{Limit, Node};
 
     fn contact(between: [Option<usize>; 2], gap: f64, law: Relation) -> Contact {
