@@ -60,6 +60,7 @@ impl Described for BoucWen {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: Some(InOscillator {
             of: In {
                 meaning: "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",

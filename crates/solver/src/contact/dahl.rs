@@ -56,6 +56,7 @@ impl Described for Dahl {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: Some(InOscillator {
             of: In {
                 meaning: "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",

@@ -40,6 +40,7 @@ impl Described for DisplacementControl {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: Some(InOscillator {
             of: In {
                 meaning: "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",

@@ -45,6 +45,7 @@ impl Described for ImpactSpring {
     const OFFERS: &'static [Offer] = &[
         Offer {
             name: "impact",
+            also: &[],
             oscillator: None,
             bars: None,
             structure: Some(In {
@@ -64,6 +65,7 @@ impl Described for ImpactSpring {
         },
         Offer {
             name: Self::NAME,
+            also: &["linearspring", "penaltyspring"],
             oscillator: None,
             bars: Some(In {
                 meaning: "linear spring [I (7)]",

@@ -130,6 +130,7 @@ impl Described for Lugre {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: Some(InOscillator {
             of: In {
                 meaning: "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",

@@ -9,6 +9,8 @@ use super::{ContactKind, ContactLaw, Given, WhichLaw};
 pub struct Offer {
     /// Its name.
     pub name: &'static str,
+    /// Words of other programs for it, without capitals and hyphens.
+    pub also: &'static [&'static str],
     /// In the friction oscillator; `None` if it is not offered there.
     pub oscillator: Option<InOscillator>,
     /// Between bars.

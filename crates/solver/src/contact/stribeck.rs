@@ -77,6 +77,7 @@ impl Described for Stribeck {
     const OF_VELOCITY: bool = true;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: Some(InOscillator {
             of: In {
                 meaning: "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",

@@ -67,6 +67,7 @@ impl Described for Tanh {
     const OF_VELOCITY: bool = true;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: Some(InOscillator {
             of: In {
                 meaning: "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",

@@ -41,6 +41,7 @@ impl Described for VelocityControl {
     const OFFERS: &'static [Offer] = &[
         Offer {
             name: Self::NAME,
+            also: &[],
             oscillator: Some(InOscillator {
                 of: In {
                     meaning: "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
@@ -77,6 +78,7 @@ impl Described for VelocityControl {
         },
         Offer {
             name: "coulomb",
+            also: &[],
             oscillator: Some(InOscillator {
                 of: In {
                     meaning: "without compliance: sticks below the friction limit, slides at it",

@@ -132,6 +132,7 @@ impl Described for Hertz {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: None,
         bars: Some(In {
             meaning: "spring with the force k_h delta^1.5 (Goldsmith 1960)",

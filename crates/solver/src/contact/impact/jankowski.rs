@@ -67,6 +67,7 @@ impl Described for Jankowski {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &[],
         oscillator: None,
         bars: Some(In {
             meaning: "hertz with a dashpot while approaching (Jankowski 2005, 2006)",

@@ -71,6 +71,7 @@ impl Described for KelvinVoigt {
     const OF_VELOCITY: bool = false;
     const OFFERS: &'static [Offer] = &[Offer {
         name: Self::NAME,
+        also: &["viscoelastic", "linearviscoelastic"],
         oscillator: None,
         bars: Some(In {
             meaning: "linear spring and dashpot that do not pull (Anagnostopoulos 1988)",

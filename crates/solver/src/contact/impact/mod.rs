@@ -18,6 +18,8 @@ mod closing;
 pub mod collision;
 mod damped_hertz;
 mod hertz;
+mod hertz_damp;
+mod hunt_crossley;
 mod jankowski;
 mod kelvin_voigt;
 mod newton;
@@ -25,14 +27,17 @@ mod rigid;
 mod rigid_impact;
 #[cfg(test)]
 mod tests;
+mod ye;
 
 pub use closing::ClosingSpeed;
-pub use damped_hertz::{HertzDamp, HuntCrossley, Ye};
 pub use hertz::Hertz;
+pub use hertz_damp::HertzDamp;
+pub use hunt_crossley::HuntCrossley;
 pub use jankowski::Jankowski;
 pub use kelvin_voigt::KelvinVoigt;
 pub use rigid::Rigid;
 pub use rigid_impact::RigidImpact;
+pub use ye::Ye;
 
 use super::offer::Form;
 use super::{Flexibility, Trial};

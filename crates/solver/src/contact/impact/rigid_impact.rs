@@ -104,7 +104,7 @@ fn of_dashpot(ratio: f64) -> RigidImpact {
 }
 
 /// The integral over 0..1 by the double exponential rule, which needs no smoothness at the ends.
-fn integral(f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn integral(f: impl Fn(f64) -> f64) -> f64 {
     let step = 1.0 / 64.0;
     let mut sum = 0.0;
     for k in -256..=256 {

@@ -4,7 +4,7 @@ use super::tables::LAW;
 use crate::contact::number::Number;
 use crate::contact::numbers::bars;
 use crate::contact::offer::{Form, Offered, Place};
-use crate::contact::{ContactLaw, Given, ImpactSpring, Rigid, WhichLaw};
+use crate::contact::{ContactLaw, Described, Given, ImpactSpring, Rigid, WhichLaw};
 use crate::methods::{MethodChoice, MethodKind};
 use crate::problem::Case;
 use crate::problem::laws::{law_names, laws};
@@ -44,7 +44,7 @@ pub(super) static PARAMETERS: [Parameter; 3] = [
     Parameter::new(
         ["law", "law", "1"],
         Kind::Choice(laws!(Bars, Which::All)),
-        Default::Is(Value::Name("impact-spring")),
+        Default::Is(Value::Name(ImpactSpring::NAME)),
         "contact law",
     )
     .with_column_if_given(),

@@ -76,7 +76,7 @@ pub fn relation(
         .map(|number| contact.value(number.key, case));
     let values = values.collect::<Result<Vec<Option<f64>>, Violation>>()?;
     let mut others = vec![("limit", at_rest)];
-    if law.kind == ContactKind::Friction && contact.number("limit").is_none() {
+    if law.kind == ContactKind::Friction {
         others.extend(contact.value("nu", case)?.map(|nu| ("nu", nu)));
     }
     let given = Given {
