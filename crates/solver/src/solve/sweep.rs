@@ -83,7 +83,7 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     };
     let sum = case.reference_key().into_iter().fold(0, mixed) >> 32;
     let system = case.system();
-    let kinds = (system.method.kind() as u128) << 5 | system.law.kind() as u128;
+    let kinds = (system.method.kind() as u128) << 5 | system.law.which() as u128;
     let kind = kinds << 40 | system.linear.len() as u128;
     kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
 }

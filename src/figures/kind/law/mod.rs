@@ -6,7 +6,7 @@ mod papers;
 use super::Draw;
 use crate::figures::DrawnCase;
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_solver::contact::{ContactLaw, LawKind};
+use slipgap_solver::contact::{ContactLaw, WhichLaw};
 use slipgap_study::kinds::Law;
 use slipgap_study::{Figure, Study};
 
@@ -18,7 +18,7 @@ impl Draw for Law {
             .collect();
         let softened = |law: &Option<ContactLaw>| match law {
             Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,
-            Some(law) => law.kind() == LawKind::DisplacementControl,
+            Some(law) => law.which() == WhichLaw::DisplacementControl,
             None => true,
         };
         match laws.iter().all(softened) {
