@@ -79,6 +79,7 @@ pub mod lane;
 pub mod methods;
 pub mod metrics;
 pub mod problem;
+pub mod range;
 pub mod recommend;
 pub mod report;
 pub mod run;

@@ -8,7 +8,7 @@ mod common;
 use common::case;
 use serde_json::json;
 use slipgap::lane::Lane;
-use slipgap::methods::Method;
+use slipgap::methods::Recursion;
 use slipgap::problem::impact::case::system;
 use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Solution, find};

@@ -298,7 +298,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         ),
         parameters: PARAMETERS
             .iter()
-            .chain(&method::PARAMETERS)
+            .chain(method::PARAMETERS.iter())
             .cloned()
             .collect(),
         metrics: Borrowed(&METRICS),

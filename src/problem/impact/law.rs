@@ -4,7 +4,7 @@ use super::tables::LAW;
 use crate::contact::{
     ContactLaw, Hertz, HertzDamp, HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt, Rigid, Ye,
 };
-use crate::methods::{MethodChoice, MethodKind};
+use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::choice::choice;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value, row_of};
@@ -109,7 +109,7 @@ pub(super) mod rows {
 ///
 /// The secant stiffness of a law with delta^1.5 is that of the linear spring at the overlap under the exact force F0, which is 1
 /// here, so that k_h = k_I^1.5.
-pub fn law(case: &Case, method: MethodChoice, stiffness: f64, mass: f64) -> Option<ContactLaw> {
+pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<ContactLaw> {
     let e = || case.at(LAW + rows::RESTITUTION);
     let curved = stiffness * stiffness.sqrt();
     Some(match LawName::of(case)? {
@@ -122,7 +122,7 @@ pub fn law(case: &Case, method: MethodChoice, stiffness: f64, mass: f64) -> Opti
         LawName::Jankowski => ContactLaw::Jankowski(Jankowski::new(curved, e()?, mass)),
         LawName::Rigid => ContactLaw::Rigid(Rigid {
             restitution: e()?,
-            impulses: method.kind() == MethodKind::MoreauJean,
+            impulses: method.has_impulses(),
         }),
     })
 }

@@ -4,7 +4,7 @@
 use crate::contact::StoredEnergy;
 use crate::history::History;
 use crate::lane::Lane;
-use crate::methods::{ContactWork, MethodChoice};
+use crate::methods::ContactWork;
 use crate::metrics::impact::step_work;
 use crate::problem::Case;
 use crate::problem::impact::BarImpact;
@@ -20,7 +20,7 @@ pub fn energy_change(case: &Case, computed: &History) -> Option<EnergyChange> {
     let start = system.linear.energy();
     let (mut change, damping) = by_contact(&system, computed);
     // Constant average acceleration adds and takes nothing.
-    if system.method != MethodChoice::AverageAcceleration {
+    if !system.method.conserves() {
         for (change, added) in change.iter_mut().zip(by_method(&system)) {
             *change += added;
         }

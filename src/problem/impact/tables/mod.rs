@@ -102,7 +102,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
         ),
-        parameters: Owned(own().chain(&method::PARAMETERS).cloned().collect()),
+        parameters: Owned(own().chain(method::PARAMETERS.iter()).cloned().collect()),
         metrics: Borrowed(&METRICS),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),
