@@ -26,7 +26,7 @@
 //!
 //! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`compare`],
 //! [`recommend`], [`run`], [`warnings`], [`checks`], [`figures`], [`batch`] with the store, [`study`], [`problem`], [`metrics`], [`solve`], [`textbook`],
-//! [`exact`], [`methods`], [`system`], [`contact`], [`statistics`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
+//! [`exact`], [`system`], [`methods`], [`contact`], [`statistics`], [`lane`], [`history`], [`error`]. [`textbook`] has the papers' matrices and
 //! iteration, which the fast form is tested against.
 //!
 //! Structures with many contacts ([`system::structure`]) have the same data flow, with the forces of a step as a small convex
@@ -40,7 +40,7 @@
 //! - [`system::System`]: what a problem makes of a case: the modes, the contact, the start, the step.
 //! - [`problem::Solution`]: a case's [`history::History`], the exact history, and the metrics.
 //! - [`solve::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each has by itself.
-//! - [`methods::Method`] with [`methods::average_acceleration::AverageAcceleration`] and others, and [`contact::Law`]: the method and
+//! - [`methods::Method`] with [`methods::AverageAcceleration`] and others, and [`contact::Law`]: the method and
 //!   the contact.
 //! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the method.
 //!
@@ -70,23 +70,16 @@ pub mod batch;
 pub mod checks;
 pub mod claims;
 pub mod compare;
-pub mod contact;
-pub mod error;
-pub mod exact;
 pub mod figures;
-pub mod history;
-pub mod lane;
-pub mod methods;
-pub mod metrics;
-pub mod problem;
-pub mod range;
-pub mod recommend;
 pub mod report;
 pub mod run;
-pub mod solve;
-pub mod statistics;
-pub mod study;
 pub mod study_figures;
-pub mod system;
-pub mod textbook;
 pub mod warnings;
+
+pub use slipgap_recommend as recommend;
+pub use slipgap_solver::{
+    contact, exact, expression, history, lane, methods, metrics, problem, solve, system, textbook,
+};
+pub use slipgap_statistics as statistics;
+pub use slipgap_study as study;
+pub use slipgap_study::error;

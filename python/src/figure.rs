@@ -90,11 +90,11 @@ fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
     let sheet = study_figures::with_cases(study, figure, &shown.outcomes, |cases| {
         figures::sheet(study, figure, cases)
     });
-    match format {
-        Format::Svg => figures::svg(&sheet, style::DPI).map(String::into_bytes),
-        Format::Png => figures::png(&sheet, style::DPI),
-        Format::Pdf => figures::pdf(&sheet, style::DPI),
-    }
+    Ok(match format {
+        Format::Svg => figures::svg(&sheet, style::DPI)?.into_bytes(),
+        Format::Png => figures::png(&sheet, style::DPI)?,
+        Format::Pdf => figures::pdf(&sheet, style::DPI)?,
+    })
 }
 
 #[pymethods]

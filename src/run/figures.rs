@@ -2,10 +2,10 @@
 
 use crate::batch::Outcome;
 use crate::batch::output::Folder;
-use crate::error::Error;
 use crate::figures;
-use crate::study::Study;
 use crate::study_figures;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 use std::path::PathBuf;
 
 /// Draws every figure of a study with `dpi` pixels per inch, and adds the paths of the files to `paths`.

@@ -1,10 +1,10 @@
 //! sobol.csv: the Sobol' indices of every metric of every saltelli design.
 
 use crate::batch::PartResult;
-use crate::error::Error;
-use crate::problem::parameter::shortest;
-use crate::statistics::sobol::{Index, indices};
-use crate::study::{Block, Sampling, Study};
+use slipgap_solver::problem::parameter::shortest;
+use slipgap_statistics::sobol::{Index, indices};
+use slipgap_study::error::Error;
+use slipgap_study::{Block, Sampling, Study};
 
 /// The table's columns.
 const COLUMNS: [&str; 10] = [

@@ -3,9 +3,9 @@
 use super::Draw;
 use super::over_parameter::Curves;
 use crate::figures::DrawnCase;
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::Convergence;
-use crate::study::{Figure, Scale, Study};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::kinds::Convergence;
+use slipgap_study::{Figure, Scale, Study};
 
 impl Draw for Convergence {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {

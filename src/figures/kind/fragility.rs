@@ -4,18 +4,18 @@ use super::Draw;
 use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::figures::DrawnCase;
 use crate::figures::column::metric_of;
-use crate::figures::layout;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::limits;
-use crate::figures::layout::points::Point;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::style::{self, Marker};
-use crate::figures::text::markup::plain;
-use crate::figures::text::number;
-use crate::statistics::binomial;
-use crate::statistics::lognormal::{Fragility as Fit, NoFit, Trials};
-use crate::study::kinds::Fragility;
-use crate::study::{Figure, Scale, Study};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::points::Point;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Marker};
+use slipgap_drawing::text::markup::plain;
+use slipgap_drawing::text::number;
+use slipgap_statistics::binomial;
+use slipgap_statistics::lognormal::{Fragility as Fit, NoFit, Trials};
+use slipgap_study::kinds::Fragility;
+use slipgap_study::{Figure, Scale, Study};
 
 /// Points of a fitted curve.
 const POINTS: u32 = 200;
@@ -35,13 +35,13 @@ const BESIDE: &str = "Points at the same value are drawn side by side.";
 impl Draw for Fragility {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
         let (found, all) = ensembles(study, cases, self.by, Some(self.x));
-        let trials: Vec<Vec<Trials>> = found.iter().map(|of| self.trials(of)).collect();
+        let trials: Vec<Vec<Trials>> = found.iter().map(|of| trials(self, of)).collect();
         let fits: Vec<Result<Fit, NoFit>> = trials.iter().map(|of| Fit::fit(of)).collect();
         let height = 190.0;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
         let [x_range, y_range] = figure.ranges;
         let y_axis = limits::axis(
-            &self.title(study),
+            &title(self, study),
             [0.0, 1.0].into_iter(),
             Scale::Linear,
             y_range,
@@ -95,7 +95,7 @@ impl Draw for Fragility {
         let mut points = Vec::new();
         for (k, ensemble) in found.iter().enumerate() {
             let shift = shift(k, found.len());
-            for trials in &self.trials(ensemble) {
+            for trials in &trials(self, ensemble) {
                 let [x, y] = panel.place([trials.at, part(trials)]);
                 let at = [x + shift, y];
                 let [low, high] = binomial::interval(trials.exceeded, trials.count);
@@ -120,26 +120,24 @@ impl Draw for Fragility {
     }
 }
 
-impl Fragility {
-    fn title(&self, study: &Study) -> String {
-        let above = study.measures[self.y].above(&number::short(self.limit));
-        format!("P({above})")
-    }
+fn title(figure: &Fragility, study: &Study) -> String {
+    let above = study.measures[figure.y].above(&number::short(figure.limit));
+    format!("P({above})")
+}
 
-    /// The trials of an ensemble at each x, rising; of cases without a value none.
-    fn trials(&self, ensemble: &Ensemble) -> Vec<Trials> {
-        let trials = |(at, cases): (f64, Vec<&DrawnCase>)| {
-            let values = cases.iter().filter_map(|shown| metric_of(shown, self.y));
-            let values: Vec<f64> = values.collect();
-            Trials {
-                at,
-                exceeded: values.iter().filter(|value| **value > self.limit).count() as u64,
-                count: values.len() as u64,
-            }
-        };
-        let all = ensemble.at_each(self.x).into_iter().map(trials);
-        all.filter(|trials| trials.count > 0).collect()
-    }
+/// The trials of an ensemble at each x, rising; of cases without a value none.
+fn trials(figure: &Fragility, ensemble: &Ensemble) -> Vec<Trials> {
+    let trials = |(at, cases): (f64, Vec<&DrawnCase>)| {
+        let values = cases.iter().filter_map(|shown| metric_of(shown, figure.y));
+        let values: Vec<f64> = values.collect();
+        Trials {
+            at,
+            exceeded: values.iter().filter(|value| **value > figure.limit).count() as u64,
+            count: values.len() as u64,
+        }
+    };
+    let all = ensemble.at_each(figure.x).into_iter().map(trials);
+    all.filter(|trials| trials.count > 0).collect()
 }
 
 /// How far the points of curve `k` of `count` are beside their place.

@@ -3,9 +3,9 @@
 use super::Draw;
 use super::over_parameter::Curves;
 use crate::figures::DrawnCase;
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::Metric;
-use crate::study::{Figure, Study};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::kinds::Metric;
+use slipgap_study::{Figure, Study};
 
 impl Draw for Metric {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {

@@ -22,10 +22,10 @@ mod spectrum;
 mod wave;
 
 use crate::figures::DrawnCase;
-use crate::figures::layout::points::{self, Point};
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::FigureKind;
-use crate::study::{Figure, Study};
+use slipgap_drawing::layout::points::{self, Point};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::kinds::FigureKind;
+use slipgap_study::{Figure, Study};
 
 /// A kind of figure that can be drawn.
 pub trait Draw {

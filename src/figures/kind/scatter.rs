@@ -2,17 +2,17 @@
 
 use super::Draw;
 use crate::figures::DrawnCase;
-use crate::figures::colour_map::bar;
 use crate::figures::column::{has_place, title, value, without_dot};
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::cloud::Cloud;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{FilledMap, Panel, Sheet};
-use crate::figures::style;
-use crate::figures::text;
-use crate::study::kinds::Scatter;
-use crate::study::{Figure, Study};
+use slipgap_drawing::colour_map::bar;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::cloud::Cloud;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{FilledMap, Panel, Sheet};
+use slipgap_drawing::style;
+use slipgap_drawing::text;
+use slipgap_study::kinds::Scatter;
+use slipgap_study::{Figure, Study};
 
 impl Draw for Scatter {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {

@@ -4,11 +4,11 @@ mod loops;
 mod papers;
 
 use super::Draw;
-use crate::contact::{ContactLaw, LawKind};
 use crate::figures::DrawnCase;
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::Law;
-use crate::study::{Figure, Study};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_solver::contact::{ContactLaw, LawKind};
+use slipgap_study::kinds::Law;
+use slipgap_study::{Figure, Study};
 
 impl Draw for Law {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
