@@ -8,7 +8,7 @@ use super::{
 };
 
 /// All methods, in the order of the schema.
-pub static METHODS: [Description; 8] = [
+pub static METHODS: &[Description] = &[
     average_acceleration::DESCRIPTION,
     family::linear_acceleration::DESCRIPTION,
     family::newmark::DESCRIPTION,

@@ -71,7 +71,7 @@ pub(super) fn ignores_restitution(method: &str, restitution: f64) -> String {
 pub fn of_case(case: &Case, first: usize) -> Option<Method> {
     let name = case.name_at(first);
     let mut row = first + 1;
-    for method in &METHODS {
+    for method in METHODS {
         let count = method.parameters.len();
         if method.name == name {
             let mut numbers = [0.0; MOST];

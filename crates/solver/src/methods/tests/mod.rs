@@ -2,6 +2,7 @@
 
 mod amplification;
 mod bar;
+mod descriptions;
 mod energy;
 mod impact;
 mod order;

@@ -5,6 +5,7 @@ mod energy;
 mod impulses;
 mod order;
 mod textbook;
+mod two_forms;
 mod vibration;
 
 use super::*;
