@@ -2,7 +2,7 @@
 
 use crate::error::{raise, usage};
 use pyo3::prelude::*;
-use slipgap::batch::Outcome;
+use slipgap::batch::ShownCases;
 use slipgap::error::Error;
 use slipgap::figures::{self, style};
 use slipgap::run::Source;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// The cases that the figures of a study show.
 pub struct Shown {
     pub source: Source,
-    pub outcomes: Vec<Outcome>,
+    pub cases: ShownCases,
 }
 
 /// Where the drawing comes from.
@@ -87,7 +87,7 @@ impl Figure {
 fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
     let study = &shown.source.study;
     let figure = &study.figures[index];
-    let sheet = study_figures::with_cases(study, figure, &shown.outcomes, |cases| {
+    let sheet = study_figures::with_cases(study, figure, &shown.cases, |cases| {
         figures::sheet(study, figure, cases)
     });
     Ok(match format {

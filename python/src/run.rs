@@ -13,7 +13,7 @@ use slipgap::batch::WarnedCases;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::Store;
 use slipgap::batch::work_progress::WorkProgress;
-use slipgap::batch::{self, Outcome, PartResult, RunOptions};
+use slipgap::batch::{self, PartResult, RunOptions, ShownCases};
 use slipgap::checks::{self, ReducedChecks};
 use slipgap::error::Error;
 use slipgap::problem::cases_without_contact;
@@ -31,7 +31,7 @@ struct Collected {
     without_contact: u64,
     warnings: Vec<WarnedCases>,
     /// The cases that figures show; none if the run wrote the figures.
-    shown: Vec<Outcome>,
+    shown: ShownCases,
 }
 
 /// Runs a study; `progress` is called with the numbers of finished and of all cases.
@@ -72,8 +72,8 @@ pub fn run(
         |_| report(bar.position()),
     )?;
     report(cases)?;
-    let outcomes = collected.shown;
-    let shown = Arc::new(Shown { source, outcomes });
+    let cases = collected.shown;
+    let shown = Arc::new(Shown { source, cases });
     let table = Table {
         schema: columns,
         batches: collected.batches,
@@ -99,13 +99,11 @@ fn in_memory(source: &Source, mut collector: Collector<'_>) -> Result<Collected,
         progress: Some(&*work),
         ..RunOptions::METRICS
     };
-    let mut shown = Vec::new();
-    batch::run(study, &bar, &options, |part| {
+    let needed = study_figures::needed(study);
+    let mut shown = ShownCases::new(study.problem.schema());
+    batch::run(study, &bar, &options, |mut part| {
         collector.add(&part)?;
-        if !study.figures.is_empty() {
-            let outcomes = part.outcomes(study).into_iter().map(|(_, outcome)| outcome);
-            shown.extend(outcomes.filter(|outcome| study_figures::show(study, &outcome.case)));
-        }
+        study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     })?;
     study_figures::add_histories(study, &mut shown);
@@ -122,7 +120,8 @@ fn to_folder(
     let store = Store::open(path)?;
     let output = OutputOptions::default();
     run_study(source, folder, store, &output, &mut collector)?;
-    collector.finish(Vec::new())
+    let none = ShownCases::new(collector.study.problem.schema());
+    collector.finish(none)
 }
 
 /// Collects the results part by part.
@@ -153,7 +152,7 @@ impl<'a> Collector<'a> {
                 checked: vec![Vec::new(); study.checks.len()],
                 without_contact: 0,
                 warnings: Vec::new(),
-                shown: Vec::new(),
+                shown: ShownCases::new(study.problem.schema()),
             },
             error: None,
         }
@@ -172,7 +171,7 @@ impl<'a> Collector<'a> {
         }
         let mut shown = part.cases.shown();
         for (place, number) in (0..part.len()).zip(part.first..) {
-            let value = |metric| part.metrics.row(place).nth(metric).flatten();
+            let value = |metric| part.metrics.value(place, metric);
             for (check, value) in checks::applicable(study, shown.at(place), value) {
                 collected.checked[check].push((number, value.unwrap_or(f64::NAN)));
             }
@@ -181,7 +180,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    fn finish(mut self, shown: Vec<Outcome>) -> Result<Collected, Error> {
+    fn finish(mut self, shown: ShownCases) -> Result<Collected, Error> {
         if let Some(error) = self.error {
             return Err(error);
         }

@@ -15,6 +15,7 @@ mod queue;
 mod reduced;
 mod run_part;
 mod shard;
+mod shown;
 pub mod store;
 #[cfg(test)]
 mod tests_columns;
@@ -30,6 +31,7 @@ pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
 pub use shard::{Shard, ShardResult, run_shard, shard_of};
+pub use shown::{DrawnCase, Needed, ShownCases};
 pub use units::with_unit_columns;
 pub use warned::{WarnedCases, WarningCounts};
 

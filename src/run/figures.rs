@@ -1,6 +1,6 @@
 //! The figures of a study, drawn and written.
 
-use crate::batch::Outcome;
+use crate::batch::ShownCases;
 use crate::batch::output::Folder;
 use crate::figures;
 use crate::study_figures;
@@ -11,14 +11,14 @@ use std::path::PathBuf;
 /// Draws every figure of a study with `dpi` pixels per inch, and adds the paths of the files to `paths`.
 pub fn write(
     study: &Study,
-    outcomes: &mut [Outcome],
+    shown: &mut ShownCases,
     dpi: u32,
     folder: &mut Folder,
     paths: &mut Vec<PathBuf>,
 ) -> Result<(), Error> {
-    study_figures::add_histories(study, outcomes);
+    study_figures::add_histories(study, shown);
     for figure in &study.figures {
-        let sheet = study_figures::with_cases(study, figure, outcomes, |cases| {
+        let sheet = study_figures::with_cases(study, figure, shown, |cases| {
             figures::sheet(study, figure, cases)
         });
         let name = &figure.name;

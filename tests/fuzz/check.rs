@@ -5,7 +5,7 @@ use crate::random_choice::RandomChoice;
 use crate::xml;
 use indicatif::ProgressBar;
 use slipgap::batch::output::reductions::ReducedMetrics;
-use slipgap::batch::{self, Outcome, RunOptions};
+use slipgap::batch::{self, RunOptions, ShownCases};
 use slipgap::error::{Error, Fault};
 use slipgap::figures;
 use slipgap::problem::cases::Cases;
@@ -143,30 +143,31 @@ fn solved(study: &Study, case: &Case, violations: &[Violation]) -> bool {
 
 /// Draws every figure as well-formed SVG.
 fn drawn(study: &Study) {
-    let mut outcomes = Vec::new();
+    let needed = study_figures::needed(study);
+    let (mut shown, mut cases) = (ShownCases::new(study.problem.schema()), 0);
     let options = RunOptions {
         keep_history: &|_| true,
         ..RunOptions::METRICS
     };
     let mut reductions = ReducedMetrics::new(study);
-    let run = batch::run(study, &ProgressBar::hidden(), &options, |part| {
+    let run = batch::run(study, &ProgressBar::hidden(), &options, |mut part| {
         reductions.add(&part);
-        let numbered = part.outcomes(study).into_iter();
-        outcomes.extend(numbered.map(|(_, outcome)| outcome));
+        cases += part.len() as u64;
+        study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     });
     run.expect("a run");
     let table = reductions.table().expect("a table");
     assert_eq!(table.is_some(), study.reductions().next().is_some());
-    assert_eq!(outcomes.len() as u64, study.len());
+    assert_eq!(cases, study.len());
     for figure in &study.figures {
-        let svg = svg(study, figure, &outcomes);
+        let svg = svg(study, figure, &shown);
         assert_eq!(xml::fault(&svg), None, "figure {}: {svg}", figure.name);
     }
 }
 
-fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
-    let sheet = study_figures::with_cases(study, figure, outcomes, |cases| {
+fn svg(study: &Study, figure: &Figure, shown: &ShownCases) -> String {
+    let sheet = study_figures::with_cases(study, figure, shown, |cases| {
         figures::sheet(study, figure, cases)
     });
     figures::svg(&sheet, figures::style::DPI).expect("a picture")

@@ -5,6 +5,7 @@ pub mod ensemble;
 mod manifest;
 mod names;
 pub mod reductions;
+pub mod results;
 pub mod sobol;
 pub mod tables;
 

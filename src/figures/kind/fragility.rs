@@ -3,7 +3,6 @@
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::figures::DrawnCase;
-use crate::figures::column::metric_of;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
@@ -128,7 +127,7 @@ fn title(figure: &Fragility, study: &Study) -> String {
 /// The trials of an ensemble at each x, rising; of cases without a value none.
 fn trials(figure: &Fragility, ensemble: &Ensemble) -> Vec<Trials> {
     let trials = |(at, cases): (f64, Vec<&DrawnCase>)| {
-        let values = cases.iter().filter_map(|shown| metric_of(shown, figure.y));
+        let values = cases.iter().filter_map(|shown| shown.metric(figure.y));
         let values: Vec<f64> = values.collect();
         Trials {
             at,

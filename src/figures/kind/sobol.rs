@@ -38,9 +38,7 @@ impl Draw for Sobol {
         let found: Vec<_> = y
             .iter()
             .map(|&metric| {
-                let values = cases
-                    .iter()
-                    .map(|c| c.metrics.get(metric).copied().flatten());
+                let values = cases.iter().map(|c| c.metric(metric));
                 let values: Vec<Option<f64>> = values.collect();
                 indices(&values, design.parameters.len(), design.seed)
             })

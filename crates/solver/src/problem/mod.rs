@@ -3,6 +3,8 @@
 mod case;
 pub mod cases;
 mod choice;
+mod column;
+pub mod digits;
 pub mod friction;
 pub mod impact;
 mod laws;

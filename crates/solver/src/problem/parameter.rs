@@ -1,5 +1,6 @@
 //! The table of parameters, with one row for each, for decoding, schema, columns, `explain` and the documentation.
 
+pub use super::digits::shortest;
 pub use crate::contact::number::Range;
 
 use super::text::{Text, text};
@@ -256,15 +257,5 @@ impl fmt::Display for Value {
             Value::Whole(n) => write!(f, "{n}"),
             Value::Name(name) => f.write_str(name),
         }
-    }
-}
-
-/// The shortest decimal form that reads back as the same double, plain or with an exponent.
-pub fn shortest(x: f64) -> String {
-    let (plain, scientific) = (format!("{x}"), format!("{x:e}"));
-    if scientific.len() < plain.len() {
-        scientific
-    } else {
-        plain
     }
 }

@@ -137,8 +137,8 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
             let solved = range.clone().filter(|l| finite[*l]);
             if range.len() >= SHARED {
                 let all = C::metrics(&lanes, &self.motion, reference);
+                table.set_lanes(&rows, solved.clone(), all.as_ref());
                 for l in solved {
-                    table.set(rows[l], all.as_ref().iter().map(|metric| metric.0[l]));
                     table.warn(rows[l], lanes[l].warnings(|i| all.as_ref()[i].0[l]));
                 }
             } else {

@@ -14,7 +14,7 @@ impl Draw for Law {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
-            .map(|shown| study.problem.contact_law(shown.case))
+            .map(|shown| study.problem.contact_law(&shown.case()))
             .collect();
         let softened = |law: &Option<ContactLaw>| match law {
             Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,

@@ -23,7 +23,7 @@ const WIDEST: f64 = style::DOUBLE;
 impl Draw for Scheme {
     fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
         let first = cases.first();
-        let scheme = first.and_then(|shown| study.problem.scheme(shown.case));
+        let scheme = first.and_then(|shown| study.problem.scheme(&shown.case()));
         let Some(scheme) = scheme else {
             return Sheet {
                 width: figure.width.unwrap_or(style::SINGLE),

@@ -127,26 +127,28 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
             at: None,
         });
     };
-    let names: Vec<&str> = all.iter().map(|row| row.0).collect();
-    let names = names.join(", ");
-    let given = |row: &&(&str, usize)| case.at(row.1).is_some();
-    let given: Vec<(&'static str, usize)> = all.iter().filter(given).copied().collect();
-    let (name, row) = match given[..] {
-        [one] if !rigid => one,
-        [] if rigid => return,
-        [] => return violation("gamma", format!("missing: give exactly one of {names}")),
-        [(name, _), ..] if rigid => {
+    let names = || all.iter().map(|row| row.0).collect::<Vec<_>>().join(", ");
+    let mut given = all.iter().filter(|row| case.at(row.1).is_some());
+    let (name, row) = match (given.next(), given.next()) {
+        (Some(one), None) if !rigid => *one,
+        (None, _) if rigid => return,
+        (None, _) => {
+            let names = names();
+            return violation("gamma", format!("missing: give exactly one of {names}"));
+        }
+        (Some((name, _)), _) if rigid => {
             return violation(
                 name,
                 "does not apply to law rigid, which has no stiffness".into(),
             );
         }
-        [(first, _), (second, _), ..] => {
+        (Some((first, _)), Some((second, _))) => {
+            let names = names();
             let message =
                 format!("cannot be given together with {first}; give exactly one of {names}");
             return violation(second, message);
         }
-        [_] => return,
+        (Some(_), None) => return,
     };
     let (Some(value), Some(element)) = (case.at(row), element_stiffness(case)) else {
         return;
@@ -170,9 +172,10 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         "gamma" => value,
         _ => k_i / element,
     };
-    let mut filled = vec![("gamma", rows::GAMMA, gamma), ("k_I", rows::K_I, k_i)];
-    filled.extend(k_h().filter(|_| curved).map(|k_h| ("k_h", K_H, k_h)));
-    for (other, row, value) in filled.into_iter().filter(|other| other.0 != name) {
+    let k_h = k_h().filter(|_| curved);
+    let filled = [("gamma", rows::GAMMA, gamma), ("k_I", rows::K_I, k_i)].into_iter();
+    let filled = filled.chain(k_h.map(|k_h| ("k_h", K_H, k_h)));
+    for (other, row, value) in filled.filter(|other| other.0 != name) {
         if !(value.is_finite() && value > 0.0) {
             let message = format!("gives {other} = {value}, outside the range of double precision");
             return violation(name, message);
