@@ -12,8 +12,7 @@
 //! w2 = w1 - n/4 - 3/2 e,   x2 = t - e,   p2 = x2 + w2/2
 //! ```
 //!
-//! with x1 = x + w - n/2. Only increments are added, which keeps the round-off small however small the step is. Each sub-step
-//! is one pass over the modes.
+//! with x1 = x + w - n/2. Only increments are added: the round-off stays small however small the step is. Each sub-step is one pass.
 
 use super::amplification::{Amplification, of_two};
 use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage, sums};
@@ -56,6 +55,7 @@ impl Scheme for Bathe {
     type Lanes<const L: usize, N: ModeCount> = Lanes<L, N::Of<ModeState<L>>>;
 
     fn sub_steps(&self, dt: f64) -> Vec<SubStep> {
+        let trapezoidal = AverageAcceleration::COEFFICIENTS.sub_step(0.5 * dt);
         // v' = (u0 - 4 u + 3 u')/dt and a' = (v0 - 4 v + 3 v')/dt.
         let backward_difference = SubStep {
             length: 0.5 * dt,
@@ -70,7 +70,6 @@ impl Scheme for Bathe {
             v_a: 0.0,
             v_d: 1.0 / 3.0,
         };
-        let trapezoidal = AverageAcceleration::COEFFICIENTS.sub_step(0.5 * dt);
         vec![trapezoidal, backward_difference]
     }
 
