@@ -1,8 +1,10 @@
 //! `slipgap merge`: tables, figures and manifest of studies whose cases shards have computed.
 
+use super::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
 use super::sources::Source;
 use super::terminal::{Terminal, print, report_error};
 use super::{NOT_MET, UNSOLVED};
+use clap::Args;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::{STORE, Store};
 use slipgap::error::Error;
@@ -10,9 +12,36 @@ use slipgap::run::{OutputOptions, merge_study};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The arguments of `slipgap merge`.
+#[derive(Args)]
+pub struct MergeArgs {
+    #[command(flatten)]
+    studies: StudiesArgs,
+    /// Folder of the results, in which the shards have their stores
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    /// Number of shards; if parts are missing, the message then names the shards to run again
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1, u64::MAX))]
+    shards: Option<u64>,
+    #[command(flatten)]
+    output: OutputArgs,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl MergeArgs {
+    /// Merges the studies; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        let studies = self.studies.read()?;
+        let (options, deny) = (self.output.options(), self.output.deny_warnings);
+        self.jobs
+            .run(|| merge(&studies, &self.out, self.shards, &options, deny))
+    }
+}
+
 /// Merges every study into its folder in `out`; returns the exit code, that of a warning only if warnings are denied. `shards` is the number of shards, if it is known. Of a
 /// study with missing parts nothing is written; the others are merged.
-pub fn merge(
+fn merge(
     sources: &[Source],
     out: &Path,
     shards: Option<u64>,

@@ -1,8 +1,10 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
+use super::arguments::{JobsArgs, StudiesArgs};
 use super::claims;
 use super::sources::Source;
 use super::terminal::{Terminal, note, print, progress};
+use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
@@ -29,8 +31,28 @@ const PAGE: &str = "report.html";
 /// Folder of the ledgers of claims.
 const LEDGERS: &str = "claims";
 
+/// The arguments of `slipgap report`.
+#[derive(Args)]
+pub struct ReportArgs {
+    #[command(flatten)]
+    studies: StudiesArgs,
+    /// Folder for report.html and the results of the studies
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl ReportArgs {
+    /// Writes the page; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        let studies = self.studies.read()?;
+        self.jobs.run(|| report(&studies, &self.out))
+    }
+}
+
 /// Runs the studies with the stores in `out` and writes the page there; returns the exit code.
-pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
+fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     let folder = Folder::open(out)?;
     // Before anything is computed, because a ledger may have faults.
     let ledgers = match Path::new(LEDGERS).is_dir() {
