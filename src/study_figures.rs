@@ -1,7 +1,8 @@
 //! The cases of a study that its figures show.
 
-use crate::batch::{self, Outcome};
-use crate::figures::DrawnCase;
+use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::{self, CaseMetrics, GroupResults, Outcome};
+use crate::figures::{DrawnCase, FigureData};
 use crate::problem::{Case, Snapshot};
 use crate::study::{Figure, Study};
 
@@ -27,12 +28,14 @@ pub fn add_histories(study: &Study, outcomes: &mut [Outcome]) {
     }
 }
 
-/// The result of `draw` for the cases that a figure shows; for one case of each group, if it shows reductions.
-pub fn with_cases<T>(
+/// The result of `draw` for what a figure shows: its cases, or one case of each group if it shows reductions, and the results
+/// over groups of them. Sobol' indices are those of `designs`.
+pub fn with_data<T>(
     study: &Study,
     figure: &Figure,
     outcomes: &[Outcome],
-    draw: impl FnOnce(&[DrawnCase]) -> T,
+    designs: &DesignMetrics,
+    draw: impl FnOnce(&FigureData) -> T,
 ) -> T {
     let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
     let mut chosen: Vec<&Outcome> = chosen.collect();
@@ -52,7 +55,15 @@ pub fn with_cases<T>(
             snapshots,
         })
         .collect();
-    draw(&shown)
+    let cases = chosen.iter().map(|outcome| outcome.case_metrics());
+    let cases: Vec<CaseMetrics> = cases.collect();
+    let groups = GroupResults::new(study, figure, &cases, designs);
+    draw(&FigureData {
+        study,
+        figure,
+        cases: &shown,
+        groups: &groups,
+    })
 }
 
 /// The profiles that a figure shows of a case; none of a case that could not be solved.
@@ -107,9 +118,8 @@ mod tests {
     fn curves(study: &Study) -> Vec<Vec<(String, Vec<[f64; 2]>)>> {
         let outcomes = outcomes(study);
         let figure = &study.figures[0];
-        let sheet = with_cases(study, figure, &outcomes, |cases| {
-            figures::sheet(study, figure, cases)
-        });
+        let designs = DesignMetrics::new(study);
+        let sheet = with_data(study, figure, &outcomes, &designs, figures::sheet);
         let last = sheet.small_print.last().unwrap();
         assert!(format!("{:?}", last.text).contains("Each value is taken over"));
         assert!(sheet.description.contains("Each value is taken over"));
@@ -170,8 +180,9 @@ mod tests {
             r#""kind": "front", "x": "worst max_error over alpha, beta", "y": "least rms_error over beta, alpha", "by": "law""#,
         );
         let outcomes = outcomes(&study);
-        let cases = with_cases(&study, &study.figures[0], &outcomes, |cases| {
-            cases
+        let (figure, designs) = (&study.figures[0], DesignMetrics::new(&study));
+        let cases = with_data(&study, figure, &outcomes, &designs, |data| {
+            data.cases
                 .iter()
                 .map(|shown| (shown.case.clone(), shown.metrics.to_vec()))
                 .collect::<Vec<_>>()

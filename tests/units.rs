@@ -2,9 +2,9 @@
 
 use indicatif::ProgressBar;
 use slipgap::batch::output::tables::{ResultTable, write_history};
-use slipgap::batch::{self, Outcome};
+use slipgap::batch::{self, GroupResults, Outcome};
 use slipgap::figures::sheet::Sheet;
-use slipgap::figures::{DrawnCase, sheet};
+use slipgap::figures::{DrawnCase, FigureData, sheet};
 use slipgap::problem::PROBLEMS;
 use slipgap::problem::unit::Dimension;
 use slipgap::study::{Study, parse};
@@ -308,7 +308,12 @@ fn drawn(study: &Study) -> Sheet {
             snapshots: &[],
         });
     let shown: Vec<DrawnCase> = shown.collect();
-    sheet(study, &study.figures[0], &shown)
+    sheet(&FigureData {
+        study,
+        figure: &study.figures[0],
+        cases: &shown,
+        groups: &GroupResults::None,
+    })
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::error::{raise, usage};
 use pyo3::prelude::*;
 use slipgap::batch::Outcome;
+use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::error::Error;
 use slipgap::figures::{self, style};
 use slipgap::run::Source;
@@ -87,9 +88,10 @@ impl Figure {
 fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
     let study = &shown.source.study;
     let figure = &study.figures[index];
-    let sheet = study_figures::with_cases(study, figure, &shown.outcomes, |cases| {
-        figures::sheet(study, figure, cases)
-    });
+    let cases = shown.outcomes.iter().map(Outcome::case_metrics);
+    let designs = DesignMetrics::of_cases(study, &cases.collect::<Vec<_>>());
+    let outcomes = &shown.outcomes;
+    let sheet = study_figures::with_data(study, figure, outcomes, &designs, figures::sheet);
     match format {
         Format::Svg => figures::svg(&sheet, style::DPI).map(String::into_bytes),
         Format::Png => figures::png(&sheet, style::DPI),

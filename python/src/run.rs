@@ -211,5 +211,9 @@ impl Observer for Collector<'_> {
         ProgressBar::hidden()
     }
 
+    fn begin_figures(&mut self, _source: &Source, _figures: usize) -> ProgressBar {
+        ProgressBar::hidden()
+    }
+
     fn note(&mut self, _line: &str) {}
 }

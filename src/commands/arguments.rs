@@ -2,14 +2,15 @@
 
 use super::run::Format;
 use super::sources::{self, Source};
+use super::terminal::print;
 use clap::Args;
 use slipgap::error::Error;
 use slipgap::figures::style;
-use slipgap::run::OutputOptions;
+use slipgap::run::{OutputOptions, Written};
 use slipgap::study::{MOST_CASES, Setting};
 use std::borrow::Cow;
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The studies of a verb.
 #[derive(Args)]
@@ -52,6 +53,9 @@ pub struct OutputArgs {
     /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
     #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = whole::<u32>(72, 1200))]
     dpi: u32,
+    /// Print the path of every file written, not only of the folder
+    #[arg(long)]
+    verbose: bool,
 }
 
 impl OutputArgs {
@@ -61,6 +65,26 @@ impl OutputArgs {
             table: self.format.map(Format::has_table),
             dpi: self.dpi,
             ..OutputOptions::default()
+        }
+    }
+
+    /// Prints the paths of the files of a study, if they are wanted.
+    pub fn print_files(&self, written: &Written) -> Result<(), Error> {
+        match self.verbose {
+            true => print(&written.list()).map(drop),
+            false => Ok(()),
+        }
+    }
+
+    /// Prints the folder of all results, unless the paths of its files were printed.
+    pub fn print_folder(&self, sources: &[Source], out: &Path) -> Result<(), Error> {
+        let folder = match sources {
+            [source] => out.join(&source.name),
+            _ => out.to_owned(),
+        };
+        match self.verbose {
+            true => Ok(()),
+            false => print(&format!("{}\n", folder.display())).map(drop),
         }
     }
 }

@@ -2,13 +2,13 @@
 
 use super::arguments::{JobsArgs, OutputArgs, StudiesArgs, whole};
 use super::sources::Source;
-use super::terminal::{Terminal, print, report_error};
+use super::terminal::{Terminal, report_error};
 use super::{NOT_MET, UNSOLVED};
 use clap::Args;
 use slipgap::batch::output::Folder;
 use slipgap::batch::store::{STORE, Store};
 use slipgap::error::Error;
-use slipgap::run::{OutputOptions, merge_study};
+use slipgap::run::merge_study;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -33,9 +33,8 @@ impl MergeArgs {
     /// Merges the studies; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
         let studies = self.studies.read()?;
-        let (options, deny) = (self.output.options(), self.output.deny_warnings);
         self.jobs
-            .run(|| merge(&studies, &self.out, self.shards, &options, deny))
+            .run(|| merge(&studies, &self.out, self.shards, &self.output))
     }
 }
 
@@ -45,21 +44,21 @@ fn merge(
     sources: &[Source],
     out: &Path,
     shards: Option<u64>,
-    output: &OutputOptions,
-    deny_warnings: bool,
+    args: &OutputArgs,
 ) -> Result<u8, Error> {
     let (mut unsolved, mut warned, mut missing) = (None, None, None);
+    let (options, mut terminal) = (args.options(), Terminal::new(sources));
     for source in sources {
         let path = out.join(&source.name);
         let made = not_there(&path.join(STORE));
         let (folder, store) = (Folder::of_study(&path)?, Store::open(&path)?);
-        match merge_study(source, folder, store, shards, output, &mut Terminal) {
+        match merge_study(source, folder, store, shards, &options, &mut terminal) {
             Ok(written) => {
-                print(&written.list())?;
+                args.print_files(&written)?;
                 if !written.solved {
                     unsolved = Some(UNSOLVED);
                 }
-                if deny_warnings && !written.warnings.is_empty() {
+                if args.deny_warnings && !written.warnings.is_empty() {
                     warned = Some(NOT_MET);
                 }
             }
@@ -71,6 +70,9 @@ fn merge(
             }
             Err(other) => return Err(other),
         }
+    }
+    if missing.is_none() {
+        args.print_folder(sources, out)?;
     }
     Ok(missing.or(unsolved).or(warned).unwrap_or(0))
 }

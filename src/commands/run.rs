@@ -3,7 +3,7 @@
 use super::arguments::{JobsArgs, OutputArgs, StudiesArgs};
 use super::shard;
 use super::sources::Source;
-use super::terminal::{Terminal, print};
+use super::terminal::Terminal;
 use super::{NOT_MET, UNSOLVED};
 use clap::{Args, ValueEnum};
 use slipgap::batch::Shard;
@@ -50,7 +50,7 @@ impl RunArgs {
             ..self.output.options()
         };
         self.jobs
-            .run(|| run(&studies, &self.out, &options, self.output.deny_warnings))
+            .run(|| run(&studies, &self.out, &options, &self.output))
     }
 }
 
@@ -74,8 +74,8 @@ impl Format {
 fn run(
     sources: &[Source],
     out: &Path,
-    output: &OutputOptions,
-    deny_warnings: bool,
+    options: &OutputOptions,
+    args: &OutputArgs,
 ) -> Result<u8, Error> {
     // All folders are opened first: a folder that cannot be written or is in use ends the command before any computing.
     for source in sources {
@@ -84,15 +84,17 @@ fn run(
         Store::open(&path)?;
     }
     let (mut solved, mut warned) = (true, false);
+    let mut terminal = Terminal::new(sources);
     for source in sources {
         let path = out.join(&source.name);
         let folder = Folder::of_study(&path)?;
-        let written = run_study(source, folder, Store::open(&path)?, output, &mut Terminal)?;
-        print(&written.list())?;
+        let written = run_study(source, folder, Store::open(&path)?, options, &mut terminal)?;
+        args.print_files(&written)?;
         solved &= written.solved;
         warned |= !written.warnings.is_empty();
     }
-    Ok(match (solved, deny_warnings && warned) {
+    args.print_folder(sources, out)?;
+    Ok(match (solved, args.deny_warnings && warned) {
         (false, _) => UNSOLVED,
         (true, true) => NOT_MET,
         (true, false) => 0,

@@ -22,6 +22,7 @@ pub use hover::with_hover;
 pub use layout::sheet;
 pub use text::markup;
 
+use crate::batch::GroupResults;
 use crate::error::Error;
 use crate::problem::{Case, Snapshot, Solution};
 use crate::study::{Figure, Study};
@@ -44,10 +45,24 @@ pub struct DrawnCase<'a> {
     pub snapshots: &'a [Snapshot],
 }
 
-/// The sheet of `figure` over the cases that its filter chose.
-pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+/// What a figure draws.
+#[derive(Debug, Clone, Copy)]
+pub struct FigureData<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// The figure.
+    pub figure: &'a Figure,
+    /// The cases that its filter chose.
+    pub cases: &'a [DrawnCase<'a>],
+    /// The results over groups of these cases.
+    pub groups: &'a GroupResults<'a>,
+}
+
+/// The sheet of a figure.
+pub fn sheet(data: &FigureData) -> Sheet {
+    let FigureData { study, figure, .. } = *data;
     let kind = kind::of(&figure.kind);
-    let mut sheet = kind.sheet(study, figure, cases);
+    let mut sheet = kind.sheet(data);
     sheet.title = match &figure.title {
         Some(title) => markup::plain(title),
         None => study.title.clone(),

@@ -1,31 +1,50 @@
 //! The figures of a study, drawn and written.
 
-use crate::batch::Outcome;
-use crate::batch::output::Folder;
+use super::{Observer, OutputOptions, Source};
+use crate::batch::output::fragility::FragilityTable;
+use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::output::{FRAGILITY, Folder};
+use crate::batch::{GroupResults, Outcome};
 use crate::error::Error;
-use crate::figures;
-use crate::study::Study;
+use crate::figures::{self, FigureData};
+use crate::study::kinds::FigureKind;
 use crate::study_figures;
 use std::path::PathBuf;
 
-/// Draws every figure of a study with `dpi` pixels per inch, and adds the paths of the files to `paths`.
+/// Draws every figure of a study, writes the table of fragility figures, and adds the paths of the files to `paths`.
 pub fn write(
-    study: &Study,
+    source: &Source,
     outcomes: &mut [Outcome],
-    dpi: u32,
+    designs: &DesignMetrics,
+    output: &OutputOptions,
     folder: &mut Folder,
     paths: &mut Vec<PathBuf>,
+    observer: &mut dyn Observer,
 ) -> Result<(), Error> {
+    let (study, dpi) = (&source.study, output.dpi);
+    let mut table = FragilityTable::new(study)?;
+    let bar = observer.begin_figures(source, study.figures.len());
     study_figures::add_histories(study, outcomes);
     for figure in &study.figures {
-        let sheet = study_figures::with_cases(study, figure, outcomes, |cases| {
-            figures::sheet(study, figure, cases)
-        });
+        let draw = |data: &FigureData| {
+            if let (Some(table), FigureKind::Fragility(kind), GroupResults::Fragility(curves)) =
+                (&mut table, &figure.kind, data.groups)
+            {
+                table.add(&figure.name, kind, curves)?;
+            }
+            Ok::<_, Error>(figures::sheet(data))
+        };
+        let sheet = study_figures::with_data(study, figure, outcomes, designs, draw)?;
         let name = &figure.name;
         paths.push(folder.write(&format!("{name}.png"), &figures::png(&sheet, dpi)?)?);
         let svg = figures::svg(&sheet, dpi)?;
         paths.push(folder.write(&format!("{name}.svg"), svg.as_bytes())?);
         paths.push(folder.write(&format!("{name}.pdf"), &figures::pdf(&sheet, dpi)?)?);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    if let Some(table) = table {
+        paths.push(folder.write(FRAGILITY, &table.bytes()?)?);
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use crate::random_choice::RandomChoice;
 use crate::xml;
 use indicatif::ProgressBar;
 use slipgap::batch::output::reductions::ReducedMetrics;
+use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::{self, Outcome, RunOptions};
 use slipgap::error::{Error, Fault};
 use slipgap::figures;
@@ -166,8 +167,8 @@ fn drawn(study: &Study) {
 }
 
 fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
-    let sheet = study_figures::with_cases(study, figure, outcomes, |cases| {
-        figures::sheet(study, figure, cases)
-    });
+    let cases = outcomes.iter().map(Outcome::case_metrics);
+    let designs = DesignMetrics::of_cases(study, &cases.collect::<Vec<_>>());
+    let sheet = study_figures::with_data(study, figure, outcomes, &designs, figures::sheet);
     figures::svg(&sheet, figures::style::DPI).expect("a picture")
 }

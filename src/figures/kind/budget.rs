@@ -1,7 +1,6 @@
 //! The error and its parts over a parameter: a row of panels for each quantity.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
@@ -10,16 +9,23 @@ use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::layout::slope;
 use crate::figures::style::{self, Marker, Stroke};
+use crate::figures::{DrawnCase, FigureData};
 use crate::problem;
 use crate::problem::parameter::Value;
+use crate::study::Scale;
 use crate::study::kinds::Budget;
-use crate::study::{Figure, Scale, Study};
 
 /// Most panels side by side.
 const COLUMNS: usize = 3;
 
 impl Draw for Budget {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Budget { x, y, panels } = self;
         let parameters = study.problem.parameters();
         let groups: Vec<Option<Value>> = match panels {

@@ -3,7 +3,6 @@
 use super::Draw;
 use super::history::arrangement::Arrangement;
 use super::history::curves::{keys, members, sizes};
-use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
@@ -11,10 +10,11 @@ use crate::figures::layout::guides;
 use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::style::{self, Marker, Stroke};
+use crate::figures::{DrawnCase, FigureData};
 use crate::history::History;
 use crate::problem::{Quantity, Solution};
 use crate::study::kinds::Curve;
-use crate::study::{Figure, Scale, Study};
+use crate::study::{Scale, Study};
 
 /// Fewest and most points of an exact curve, and points for each step between them.
 const EXACT_POINTS: [usize; 2] = [800, 20_000];
@@ -25,7 +25,13 @@ const FOR_EACH_STEP: usize = 4;
 const MARKERS: f64 = 8.3;
 
 impl Draw for Curve {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let units = study.units.as_ref().filter(|_| self.in_units);
         let solved = cases.iter().copied().filter(|c| c.solution.is_some());
         let solved: Vec<DrawnCase> = solved.collect();

@@ -1,7 +1,6 @@
 //! A metric over two parameters with a colour bar: filled contours, or cells if there are too few places for contours.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::colour_map::bands;
 use crate::figures::colour_map::bar;
 use crate::figures::colour_map::ridge;
@@ -13,15 +12,22 @@ use crate::figures::layout::ticks;
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::markup::plain;
 use crate::figures::text::number;
+use crate::figures::{DrawnCase, FigureData};
 use crate::problem::escape;
+use crate::study::Scale;
 use crate::study::kinds::Map;
-use crate::study::{Figure, Scale, Study};
 
 /// Fewest places along each axis that make a contour.
 const FEWEST: usize = 3;
 
 impl Draw for Map {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Map {
             x,
             y,
@@ -165,7 +171,8 @@ impl Draw for Map {
     }
 
     /// The cases at their places.
-    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+    fn points(&self, data: &FigureData, sheet: &Sheet) -> Vec<Point> {
+        let FigureData { study, cases, .. } = *data;
         let Some(panel) = sheet.panels.first() else {
             return Vec::new();
         };

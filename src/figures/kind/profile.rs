@@ -2,7 +2,6 @@
 //! under the cases ([I] Fig. 6).
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
@@ -12,14 +11,21 @@ use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::number;
+use crate::figures::{DrawnCase, FigureData};
 use crate::study::kinds::Profile;
-use crate::study::{Figure, Scale, Study};
+use crate::study::{Scale, Study};
 
 /// Most markers along a part of the structure.
 const MARKERS: usize = 12;
 
 impl Draw for Profile {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Profile { y, times } = self;
         let problem = &*study.problem;
         let width = figure.width.unwrap_or(style::DOUBLE);

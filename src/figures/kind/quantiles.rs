@@ -2,7 +2,6 @@
 
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
-use crate::figures::DrawnCase;
 use crate::figures::column::metric_of;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
@@ -11,9 +10,10 @@ use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Band, Panel, Series, Sheet};
 use crate::figures::style::{self, Marker};
 use crate::figures::text::number;
+use crate::figures::{DrawnCase, FigureData};
 use crate::statistics::quantile::quantile;
+use crate::study::Scale;
 use crate::study::kinds::Quantiles;
-use crate::study::{Figure, Scale, Study};
 
 /// Most points of a curve that each have a marker.
 const MOST_MARKED: usize = 40;
@@ -22,7 +22,13 @@ const MOST_MARKED: usize = 40;
 type Point = (f64, [f64; 3]);
 
 impl Draw for Quantiles {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (found, all) = ensembles(study, cases, self.by, Some(self.x));
         let points = |metric: &usize| -> Vec<Vec<Point>> {
             let of = |ensemble: &Ensemble| self.points_of(ensemble, *metric);

@@ -1,7 +1,6 @@
 //! The parameters that a design samples, in pairs, and one metric: the lower half of a matrix of panels.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::colour_map::bar;
 use crate::figures::column::{has_place, title, value, without_dot};
 use crate::figures::layout;
@@ -10,11 +9,18 @@ use crate::figures::layout::cloud::Cloud;
 use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{FilledMap, Panel, Sheet};
 use crate::figures::style;
+use crate::figures::{DrawnCase, FigureData};
 use crate::study::kinds::Samples;
-use crate::study::{Column, Figure, Scale, Study};
+use crate::study::{Column, Scale};
 
 impl Draw for Samples {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Samples {
             parameters,
             y,

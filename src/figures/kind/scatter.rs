@@ -1,7 +1,6 @@
 //! One column of the results over another, a dot for each case.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::colour_map::bar;
 use crate::figures::column::{has_place, title, value, without_dot};
 use crate::figures::layout;
@@ -11,11 +10,17 @@ use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{FilledMap, Panel, Sheet};
 use crate::figures::style;
 use crate::figures::text;
+use crate::figures::{DrawnCase, FigureData};
 use crate::study::kinds::Scatter;
-use crate::study::{Figure, Study};
 
 impl Draw for Scatter {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Scatter {
             x,
             y,

@@ -1,7 +1,6 @@
 //! Response spectra of the ground motions of the cases: a panel for each ordinate, a curve for each motion and damping ratio.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
@@ -10,9 +9,10 @@ use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::{markup, number};
+use crate::figures::{DrawnCase, FigureData};
 use crate::problem::structure::GroundMotion;
 use crate::study::kinds::{Ordinate, Spectrum};
-use crate::study::{Figure, Scale, Study};
+use crate::study::{Scale, Study};
 use crate::system::loads::spectrum::{self, spectrum};
 use libm::pow;
 
@@ -23,7 +23,13 @@ const POINTS: usize = 240;
 const MARKED: usize = 30;
 
 impl Draw for Spectrum {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (motions, shown) = motions(study, cases);
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let ratios = number::digits(self.damping.iter().copied());

@@ -2,7 +2,7 @@
 //! between its fronts.
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use crate::figures::colour_map::bar;
 use crate::figures::layout;
 use crate::figures::layout::guides;
@@ -10,8 +10,8 @@ use crate::figures::layout::sheet::{Cell, FilledMap, Panel, Series, Sheet};
 use crate::figures::layout::ticks;
 use crate::figures::style;
 use crate::problem::Lines;
+use crate::study::Scale;
 use crate::study::kinds::Wave;
-use crate::study::{Figure, Scale, Study};
 
 /// A value between two places.
 type Piece = ([f64; 2], f64);
@@ -19,7 +19,13 @@ type Piece = ([f64; 2], f64);
 const HEIGHT: f64 = 240.0;
 
 impl Draw for Wave {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Wave { y } = *self;
         let mut rows: Vec<(f64, &Lines)> = Vec::new();
         for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots) {

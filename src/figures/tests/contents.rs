@@ -1,8 +1,8 @@
 //! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
 
+use crate::figures::DrawnCase;
 use crate::figures::layout::sheet::Sheet;
 use crate::figures::style::{self, Marker};
-use crate::figures::{DrawnCase, sheet};
 use crate::problem::Case;
 use crate::study::{self, Study};
 
@@ -32,7 +32,7 @@ fn drawn(study: &Study, value: impl Fn(&Case, &str) -> Option<f64>) -> Sheet {
             snapshots: &[],
         })
         .collect();
-    sheet(study, figure, &shown)
+    super::sheet_of(study, figure, &shown)
 }
 
 fn number(case: &Case, name: &str) -> f64 {

@@ -39,11 +39,13 @@ fn drawn(study: &Study, value: impl Fn(&Case) -> Option<f64>) -> (Sheet, String)
         snapshots: &[],
     });
     let shown: Vec<DrawnCase> = shown.collect();
-    let sheet = sheet(study, figure, &shown);
-    let text = svg(&sheet, style::DPI).unwrap();
-    let hover = with_hover(study, figure, &shown, &sheet, &text, "f");
-    assert!(png(&sheet, style::DPI).is_ok() && pdf(&sheet, style::DPI).is_ok());
-    (sheet, hover)
+    super::with_data(study, figure, &shown, |data| {
+        let sheet = sheet(data);
+        let text = svg(&sheet, style::DPI).unwrap();
+        let hover = with_hover(data, &sheet, &text, "f");
+        assert!(png(&sheet, style::DPI).is_ok() && pdf(&sheet, style::DPI).is_ok());
+        (sheet, hover)
+    })
 }
 
 fn small_print(sheet: &Sheet) -> String {

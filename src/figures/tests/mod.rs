@@ -9,10 +9,12 @@ mod limits;
 mod samples;
 mod structures;
 
+use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::{CaseMetrics, GroupResults};
 use crate::exact::coulomb::Coulomb;
 use crate::figures::layout::sheet::Sheet;
 use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::{DrawnCase, png, sheet, svg};
+use crate::figures::{DrawnCase, FigureData, png, sheet, svg};
 use crate::problem::parameter::Value;
 use crate::problem::{self, Case, Snapshot, Solution};
 use crate::study::kinds::{History, Law, Map, Metric, Profile};
@@ -41,7 +43,7 @@ fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
             snapshots: &snapshots[i],
         })
         .collect();
-    let sheet = sheet(study, figure, &shown);
+    let sheet = sheet_of(study, figure, &shown);
     (sheet, snapshots)
 }
 
@@ -125,8 +127,35 @@ impl Run {
             filter: Filter::default(),
             kind,
         };
-        sheet(&self.study, &figure, &shown)
+        sheet_of(&self.study, &figure, &shown)
     }
+}
+
+/// The sheet of a figure over these cases.
+fn sheet_of(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    with_data(study, figure, cases, sheet)
+}
+
+/// The result of `draw` for these cases of a figure.
+fn with_data<T>(
+    study: &Study,
+    figure: &Figure,
+    cases: &[DrawnCase],
+    draw: impl FnOnce(&FigureData) -> T,
+) -> T {
+    let rows = cases.iter().map(|shown| CaseMetrics {
+        case: shown.case,
+        metrics: shown.metrics,
+    });
+    let rows: Vec<CaseMetrics> = rows.collect();
+    let designs = DesignMetrics::of_cases(study, &rows);
+    let groups = GroupResults::new(study, figure, &rows, &designs);
+    draw(&FigureData {
+        study,
+        figure,
+        cases,
+        groups: &groups,
+    })
 }
 
 fn history(panels: Option<usize>) -> FigureKind {

@@ -51,7 +51,7 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>) {
         snapshots: &[],
     });
     let shown: Vec<DrawnCase> = shown.collect();
-    (sheet(study, &study.figures[0], &shown), cases)
+    (super::sheet_of(study, &study.figures[0], &shown), cases)
 }
 
 /// Places and values of the dots.

@@ -27,7 +27,7 @@ fn unsolved(study: &Study) -> Sheet {
         snapshots: &[],
     };
     let shown: Vec<DrawnCase> = cases.iter().map(shown).collect();
-    sheet(study, &study.figures[0], &shown)
+    super::sheet_of(study, &study.figures[0], &shown)
 }
 
 #[test]

@@ -5,7 +5,6 @@ mod legend;
 mod lines;
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::legend::Key;
@@ -15,9 +14,10 @@ use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::style::{self, Stroke};
 use crate::figures::text::markup::plain;
 use crate::figures::text::number;
+use crate::figures::{DrawnCase, FigureData};
 use crate::problem::parameter;
 use crate::study::kinds::Front;
-use crate::study::{Figure, Study, alike};
+use crate::study::{Study, alike};
 use best::{Point, points};
 use lines::{Line, best_of, lines};
 
@@ -25,7 +25,13 @@ use lines::{Line, best_of, lines};
 const BEST: &str = "best of all";
 
 impl Draw for Front {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (points, lacking) = points(self, study, cases);
         let band = best_of(&points, |_| true);
         let panels: Vec<Vec<Line>> = self
@@ -97,7 +103,8 @@ impl Draw for Front {
     }
 
     /// The best points of each line, also those without a marker, with the other parameters of their cases.
-    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Hover> {
+    fn points(&self, data: &FigureData, sheet: &Sheet) -> Vec<Hover> {
+        let FigureData { study, cases, .. } = *data;
         let (points, _) = points(self, study, cases);
         let over: Vec<usize> = self.mean_over.into_iter().collect();
         let shared = alike::unaffected(&*study.problem, &study.blocks, &over);

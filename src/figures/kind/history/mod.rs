@@ -3,7 +3,6 @@
 pub(super) mod arrangement;
 pub(super) mod curves;
 
-use crate::figures::DrawnCase;
 use crate::figures::kind::Draw;
 use crate::figures::label;
 use crate::figures::layout;
@@ -13,15 +12,22 @@ use crate::figures::layout::limits;
 use crate::figures::layout::sheet::{Panel, Series, Sheet};
 use crate::figures::layout::ticks;
 use crate::figures::style;
+use crate::figures::{DrawnCase, FigureData};
 use crate::problem::Quantity;
 use crate::problem::unit::Dimension;
 use crate::study::kinds::History;
-use crate::study::{Figure, Scale, Study};
+use crate::study::{Scale, Study};
 use arrangement::Arrangement;
 use curves::Curves;
 
 impl Draw for History {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let History {
             y,
             by,

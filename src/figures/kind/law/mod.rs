@@ -5,13 +5,18 @@ mod papers;
 
 use super::Draw;
 use crate::contact::{ContactLaw, LawKind};
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use crate::figures::layout::sheet::Sheet;
 use crate::study::kinds::Law;
-use crate::study::{Figure, Study};
 
 impl Draw for Law {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
             .map(|shown| study.problem.contact_law(shown.case))

@@ -4,7 +4,6 @@
 mod orders;
 mod reference;
 
-use crate::figures::DrawnCase;
 use crate::figures::label;
 use crate::figures::layout;
 use crate::figures::layout::axis::Axis;
@@ -16,7 +15,8 @@ use crate::figures::layout::slope;
 use crate::figures::layout::ticks;
 use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::text::number;
-use crate::study::{Figure, Scale, Study};
+use crate::figures::{DrawnCase, FigureData};
+use crate::study::Scale;
 use orders::{ORDERS, order_lines};
 
 /// Metrics over a parameter.
@@ -35,7 +35,13 @@ pub struct Curves<'a> {
 
 impl Curves<'_> {
     /// The sheet of a `metric` or `convergence` figure.
-    pub fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    pub fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Curves {
             x,
             y,

@@ -9,19 +9,24 @@ mod sizes;
 mod symbols;
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use crate::figures::layout;
 use crate::figures::layout::sheet::{Picture, Shape, Sheet};
 use crate::figures::style;
 use crate::problem::structure::Scheme as Structure;
 use crate::study::kinds::Scheme;
-use crate::study::{Figure, Study};
 
 /// Widest picture that keeps the size of its letters if the figure has no width.
 const WIDEST: f64 = style::DOUBLE;
 
 impl Draw for Scheme {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let first = cases.first();
         let scheme = first.and_then(|shown| study.problem.scheme(shown.case));
         let Some(scheme) = scheme else {

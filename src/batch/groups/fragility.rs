@@ -1,0 +1,129 @@
+//! The curves of a fragility figure: in how many cases a metric exceeds a limit, and the lognormal function of the largest
+//! likelihood.
+
+use super::CaseMetrics;
+use crate::problem::parameter::Value;
+use crate::statistics::binomial;
+use crate::statistics::lognormal::{Fragility as Function, NoFit, Trials};
+use crate::study::kinds::Fragility;
+use crate::study::{Study, alike};
+
+/// One curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FragilityCurve {
+    /// For each parameter of the problem the value that all cases of the curve have.
+    pub shared: Vec<Option<Value>>,
+    /// By rising value of the parameter along the axis.
+    pub points: Vec<FragilityPoint>,
+    /// The fitted function, or why there is none.
+    pub fit: Result<Function, NoFit>,
+}
+
+/// The cases of a curve at one value of the parameter along the axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FragilityPoint {
+    /// The value.
+    pub at: f64,
+    /// Number of cases.
+    pub cases: u64,
+    /// How many of them have no value of the metric; these are left out of all that follows.
+    pub empty: u64,
+    /// How many exceed the limit.
+    pub exceeded: u64,
+    /// The part that exceeds; `None` if no case has a value.
+    pub probability: Option<Probability>,
+}
+
+/// An estimated probability.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Probability {
+    /// The part of the cases.
+    pub value: f64,
+    /// Lower end of the 95 % interval (Clopper and Pearson).
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+}
+
+/// The curves of a figure: the cases of each value of its `by`, or else of each set of values of the parameters that vary and
+/// change neither with the ensemble nor along the axis; in the order of the first cases.
+pub fn curves(study: &Study, figure: &Fragility, cases: &[CaseMetrics]) -> Vec<FragilityCurve> {
+    let rows = match figure.by {
+        Some(row) => vec![row],
+        None => study.outside_ensemble(&[figure.x]),
+    };
+    let groups = alike::grouped(cases, |shown| alike::identity(shown.case, &rows));
+    groups.iter().map(|cases| curve(figure, cases)).collect()
+}
+
+fn curve(figure: &Fragility, cases: &[&CaseMetrics]) -> FragilityCurve {
+    let along = |shown: &CaseMetrics| shown.case.values[figure.x].filter(|x| x.as_f64().is_some());
+    let placed = cases.iter().filter(|shown| along(shown).is_some());
+    let groups = alike::grouped(placed, |shown| along(shown).map(Value::identity));
+    let point = |cases: Vec<&&CaseMetrics>| {
+        let at = along(cases.first()?)?.as_f64()?;
+        Some(FragilityPoint::new(figure, at, &cases))
+    };
+    let mut points: Vec<FragilityPoint> = groups.into_iter().filter_map(point).collect();
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let trials = points.iter().filter(|point| point.probability.is_some());
+    let trials: Vec<Trials> = trials.map(FragilityPoint::trials).collect();
+    FragilityCurve {
+        shared: shared(cases),
+        fit: Function::fit(&trials),
+        points,
+    }
+}
+
+/// For each parameter the value that all cases have.
+fn shared(cases: &[&CaseMetrics]) -> Vec<Option<Value>> {
+    let mut cases = cases.iter();
+    let first = cases.next();
+    let mut shared = first.map_or(Vec::new(), |first| first.case.values.clone());
+    for shown in cases {
+        for (own, other) in shared.iter_mut().zip(&shown.case.values) {
+            if !Value::identical(*own, *other) {
+                *own = None;
+            }
+        }
+    }
+    shared
+}
+
+impl FragilityPoint {
+    fn new(figure: &Fragility, at: f64, cases: &[&&CaseMetrics]) -> FragilityPoint {
+        let value = |shown: &&&CaseMetrics| shown.metrics.get(figure.y).copied().flatten();
+        let values: Vec<f64> = cases.iter().filter_map(value).collect();
+        let exceeded = values.iter().filter(|value| **value > figure.limit);
+        let (exceeded, count) = (exceeded.count() as u64, values.len() as u64);
+        let probability = || {
+            let [low, high] = binomial::interval(exceeded, count);
+            Probability {
+                value: exceeded as f64 / count as f64,
+                low,
+                high,
+            }
+        };
+        FragilityPoint {
+            at,
+            cases: cases.len() as u64,
+            empty: (cases.len() - values.len()) as u64,
+            exceeded,
+            probability: (count > 0).then(probability),
+        }
+    }
+
+    /// The cases with a value, as trials.
+    fn trials(&self) -> Trials {
+        Trials {
+            at: self.at,
+            exceeded: self.exceeded,
+            count: self.count(),
+        }
+    }
+
+    /// Number of cases with a value.
+    pub fn count(&self) -> u64 {
+        self.cases - self.empty
+    }
+}
