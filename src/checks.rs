@@ -1,9 +1,9 @@
 //! The checks of a study: limits of metrics, tested for every case that they apply to.
 
 use crate::batch::Outcome;
-use crate::problem::Case;
-use crate::problem::parameter::shortest;
-use crate::study::{Groups, Study};
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::shortest;
+use slipgap_study::{Groups, Study};
 
 /// One check on one case.
 #[derive(Debug, Clone, PartialEq)]

@@ -70,22 +70,16 @@ pub mod batch;
 pub mod checks;
 pub mod claims;
 pub mod compare;
-pub mod contact;
-pub mod error;
-pub mod exact;
 pub mod figures;
-pub mod history;
-pub mod lane;
-pub mod methods;
-pub mod metrics;
-pub mod problem;
-pub mod recommend;
 pub mod report;
 pub mod run;
-pub mod solve;
-pub mod statistics;
-pub mod study;
 pub mod study_figures;
-pub mod system;
-pub mod textbook;
 pub mod warnings;
+
+pub use slipgap_recommend as recommend;
+pub use slipgap_solver::{
+    contact, exact, expression, history, lane, methods, metrics, problem, solve, system, textbook,
+};
+pub use slipgap_statistics as statistics;
+pub use slipgap_study as study;
+pub use slipgap_study::error;

@@ -3,8 +3,8 @@
 use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::{self, CaseMetrics, GroupResults, Outcome};
 use crate::figures::{DrawnCase, FigureData};
-use crate::problem::{Case, Snapshot};
-use crate::study::{Figure, Study};
+use slipgap_solver::problem::{Case, Snapshot};
+use slipgap_study::{Figure, Study};
 
 /// Whether a figure shows the case.
 pub fn show(study: &Study, case: &Case) -> bool {
@@ -80,7 +80,7 @@ fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot>
 mod tests {
     use super::*;
     use crate::figures;
-    use crate::study::parse;
+    use slipgap_study::parse;
 
     /// Outcomes with made-up errors: the x0 of the case, times its step, plus the distance of its width from 0.3.
     fn outcomes(study: &Study) -> Vec<Outcome> {

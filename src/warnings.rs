@@ -2,8 +2,8 @@
 
 use crate::batch::{PartResult, WarnedCases, WarningCounts};
 use crate::checks::{self, ReducedChecks};
-use crate::solve::Warning;
-use crate::study::Study;
+use slipgap_solver::solve::Warning;
+use slipgap_study::Study;
 use std::collections::BTreeSet;
 
 /// The warnings of the cases so far.

@@ -1,6 +1,5 @@
 //! The figures of a study, drawn when they are asked for, or read from the folder of the run.
 
-use crate::error::{raise, usage};
 use pyo3::prelude::*;
 use slipgap::batch::Outcome;
 use slipgap::batch::output::sobol::DesignMetrics;
@@ -8,6 +7,7 @@ use slipgap::error::Error;
 use slipgap::figures::{self, style};
 use slipgap::run::Source;
 use slipgap::study_figures;
+use slipgap_solver::error::{raise, usage};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -1,9 +1,9 @@
 //! The order of cases in which every sampled signal is made once.
 
-use crate::problem::Samples;
-use crate::problem::cases::Cases;
-use crate::problem::structure::MOST_SAMPLED;
-use crate::study::Study;
+use slipgap_solver::problem::Samples;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::structure::MOST_SAMPLED;
+use slipgap_study::Study;
 use std::collections::BTreeMap;
 
 /// The rows in blocks whose sampled signals fit in memory, in the order of their first use; one block if all of them fit. In a

@@ -9,8 +9,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::problem::cases::Cases;
-use crate::study::Study;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_study::Study;
 
 /// Raw combinations of a chunk; in a large study a power of two times as many.
 const CHUNK: u64 = 16_384;
@@ -134,7 +134,7 @@ fn split_by_work(work: impl Iterator<Item = u64>) -> Vec<(Range<usize>, u64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::parse;
+    use slipgap_study::parse;
 
     #[test]
     fn a_part_is_full_before_the_next_begins_and_stays_within_the_limit() {
@@ -205,7 +205,8 @@ mod tests {
             let work: u64 = (0..cases.len()).map(steps).sum();
             assert!(work <= WORK, "{work}");
             for row in 0..cases.len() {
-                let number = |case: &crate::problem::Case| [case.number("beta"), case.number("dT")];
+                let number =
+                    |case: &slipgap_solver::problem::Case| [case.number("beta"), case.number("dT")];
                 assert_eq!(
                     number(cases.shown().at(row)),
                     number(&study.case(next).unwrap())
@@ -247,7 +248,7 @@ mod tests {
             "when": "beta^2 + x0^2 < 1"}"#;
         let file = tempfile::NamedTempFile::new().unwrap();
         std::fs::write(file.path(), text).unwrap();
-        crate::study::Input::of_file(file.path())
+        slipgap_study::Input::of_file(file.path())
             .unwrap()
             .study(u64::MAX)
             .unwrap()

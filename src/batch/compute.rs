@@ -4,12 +4,12 @@ use super::blocks::blocks;
 use super::chunk::WORK;
 use super::options::RunOptions;
 use super::part_result::Solutions;
-use crate::error::Error;
-use crate::problem::cases::Cases;
-use crate::problem::{Case, Solution};
-use crate::solve::{MetricTable, Unsolvable, Warnings};
-use crate::study::Study;
 use rayon::prelude::*;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::{Case, Solution};
+use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 
 /// Largest number of cases of one sweep if there are several threads.
 const MOST_CASES: u64 = 4096;

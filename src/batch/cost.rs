@@ -2,12 +2,12 @@
 
 use super::compute::{SWEEP_WORK, compute_rows, keep_memory, parallel_tasks, slice, solvable_rows};
 use super::options::RunOptions;
-use crate::error::Error;
-use crate::problem::Case;
-use crate::problem::cases::Cases;
-use crate::problem::parameter::Value;
-use crate::study::Study;
 use rayon::prelude::*;
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -187,7 +187,7 @@ fn stride(groups: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::parse;
+    use slipgap_study::parse;
 
     fn study(parameters: &str) -> Study {
         let text = format!(

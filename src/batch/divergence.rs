@@ -1,10 +1,10 @@
 //! In how many cases of a study of structures a change of 1e-10 in start and loads reaches 1 % of the motion.
 
 use super::cost::total;
-use crate::problem::Case;
-use crate::problem::structure::schema::NAME;
-use crate::study::Study;
 use rayon::prelude::*;
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::structure::schema::NAME;
+use slipgap_study::Study;
 use std::fmt;
 
 /// Most cases that are looked at.
@@ -110,7 +110,7 @@ impl fmt::Display for Divergence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::parse;
+    use slipgap_study::parse;
 
     /// An oscillator that is driven against a stop: chaotic at omega = 2.85, periodic at 3.
     fn study(omega: &str, metrics: &str) -> Study {

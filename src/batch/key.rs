@@ -1,8 +1,8 @@
 //! Keys: everything that determines the results of a part. Stored results are used again only if their key is the same.
 
-use crate::problem::cases::{Cases, Column};
-use crate::problem::parameter::{ColumnRule, Value};
-use crate::study::Study;
+use slipgap_solver::problem::cases::{Cases, Column};
+use slipgap_solver::problem::parameter::{ColumnRule, Value};
+use slipgap_study::Study;
 use std::fmt;
 use twox_hash::XxHash3_128;
 
@@ -11,7 +11,7 @@ pub const SOLVER_VERSION: u32 = 2;
 
 /// Hash of the sources and crates that determine results (`build/solver.rs`). A change there makes stores outdated, also without
 /// a new version.
-const SOLVER_SOURCES: &str = env!("SLIPGAP_SOLVER");
+const SOLVER_SOURCES: &str = slipgap_solver::VERSION_KEY;
 
 /// Everything that determines the results of a part. It has several fields so that a message can name the difference.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -174,7 +174,7 @@ pub fn checksum(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::parse;
+    use slipgap_study::parse;
 
     fn key(more: &str) -> Key {
         let text = format!(
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn a_key_contains_the_version_and_the_sources_of_the_solver() {
         // From build.rs. Without it, results of other sources would be used again.
-        let sources = env!("SLIPGAP_SOLVER");
+        let sources = slipgap_solver::VERSION_KEY;
         assert_eq!(sources.len(), 16);
         assert_eq!(key("").solver, format!("{SOLVER_VERSION} {sources}"));
     }
@@ -211,5 +211,22 @@ mod tests {
         // Without iteration the same columns have other results.
         let once = key(r#", "iteration": "once""#);
         assert_eq!(own.difference(&once), Some(Difference::Columns));
+    }
+
+    #[test]
+    fn other_labels_are_other_cases() {
+        let of = |labels: &str| {
+            let text = format!(
+                r#"{{"problem": "structure", "parameters": {{"bridge": [{labels}], "k": [1, 2], "dt": 0.1, "duration": 5}},
+                "zip": [["bridge", "k"]], "metrics": ["peak(m.v)"], "structure": {{"masses": {{"m": 1}},
+                "springs": [{{"between": ["ground", "m"], "k": "k"}}]}}}}"#
+            );
+            let study = parse("s.json", &text).unwrap();
+            let (first, cases) = study.columns(0, 2);
+            Key::new(&study, first, &cases)
+        };
+        let key = of(r#""short", "long""#);
+        assert_eq!(key, of(r#""short", "long""#));
+        assert_ne!(key, of(r#""stiff", "long""#));
     }
 }

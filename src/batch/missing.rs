@@ -5,9 +5,9 @@ use super::key::Key;
 use super::queue::PartQueue;
 use super::shard::shard_of;
 use super::store::{Miss, Store};
-use crate::error::Error;
-use crate::study::Study;
 use rayon::prelude::*;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::fmt;
 
@@ -157,7 +157,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let text = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control", "beta": [0.1, 0.2],
             "dT": 0.5, "x0": 8, "duration": 3}}"#;
-        let study = crate::study::parse("s.json", text).unwrap();
+        let study = slipgap_study::parse("s.json", text).unwrap();
         let mut opened_before = Store::open_shared(folder.path()).unwrap();
         let found = missing_parts(&study, &mut opened_before, None).unwrap();
         assert_eq!(found.map(|missing| missing.absent), Some(1));

@@ -35,12 +35,12 @@ pub use shard::{Shard, ShardResult, run_shard, shard_of};
 pub use units::with_unit_columns;
 pub use warned::{WarnedCases, WarningCounts};
 
-use crate::error::Error;
-use crate::study::Study;
 use indicatif::ProgressBar;
 use queue::PartQueue;
 use rayon::prelude::*;
 use run_part::run_part;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 use store::Store;
 
 /// Runs every case, part by part. `take` receives the parts in order, each as soon as it and all parts before it are

@@ -2,8 +2,8 @@
 
 use super::store::Store;
 use super::work_progress::WorkProgress;
-use crate::error::Error;
-use crate::problem::{Case, Solution};
+use slipgap_solver::problem::{Case, Solution};
+use slipgap_study::error::Error;
 
 /// Called with the number and the solution of each computed case.
 pub type OnSolution<'a> = dyn Fn(u64, &Solution) -> Result<(), Error> + Sync + 'a;

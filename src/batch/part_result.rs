@@ -1,10 +1,10 @@
 //! The results of a part: as columns, or case by case.
 
 use super::store::Miss;
-use crate::problem::cases::Cases;
-use crate::problem::{Case, Solution};
-use crate::solve::{MetricTable, Unsolvable};
-use crate::study::Study;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::{Case, Solution};
+use slipgap_solver::solve::{MetricTable, Unsolvable};
+use slipgap_study::Study;
 use std::collections::BTreeMap;
 
 /// The result of one case.

@@ -2,8 +2,8 @@
 
 use super::chunk::{self, Part};
 use super::shard::Shard;
-use crate::study::Study;
 use rayon::prelude::*;
+use slipgap_study::Study;
 use std::collections::VecDeque;
 use std::ops::Range;
 
@@ -68,7 +68,7 @@ impl<'a> PartQueue<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::parse;
+    use slipgap_study::parse;
 
     #[test]
     fn the_shards_have_every_part_once_and_in_order() {

@@ -1,8 +1,8 @@
 //! Outcomes reduced to one for each group.
 
 use super::Outcome;
-use crate::problem::parameter::Value;
-use crate::study::{Groups, Reduction, Study};
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::{Groups, Reduction, Study};
 
 /// One outcome for each group of the chosen ones, with the reductions among `shown`, which are rows of the study's measures;
 /// `None` if none of these is a reduction. A parameter that is reduced over, or that differs in a group, has no value.

@@ -6,11 +6,11 @@ use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
 use super::store::{EarlierCases, Miss, Store};
 use super::{compute, units};
-use crate::error::Error;
-use crate::problem::cases::Cases;
-use crate::solve::MetricTable;
-use crate::study::Study;
 use indicatif::ProgressBar;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::solve::MetricTable;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 
 /// Reads a part from the store, or computes and stores it.
 pub(super) fn run_part(

@@ -8,10 +8,10 @@ use super::compute;
 use super::queue::PartQueue;
 use super::run_part::{KeptPart, keep_part};
 use super::store::Store;
-use crate::error::Error;
-use crate::study::Study;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 use std::fmt;
 use std::str::FromStr;
 

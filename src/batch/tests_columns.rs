@@ -4,13 +4,13 @@ use super::key::{Key, case_hash};
 use super::output::tables::{FailureTable, ResultTable};
 use super::store::Store;
 use super::{Outcome, solution};
-use crate::history::History;
-use crate::problem::cases::Cases;
-use crate::problem::friction::FrictionOscillator;
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
-use crate::problem::{Case, Problem, Schema, Solution, Violation};
-use crate::solve::{MetricTable, Unsolvable};
-use crate::study::{Axis, Block, Group, Study, parse};
+use slipgap_solver::history::History;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::friction::FrictionOscillator;
+use slipgap_solver::problem::parameter::{Default, Kind, Parameter, Range, Value};
+use slipgap_solver::problem::{Case, Problem, Schema, Solution, Violation};
+use slipgap_solver::solve::{MetricTable, Unsolvable};
+use slipgap_study::{Axis, Block, Group, Study, parse};
 use std::sync::Arc;
 
 /// The friction oscillator with a parameter that has a default and a column only if it is given.
@@ -81,7 +81,11 @@ fn tables(study: &Study) -> [String; 2] {
     let mut failures = FailureTable::new(study, Vec::new()).unwrap();
     for (number, case) in (0..).zip(study.cases()) {
         failures
-            .row(number, &case, &crate::solve::Unsolvable::OutOfRange)
+            .row(
+                number,
+                &case,
+                &slipgap_solver::solve::Unsolvable::OutOfRange,
+            )
             .unwrap();
         let solved = solution(study, &case).unwrap();
         let metrics = study.measures.iter().map(|m| solved.metrics[m.metric]);

@@ -2,8 +2,8 @@
 
 use crate::batch::cost::{self, measure, total};
 use crate::batch::{self, RunOptions, divergence};
-use crate::problem::structure::MOST_SAMPLED;
-use crate::study::{Study, parse};
+use slipgap_solver::problem::structure::MOST_SAMPLED;
+use slipgap_study::{Study, parse};
 use std::time::Duration;
 
 /// A mass on a spring with friction, in a run of some steps.

@@ -1,8 +1,8 @@
 //! Metrics in the units of the study, computed from the scaled ones. The store never contains them.
 
-use crate::problem::cases::Cases;
-use crate::solve::MetricTable;
-use crate::study::Study;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::solve::MetricTable;
+use slipgap_study::Study;
 
 /// The metrics, followed by the same in the units of the study, if it has units.
 pub fn with_unit_columns(study: &Study, cases: &Cases, metrics: MetricTable) -> MetricTable {

@@ -1,10 +1,10 @@
 //! The cases of a study with one kind of warning.
 
-use crate::problem::Case;
-use crate::problem::parameter::Value;
-use crate::solve::{WARNINGS, Warning};
-use crate::study::Study;
 use serde_json::{Map, Value as Json, json};
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::solve::{WARNINGS, Warning};
+use slipgap_study::Study;
 use std::fmt;
 
 /// The cases of a study with one kind of warning: how many, and the first one as an example.

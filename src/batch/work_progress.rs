@@ -1,6 +1,6 @@
 //! The finished work of a run, and the time left. Cases from the store do not count as speed. A run can be stopped by it.
 
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -91,8 +91,8 @@ mod tests {
     use super::*;
     use crate::batch::store::Store;
     use crate::batch::{RunOptions, run};
-    use crate::study::parse;
     use indicatif::ProgressBar;
+    use slipgap_study::parse;
 
     #[test]
     fn stored_and_computed_work_are_counted_apart() {

@@ -4,8 +4,8 @@ use super::Finding;
 use super::ledger::{Demand, Expect, Over, Reading};
 use super::within::{Limits, Met, within};
 use crate::batch::{self, Outcome};
-use crate::problem::{Lines, Problem, Snapshot};
-use crate::study::Study;
+use slipgap_solver::problem::{Lines, Problem, Snapshot};
+use slipgap_study::Study;
 
 /// Tests everything that a reading expects.
 pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Finding {

@@ -10,9 +10,9 @@ pub use within::NEAR;
 
 use crate::batch;
 use crate::batch::store::{STORE, Store};
-use crate::error::Error;
 use indicatif::ProgressBar;
 use ledger::{Claim, Ledger};
+use slipgap_study::error::Error;
 use std::path::Path;
 
 /// The result of testing a claim.

@@ -3,8 +3,8 @@
 use super::{Comparison, Rows, compare, parameters, problem_of_columns};
 use crate::batch::output::{RESULTS, problem_of};
 use crate::batch::store::{self, STORE};
-use crate::error::Error;
 use crate::run::files;
+use slipgap_study::error::Error;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use walkdir::DirEntry;

@@ -1,7 +1,7 @@
 //! Columns of the results, as scatters and samples draw them.
 
 use crate::figures::DrawnCase;
-use crate::study::{Column, Scale, Study};
+use slipgap_study::{Column, Scale, Study};
 
 /// The value of a case in a column.
 pub fn value(shown: &DrawnCase, column: Column) -> Option<f64> {

@@ -1,11 +1,11 @@
 //! Error over cost: the smallest error for each cost, the target, and the recommended case.
 
-use crate::figures::layout;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::layout::ticks;
-use crate::figures::style::{self, Marker, Stroke};
 use libm::log10;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style::{self, Marker, Stroke};
 
 /// A front to draw.
 #[derive(Debug)]

@@ -1,9 +1,9 @@
 //! The points of a figure that show their values in a report.
 
-use crate::figures::draw::vector::escape;
-use crate::figures::layout::sheet::Sheet;
-use crate::figures::style::{self, UNITS};
 use crate::figures::{FigureData, kind};
+use slipgap_drawing::draw::vector::escape;
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::style::{self, UNITS};
 use std::fmt::Write;
 
 /// Most points of a figure that show their values.

@@ -1,10 +1,10 @@
 //! The parameters that distinguish the cases of a figure, and the labels of the legend.
 
 use crate::figures::DrawnCase;
-use crate::figures::text::{markup, number};
-use crate::problem::Case;
-use crate::problem::parameter::{Default, Parameter, Value};
-use crate::study::{Filter, Study, alike};
+use slipgap_drawing::text::{markup, number};
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::{Default, Parameter, Value};
+use slipgap_study::{Filter, Study, alike};
 use std::collections::HashMap;
 
 /// Whether two values are the same, or both do not apply.

@@ -3,34 +3,27 @@
 //! A `kind` makes a [`Sheet`] of the cases, which is plain data; `layout` has its panels, axes
 //! and legends, `colour_map` the parts of maps; `draw` draws the sheet; `text` sets its text.
 
-mod colour_map;
 mod column;
-mod draw;
 mod front;
 mod hover;
 mod kind;
 mod label;
-mod layout;
-pub mod style;
 #[cfg(test)]
 mod tests;
-mod text;
 
-pub use draw::base64;
 pub use front::Front;
 pub use hover::with_hover;
-pub use layout::sheet;
-pub use text::markup;
+pub use slipgap_drawing::draw::base64;
+pub use slipgap_drawing::layout::sheet;
+pub use slipgap_drawing::style;
+pub use slipgap_drawing::text::markup;
+pub use slipgap_drawing::{pdf, png, svg};
 
 use crate::batch::GroupResults;
-use crate::error::Error;
-use crate::problem::{Case, Snapshot, Solution};
-use crate::study::{Figure, Study};
-use draw::{pdf, raster, vector};
-use layout::envelope;
 use sheet::Sheet;
-use std::cell::RefCell;
-use std::rc::Rc;
+use slipgap_drawing::layout::{self, envelope};
+use slipgap_solver::problem::{Case, Snapshot, Solution};
+use slipgap_study::{Figure, Study};
 
 /// A case that a figure draws.
 #[derive(Debug, Clone, Copy)]
@@ -102,30 +95,4 @@ fn taken_over(study: &Study, figure: &Figure) -> Option<String> {
     let over = reduction.over.iter().map(|row| &*table[*row].symbol);
     let over: Vec<&str> = over.collect();
     Some(format!("Each value is taken over {}", over.join(", ")))
-}
-
-/// The sheet as a PNG file of `dpi` pixels an inch; an error if the sheet has too many of them.
-pub fn png(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
-    let raster = raster::Raster::new(sheet.width, sheet.height, dpi)?;
-    let raster = Rc::new(RefCell::new(raster));
-    draw::draw(sheet, &raster, dpi)?;
-    raster.borrow().png()
-}
-
-/// The sheet as the text of an SVG file, whose images have `dpi` pixels an inch.
-pub fn svg(sheet: &Sheet, dpi: u32) -> Result<String, Error> {
-    let (title, description) = (&sheet.title, &sheet.description);
-    let vector = vector::Vector::new(sheet.width, sheet.height, title, description, dpi);
-    let vector = Rc::new(RefCell::new(vector));
-    draw::draw(sheet, &vector, dpi)?;
-    Ok(vector.borrow_mut().svg())
-}
-
-/// The sheet as a PDF file, whose images have `dpi` pixels an inch.
-pub fn pdf(sheet: &Sheet, dpi: u32) -> Result<Vec<u8>, Error> {
-    let dots = style::pixels(dpi);
-    let page = pdf::Page::new(sheet.width, sheet.height, &sheet.title, dots);
-    let page = Rc::new(RefCell::new(page));
-    draw::draw(sheet, &page, dpi)?;
-    page.borrow_mut().pdf()
 }

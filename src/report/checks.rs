@@ -3,7 +3,7 @@
 use super::text::{escape, verdict};
 use crate::batch::Outcome;
 use crate::checks::{self, ReducedChecks, Verdict};
-use crate::study::Study;
+use slipgap_study::Study;
 use std::io::{self, Write};
 
 /// Largest number of checks that the page lists.

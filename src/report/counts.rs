@@ -3,8 +3,8 @@
 use super::text::{code, escape};
 use crate::batch::divergence::{self, Divergence};
 use crate::batch::{Outcome, WarnedCases};
-use crate::solve::Unsolvable;
-use crate::study::Study;
+use slipgap_solver::solve::Unsolvable;
+use slipgap_study::Study;
 use std::io::{self, Write};
 
 /// The numbers of cases so far.

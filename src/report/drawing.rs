@@ -1,12 +1,12 @@
 //! A figure on the page: SVG if it is small, else PNG.
 
 use super::text::{escape, printable};
-use crate::error::Error;
 use crate::figures::base64;
 use crate::figures::sheet::Sheet;
-use crate::figures::style;
 use crate::figures::{self, FigureData};
-use crate::study::Figure;
+use slipgap_drawing::style;
+use slipgap_study::Figure;
+use slipgap_study::error::Error;
 use std::io::{self, Write};
 
 /// Largest SVG in bytes; a figure with tens of thousands of points is larger.

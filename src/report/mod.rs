@@ -18,8 +18,8 @@ pub use quantiles::Quantiles;
 pub use results::{MOST_BYTES, Results};
 
 use crate::batch::key::SOLVER_VERSION;
-use crate::problem::Problem;
-use crate::study::Study;
+use slipgap_solver::problem::Problem;
+use slipgap_study::Study;
 use std::io::{self, Write};
 use text::{escape, verdict};
 

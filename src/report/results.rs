@@ -3,9 +3,9 @@
 use super::column::Column;
 use super::text::{escape, printable};
 use crate::batch::Outcome;
-use crate::problem::parameter::{Kind, Value};
-use crate::study::Study;
 use serde_json::{Value as Json, json};
+use slipgap_solver::problem::parameter::{Kind, Value};
+use slipgap_study::Study;
 use std::io::{self, Write};
 use std::path::PathBuf;
 

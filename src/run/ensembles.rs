@@ -4,7 +4,7 @@ use super::{Observer, Source};
 use crate::batch::output::ensemble::EnsembleMetrics;
 use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::{Folder, QUANTILES, TWO_SAMPLES};
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::path::PathBuf;
 
 /// The note on a reduction of cases of which some have no value.

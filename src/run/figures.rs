@@ -5,10 +5,10 @@ use crate::batch::output::fragility::FragilityTable;
 use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::{FRAGILITY, Folder};
 use crate::batch::{GroupResults, Outcome};
-use crate::error::Error;
 use crate::figures::{self, FigureData};
-use crate::study::kinds::FigureKind;
 use crate::study_figures;
+use slipgap_study::error::Error;
+use slipgap_study::kinds::FigureKind;
 use std::path::PathBuf;
 
 /// Draws every figure of a study, writes the table of fragility figures, and adds the paths of the files to `paths`.

@@ -1,6 +1,6 @@
 //! Files in folders, and several files at once.
 
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::path::{Path, PathBuf};
 use walkdir::{DirEntry, WalkDir};
 

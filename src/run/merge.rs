@@ -4,7 +4,7 @@ use super::{Observer, OutputOptions, Source, Written, run_study};
 use crate::batch::missing_parts;
 use crate::batch::output::Folder;
 use crate::batch::store::Store;
-use crate::error::Error;
+use slipgap_study::error::Error;
 
 /// Writes what [`run_study`] writes, with the same bytes, if the store has every part of the study. No case is computed, except
 /// that the histories in figures are solved again, as after any run from the store. `shards` is the number of shards, if it is

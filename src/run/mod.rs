@@ -26,11 +26,11 @@ use crate::batch::output::tables::write_history;
 use crate::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
 use crate::batch::store::Store;
 use crate::batch::{self, RunOptions};
-use crate::error::Error;
-use crate::figures::style;
-use crate::problem::{Solution, cases_without_contact};
 use crate::study_figures;
 use crate::warnings::StudyWarnings;
+use slipgap_drawing::style;
+use slipgap_solver::problem::{Solution, cases_without_contact};
+use slipgap_study::error::Error;
 use std::path::PathBuf;
 use tables::Tables;
 

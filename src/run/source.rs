@@ -1,7 +1,7 @@
 //! A study and where it comes from.
 
-use crate::error::Error;
-use crate::study::{Input, Setting, Study, printable, unprintable};
+use slipgap_study::error::Error;
+use slipgap_study::{Input, Setting, Study, printable, unprintable};
 use std::path::{Path, PathBuf};
 
 /// A study and its origin.

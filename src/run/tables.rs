@@ -7,7 +7,7 @@ use crate::batch::output::atomic::AtomicFile;
 use crate::batch::output::tables::{FailureTable, ResultTable};
 use crate::batch::output::{FAILURES, Folder, RESULTS};
 use crate::batch::store::Store;
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::io;
 use std::path::PathBuf;
 

@@ -2,11 +2,11 @@
 //! likelihood.
 
 use super::CaseMetrics;
-use crate::problem::parameter::Value;
-use crate::statistics::binomial;
-use crate::statistics::lognormal::{Fragility as Function, NoFit, Trials};
-use crate::study::kinds::Fragility;
-use crate::study::{Study, alike};
+use slipgap_solver::problem::parameter::Value;
+use slipgap_statistics::binomial;
+use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
+use slipgap_study::kinds::Fragility;
+use slipgap_study::{Study, alike};
 
 /// One curve.
 #[derive(Debug, Clone, PartialEq)]

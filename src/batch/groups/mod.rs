@@ -4,9 +4,9 @@ pub mod fragility;
 
 use super::output::sobol::{DesignMetrics, Estimates};
 use super::{CaseMetrics, Outcome};
-use crate::study::kinds::FigureKind;
-use crate::study::{Figure, Study};
 use fragility::FragilityCurve;
+use slipgap_study::kinds::FigureKind;
+use slipgap_study::{Figure, Study};
 
 /// What a figure shows besides its cases.
 #[derive(Debug, Default)]

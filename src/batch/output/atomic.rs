@@ -4,7 +4,7 @@
 //! written, which distinguishes the files of another run from those that a killed run left.
 
 use crate::batch::locks::{self, Locked};
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};

@@ -2,9 +2,9 @@
 
 use super::tables::cell;
 use crate::batch::groups::fragility::{FragilityCurve, FragilityPoint};
-use crate::error::Error;
-use crate::study::kinds::{FigureKind, Fragility};
-use crate::study::{Figure, Study};
+use slipgap_study::error::Error;
+use slipgap_study::kinds::{FigureKind, Fragility};
+use slipgap_study::{Figure, Study};
 
 /// The columns before the parameters, and after them.
 const COLUMNS: ([&str; 3], [&str; 9]) = (

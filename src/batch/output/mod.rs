@@ -15,11 +15,11 @@ pub use names::{
 };
 
 use super::WarnedCases;
-use crate::error::Error;
-use crate::study::Study;
 use atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
 use manifest::Manifest;
 use names::HISTORIES;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Component, Path, PathBuf};

@@ -2,8 +2,8 @@
 
 use super::tables::cell;
 use crate::batch::PartResult;
-use crate::error::Error;
-use crate::study::{Groups, Reduced, Reduction, Study};
+use slipgap_study::error::Error;
+use slipgap_study::{Groups, Reduced, Reduction, Study};
 
 /// The columns before the parameters, and after them.
 const COLUMNS: ([&str; 1], [&str; 3]) = (["reduction"], ["cases", "empty", "value"]);

@@ -1,10 +1,10 @@
 //! sobol.csv: the Sobol' indices of every metric of every saltelli design.
 
 use crate::batch::{CaseMetrics, GroupResults, PartResult};
-use crate::error::Error;
-use crate::problem::parameter::{Value, shortest};
-use crate::statistics::sobol::{Index, Indices, Lack, indices};
-use crate::study::{Block, Sampling, Study};
+use slipgap_solver::problem::parameter::{Value, shortest};
+use slipgap_statistics::sobol::{Index, Indices, Lack, indices};
+use slipgap_study::error::Error;
+use slipgap_study::{Block, Sampling, Study};
 use std::ops::Range;
 use std::sync::OnceLock;
 

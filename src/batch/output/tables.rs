@@ -1,11 +1,11 @@
 //! CSV tables: results.csv, failures.csv and the histories.
 
 use crate::batch::Outcome;
-use crate::problem::parameter::shortest;
-use crate::problem::unit::Dimension;
-use crate::problem::{Case, HistoryColumn, Solution};
-use crate::solve::Unsolvable;
-use crate::study::Study;
+use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::{Case, HistoryColumn, Solution};
+use slipgap_solver::solve::Unsolvable;
+use slipgap_study::Study;
 use std::io::{self, Write};
 
 /// results.csv: one row for each case, in order. The columns are `case`, the parameters and the metrics.

@@ -1,7 +1,7 @@
 //! The lock of a store: one run uses it at a time.
 
 use crate::batch::locks::{self, Locked};
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::Path;

@@ -25,12 +25,12 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use super::chunk::{self, starts_in_same_chunk};
 use super::key::{Difference, Key, checksum};
 use super::output::atomic::{can_write, remove_leftovers, write_atomically};
-use crate::error::Error;
-use crate::problem::cases::Cases;
-use crate::solve::MetricTable;
-use crate::study::Study;
 use catch_panic::catch_panic;
 use constant_columns::ConstantColumns;
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::solve::MetricTable;
+use slipgap_study::Study;
+use slipgap_study::error::Error;
 
 /// How often a part is written again whose temporary file another process has removed.
 const ATTEMPTS: usize = 5;

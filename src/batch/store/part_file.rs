@@ -4,7 +4,7 @@ use super::catch_panic::catch_panic;
 use super::reading;
 use crate::batch::key::checksum;
 use crate::compare::Rows;
-use crate::error::Error;
+use slipgap_study::error::Error;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

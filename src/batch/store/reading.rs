@@ -9,10 +9,10 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use crate::batch::chunk::MOST_ROWS;
 use crate::batch::key::{Difference, Key, case_hash};
 use crate::compare::Rows;
-use crate::problem::Case;
-use crate::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
-use crate::solve::{MetricTable, Unsolvable, Warnings};
-use crate::study::Study;
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
+use slipgap_solver::solve::{MetricTable, Unsolvable, Warnings};
+use slipgap_study::Study;
 
 /// Column of the reason why a case could not be solved.
 pub const FAILURE: &str = "failure";

@@ -1,8 +1,8 @@
 use super::part_file::{all_in, parse_name};
 use super::*;
 use crate::batch::chunk::parts;
-use crate::solve::Unsolvable;
-use crate::study::parse;
+use slipgap_solver::solve::Unsolvable;
+use slipgap_study::parse;
 
 /// A study with numbers, names, an axis, and a case that has no solution.
 fn study() -> Study {

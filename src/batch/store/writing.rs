@@ -19,10 +19,10 @@ use serde_json::json;
 use super::constant_columns::{ConstantColumns, EncodedColumn};
 use super::reading::{FAILURE, WARNED, general};
 use crate::batch::key::Key;
-use crate::problem::cases::{Cases, Column};
-use crate::problem::parameter::{Kind, Value};
-use crate::solve::MetricTable;
-use crate::study::Study;
+use slipgap_solver::problem::cases::{Cases, Column};
+use slipgap_solver::problem::parameter::{Kind, Value};
+use slipgap_solver::solve::MetricTable;
+use slipgap_study::Study;
 
 /// Largest dictionary of a column, in bytes.
 const DICTIONARY: usize = 1 << 14;

@@ -5,15 +5,15 @@ use std::path::Path;
 
 use super::expect::expect;
 use super::{Claim, Ledger, LedgerStudy, Reading};
-use crate::error::Error;
-use crate::study;
-use crate::study::faults::{Faults, quoted};
-use crate::study::input::{text_of, tree_of};
-use crate::study::object::Object;
-use crate::study::place::Texts;
-use crate::study::scope::Scope;
-use crate::study::tree::{Node, Tree};
-use crate::study::value::{name, text};
+use slipgap_study as study;
+use slipgap_study::error::Error;
+use slipgap_study::faults::{Faults, quoted};
+use slipgap_study::input::{text_of, tree_of};
+use slipgap_study::object::Object;
+use slipgap_study::place::Texts;
+use slipgap_study::scope::Scope;
+use slipgap_study::tree::{Node, Tree};
+use slipgap_study::value::{name, text};
 
 const CLAIM: [&str; 6] = ["id", "where", "says", "quantity", "readings", "because"];
 const READING: [&str; 6] = ["reading", "study", "figure", "expect", "holds", "near"];

@@ -2,14 +2,14 @@
 
 use super::over::over;
 use super::{Demand, Expect};
-use crate::problem::parameter::{Range, shortest};
-use crate::study::Filter;
-use crate::study::faults::Faults;
-use crate::study::object::Object;
-use crate::study::reduced;
-use crate::study::scope::Scope;
-use crate::study::tree::Node;
-use crate::study::value::{name, number};
+use slipgap_solver::problem::parameter::{Range, shortest};
+use slipgap_study::Filter;
+use slipgap_study::faults::Faults;
+use slipgap_study::object::Object;
+use slipgap_study::reduced;
+use slipgap_study::scope::Scope;
+use slipgap_study::tree::Node;
+use slipgap_study::value::{name, number};
 
 const EXPECT: [&str; 14] = [
     "metric", "profile", "later", "where", "over", "min", "max", "along", "trend", "least_at",

@@ -6,8 +6,8 @@ mod over;
 
 pub use decode::read;
 
-use crate::problem::parameter::Parameter;
-use crate::study::{Filter, Study};
+use slipgap_solver::problem::parameter::Parameter;
+use slipgap_study::{Filter, Study};
 use std::path::PathBuf;
 
 /// The claims of one paper, or of the literature on one subject.

@@ -1,12 +1,12 @@
 //! What a metric is divided by: the metric of a case that differs in some parameters only.
 
 use super::Over;
-use crate::problem::Case;
-use crate::study::Filter;
-use crate::study::alike;
-use crate::study::faults::{Faults, join};
-use crate::study::scope::Scope;
-use crate::study::tree::Node;
+use slipgap_solver::problem::Case;
+use slipgap_study::Filter;
+use slipgap_study::alike;
+use slipgap_study::faults::{Faults, join};
+use slipgap_study::scope::Scope;
+use slipgap_study::tree::Node;
 
 /// Most pairs of cases that are compared to find the partners. This takes less than a second.
 const MOST_PAIRS: u64 = 10_000_000;

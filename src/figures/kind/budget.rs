@@ -2,18 +2,18 @@
 
 use super::Draw;
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::layout::slope;
-use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::{DrawnCase, FigureData};
-use crate::problem;
-use crate::problem::parameter::Value;
-use crate::study::Scale;
-use crate::study::kinds::Budget;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::layout::slope;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::problem;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Budget;
 
 /// Most panels side by side.
 const COLUMNS: usize = 3;

@@ -3,9 +3,9 @@
 use super::Draw;
 use super::over_parameter::Curves;
 use crate::figures::FigureData;
-use crate::figures::layout::sheet::Sheet;
-use crate::study::Scale;
-use crate::study::kinds::Convergence;
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Convergence;
 
 impl Draw for Convergence {
     fn sheet(&self, data: &FigureData) -> Sheet {

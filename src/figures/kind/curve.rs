@@ -4,17 +4,17 @@ use super::Draw;
 use super::history::arrangement::Arrangement;
 use super::history::curves::{keys, members, sizes};
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::guides;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::{DrawnCase, FigureData};
-use crate::history::History;
-use crate::problem::{Quantity, Solution};
-use crate::study::kinds::Curve;
-use crate::study::{Scale, Study};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::history::History;
+use slipgap_solver::problem::{Quantity, Solution};
+use slipgap_study::kinds::Curve;
+use slipgap_study::{Scale, Study};
 
 /// Fewest and most points of an exact curve, and points for each step between them.
 const EXACT_POINTS: [usize; 2] = [800, 20_000];

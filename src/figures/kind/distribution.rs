@@ -4,14 +4,14 @@ use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
 use crate::figures::FigureData;
 use crate::figures::column::{has_place, metric_of};
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Band, Panel, Series, Sheet};
-use crate::figures::style;
-use crate::statistics::empirical;
-use crate::study::Scale;
-use crate::study::kinds::Distribution;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
+use slipgap_drawing::style;
+use slipgap_statistics::empirical;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Distribution;
 
 /// Most steps that are drawn of a function: a step is then lower than a line is wide.
 const MOST_STEPS: usize = 1000;

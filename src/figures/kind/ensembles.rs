@@ -3,13 +3,13 @@
 use crate::figures::DrawnCase;
 use crate::figures::column::metric_of;
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::Sheet;
-use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::text::markup;
-use crate::problem::parameter::Value;
-use crate::study::{Study, alike};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::markup;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::{Study, alike};
 
 /// Most curves of a figure: as many as a reader can distinguish without markers.
 pub const MOST_CURVES: usize = 6;

@@ -5,17 +5,17 @@ use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::batch::GroupResults;
 use crate::batch::groups::fragility::{FragilityCurve, Probability};
 use crate::figures::FigureData;
-use crate::figures::layout;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::limits;
-use crate::figures::layout::points::Point;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::style::{self, Marker};
-use crate::figures::text::markup::plain;
-use crate::figures::text::number;
-use crate::statistics::lognormal::{Fragility as Function, NoFit};
-use crate::study::kinds::Fragility;
-use crate::study::{Scale, Study};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::points::Point;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Marker};
+use slipgap_drawing::text::markup::plain;
+use slipgap_drawing::text::number;
+use slipgap_statistics::lognormal::{Fragility as Function, NoFit};
+use slipgap_study::kinds::Fragility;
+use slipgap_study::{Scale, Study};
 
 /// Points of a fitted curve.
 const POINTS: u32 = 200;
@@ -46,7 +46,7 @@ impl Draw for Fragility {
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
         let [x_range, y_range] = figure.ranges;
         let y_axis = limits::axis(
-            &self.title(study),
+            &title(self, study),
             [0.0, 1.0].into_iter(),
             Scale::Linear,
             y_range,
@@ -133,11 +133,9 @@ impl Draw for Fragility {
     }
 }
 
-impl Fragility {
-    fn title(&self, study: &Study) -> String {
-        let above = study.measures[self.y].above(&number::short(self.limit));
-        format!("P({above})")
-    }
+fn title(figure: &Fragility, study: &Study) -> String {
+    let above = study.measures[figure.y].above(&number::short(figure.limit));
+    format!("P({above})")
 }
 
 /// The curves that were computed for the figure.

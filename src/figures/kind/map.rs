@@ -1,21 +1,21 @@
 //! A metric over two parameters with a colour bar: filled contours, or cells if there are too few places for contours.
 
 use super::Draw;
-use crate::figures::colour_map::bands;
-use crate::figures::colour_map::bar;
-use crate::figures::colour_map::ridge;
-use crate::figures::layout;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::points::Point;
-use crate::figures::layout::sheet::{Cell, FilledMap, Panel, Sheet};
-use crate::figures::layout::ticks;
-use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::text::markup::plain;
-use crate::figures::text::number;
 use crate::figures::{DrawnCase, FigureData};
-use crate::problem::escape;
-use crate::study::Scale;
-use crate::study::kinds::Map;
+use slipgap_drawing::colour_map::bands;
+use slipgap_drawing::colour_map::bar;
+use slipgap_drawing::colour_map::ridge;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::points::Point;
+use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Sheet};
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::markup::plain;
+use slipgap_drawing::text::number;
+use slipgap_solver::problem::escape;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Map;
 
 /// Fewest places along each axis that make a contour.
 const FEWEST: usize = 3;

@@ -3,8 +3,8 @@
 use super::Draw;
 use super::over_parameter::Curves;
 use crate::figures::FigureData;
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::Metric;
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::kinds::Metric;
 
 impl Draw for Metric {
     fn sheet(&self, data: &FigureData) -> Sheet {

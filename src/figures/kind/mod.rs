@@ -22,9 +22,9 @@ mod spectrum;
 mod wave;
 
 use crate::figures::FigureData;
-use crate::figures::layout::points::{self, Point};
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::FigureKind;
+use slipgap_drawing::layout::points::{self, Point};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::kinds::FigureKind;
 
 /// A kind of figure that can be drawn.
 pub trait Draw {

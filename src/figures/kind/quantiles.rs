@@ -3,17 +3,17 @@
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
 use crate::figures::column::metric_of;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::guides;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Band, Panel, Series, Sheet};
-use crate::figures::style::{self, Marker};
-use crate::figures::text::number;
 use crate::figures::{DrawnCase, FigureData};
-use crate::statistics::quantile::quantile;
-use crate::study::Scale;
-use crate::study::kinds::Quantiles;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Marker};
+use slipgap_drawing::text::number;
+use slipgap_statistics::quantile::quantile;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Quantiles;
 
 /// Most points of a curve that each have a marker.
 const MOST_MARKED: usize = 40;
@@ -31,7 +31,7 @@ impl Draw for Quantiles {
         } = *data;
         let (found, all) = ensembles(study, cases, self.by, Some(self.x));
         let points = |metric: &usize| -> Vec<Vec<Point>> {
-            let of = |ensemble: &Ensemble| self.points_of(ensemble, *metric);
+            let of = |ensemble: &Ensemble| points_of(self, ensemble, *metric);
             found.iter().map(of).collect()
         };
         let panels: Vec<Vec<Vec<Point>>> = self.y.iter().map(points).collect();
@@ -89,35 +89,35 @@ impl Draw for Quantiles {
         let mut keys = keys(&found, marker);
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
-        layout::small_print(&mut sheet, &self.meaning());
+        layout::small_print(&mut sheet, &meaning(self));
         without_value(&mut sheet, study, cases, &self.y);
         sheet
     }
 }
 
-impl Quantiles {
-    /// What lines and bands are.
-    fn meaning(&self) -> String {
-        let [low, high] = self.band.map(|p| number::plain(1e-9 * (1e11 * p).round()));
-        format!("Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases.")
-    }
+/// What lines and bands are.
+fn meaning(figure: &Quantiles) -> String {
+    let [low, high] = figure
+        .band
+        .map(|p| number::plain(1e-9 * (1e11 * p).round()));
+    format!("Lines: medians. Bands: from the {low} % to the {high} % quantile of the cases.")
+}
 
-    /// The points of a curve, by rising x.
-    fn points_of(&self, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
-        let [low, high] = self.band;
-        let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
-            let values = cases.iter().filter_map(|shown| metric_of(shown, metric));
-            let mut values: Vec<f64> = values.collect();
-            values.sort_unstable_by(f64::total_cmp);
-            let of = |p| {
-                quantile(&values, p)
-                    .filter(|y| y.is_finite())
-                    .unwrap_or(f64::NAN)
-            };
-            (x, [of(low), of(0.5), of(high)])
+/// The points of a curve, by rising x.
+fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
+    let [low, high] = figure.band;
+    let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
+        let values = cases.iter().filter_map(|shown| metric_of(shown, metric));
+        let mut values: Vec<f64> = values.collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let of = |p| {
+            quantile(&values, p)
+                .filter(|y| y.is_finite())
+                .unwrap_or(f64::NAN)
         };
-        ensemble.at_each(self.x).into_iter().map(point).collect()
-    }
+        (x, [of(low), of(0.5), of(high)])
+    };
+    ensemble.at_each(figure.x).into_iter().map(point).collect()
 }
 
 /// Adds the bands of a curve: one for each part without a gap.

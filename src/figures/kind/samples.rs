@@ -1,17 +1,17 @@
 //! The parameters that a design samples, in pairs, and one metric: the lower half of a matrix of panels.
 
 use super::Draw;
-use crate::figures::colour_map::bar;
 use crate::figures::column::{has_place, title, value, without_dot};
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::cloud::Cloud;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{FilledMap, Panel, Sheet};
-use crate::figures::style;
 use crate::figures::{DrawnCase, FigureData};
-use crate::study::kinds::Samples;
-use crate::study::{Column, Scale};
+use slipgap_drawing::colour_map::bar;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::cloud::Cloud;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{FilledMap, Panel, Sheet};
+use slipgap_drawing::style;
+use slipgap_study::kinds::Samples;
+use slipgap_study::{Column, Scale};
 
 impl Draw for Samples {
     fn sheet(&self, data: &FigureData) -> Sheet {

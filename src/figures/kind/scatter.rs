@@ -1,17 +1,17 @@
 //! One column of the results over another, a dot for each case.
 
 use super::Draw;
-use crate::figures::colour_map::bar;
 use crate::figures::column::{has_place, title, value, without_dot};
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::cloud::Cloud;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{FilledMap, Panel, Sheet};
-use crate::figures::style;
-use crate::figures::text;
 use crate::figures::{DrawnCase, FigureData};
-use crate::study::kinds::Scatter;
+use slipgap_drawing::colour_map::bar;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::cloud::Cloud;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{FilledMap, Panel, Sheet};
+use slipgap_drawing::style;
+use slipgap_drawing::text;
+use slipgap_study::kinds::Scatter;
 
 impl Draw for Scatter {
     fn sheet(&self, data: &FigureData) -> Sheet {

@@ -3,16 +3,16 @@
 use super::Draw;
 use crate::batch::GroupResults;
 use crate::figures::FigureData;
-use crate::figures::layout;
-use crate::figures::layout::axis::{Axis, Tick};
-use crate::figures::layout::guides;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
-use crate::figures::layout::ticks;
-use crate::figures::style::{self, Marker, Stroke};
-use crate::statistics::sobol::Index;
-use crate::study::Scale;
-use crate::study::kinds::Sobol;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::{Axis, Tick};
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_statistics::sobol::Index;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Sobol;
 
 /// Half the width of a bar, and of the cap of its interval, where parameters are 1 apart.
 const HALF: f64 = 0.17;

@@ -2,19 +2,19 @@
 
 use super::Draw;
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::text::{markup, number};
 use crate::figures::{DrawnCase, FigureData};
-use crate::problem::structure::GroundMotion;
-use crate::study::kinds::{Ordinate, Spectrum};
-use crate::study::{Scale, Study};
-use crate::system::loads::spectrum::{self, spectrum};
 use libm::pow;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::{markup, number};
+use slipgap_solver::problem::structure::GroundMotion;
+use slipgap_solver::system::loads::spectrum::{self, spectrum};
+use slipgap_study::kinds::{Ordinate, Spectrum};
+use slipgap_study::{Scale, Study};
 
 /// Points of a curve: about one typographic point apart.
 const POINTS: usize = 240;
@@ -33,7 +33,7 @@ impl Draw for Spectrum {
         let (motions, shown) = motions(study, cases);
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let ratios = number::digits(self.damping.iter().copied());
-        let periods = self.over_periods();
+        let periods = over_periods(self);
         let mut curves: Vec<(String, Vec<spectrum::Ordinate>)> = Vec::new();
         let all = motions.len() * self.damping.len();
         for (motion, name) in motions.iter().zip(&named) {
@@ -131,17 +131,15 @@ impl Draw for Spectrum {
     }
 }
 
-impl Spectrum {
-    /// The periods, evenly spaced on a log scale.
-    fn over_periods(&self) -> Vec<f64> {
-        let [first, last] = self.periods;
-        let period = |i| match i {
-            0 => first,
-            POINTS => last,
-            _ => first * pow(last / first, i as f64 / POINTS as f64),
-        };
-        (0..=POINTS).map(period).collect()
-    }
+/// The periods, evenly spaced on a log scale.
+fn over_periods(figure: &Spectrum) -> Vec<f64> {
+    let [first, last] = figure.periods;
+    let period = |i| match i {
+        0 => first,
+        POINTS => last,
+        _ => first * pow(last / first, i as f64 / POINTS as f64),
+    };
+    (0..=POINTS).map(period).collect()
 }
 
 /// The different ground motions of the cases, each with the first case that has it.

@@ -3,15 +3,15 @@
 
 use super::Draw;
 use crate::figures::FigureData;
-use crate::figures::colour_map::bar;
-use crate::figures::layout;
-use crate::figures::layout::guides;
-use crate::figures::layout::sheet::{Cell, FilledMap, Panel, Series, Sheet};
-use crate::figures::layout::ticks;
-use crate::figures::style;
-use crate::problem::Lines;
-use crate::study::Scale;
-use crate::study::kinds::Wave;
+use slipgap_drawing::colour_map::bar;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Series, Sheet};
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style;
+use slipgap_solver::problem::Lines;
+use slipgap_study::Scale;
+use slipgap_study::kinds::Wave;
 
 /// A value between two places.
 type Piece = ([f64; 2], f64);

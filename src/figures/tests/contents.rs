@@ -1,16 +1,16 @@
 //! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
 
 use crate::figures::DrawnCase;
-use crate::figures::layout::sheet::Sheet;
-use crate::figures::style::{self, Marker};
-use crate::problem::Case;
-use crate::study::{self, Study};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::style::{self, Marker};
+use slipgap_solver::problem::Case;
+use slipgap_study::{self, Study};
 
 const FRICTION: &str = r#""problem": "friction-oscillator""#;
 const LAW: &str = r#""law": "displacement-control", "duration": "8*pi""#;
 
 fn parsed(problem: &str, rest: &str) -> Study {
-    study::parse("s", &format!("{{{problem}, {rest}}}")).unwrap_or_else(|e| panic!("{e}"))
+    slipgap_study::parse("s", &format!("{{{problem}, {rest}}}")).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The first figure of a study whose cases have these values of metrics, by name; all others are empty.

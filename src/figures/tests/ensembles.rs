@@ -1,13 +1,13 @@
 //! Figures of ensembles: functions, quantiles and probabilities against what a hand computes.
 
-use crate::figures::layout::sheet::{Series, Sheet};
-use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::text::markup::plain;
 use crate::figures::{DrawnCase, pdf, png, sheet, svg, with_hover};
-use crate::problem::Case;
-use crate::statistics::binomial;
-use crate::statistics::empirical::half_band;
-use crate::study::{self, Study};
+use slipgap_drawing::layout::sheet::{Series, Sheet};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::markup::plain;
+use slipgap_solver::problem::Case;
+use slipgap_statistics::binomial;
+use slipgap_statistics::empirical::half_band;
+use slipgap_study::{self, Study};
 
 /// Bars with gamma x mesh x gap; the gap is the ensemble. The figure has these keys.
 fn bars(gaps: &str, figure: &str) -> Study {
@@ -15,7 +15,7 @@ fn bars(gaps: &str, figure: &str) -> Study {
         r#"{{"problem": "bar-impact", "parameters": {{"gamma": [1, 2, 4], "n": [4, 8], "gap": {gaps}, "dt": 0.01, "duration": 1}},
              "ensemble": "gap", "figures": [{{"name": "f", {figure}}}]}}"#
     );
-    study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
+    slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn number(case: &Case, name: &str) -> f64 {
@@ -197,7 +197,7 @@ fn many_points_have_no_markers() {
     let text = r#"{"problem": "bar-impact", "parameters": {"gamma": {"linspace": [1, 2, 1000]}, "n": 4, "gap": [0, 0.1, 0.2],
         "dt": 0.01, "duration": 1}, "ensemble": "gap",
         "figures": [{"name": "f", "kind": "quantiles", "x": "gamma", "y": "peak_force", "x_range": [1, 1.5]}]}"#;
-    let study = study::parse("s", text).unwrap_or_else(|e| panic!("{e}"));
+    let study = slipgap_study::parse("s", text).unwrap_or_else(|e| panic!("{e}"));
     let (sheet, _) = drawn(&study, |case| {
         Some(number(case, "gamma") + number(case, "gap"))
     });
@@ -248,7 +248,7 @@ fn a_fragility_has_parts_intervals_and_a_fit() {
     );
     let curve: &Series = &panel.series[0];
     for [x, y] in &curve.points {
-        let expected = crate::statistics::normal::cumulative(libm::log(x / 2.0) / dispersion);
+        let expected = slipgap_statistics::normal::cumulative(libm::log(x / 2.0) / dispersion);
         assert!((y - expected).abs() < 1e-9, "{x}: {y} {expected}");
     }
     let point = |i: usize| panel.series[1 + 2 * i + 1].points[0];

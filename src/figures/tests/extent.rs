@@ -1,9 +1,9 @@
 //! Figures of quantities along the structure: the data of their sheets, then pixels.
 
 use super::drawn;
-use crate::figures::style;
 use crate::figures::{png, svg};
-use crate::study::{self, Study};
+use slipgap_drawing::style;
+use slipgap_study::{self, Study};
 
 const FIGURES: &str = r#"[
     { "name": "p", "kind": "profile", "times": [0, 0.25], "note": "a *note*" },
@@ -16,7 +16,7 @@ fn bars() -> Study {
     let text = format!(
         r#"{{ "problem": "bar-impact", "parameters": {parameters}, "figures": {FIGURES} }}"#
     );
-    study::parse("bars", &text).unwrap()
+    slipgap_study::parse("bars", &text).unwrap()
 }
 
 #[test]

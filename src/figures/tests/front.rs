@@ -1,12 +1,13 @@
 //! Fronts: their points against the columns of the cases, then the places of the legends.
 
 use super::colour_at;
-use crate::figures::layout::sheet::{Rect, Sheet};
-use crate::figures::layout::slope::overlap;
-use crate::figures::style::{self, Stroke};
-use crate::figures::{DrawnCase, text, with_hover};
-use crate::problem::Case;
-use crate::study::{self, Study};
+use crate::figures::{DrawnCase, with_hover};
+use slipgap_drawing::layout::sheet::{Rect, Sheet};
+use slipgap_drawing::layout::slope::overlap;
+use slipgap_drawing::style::{self, Stroke};
+use slipgap_drawing::text;
+use slipgap_solver::problem::Case;
+use slipgap_study::{self, Study};
 use std::collections::HashMap;
 
 /// Laws of friction with several widths, steps and releases, and one figure.
@@ -19,7 +20,7 @@ fn laws(figure: &str) -> Study {
                            "x0": [8, 12], "duration": "x0*pi"}}}}],
           "figures": [{{"name": "f", "kind": "front", "x": "max_error", "y": "rms_error", {figure}}}]}}"#
     );
-    study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
+    slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn number(case: &Case, name: &str) -> f64 {
@@ -180,7 +181,7 @@ fn crowded(width: &str, by: &str) -> Sheet {
                           "x0": [8, 12], "duration": "x0*pi"}},
           "figures": [{{"name": "f", "kind": "front", "x": "max_error", "y": "rms_error", "by": {by} {width}, "title": "A title"}}]}}"#
     );
-    let study = study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+    let study = slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
     drawn(&study).0
 }
 

@@ -1,17 +1,17 @@
 //! Names of thin lines, headings of several lines, and the band of a computed history, on sheets of whole studies.
 
-use crate::figures::layout::envelope::MEANING;
-use crate::figures::layout::sheet::Sheet;
-use crate::figures::style;
-use crate::figures::{png, svg, text};
-use crate::study;
+use crate::figures::{png, svg};
+use slipgap_drawing::layout::envelope::MEANING;
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::style;
+use slipgap_drawing::text;
 
 /// The sheet of the figure of a study that is solved first.
 fn drawn(problem: &str, parameters: &str, figure: &str) -> Sheet {
     let text = format!(
         r#"{{"problem": "{problem}", "parameters": {{{parameters}}}, "figures": [{{"name": "f", {figure}}}]}}"#
     );
-    let study = study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+    let study = slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
     super::drawn(&study, 0).0
 }
 
@@ -35,7 +35,7 @@ fn every_thin_line_has_a_name() {
         (bars, BARS, r#""kind": "wave""#, "contact"),
     ] {
         let sheet = drawn(problem, parameters, figure);
-        let thin = |panel: &crate::figures::layout::sheet::Panel| {
+        let thin = |panel: &slipgap_drawing::layout::sheet::Panel| {
             let rules = panel.series.iter().filter(|s| s.label.is_empty());
             panel.zero || rules.count() > 0
         };

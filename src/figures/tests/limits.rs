@@ -1,14 +1,15 @@
 //! Widths and limits that a study gives: what the sheets have, and that nothing leaves its place.
 
 use super::{colour_at, decode, fig5, run};
-use crate::error::Error;
-use crate::figures::layout::below;
-use crate::figures::layout::sheet::{Rect, Sheet};
-use crate::figures::layout::slope;
-use crate::figures::{png, style, text};
-use crate::problem::parameter::Value;
-use crate::study::kinds::{History, Law, Map, Metric};
-use crate::study::{FigureKind, Scale};
+use crate::figures::{png, style};
+use slipgap_drawing::DrawingError;
+use slipgap_drawing::layout::below;
+use slipgap_drawing::layout::sheet::{Rect, Sheet};
+use slipgap_drawing::layout::slope;
+use slipgap_drawing::text;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::kinds::{History, Law, Map, Metric};
+use slipgap_study::{FigureKind, Scale};
 use std::f64::consts::PI;
 
 fn history(y: Vec<usize>, panels: Option<usize>) -> FigureKind {
@@ -272,7 +273,7 @@ fn a_picture_too_large_for_memory_is_refused() {
         height: 5670.0,
         ..Sheet::default()
     };
-    let Err(Error::Usage(message)) = png(&sheet, 1200) else {
+    let Err(DrawingError::TooLarge(message)) = png(&sheet, 1200) else {
         panic!("a picture of 1.8 gigapixels");
     };
     assert!(

@@ -11,14 +11,14 @@ mod structures;
 
 use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::{CaseMetrics, GroupResults};
-use crate::exact::coulomb::Coulomb;
-use crate::figures::layout::sheet::Sheet;
-use crate::figures::style::{self, Marker, Stroke};
 use crate::figures::{DrawnCase, FigureData, png, sheet, svg};
-use crate::problem::parameter::Value;
-use crate::problem::{self, Case, Snapshot, Solution};
-use crate::study::kinds::{History, Law, Map, Metric, Profile};
-use crate::study::{Figure, FigureKind, Filter, Scale, Study};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::exact::coulomb::Coulomb;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::{self, Case, Snapshot, Solution};
+use slipgap_study::kinds::{History, Law, Map, Metric, Profile};
+use slipgap_study::{Figure, FigureKind, Filter, Scale, Study};
 use std::f64::consts::PI;
 
 const ALPHA: usize = 1;
@@ -81,7 +81,7 @@ pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
         blocks: Vec::new(),
         ensemble: Vec::new(),
         units: None,
-        measures: crate::study::measures(&*problem, None),
+        measures: slipgap_study::measures(&*problem, None),
         metrics: Vec::new(),
         columns: Vec::new(),
         figures: Vec::new(),

@@ -1,11 +1,11 @@
 //! Scatters and matrices of samples: their dots against the columns of the cases, then the size of the SVG.
 
-use crate::figures::layout::cloud::{Cloud, MOST_SHAPES};
-use crate::figures::layout::sheet::Sheet;
-use crate::figures::style;
-use crate::figures::{DrawnCase, png, sheet, svg};
-use crate::problem::Case;
-use crate::study::{self, Scale, Study};
+use crate::figures::{DrawnCase, png, svg};
+use slipgap_drawing::layout::cloud::{Cloud, MOST_SHAPES};
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::style;
+use slipgap_solver::problem::Case;
+use slipgap_study::{self, Scale, Study};
 
 /// A study of friction with `n` samples of alpha, dT and x0, and one figure.
 fn sampled(n: usize, figure: &str) -> Study {
@@ -15,7 +15,7 @@ fn sampled(n: usize, figure: &str) -> Study {
                           "dT": {{"uniform": [0.1, 0.5]}}, "x0": {{"uniform": [3, 15]}}}},
           "design": {{"kind": "latin-hypercube", "n": {n}, "seed": 3}}, "figures": [{{"name": "f", {figure}}}]}}"#
     );
-    study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
+    slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn number(case: &Case, name: &str) -> f64 {
@@ -152,7 +152,7 @@ fn a_matrix_of_samples_has_every_pair_once_and_the_metric_last() {
         assert_eq!([panel.x.scale, panel.y.scale], [log(x), log(y)], "{x} {y}");
     }
     // Parameters are named once, below their column and left of their row; one bar has the colours.
-    let titles = |of: fn(&crate::figures::layout::sheet::Panel) -> &str| -> Vec<&str> {
+    let titles = |of: fn(&slipgap_drawing::layout::sheet::Panel) -> &str| -> Vec<&str> {
         let titles = sheet.panels.iter().map(of);
         titles.filter(|title| !title.is_empty()).collect()
     };

@@ -1,12 +1,12 @@
 //! Curves, spectra and schemes of structures.
 
 use super::{drawn, fig5};
-use crate::figures::layout::sheet::{Anchor, Rect, Shape, Sheet};
-use crate::figures::style;
-use crate::figures::text;
-use crate::figures::{DrawnCase, pdf, png, sheet, svg};
-use crate::study::kinds::Curve;
-use crate::study::{self, FigureKind, Study};
+use crate::figures::{DrawnCase, pdf, png, svg};
+use slipgap_drawing::layout::sheet::{Anchor, Rect, Shape, Sheet};
+use slipgap_drawing::style;
+use slipgap_drawing::text;
+use slipgap_study::kinds::Curve;
+use slipgap_study::{self, FigureKind, Study};
 use std::f64::consts::PI;
 
 fn structure(parts: &str, figure: &str) -> Study {
@@ -14,7 +14,7 @@ fn structure(parts: &str, figure: &str) -> Study {
         r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1, "s": [1, 2], "n": [4, 5]}}, "metrics": ["energy_error"],
           "structure": {{"units": "t, kN, m, s", "rayleigh": {{"mass": "0*s*n"}}, {parts}}}, "figures": [{figure}]}}"#
     );
-    study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
+    slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The sheet of the first figure, without motions.
@@ -82,7 +82,7 @@ fn curves_have_panels_limits_and_units() {
         r#"{{"problem": "bar-impact", "units": {{"length": "m", "force": "kN", "time": "s"}}, "parameters": {{{parameters}}},
           "figures": [{{"name": "f", "kind": "curve", "x": "r", "y": "force", "panels": "gamma", "in_units": true, "x_range": [-0.1, 0.1]}}]}}"#
     );
-    let study = study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+    let study = slipgap_study::parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
     let sheet = drawn(&study, 0).0;
     assert_eq!(sheet.panels.len(), 2);
     for (panel, case) in sheet.panels.iter().zip(study.cases()) {
@@ -221,7 +221,7 @@ fn assert_clear(sheet: &Sheet) {
                 Shape::Box(..) => continue,
             };
             assert!(points.iter().all(|point| page.contains(*point)));
-            let crossing = crate::figures::layout::clip::inside(&points, area);
+            let crossing = slipgap_drawing::layout::clip::inside(&points, area);
             assert!(crossing.is_empty(), "{text}: {points:?}");
         }
     }

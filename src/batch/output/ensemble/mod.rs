@@ -7,9 +7,9 @@ mod tests;
 mod two_samples;
 
 use crate::batch::PartResult;
-use crate::problem::parameter::Value;
-use crate::study::{Study, alike};
 use rayon::prelude::*;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::{Study, alike};
 use std::collections::HashMap;
 
 pub use quantiles::Distribution;

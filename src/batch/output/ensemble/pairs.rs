@@ -1,8 +1,8 @@
 //! Which ensembles are compared: those that differ in the value of one parameter, all else equal.
 
 use super::EnsembleMetrics;
-use crate::problem::parameter::Value;
-use crate::study::alike;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::alike;
 use std::cmp::Ordering;
 
 /// Most values of a parameter that are all compared with each other. Of more, neighbours are compared.

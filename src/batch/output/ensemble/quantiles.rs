@@ -2,8 +2,8 @@
 
 use super::{EnsembleMetrics, Sample, text};
 use crate::batch::output::tables::cell;
-use crate::statistics::{median, moments, quantile::quantile};
 use rayon::prelude::*;
+use slipgap_statistics::{median, moments, quantile::quantile};
 use std::io::{self, Write};
 
 /// Columns of numbers of cases.

@@ -1,8 +1,8 @@
 use super::EnsembleMetrics;
 use crate::batch::PartResult;
 use crate::batch::part_result::Solutions;
-use crate::solve::MetricTable;
-use crate::study::{Study, parse};
+use slipgap_solver::solve::MetricTable;
+use slipgap_study::{Study, parse};
 
 fn study(text: &str) -> Study {
     let text = format!(r#"{{"problem": "bar-impact", {text}}}"#);

@@ -2,9 +2,9 @@
 
 use super::pairs::Pair;
 use super::{EnsembleMetrics, text};
-use crate::problem::parameter::{Value, shortest};
-use crate::statistics::kolmogorov_smirnov::test;
 use rayon::prelude::*;
+use slipgap_solver::problem::parameter::{Value, shortest};
+use slipgap_statistics::kolmogorov_smirnov::test;
 use std::io::{self, Write};
 
 impl EnsembleMetrics<'_> {

@@ -2,9 +2,9 @@
 
 use crate::figures::DrawnCase;
 use crate::figures::column::has_place;
-use crate::study::Study;
-use crate::study::alike;
-use crate::study::kinds::Front;
+use slipgap_study::Study;
+use slipgap_study::alike;
+use slipgap_study::kinds::Front;
 
 /// A case, or the mean of several cases.
 pub struct Point<'a> {

@@ -1,9 +1,9 @@
 //! The legends of a front: many entries for each of its panels, beside the panel, or in columns over it.
 
-use crate::figures::layout::CAPTION_LINE;
-use crate::figures::layout::legend::{Key, rows};
-use crate::figures::layout::sheet::{Entry, Panel};
-use crate::figures::style;
+use slipgap_drawing::layout::CAPTION_LINE;
+use slipgap_drawing::layout::legend::{Key, rows};
+use slipgap_drawing::layout::sheet::{Entry, Panel};
+use slipgap_drawing::style;
 
 /// Least width of a frame beside its legend.
 const FRAME: f64 = 150.0;

@@ -3,11 +3,11 @@
 use super::best::{Point, best};
 use crate::figures::DrawnCase;
 use crate::figures::label;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::{Panel, Series};
-use crate::figures::style::{self, Marker, Stroke};
-use crate::problem::parameter::Value;
-use crate::study::Study;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::{Panel, Series};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::Study;
 
 /// A line through the best points of one value.
 pub struct Line {

@@ -6,20 +6,20 @@ mod lines;
 
 use super::Draw;
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::limits;
-use crate::figures::layout::points::Point as Hover;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::style::{self, Stroke};
-use crate::figures::text::markup::plain;
-use crate::figures::text::number;
 use crate::figures::{DrawnCase, FigureData};
-use crate::problem::parameter;
-use crate::study::kinds::Front;
-use crate::study::{Study, alike};
 use best::{Point, points};
 use lines::{Line, best_of, lines};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::points::Point as Hover;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::style::{self, Stroke};
+use slipgap_drawing::text::markup::plain;
+use slipgap_drawing::text::number;
+use slipgap_solver::problem::parameter;
+use slipgap_study::kinds::Front;
+use slipgap_study::{Study, alike};
 
 /// The label of the band under the best of all cases.
 const BEST: &str = "best of all";
@@ -96,7 +96,13 @@ impl Draw for Front {
         layout::letter_panels(&mut sheet.panels);
         layout::finish(&mut sheet, Vec::new(), figure.title.as_deref());
         sheet.legend = legend.entries(&keys, &sheet.panels);
-        for words in self.small_print(study, cases.len(), lacking, &band_cases(&points, &band)) {
+        for words in small_print(
+            self,
+            study,
+            cases.len(),
+            lacking,
+            &band_cases(&points, &band),
+        ) {
             layout::small_print(&mut sheet, &words);
         }
         sheet
@@ -141,43 +147,41 @@ impl Draw for Front {
     }
 }
 
-impl Front {
-    /// What is averaged, which values are among the best of all, and how many cases are not drawn.
-    fn small_print(
-        &self,
-        study: &Study,
-        all: usize,
-        lacking: usize,
-        best: &[DrawnCase],
-    ) -> Vec<String> {
-        let table = study.problem.parameters();
-        let [x, y] = [self.x, self.y].map(|row| &study.measures[row].symbol);
-        let mut words = Vec::new();
-        if let Some(row) = self.mean_over {
-            let over = &table[row].symbol;
-            words.push(format!(
-                "Root mean square of {y} and mean of {x} over {over}"
-            ));
-        }
-        let among = |row: &usize| {
-            let digits = label::digits(best, *row);
-            let values = label::values(best, *row).into_iter().flatten();
-            let values: Vec<String> = values.map(|value| number::value(value, digits)).collect();
-            let is = match table[*row].kind {
-                parameter::Kind::Choice(_) => ":",
-                parameter::Kind::Number(_) | parameter::Kind::Whole { .. } => " =",
-            };
-            format!("{}{is} {}", table[*row].symbol, values.join(", "))
-        };
-        if !best.is_empty() {
-            let among: Vec<String> = self.by.iter().map(among).collect();
-            words.push(format!("Best of all by rising {x}; {}", among.join("; ")));
-        }
-        if lacking > 0 {
-            words.push(format!("{lacking} of {all} cases without a value"));
-        }
-        words
+/// What is averaged, which values are among the best of all, and how many cases are not drawn.
+fn small_print(
+    figure: &Front,
+    study: &Study,
+    all: usize,
+    lacking: usize,
+    best: &[DrawnCase],
+) -> Vec<String> {
+    let table = study.problem.parameters();
+    let [x, y] = [figure.x, figure.y].map(|row| &study.measures[row].symbol);
+    let mut words = Vec::new();
+    if let Some(row) = figure.mean_over {
+        let over = &table[row].symbol;
+        words.push(format!(
+            "Root mean square of {y} and mean of {x} over {over}"
+        ));
     }
+    let among = |row: &usize| {
+        let digits = label::digits(best, *row);
+        let values = label::values(best, *row).into_iter().flatten();
+        let values: Vec<String> = values.map(|value| number::value(value, digits)).collect();
+        let is = match table[*row].kind {
+            parameter::Kind::Choice(_) => ":",
+            parameter::Kind::Number(_) | parameter::Kind::Whole { .. } => " =",
+        };
+        format!("{}{is} {}", table[*row].symbol, values.join(", "))
+    };
+    if !best.is_empty() {
+        let among: Vec<String> = figure.by.iter().map(among).collect();
+        words.push(format!("Best of all by rising {x}; {}", among.join("; ")));
+    }
+    if lacking > 0 {
+        words.push(format!("{lacking} of {all} cases without a value"));
+    }
+    words
 }
 
 /// The cases of the best points.

@@ -1,6 +1,6 @@
 //! How the panels of a history figure are arranged on its sheet.
 
-use crate::figures::layout;
+use slipgap_drawing::layout;
 
 /// How panels of several quantities, for several values of a parameter, share a sheet.
 #[derive(Clone, Copy, PartialEq, Eq)]

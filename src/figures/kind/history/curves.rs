@@ -2,13 +2,13 @@
 
 use crate::figures::DrawnCase;
 use crate::figures::label;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::{Series, Sheet};
-use crate::figures::style::{self, Marker, Stroke};
-use crate::problem::parameter::Value;
-use crate::problem::unit::Dimension;
-use crate::problem::{Case, Quantity, Solution};
-use crate::study::Study;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::{Series, Sheet};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::unit::Dimension;
+use slipgap_solver::problem::{Case, Quantity, Solution};
+use slipgap_study::Study;
 
 /// Points of an exact curve: less than a typographic point apart.
 const EXACT_POINTS: usize = 800;

@@ -5,20 +5,20 @@ pub(super) mod curves;
 
 use crate::figures::kind::Draw;
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::guides;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::layout::ticks;
-use crate::figures::style;
 use crate::figures::{DrawnCase, FigureData};
-use crate::problem::Quantity;
-use crate::problem::unit::Dimension;
-use crate::study::kinds::History;
-use crate::study::{Scale, Study};
 use arrangement::Arrangement;
 use curves::Curves;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style;
+use slipgap_solver::problem::Quantity;
+use slipgap_solver::problem::unit::Dimension;
+use slipgap_study::kinds::History;
+use slipgap_study::{Scale, Study};
 
 impl Draw for History {
     fn sheet(&self, data: &FigureData) -> Sheet {

@@ -1,14 +1,14 @@
 //! Loops of any laws: a panel for each law, a curve for each of its cases.
 
-use crate::contact::ContactLaw;
 use crate::figures::DrawnCase;
 use crate::figures::label;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::layout::{self, ticks};
-use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::text::markup;
-use crate::study::{Figure, Study};
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::layout::{self, ticks};
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::markup;
+use slipgap_solver::contact::ContactLaw;
+use slipgap_study::{Figure, Study};
 
 const HEIGHT: f64 = 120.0;
 
@@ -119,7 +119,7 @@ struct Curve {
 /// The different curves of a law, each with its name and the parameters that distinguish it.
 fn curves(
     group: &[(ContactLaw, &DrawnCase)],
-    table: &[crate::problem::parameter::Parameter],
+    table: &[slipgap_solver::problem::parameter::Parameter],
 ) -> Vec<Curve> {
     let reach = group.iter().map(|(law, _)| law.reach()).fold(0.0, f64::max);
     let mut curves: Vec<Curve> = Vec::new();

@@ -4,10 +4,10 @@ mod loops;
 mod papers;
 
 use super::Draw;
-use crate::contact::{ContactLaw, LawKind};
 use crate::figures::FigureData;
-use crate::figures::layout::sheet::Sheet;
-use crate::study::kinds::Law;
+use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_solver::contact::{ContactLaw, LawKind};
+use slipgap_study::kinds::Law;
 
 impl Draw for Law {
     fn sheet(&self, data: &FigureData) -> Sheet {

@@ -1,17 +1,17 @@
 //! The friction laws as [F] Fig. 3 draws them, over the rigid law of [F] Fig. 2: force over slip and over velocity.
 
-use crate::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use crate::figures::DrawnCase;
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::guides;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
-use crate::figures::layout::ticks;
-use crate::figures::style::{self, Marker, Stroke};
-use crate::problem::parameter::Value;
-use crate::study::{Figure, Study};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
+use slipgap_solver::problem::parameter::Value;
+use slipgap_study::{Figure, Study};
 
 const HEIGHT: f64 = 150.0;
 

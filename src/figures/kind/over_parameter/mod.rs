@@ -5,19 +5,19 @@ mod orders;
 mod reference;
 
 use crate::figures::label;
-use crate::figures::layout;
-use crate::figures::layout::axis::Axis;
-use crate::figures::layout::guides;
-use crate::figures::layout::legend::Key;
-use crate::figures::layout::limits;
-use crate::figures::layout::sheet::{Panel, Series, Sheet};
-use crate::figures::layout::slope;
-use crate::figures::layout::ticks;
-use crate::figures::style::{self, Marker, Stroke};
-use crate::figures::text::number;
 use crate::figures::{DrawnCase, FigureData};
-use crate::study::Scale;
 use orders::{ORDERS, order_lines};
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::axis::Axis;
+use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::limits;
+use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
+use slipgap_drawing::layout::slope;
+use slipgap_drawing::layout::ticks;
+use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::text::number;
+use slipgap_study::Scale;
 
 /// Metrics over a parameter.
 pub struct Curves<'a> {

@@ -1,8 +1,8 @@
 //! Lines of order 1 and 2.
 
-use crate::figures::layout::sheet::{Anchor, Panel, PlacedText, Series};
-use crate::figures::style::{self, Stroke};
-use crate::figures::text;
+use slipgap_drawing::layout::sheet::{Anchor, Panel, PlacedText, Series};
+use slipgap_drawing::style::{self, Stroke};
+use slipgap_drawing::text;
 
 /// Label of the lines of order 1 and 2.
 pub const ORDERS: &str = "orders 1 and 2";

@@ -1,9 +1,9 @@
 //! The exact value of a metric, if the study lists it, as a thin line under the curves.
 
 use crate::figures::DrawnCase;
-use crate::figures::layout::sheet::Series;
-use crate::figures::style::{self, Stroke};
-use crate::study::Measure;
+use slipgap_drawing::layout::sheet::Series;
+use slipgap_drawing::style::{self, Stroke};
+use slipgap_study::Measure;
 
 /// Its label in the legend.
 pub const LABEL: &str = "exact";
@@ -66,9 +66,9 @@ pub fn lines(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem;
-    use crate::problem::Case;
-    use crate::problem::unit::Dimension;
+    use slipgap_solver::problem;
+    use slipgap_solver::problem::Case;
+    use slipgap_solver::problem::unit::Dimension;
 
     /// Metrics of these names, and the same in units.
     fn table(names: [&str; 4]) -> Vec<Measure> {
@@ -108,7 +108,7 @@ mod tests {
         let places = [3.0, 1.0, 2.0];
         let case = |place: &f64| {
             let mut case = Case::new(problem.schema());
-            case.values[x] = Some(crate::problem::parameter::Value::Number(*place));
+            case.values[x] = Some(slipgap_solver::problem::parameter::Value::Number(*place));
             case
         };
         let cases: Vec<Case> = places.iter().cycle().take(9).map(case).collect();

@@ -2,7 +2,7 @@
 
 use super::relations::{Join, Relations};
 use super::sizes::{Sizes, interval};
-use crate::problem::structure::scheme::{End, Place, Scheme};
+use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
 
 /// Distance of parts in a row that nothing joins.
 const APART: f64 = 18.0;

@@ -4,10 +4,10 @@ use super::paint::{OVER, Painter, ROWS};
 use super::relations::{Join, end};
 use super::sizes::{self, NAME_GAP, lane};
 use super::symbols::{self, link};
-use crate::figures::layout::sheet::{Anchor, Shape};
-use crate::figures::style;
-use crate::figures::text::markup;
-use crate::problem::structure::scheme::{End, Link, LinkKind, Place};
+use slipgap_drawing::layout::sheet::{Anchor, Shape};
+use slipgap_drawing::style;
+use slipgap_drawing::text::markup;
+use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place};
 
 /// Length of an arrow.
 const FORCE: f64 = 22.0;

@@ -10,11 +10,11 @@ mod symbols;
 
 use super::Draw;
 use crate::figures::FigureData;
-use crate::figures::layout;
-use crate::figures::layout::sheet::{Picture, Shape, Sheet};
-use crate::figures::style;
-use crate::problem::structure::Scheme as Structure;
-use crate::study::kinds::Scheme;
+use slipgap_drawing::layout;
+use slipgap_drawing::layout::sheet::{Picture, Shape, Sheet};
+use slipgap_drawing::style;
+use slipgap_solver::problem::structure::Scheme as Structure;
+use slipgap_study::kinds::Scheme;
 
 /// Widest picture that keeps the size of its letters if the figure has no width.
 const WIDEST: f64 = style::DOUBLE;

@@ -4,10 +4,10 @@ use super::columns;
 use super::relations::{Join, Relations};
 use super::sizes::{self, NAME_GAP, Sizes};
 use super::symbols;
-use crate::figures::layout::sheet::{Anchor, Picture, PlacedText, Rect, Shape};
-use crate::figures::style;
-use crate::figures::text;
-use crate::problem::structure::scheme::{LinkKind, Scheme};
+use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Rect, Shape};
+use slipgap_drawing::style;
+use slipgap_drawing::text;
+use slipgap_solver::problem::structure::scheme::{LinkKind, Scheme};
 
 /// Distance of rows, and of rows that only friction connects.
 pub const ROWS: f64 = 32.0;

@@ -2,9 +2,9 @@
 
 use super::relations::{Join, Relations, end};
 use super::symbols;
-use crate::figures::style;
-use crate::figures::text;
-use crate::problem::structure::scheme::{Link, Place, Scheme};
+use slipgap_drawing::style;
+use slipgap_drawing::text;
+use slipgap_solver::problem::structure::scheme::{Link, Place, Scheme};
 
 /// Least width of a mass and of a bar.
 const LEAST: [f64; 2] = [36.0, 104.0];

@@ -1,8 +1,8 @@
 //! The symbols of a scheme: springs, dashpots, contacts, ground.
 
-use crate::figures::layout::sheet::{Picture, Rect, Shape};
-use crate::figures::style;
-use crate::problem::structure::scheme::LinkKind;
+use slipgap_drawing::layout::sheet::{Picture, Rect, Shape};
+use slipgap_drawing::style;
+use slipgap_solver::problem::structure::scheme::LinkKind;
 
 /// Width of outlines.
 pub const OUTLINE: f64 = 0.9;

@@ -1,0 +1,148 @@
+//! The version of the solver in the keys of stores changes with what determines results, and with nothing else.
+
+use super::{code, files, sum};
+use std::fs;
+use std::path::Path;
+
+/// The crates that the solver computes with.
+const CRATES: [&str; 3] = ["libm", "multiversion", "nalgebra"];
+
+/// The text of a file of the workspace.
+fn text(path: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    fs::read_to_string(root.join(path)).unwrap()
+}
+
+fn locked(lock: &str) -> String {
+    super::locked(lock, &CRATES).unwrap()
+}
+
+/// What cargo writes for a crate.
+fn entry(name: &str, version: &str, dependencies: &[&str]) -> String {
+    let list: String = dependencies
+        .iter()
+        .map(|d| format!(" \"{d}\",\n"))
+        .collect();
+    format!(
+        "\n[[package]]\nname = \"{name}\"\nversion = \"{version}\"\nsource = \"registry+https://a.b/index\"\n\
+         checksum = \"00ff\"\ndependencies = [\n{list}]\n"
+    )
+}
+
+#[test]
+fn crates_of_the_command_line_and_of_python_leave_the_version() {
+    let lock = text("Cargo.lock");
+    let own = concat!(
+        "name = \"slipgap\"\nversion = \"",
+        env!("CARGO_PKG_VERSION"),
+        "\""
+    );
+    let list = format!("{own}\ndependencies = [\n");
+    assert!(lock.contains(&list));
+    let python = entry("pyo3", "0.29.0", &["libm"]);
+    let more = lock.replace(&list, &format!("{list} \"pyo3\",\n")) + &python;
+    assert_eq!(locked(&more), locked(&lock));
+    let newer = lock.replace(own, "name = \"slipgap\"\nversion = \"99.0.0\"");
+    assert_ne!(newer, lock);
+    assert_eq!(locked(&newer), locked(&lock));
+    // The same crates from a mirror.
+    let mirror = lock.replace(
+        "https://github.com/rust-lang/crates.io-index",
+        "https://a.b/index",
+    );
+    assert_ne!(mirror, lock);
+    assert_eq!(locked(&mirror), locked(&lock));
+    // A checkout with carriage returns.
+    assert_eq!(locked(&lock.replace('\n', "\r\n")), locked(&lock));
+}
+
+#[test]
+fn another_version_of_a_crate_that_computes_changes_the_version() {
+    let lock = text("Cargo.lock");
+    // libm is used by the solver; simba only by nalgebra, which uses it.
+    for name in ["libm", "simba"] {
+        let start = format!("name = \"{name}\"\nversion = \"");
+        let other = lock.replace(&start, &format!("{start}9"));
+        assert_ne!(other, lock);
+        assert_ne!(locked(&other), locked(&lock), "{name}");
+    }
+    let (before, after) = lock.split_once("name = \"libm\"").unwrap();
+    let other = after.replacen("checksum = \"", "checksum = \"0", 1);
+    assert_ne!(
+        locked(&format!("{before}name = \"libm\"{other}")),
+        locked(&lock)
+    );
+}
+
+#[test]
+fn of_several_versions_the_one_that_is_used_counts() {
+    let lock = entry("a", "1.0.0", &["b 2.0.0", "c"])
+        + &entry("b", "1.0.0", &["d"])
+        + &entry("b", "2.0.0", &[])
+        + &entry("c", "1.0.0", &["a"])
+        + &entry("d", "1.0.0", &[]);
+    let lines = super::locked(&lock, &["a"]).unwrap();
+    assert_eq!(lines, "a 1.0.0 00ff\nb 2.0.0 00ff\nc 1.0.0 00ff\n");
+    assert_eq!(super::locked(&lock, &["a", "x"]), Err("x".into()));
+}
+
+#[test]
+fn code_changes_the_hash_and_comments_documentation_and_tests_do_not() {
+    // The test vectors of Fowler, Noll and Vo for 64 bits.
+    assert_eq!(sum([""]), 0xcbf2_9ce4_8422_2325);
+    assert_eq!(sum(["foo", "bar"]), 0x8594_4171_f739_67e8);
+    let plain = code("pub fn f() -> f64 { 1.0 }\nstruct S { x: f64 }").unwrap();
+    let same = [
+        "//! A page.\n\n/// Says what `f` is.\npub fn f() -> f64 {\n    1.0 // one\n}\nstruct S {\n    /// x\n    x: f64\n}\n",
+        "pub fn f() -> f64 { 1.0 }\r\n/* old */ struct S { x: f64 }\r\n",
+        "pub fn f() -> f64 { 1.0 } #[cfg(test)] mod tests { fn g() {} } struct S { x: f64 }",
+        "#[cfg(test)] #[allow(unused)] use a::b; pub fn f() -> f64 { 1.0 } struct S { x: f64 }",
+        "#[cfg(test)] mod tests; #[doc = \"f\"] pub fn f() -> f64 { 1.0 } struct S { x: f64 }",
+        "pub fn f() -> f64 { 1.0 } struct S { #![doc = \"s\"] x: f64 }",
+    ];
+    for text in same {
+        assert_eq!(code(text).unwrap(), plain, "{text}");
+    }
+    for (from, to) in [("1.0", "1.5"), ("pub fn", "fn"), ("x: f64", "x: f32")] {
+        let text = "pub fn f() -> f64 { 1.0 }\nstruct S { x: f64 }".replace(from, to);
+        assert_ne!(code(&text).unwrap(), plain, "{text}");
+    }
+    // An attribute that changes the code counts.
+    let derived = code("#[derive(Clone)] struct S { x: f64 }").unwrap();
+    assert!(derived.contains("Clone"), "{derived}");
+    assert!(code("fn f( {").is_err());
+}
+
+#[test]
+fn the_solver_has_code_in_every_folder_and_no_test_counts() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../solver");
+    let files = files(&root.join("src")).unwrap();
+    assert!(files.len() > 100);
+    for folder in [
+        "contact",
+        "exact",
+        "expression",
+        "methods",
+        "metrics",
+        "problem",
+        "solve",
+        "system",
+    ] {
+        let folder = root.join("src").join(folder);
+        assert!(
+            files.iter().any(|file| file.starts_with(&folder)),
+            "{}",
+            folder.display()
+        );
+    }
+    for file in files {
+        let code = code(&fs::read_to_string(&file).unwrap()).unwrap();
+        assert!(!code.contains("# [test]"), "{}", file.display());
+    }
+    // All crates below the solver compute for it.
+    let manifest = text("crates/solver/Cargo.toml");
+    let (_, below) = manifest.split_once("[dependencies]\n").unwrap();
+    let below = below.lines().take_while(|line| !line.is_empty());
+    let below: Vec<&str> = below.filter_map(|line| line.split('.').next()).collect();
+    assert_eq!(below, CRATES);
+}

@@ -1,0 +1,178 @@
+//! The legend: in free corners of the panels, or in lines over them.
+
+use crate::layout::clip;
+use crate::layout::sheet::{Entry, Panel, Rect, Series, Sheet};
+use crate::style::{self, Marker, Stroke};
+use crate::text;
+
+/// An entry of the legend without its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Key {
+    /// Label in markup.
+    pub label: String,
+    /// Pattern of the line.
+    pub stroke: Stroke,
+    /// Width of the line.
+    pub width: f64,
+    /// Marker on the line.
+    pub marker: Option<Marker>,
+}
+
+impl Key {
+    /// The key of a curve.
+    pub fn of(series: &Series) -> Key {
+        Key {
+            label: series.label.clone(),
+            stroke: series.stroke,
+            width: series.width,
+            marker: series.marker,
+        }
+    }
+
+    /// Length of the piece of line with its label.
+    pub fn length(&self) -> f64 {
+        style::SAMPLE + style::SAMPLE_GAP + text::width(&self.label, style::LABEL)
+    }
+
+    /// As many lines as the label needs up to `right`, the first with the piece of line.
+    fn lines(&self, [x, y]: [f64; 2], right: f64) -> Vec<Entry> {
+        let room = right - x - style::SAMPLE - style::SAMPLE_GAP;
+        let lines = text::wrap(&self.label, style::LABEL, room);
+        let line = |(i, label): (usize, String)| Entry {
+            label,
+            ..match i {
+                0 => self.placed([x, y]),
+                _ => Entry {
+                    width: 0.0,
+                    marker: None,
+                    ..self.placed([x, y + i as f64 * style::LEADING])
+                },
+            }
+        };
+        lines.into_iter().enumerate().map(line).collect()
+    }
+
+    fn placed(&self, at: [f64; 2]) -> Entry {
+        Entry {
+            at,
+            label: self.label.clone(),
+            stroke: self.stroke,
+            width: self.width,
+            marker: self.marker,
+        }
+    }
+}
+
+/// A legend in rows of `columns` keys, each `width` wide, from its upper left corner.
+pub fn rows(keys: &[Key], [left, top]: [f64; 2], columns: usize, width: f64) -> Vec<Entry> {
+    let entry = |(i, key): (usize, &Key)| {
+        let [row, column] = [i / columns, i % columns].map(|k| k as f64);
+        key.placed([left + column * width, top + (row + 0.5) * style::LEADING])
+    };
+    keys.iter().enumerate().map(entry).collect()
+}
+
+/// The legends in free corners of their panels; `None` if a panel has none.
+pub fn within(panels: &[Panel], keys: &[Vec<Key>]) -> Option<Vec<Entry>> {
+    let pairs = keys.iter().zip(panels);
+    let corners = pairs.map(|(keys, panel)| free_corner(panel, keys));
+    let corners: Vec<Rect> = corners.collect::<Option<_>>()?;
+    let placed = keys.iter().zip(corners).flat_map(|(keys, corner)| {
+        let line = move |(i, key): (usize, &Key)| {
+            let top = corner.top + (i as f64 + 0.5) * style::LEADING;
+            key.placed([corner.left, top])
+        };
+        keys.iter().enumerate().map(line)
+    });
+    Some(placed.collect())
+}
+
+/// A place for the legend of a panel where it covers nothing.
+fn free_corner(panel: &Panel, keys: &[Key]) -> Option<Rect> {
+    let width = keys.iter().map(Key::length).fold(0.0, f64::max);
+    let height = keys.len() as f64 * style::LEADING;
+    let away = style::MAJOR_TICK + 4.0;
+    let inner = panel.frame.inflated(-away);
+    let lefts = [
+        inner.right() - width,
+        inner.left,
+        inner.left + (inner.width - width) / 2.0,
+    ];
+    let tops = [inner.top, inner.bottom() - height];
+    let places = tops.iter().flat_map(|top| {
+        lefts.iter().map(|left| Rect {
+            left: *left,
+            top: *top,
+            width,
+            height,
+        })
+    });
+    places
+        .filter(|place| place.left >= inner.left && place.top >= inner.top)
+        .find(|place| is_free(panel, &place.inflated(3.0)))
+}
+
+/// Whether nothing is drawn in an area of a panel.
+pub fn is_free(panel: &Panel, area: &Rect) -> bool {
+    let clear = |a: [f64; 2], b: [f64; 2]| clip::segment(a, b, area).is_none();
+    let zero = panel.x.range.map(|x| panel.place([x, 0.0]));
+    if panel.map.is_some() || (panel.zero && !clear(zero[0], zero[1])) {
+        return false;
+    }
+    let with_markers = area.inflated(style::MARKER + 1.0);
+    let notes = panel
+        .notes
+        .iter()
+        .all(|words| !area.inflated(style::TITLE).contains(words.at));
+    let arrows = panel
+        .arrows
+        .iter()
+        .all(|[a, b]| clear(panel.place(*a), panel.place(*b)));
+    let bands = panel
+        .bands
+        .iter()
+        .flat_map(|band| [&band.upper, &band.lower])
+        .all(|edge| {
+            let places: Vec<_> = edge.iter().map(|p| panel.place(*p)).collect();
+            places.windows(2).all(|pair| clear(pair[0], pair[1]))
+        });
+    notes
+        && arrows
+        && bands
+        && panel.series.iter().all(|series| {
+            let places: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();
+            places.windows(2).all(|pair| clear(pair[0], pair[1]))
+                && series
+                    .marked
+                    .iter()
+                    .all(|i| !with_markers.contains(places[*i]))
+        })
+}
+
+/// The legends in lines over their panels, and how far these must move down for them.
+pub fn over(sheet: &Sheet, keys: &[Vec<Key>]) -> (Vec<Entry>, f64) {
+    let alone = keys.len() == 1;
+    let mut entries = Vec::new();
+    let mut lowest = 0.0_f64;
+    for (keys, panel) in keys.iter().zip(&sheet.panels) {
+        let left = panel.frame.left;
+        let right = if alone {
+            sheet.width - style::EDGE
+        } else {
+            panel.frame.right()
+        };
+        let (mut x, mut y) = (left, style::EDGE + style::LEADING / 2.0);
+        for key in keys {
+            let length = key.length();
+            if x > left && x + length > right {
+                x = left;
+                y += style::LEADING;
+            }
+            entries.extend(key.lines([x, y], right));
+            y = entries.last().map_or(y, |entry| entry.at[1]);
+            lowest = lowest.max(y);
+            x += length + 14.0;
+        }
+    }
+    (entries, lowest + style::LEADING / 2.0 - style::EDGE)
+}

@@ -1,0 +1,85 @@
+//! The change of energy of an impact. `energy_drift_max` does not show a gain if a loss is larger, and neither it nor
+//! `energy_drift_final` shows what the damping of the contact or the method takes or adds.
+
+use crate::EnergyChange;
+use slipgap_solver::contact::StoredEnergy;
+use slipgap_solver::history::History;
+use slipgap_solver::lane::Lane;
+use slipgap_solver::methods::{ContactWork, MethodChoice};
+use slipgap_solver::metrics::impact::step_work;
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::impact::BarImpact;
+use slipgap_solver::solve;
+use slipgap_solver::system::System;
+
+/// The gain is the largest of drift of the contact minus numerical dissipation over all steps from t = 0, over E_0. It is not negative,
+/// because step 0 is one of them. The loss is what is gone at the last step: damping of the contact and numerical dissipation minus drift.
+/// The exact motion keeps its energy.
+pub fn energy_change(case: &Case, computed: &History) -> Option<EnergyChange> {
+    let system = BarImpact.system(case).ok()?;
+    let start = system.linear.energy();
+    let (mut change, damping) = by_contact(&system, computed);
+    // Constant average acceleration adds and takes nothing.
+    if system.method != MethodChoice::AverageAcceleration {
+        for (change, added) in change.iter_mut().zip(by_method(&system)) {
+            *change += added;
+        }
+    }
+    let gain = change.iter().copied().fold(0.0, f64::max);
+    let last = change.last()?;
+    Some(EnergyChange {
+        gain: gain / start,
+        loss: (damping - last) / start,
+    })
+}
+
+/// The drift of the energy of bars and contact at every step, and what the damping of the contact takes.
+fn by_contact(system: &System, computed: &History) -> (Vec<f64>, f64) {
+    let form = step_work(&[*system]);
+    let (mut bars, mut damping) = (0.0, 0.0);
+    let mut last: Option<[f64; 4]> = None;
+    let states = computed.displacement().iter().zip(computed.velocity());
+    let drifts = states.zip(computed.force()).map(|((r, rdot), force)| {
+        // rdot is in c, r in c T_I/2.
+        let (r, rate, s) = (*r, 2.0 * rdot, -force);
+        let kept = system.law.conservative_force(r, s);
+        if let Some([r_last, rate_last, kept_last, damped_last]) = last {
+            let ends = [[r_last, r], [rate_last, rate]];
+            bars -= work(&form, [kept_last, kept], ends);
+            damping += work(&form, [damped_last, s - kept], ends);
+        }
+        last = Some([r, rate, kept, s - kept]);
+        bars + system.law.stored_energy(r, s)
+    });
+    (drifts.collect(), damping)
+}
+
+/// The work of a force over a step, from both ends of force, r and rdot.
+fn work(form: &ContactWork<1>, force: [f64; 2], [r, rdot]: [[f64; 2]; 2]) -> f64 {
+    let lanes = |ends: [f64; 2]| ends.map(|x| Lane([x]));
+    let Lane([work]) = form.force(lanes(force)) * form.displacement(lanes(r), lanes(rdot));
+    work
+}
+
+/// What the method adds to the energy of the modes, up to every step.
+fn by_method(system: &System) -> Vec<f64> {
+    let form = step_work(&[*system]);
+    let start = system.linear.energy();
+    let mut sum = 0.0;
+    let mut last: Option<[f64; 3]> = None;
+    let mut added = Vec::new();
+    solve::visit(system, |_, state| {
+        let contact = state.contact();
+        let [r, rate, s] = [contact.displacement, contact.velocity, contact.force].map(|x| x.0[0]);
+        if let Some([r_last, rate_last, s_last]) = last {
+            sum += work(&form, [s_last, s], [[r_last, r], [rate_last, rate]]);
+        }
+        last = Some([r, rate, s]);
+        let modes = state.modes().into_iter().enumerate();
+        let energy: f64 = modes
+            .map(|(j, [x, v])| system.linear.mode(j).mode.energy(x, v))
+            .sum();
+        added.push(energy + sum - start);
+    });
+    added
+}

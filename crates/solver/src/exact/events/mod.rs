@@ -1,0 +1,182 @@
+//! The exact motion of a structure with contacts, from event to event.
+//!
+//! Between events the motion is linear, with loads that are polynomials or sines in time. Its Taylor series are exact to
+//! round-off on pieces that are short against the shortest period (`series`), for any C and without eigenvalues. Event functions
+//! are polynomials of a piece; their Bernstein coefficients prove that no event is missed (`bernstein`, `watch`). Forces of
+//! softened laws are continuous, so that simultaneous events need no order (`review`). Which rigid contacts stick or stay shut,
+//! and impulses, are the problem that a step has, too (`decide`, `rigid`, [`crate::contact::CoupledForces`]).
+
+mod bernstein;
+mod book;
+mod candidate;
+mod cholesky;
+mod decide;
+mod fault;
+mod least;
+mod model;
+mod motion;
+mod phase;
+mod review;
+mod rigid;
+mod room;
+mod scales;
+mod series;
+mod settle;
+mod signals;
+mod sparse;
+#[cfg(test)]
+mod tests;
+mod watch;
+
+pub use book::Book;
+pub use fault::EventsFault;
+pub use motion::{MOST_EVENTS, MOST_PIECES};
+pub use phase::Phase;
+
+use crate::system::structure::{Limit, Relation, Structure};
+use model::Model;
+use motion::Motion;
+use phase::ContactState;
+use room::Room;
+
+/// The motion at one time; at an event, after it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State<'a> {
+    /// u of each node.
+    pub u: &'a [f64],
+    /// u' of each node.
+    pub v: &'a [f64],
+    /// r of each contact, with its gap.
+    pub r: &'a [f64],
+    /// rdot of each contact.
+    pub rate: &'a [f64],
+    /// S of each contact.
+    pub force: &'a [f64],
+    /// r - S/k^C for displacement-control, r for other laws.
+    pub slip: &'a [f64],
+}
+
+/// An event of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// Its time.
+    pub time: f64,
+    /// The contact.
+    pub contact: usize,
+    /// What happens.
+    pub kind: EventKind,
+}
+
+/// What happens at an event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EventKind {
+    /// The contact changes to this phase.
+    Phase(Phase),
+    /// A rigid stop closes.
+    Impact {
+        /// rdot before it, < 0.
+        rate: f64,
+    },
+}
+
+/// What a motion had.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// The events in time.
+    pub events: Vec<Event>,
+    /// Number of pieces.
+    pub pieces: usize,
+    /// Smallest |rdot| of an impact contact that closes, impacts that accumulate included. Errors grow as its inverse.
+    pub least_impact_rate: Option<f64>,
+    /// The energy book.
+    pub book: Book,
+}
+
+/// Computes the exact motion from t = 0. Calls `visit(i, state)` at `times[i]`, finite numbers that rise from a number >= 0.
+///
+/// A mass slides with 2, is slowed down by a limit of 1, and rests from t = 2 on at u = 2^2/2:
+///
+/// ```
+/// use slipgap_solver::exact::events::run;
+/// use slipgap_solver::system::structure::{Contact, Limit, Node, Relation, Structure, Symmetric};
+///
+/// let mass = Structure {
+///     nodes: vec![Node { name: "mass".into(), mass: 1.0 }],
+///     stiffness: Symmetric::zeros(1),
+///     damping: Symmetric::zeros(1),
+///     contacts: vec![Contact {
+///         name: "floor".into(),
+///         between: [None, Some(0)],
+///         gap: 0.0,
+///         law: Relation::Coulomb { limit: Limit::constant(1.0) },
+///     }],
+///     loads: Vec::new(),
+///     displacement: vec![0.0],
+///     velocity: vec![2.0],
+/// };
+/// let mut u = 0.0;
+/// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;
+/// assert_eq!((u, summary.events[1].time), (2.0, 2.0));
+/// assert_eq!(summary.book.dissipated, 2.0);
+/// # Ok::<(), slipgap_solver::exact::events::EventsFault>(())
+/// ```
+pub fn run(
+    structure: &Structure,
+    times: &[f64],
+    mut visit: impl FnMut(usize, &State),
+) -> Result<Summary, EventsFault> {
+    refuse_laws(structure)?;
+    let end = times.last().copied().unwrap_or(0.0);
+    let mut motion = Motion::start(structure, end)?;
+    let mut room = Room::new(structure);
+    let mut times = times.iter().enumerate().peekable();
+    loop {
+        motion.advance()?;
+        let reached = motion.reached();
+        while let Some((i, time)) = times.next_if(|(_, time)| **time < reached || reached >= end) {
+            motion.at(*time, &mut room);
+            visit(i, &room.state());
+        }
+        if reached >= end {
+            break;
+        }
+        motion.finish()?;
+    }
+    motion.finish()?;
+    Ok(Summary {
+        events: motion.events,
+        pieces: motion.pieces,
+        least_impact_rate: motion.least_impact_rate,
+        book: motion.book,
+    })
+}
+
+/// About how many pieces the motion up to `end` has: friction sticks, impact contacts are open. 0 for a motion that is refused.
+pub fn pieces(structure: &Structure, end: f64) -> f64 {
+    let phases = structure
+        .contacts
+        .iter()
+        .map(|contact| match contact.law.is_impact() {
+            true => ContactState::in_phase(Phase::Open),
+            false => ContactState::in_phase(Phase::Closed),
+        });
+    let phases: Vec<ContactState> = phases.collect();
+    let pieces = Model::new(structure).pieces(&phases, end);
+    match refuse_laws(structure).is_ok() && pieces <= MOST_PIECES as f64 {
+        true => pieces,
+        false => 0.0,
+    }
+}
+
+/// Between events every law has to be linear, and every limit the sum of a constant and a signal.
+fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
+    let unknown = |law: &Relation| {
+        let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
+        law.is_curved() || law.limit().is_some_and(falls)
+    };
+    let contact = structure.contacts.iter().find(|c| unknown(&c.law));
+    match contact.map(|contact| contact.name.clone()) {
+        Some(contact) => Err(EventsFault::Law { contact }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,31 @@
+//! Structures with friction and impact: integrated step by step, solved exactly, and the error measured.
+//!
+//! A structure answers the forces of its contacts, a contact is one scalar law, a method is a small recursion, a step is one
+//! small convex problem for the contact forces; with one contact it is a scalar root.
+//!
+//! ```text
+//! x_k'' + omega_k^2 x_k = -phi_k^2 S            modes, scaled so that r = sum x_k (+ gap)      system
+//! W' = W - K P - G (S + S'),  P' = P + W'       constant average acceleration, exactly         methods
+//! r' = r* - h S'(r', state)                     the law's root                                 contact
+//! ```
+//!
+//! The modules from top to bottom; each uses only those below it: [`problem`] (parameters, metrics and systems of a case),
+//! [`metrics`], [`solve`], [`textbook`], [`exact`], [`methods`], [`system`], [`contact`], [`expression`], [`lane`], [`history`].
+//!
+//! Everything that determines a result is in this crate: [`VERSION_KEY`] is a hash of its code.
+
+pub mod contact;
+pub mod exact;
+pub mod expression;
+pub mod history;
+pub mod lane;
+pub mod methods;
+pub mod metrics;
+pub mod problem;
+pub mod solve;
+pub mod system;
+pub mod textbook;
+
+/// Hash of the code of this crate and of the crates that it computes with. A change of it makes stored results outdated; a
+/// change of comments, documentation or tests does not change it.
+pub const VERSION_KEY: &str = env!("SLIPGAP_SOLVER");

@@ -1,0 +1,52 @@
+//! The acceleration of the ground in a case, for response spectra.
+
+use super::template::Template;
+use super::units::UnitNames;
+use crate::problem::Case;
+use crate::system::structure::{Signal, Table};
+use std::f64::consts::PI;
+
+/// The acceleration of the ground in a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundMotion {
+    /// The acceleration: straight between its points.
+    pub acceleration: Table,
+    /// Units of length and time, as the study writes them; empty if it does not.
+    pub units: [String; 2],
+}
+
+/// Points of a sine in a period: chords are below the curve by at most (2 pi/400)^2/8 = 3e-5 of the amplitude.
+const POINTS: f64 = 400.0;
+
+/// Most points of a sine.
+const MOST: f64 = 1e6;
+
+/// The ground motion of a case; `None` without one, or if a number of it breaks a rule. A sine acts until the end of the case.
+pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<GroundMotion> {
+    let ground = template.ground.as_ref()?;
+    let (signal, scale) = ground.in_case(case, template.metre).ok()?;
+    let acceleration = match &*signal {
+        Signal::Table(table) => table.clone().scaled(scale)?,
+        Signal::Sine { omega, .. } => {
+            let points = (duration * omega.abs() / (2.0 * PI) * POINTS)
+                .ceil()
+                .max(POINTS);
+            if points.is_nan() || points > MOST {
+                return None;
+            }
+            let time = |i: usize| duration * i as f64 / points;
+            let mut times: Vec<f64> = (0..=points as usize).map(time).collect();
+            let mut values: Vec<f64> = times.iter().map(|t| scale * signal.at(*t)).collect();
+            // The ground stops.
+            times.push(duration);
+            values.push(0.0);
+            Table::new(times, values)?
+        }
+    };
+    let units = UnitNames::of(&template.units);
+    let units = units.map(|units| [units.length, units.time].map(str::to_owned));
+    Some(GroundMotion {
+        acceleration,
+        units: units.unwrap_or_default(),
+    })
+}

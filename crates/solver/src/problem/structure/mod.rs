@@ -1,0 +1,367 @@
+//! Structures of a study: masses, bars, springs, contacts, loads and records, with the exact motion by events.
+
+pub mod amount;
+mod assemble;
+pub mod channel;
+mod columns;
+pub mod consistent;
+pub mod contacts;
+mod damping;
+mod describe;
+mod diverge;
+mod ground;
+mod judge;
+pub mod loads;
+mod made;
+pub mod metric;
+mod motion;
+pub mod node;
+pub mod schema;
+pub mod scheme;
+mod solve;
+mod sweep;
+pub mod template;
+pub mod touch;
+mod units;
+mod warn;
+
+pub use ground::GroundMotion;
+pub use made::MOST_NUMBERS as MOST_SAMPLED;
+pub use scheme::Scheme;
+
+use super::cases::Cases;
+use super::method;
+use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
+use crate::history::History;
+use crate::methods::{MethodChoice, MethodKind};
+use crate::solve::structure::{critical_fault, has_critical_step};
+use crate::solve::{MetricTable, Unsolvable};
+use crate::system::structure::Structure;
+use assemble::assemble;
+use channel::Number;
+use columns::all_numbers;
+use judge::Recorded;
+use metric::StructureMetric;
+use node::Numbering;
+use schema::Drawn;
+use solve::distinct;
+use std::sync::Arc;
+use sweep::{Groups, Ready};
+use template::Template;
+
+/// The structure of a study.
+#[derive(Debug)]
+pub struct StructureProblem {
+    schema: Arc<Schema>,
+    template: Template,
+    metrics: Vec<StructureMetric>,
+    drawn: Vec<Drawn>,
+    identity: String,
+    note: Option<String>,
+}
+
+/// Most numbers of a history: 2 GiB.
+const MOST_NUMBERS: f64 = 268_435_456.0;
+
+impl StructureProblem {
+    /// The problem of a template with these tables. `identity` is different for different structures and records; `note` says what
+    /// was done to the records.
+    pub fn new(
+        template: Template,
+        schema: Arc<Schema>,
+        metrics: Vec<StructureMetric>,
+        drawn: Vec<Drawn>,
+        identity: String,
+        note: Option<String>,
+    ) -> StructureProblem {
+        StructureProblem {
+            schema,
+            template,
+            metrics,
+            drawn,
+            identity,
+            note,
+        }
+    }
+
+    /// The structure of a completed case, and the numbers of its nodes. Each bar has `finer` times its elements.
+    fn structure(&self, case: &Case, finer: u32) -> Result<(Structure, Numbering), Unsolvable> {
+        let broken =
+            |all: Vec<Violation>| Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default());
+        let (mut structure, numbering) = assemble(&self.template, case, finer).map_err(broken)?;
+        if let Some(ratio) = &self.template.modal_damping {
+            let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
+            let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
+            damping::add_modal(&mut structure, &stiffness, ratio).ok_or(Unsolvable::NoModes)?;
+        }
+        Ok((structure, numbering))
+    }
+
+    /// A case ready to be stepped; `place` is its place in the table of results.
+    fn ready(&self, place: usize, case: &Case) -> Result<Ready, Unsolvable> {
+        let dt = case.at(self.schema.step);
+        let (structure, numbering) = self.structure(case, 1)?;
+        Ok(Ready {
+            place,
+            case: case.clone(),
+            structure,
+            numbering,
+            method: self.method(case).ok_or(Unsolvable::ParameterMissing)?,
+            dt: dt.ok_or(Unsolvable::ParameterMissing)?,
+            last: self.steps(case),
+        })
+    }
+
+    /// The method of a completed case.
+    fn method(&self, case: &Case) -> Option<MethodChoice> {
+        let name = method::PARAMETERS[0].name.as_ref();
+        let mut parameters = self.schema.parameters.iter();
+        let row = parameters.position(|parameter| parameter.name == name)?;
+        method::of_case(case, row)
+    }
+
+    /// Rigid impacts whose restitution the method of the case ignores.
+    fn ignored_restitutions(&self, case: &Case) -> Vec<Violation> {
+        let ignores = |method: &MethodChoice| method.kind() != MethodKind::MoreauJean;
+        if !self.method(case).as_ref().is_some_and(ignores) {
+            return Vec::new();
+        }
+        let mut parameters = self.schema.parameters.iter();
+        let row = parameters.position(|own| own.name == method::PARAMETERS[0].name);
+        let name = row.map_or("", |row| case.name_at(row));
+        let contacts = self.template.contacts.iter();
+        let rigid = contacts.filter_map(|contact| contacts::restitution(contact, case));
+        rigid
+            .map(|(given, e)| given.violation(method::ignores_restitution(name, e)))
+            .collect()
+    }
+
+    /// The rules of a method with a critical step.
+    fn step_rules(&self, case: &Case, dt: f64) -> Option<Violation> {
+        let method = self.method(case)?;
+        if !has_critical_step(&method) {
+            return None;
+        }
+        let (structure, _) = self.structure(case, 1).ok()?;
+        let fault = critical_fault(&structure, &method, dt)?;
+        Some(Violation {
+            parameter: fault.parameter().into(),
+            message: fault.to_string(),
+            at: None,
+        })
+    }
+
+    /// The exact motion of the reference at these times.
+    fn reference(
+        &self,
+        structure: &Structure,
+        times: &[f64],
+        numbers: &[Number],
+    ) -> Result<Recorded, Unsolvable> {
+        match self.against_rigid() {
+            true => motion::exact(&motion::rigid(structure), times, numbers),
+            false => motion::exact(structure, times, numbers),
+        }
+    }
+
+    /// The channels of histories: those of figures, then those of every node and contact.
+    fn history(&self, recorded: &Recorded, numbering: &Numbering, all: &[Number]) -> Vec<Vec<f64>> {
+        let drawn = self.drawn.iter();
+        let drawn = drawn.map(|drawn| recorded.channel(&drawn.channel, numbering));
+        drawn
+            .chain(all.iter().map(|number| recorded.of(*number).to_vec()))
+            .collect()
+    }
+
+    fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
+        let drawn = self.drawn.iter();
+        distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
+    }
+
+    /// Every channel has its nodes in a case.
+    fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
+        let metrics = self.metrics.iter();
+        let of_metrics =
+            metrics.filter_map(|metric| Some((metric.channel.as_ref()?, &metric.place)));
+        let drawn = self.drawn.iter();
+        let drawn = drawn.map(|drawn| (&drawn.channel, &drawn.place));
+        let faults = of_metrics.chain(drawn).filter_map(|(channel, (at, path))| {
+            let mut terms = channel.terms.iter();
+            let message = terms.find_map(|(_, term)| term.number(numbering).err())?;
+            Some(Violation {
+                parameter: path.clone().into(),
+                message: format!("{}: {message}", channel.name),
+                at: Some(*at),
+            })
+        });
+        faults.collect()
+    }
+}
+
+impl Problem for StructureProblem {
+    fn schema(&self) -> &Arc<Schema> {
+        &self.schema
+    }
+
+    fn identity(&self) -> &str {
+        &self.identity
+    }
+
+    fn samples(&self, case: &Case) -> Samples {
+        let mut samples = Samples::default();
+        for source in self.template.sampled() {
+            // A case that breaks a rule makes none.
+            let Ok((key, points)) = source.samples(case) else {
+                return Samples::default();
+            };
+            samples.key.extend(key);
+            samples.work += source.sampling_work(points);
+            samples.numbers = samples.numbers.max(made::numbers(points));
+        }
+        samples
+    }
+
+    fn sampled_so_far(&self) -> u64 {
+        self.template
+            .sampled()
+            .map(|source| source.made_so_far())
+            .sum()
+    }
+
+    fn note(&self) -> Option<&str> {
+        self.note.as_deref()
+    }
+
+    fn complete(&self, case: &mut Case) -> Vec<Violation> {
+        let number = |row| case.at(row).unwrap_or(f64::NAN);
+        let (step, duration) = (number(self.schema.step), number(self.schema.duration));
+        let mut violations = Vec::new();
+        if step.is_finite() && duration.is_finite() {
+            violations.extend(time_rules("dt", step, duration));
+        }
+        match assemble::check(&self.template, case) {
+            Err(broken) => violations.extend(broken),
+            Ok(numbering) => {
+                violations.extend(self.check_channels(&numbering));
+                let contacts = self.template.contacts.len();
+                let numbers = (2 * numbering.nodes() + 3 * contacts) as f64;
+                let steps = duration / step;
+                if violations.is_empty() && steps * numbers > MOST_NUMBERS {
+                    violations.push(Violation {
+                        parameter: "dt".into(),
+                        message: format!(
+                            "gives {steps:.3e} steps of {numbers} numbers, at most {MOST_NUMBERS:.2e} numbers fit in memory"
+                        ),
+                        at: None,
+                    });
+                }
+                if violations.is_empty() {
+                    violations.extend(self.ignored_restitutions(case));
+                    violations.extend(self.step_rules(case, step));
+                }
+            }
+        }
+        violations
+    }
+
+    fn work(&self, case: &Case) -> u64 {
+        let contacts = self.template.contacts.len();
+        let size = assemble::check(&self.template, case);
+        let size = size.map_or(1, |numbering| numbering.nodes() + 5 * contacts);
+        let parts = self.method(case).map_or(1, |method| method.sub_steps());
+        self.steps(case).saturating_mul(size as u64 * parts)
+    }
+
+    fn reference_work(&self, case: &Case, _wanted: &[usize]) -> u64 {
+        self.exact_work(case)
+    }
+
+    fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        let ready = self.ready(0, case)?;
+        let all = all_numbers(&ready.structure);
+        let drawn = self.drawn_numbers(&ready.numbering);
+        let recorded = distinct(drawn.into_iter().chain(all.iter().copied()));
+        let (motions, metrics, warnings) = self.solve_ready(&ready, &recorded)?;
+        let time: Vec<f64> = (0..=ready.last).map(|i| i as f64 * ready.dt).collect();
+        let exact = match (self.template.reference, self.against_rigid()) {
+            (None, _) => &None,
+            (Some(_), true) => &motions.rigid,
+            (Some(_), false) => &motions.softened,
+        };
+        let exact = exact.as_ref();
+        let exact = exact.map(|exact| self.history(exact, &ready.numbering, &all));
+        let computed = self.history(&motions.computed, &ready.numbering, &all);
+        let history = |channels| History {
+            time: time.clone(),
+            channels,
+        };
+        let solution = Solution {
+            computed: history(computed),
+            exact: history(exact.unwrap_or_default()),
+            metrics,
+            warnings,
+        };
+        match solution.computed.is_finite() {
+            true => Ok(solution),
+            false => Err(Unsolvable::OutOfRange),
+        }
+    }
+
+    fn solve_once(&self, _case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
+        Err(Unsolvable::NotPrinted)
+    }
+
+    fn sweep(&self, cases: &Cases, rows: &[u32]) -> MetricTable {
+        let mut groups = Groups::new(self, rows.len());
+        let mut shown = cases.shown();
+        for (place, row) in rows.iter().enumerate() {
+            match self.ready(place, shown.at(*row as usize)) {
+                Ok(ready) => groups.add(ready),
+                Err(why) => groups.fail(place, why),
+            }
+        }
+        groups.finish()
+    }
+
+    fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
+        self.template.reference?;
+        let (structure, numbering) = self.structure(case, 1).ok()?;
+        let numbers = self.drawn_numbers(&numbering);
+        let exact = self.reference(&structure, times, &numbers).ok()?;
+        Some(History {
+            time: times.to_vec(),
+            channels: self.history(&exact, &numbering, &[]),
+        })
+    }
+
+    fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
+        let exact = self.template.reference.is_some();
+        match assemble(&self.template, case, 1) {
+            Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    fn diverges(&self, case: &Case) -> Option<bool> {
+        self.case_diverges(case)
+    }
+
+    fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
+        self.metrics_say(metrics)
+    }
+
+    fn scheme(&self, case: &Case) -> Option<Scheme> {
+        scheme::scheme(&self.template, case)
+    }
+
+    fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {
+        let duration = case.at(self.schema.duration)?;
+        ground::ground_motion(&self.template, case, duration)
+    }
+
+    fn description(&self, case: &Case) -> Option<String> {
+        let (structure, _) = self.structure(case, 1).ok()?;
+        let dt = case.at(self.schema.step)?;
+        Some(describe::describe(&structure, dt, &self.template.units))
+    }
+}

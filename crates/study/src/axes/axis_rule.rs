@@ -1,0 +1,145 @@
+//! Axes given by a rule instead of a list. The ends of an axis are the given numbers to the bit.
+
+use crate::source::faults::{Faults, join};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::value::within;
+use slipgap_solver::metrics::SLACK;
+use slipgap_solver::problem::parameter::{Kind, Parameter, Range, Value};
+
+/// The rules, each with the meaning of its three numbers.
+pub(crate) const RULES: [(&str, &str); 3] = [
+    (
+        "linspace",
+        "[a, b, n]: n numbers from a to b, evenly spaced",
+    ),
+    (
+        "geomspace",
+        "[a, b, n]: n numbers from a to b, with the same ratio between neighbours",
+    ),
+    (
+        "range",
+        "[a, b, step]: a, a + step, ... up to b; b is included if it is a whole number of steps from a",
+    ),
+];
+
+/// A rule, in the order of [`RULES`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    Linspace,
+    Geomspace,
+    Range,
+}
+
+const ALL: [Rule; 3] = [Rule::Linspace, Rule::Geomspace, Rule::Range];
+
+/// Most values of an axis.
+const MOST: f64 = 1e6;
+
+/// The values of a rule, each in the range of the parameter. A whole-number parameter has the nearest whole numbers, each
+/// once.
+pub(crate) fn values(
+    node: &Node,
+    path: &str,
+    parameter: &Parameter,
+    faults: &mut Faults,
+) -> Option<Vec<Value>> {
+    let names = RULES.map(|rule| rule.0);
+    let before = faults.count();
+    let object = Object::open(node, path, &names, faults)?;
+    let [member] = object.members[..] else {
+        // An unknown key is reported already.
+        if faults.count() == before {
+            let what = format!("must have exactly one of {}", names.join(", "));
+            object.fault(what, faults);
+        }
+        return None;
+    };
+    let path = join(path, &member.key);
+    let index = names.iter().position(|name| *name == member.key)?;
+    let rule = ALL[index];
+    let three = match &member.node.tree {
+        Tree::List(items) if items.len() == 3 => items,
+        _ => {
+            faults.must_be(&member.node, &path, RULES[index].1);
+            return None;
+        }
+    };
+    let item = |i: usize, faults: &mut Faults| {
+        let path = format!("{path}[{i}]");
+        within(&three[i], &path, Range::Any, Some(parameter), faults)
+    };
+    // All three are decoded first, so that every faulty number is reported.
+    let (a, b, c) = (item(0, faults), item(1, faults), item(2, faults));
+    let (a, b, c) = (a?, b?, c?);
+    let mut refuse = |i: usize, message: &str| {
+        faults.add(three[i].at, &format!("{path}[{i}]"), message.to_owned());
+        None
+    };
+    let count = match rule {
+        Rule::Range if c == 0.0 || (b - a) / c < 0.0 => {
+            return refuse(2, "must be a step that leads from a to b");
+        }
+        Rule::Range => ((b - a) / c * (1.0 + SLACK)).floor() + 1.0,
+        // The product of two very small numbers is 0, so the signs are compared.
+        Rule::Geomspace if a == 0.0 || b == 0.0 || (a < 0.0) != (b < 0.0) => {
+            return refuse(1, "must have the sign of a, and neither may be 0");
+        }
+        Rule::Geomspace | Rule::Linspace if c.fract() != 0.0 || c < 2.0 => {
+            return refuse(2, "must be a whole number >= 2");
+        }
+        Rule::Geomspace | Rule::Linspace => c,
+    };
+    if count > MOST {
+        return refuse(2, &format!("gives {count} values; allowed: at most {MOST}"));
+    }
+    let steps = count - 1.0;
+    let point = |i: f64| match rule {
+        Rule::Linspace if i == steps => b,
+        Rule::Linspace => a + (b - a) * (i / steps),
+        Rule::Geomspace if i == steps => b,
+        Rule::Geomspace if i == 0.0 => a,
+        Rule::Geomspace => a * libm::pow(b / a, i / steps),
+        Rule::Range if (a + i * c - b).abs() <= SLACK * (b - a).abs() => b,
+        Rule::Range => a + i * c,
+    };
+    let points = (0..count as u64).map(|i| point(i as f64));
+    to_values(points, &member.node, &path, parameter, faults)
+}
+
+/// The points as values of the parameter.
+fn to_values(
+    points: impl Iterator<Item = f64>,
+    node: &Node,
+    path: &str,
+    parameter: &Parameter,
+    faults: &mut Faults,
+) -> Option<Vec<Value>> {
+    let mut values = Vec::new();
+    for x in points {
+        let (value, allowed) = match parameter.kind {
+            Kind::Number(range) => (
+                (x.is_finite() && range.contains(x)).then_some(Value::Number(x)),
+                range.to_string(),
+            ),
+            Kind::Whole { min, max } => {
+                let whole = x.round();
+                let inside = whole >= min as f64 && whole <= max as f64;
+                (
+                    inside.then_some(Value::Whole(whole as u64)),
+                    format!("a whole number from {min} to {max}"),
+                )
+            }
+            Kind::Choice(_) => (None, "a name or a list of names".into()),
+        };
+        let Some(value) = value else {
+            let x = Value::Number(x);
+            faults.add(node.at, path, format!("must be {allowed}, got {x}"));
+            return None;
+        };
+        if !matches!(value, Value::Whole(_)) || values.last() != Some(&value) {
+            values.push(value);
+        }
+    }
+    Some(values)
+}

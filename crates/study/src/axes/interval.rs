@@ -1,0 +1,111 @@
+//! The range of a parameter that a design samples.
+
+use crate::Scale;
+use crate::cases::values::Distribution;
+use crate::source::faults::{Faults, join};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::value::{value_of, within};
+use slipgap_solver::problem::parameter::{Kind, Parameter, Range, shortest};
+
+/// The distributions, each with the meaning of its two numbers.
+pub(crate) const INTERVALS: [(&str, &str); 2] = [
+    (
+        "uniform",
+        "[a, b]: uniform distribution from a to b; the design of the block chooses the points",
+    ),
+    (
+        "loguniform",
+        "[a, b]: uniform distribution of the logarithm from a to b; the design of the block chooses the points",
+    ),
+];
+
+/// A range and its distribution.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Interval {
+    low: f64,
+    high: f64,
+    log: bool,
+}
+
+impl Interval {
+    /// Whether `node` is an object with the key of an interval.
+    pub fn is_interval(node: &Node) -> bool {
+        let Tree::Object(members) = &node.tree else {
+            return false;
+        };
+        let known = |key: &str| INTERVALS.iter().any(|interval| interval.0 == key);
+        members.iter().any(|member| known(&member.key))
+    }
+
+    /// Decodes an interval. Both ends must be valid values of the parameter.
+    pub fn decode(
+        node: &Node,
+        path: &str,
+        parameter: &Parameter,
+        faults: &mut Faults,
+    ) -> Option<Interval> {
+        let names = INTERVALS.map(|interval| interval.0);
+        let object = Object::open(node, path, &names, faults)?;
+        let [member] = object.members[..] else {
+            object.fault(
+                format!("must have exactly one of {}", names.join(", ")),
+                faults,
+            );
+            return None;
+        };
+        let path = join(path, &member.key);
+        let ends = match &member.node.tree {
+            Tree::List(items) if items.len() == 2 => items,
+            _ => {
+                faults.must_be(&member.node, &path, "[a, b]");
+                return None;
+            }
+        };
+        if let Kind::Choice(_) = parameter.kind {
+            faults.must_be(node, &path, "a name or a list of names");
+            return None;
+        }
+        let mut end = |i: usize| {
+            let path = format!("{path}[{i}]");
+            let x = within(&ends[i], &path, Range::Any, Some(parameter), faults)?;
+            if let Err(allowed) = value_of(x, parameter) {
+                let message = format!("must be {allowed}, got {}", shortest(x));
+                faults.add(ends[i].at, &path, message);
+                return None;
+            }
+            Some(x)
+        };
+        let (low, high) = (end(0), end(1));
+        let (low, high) = (low?, high?);
+        let log = member.key == INTERVALS[1].0;
+        let message = match log {
+            _ if low >= high => "must be greater than a",
+            true if low <= 0.0 => "needs ends > 0",
+            true if !(high / low).is_finite() => "b/a must be within the range of double precision",
+            false if !(high - low).is_finite() => {
+                "b - a must be within the range of double precision"
+            }
+            _ => return Some(Interval { low, high, log }),
+        };
+        faults.add(ends[1].at, &format!("{path}[1]"), message);
+        None
+    }
+
+    /// The scale on which the distribution is uniform.
+    pub fn scale(self) -> Scale {
+        match self.log {
+            true => Scale::Log,
+            false => Scale::Linear,
+        }
+    }
+
+    /// The distribution of a parameter.
+    pub fn distribution(self, parameter: &Parameter) -> Distribution {
+        Distribution {
+            ends: [self.low, self.high],
+            log: self.log,
+            whole: matches!(parameter.kind, Kind::Whole { .. }),
+        }
+    }
+}

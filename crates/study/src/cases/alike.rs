@@ -1,0 +1,112 @@
+//! Cases that differ only in some parameters.
+
+use super::block::Block;
+use slipgap_solver::problem::parameter::{Default, Value};
+use slipgap_solver::problem::{Case, Problem};
+use std::collections::HashMap;
+use std::hash::Hash;
+
+impl Block {
+    /// Whether a parameter changes with one of those in `rows`: it advances together with it, or has an expression of it.
+    fn changes_with(&self, parameter: usize, rows: &[usize]) -> bool {
+        let moved = |group: usize| rows.iter().any(|row| self.groups[group].has(*row));
+        let derived = self.derived.iter().find(|d| d.parameter == parameter);
+        let on = derived.map_or(&[][..], |derived| &derived.formula.on);
+        let mut own = (0..self.groups.len()).filter(|group| self.groups[*group].has(parameter));
+        own.any(moved) || on.iter().any(|group| moved(*group))
+    }
+}
+
+/// The parameters that cases share if they differ only in those in `rows`: not these, nor what changes with them in a block,
+/// nor what the problem computes from other parameters.
+pub fn unaffected(problem: &dyn Problem, blocks: &[Block], rows: &[usize]) -> Vec<usize> {
+    let table = problem.parameters();
+    let given = |row: &usize| {
+        !matches!(table[*row].default, Default::Follows(_))
+            || blocks.iter().any(|block| block.gives(*row))
+    };
+    let affected = |row: &usize| {
+        rows.contains(row) || blocks.iter().any(|block| block.changes_with(*row, rows))
+    };
+    (0..table.len())
+        .filter(|row| given(row) && !affected(row))
+        .collect()
+}
+
+/// The values of some parameters in a case, as a key.
+pub type Identity = Vec<Option<(u64, &'static str)>>;
+
+/// The values of these parameters in a case, as a key.
+pub fn identity(case: &Case, rows: &[usize]) -> Identity {
+    let values = rows.iter().map(|row| case.values[*row]);
+    values.map(|value| value.map(Value::identity)).collect()
+}
+
+/// Items with equal keys together, in the order of the first one of each group.
+pub fn grouped<T, K: Eq + Hash>(
+    items: impl IntoIterator<Item = T>,
+    key: impl Fn(&T) -> K,
+) -> Vec<Vec<T>> {
+    let mut places = HashMap::new();
+    let mut groups: Vec<Vec<T>> = Vec::new();
+    for item in items {
+        let place = *places.entry(key(&item)).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.push(item),
+            None => groups.push(vec![item]),
+        }
+    }
+    groups
+}
+
+/// The values of these parameters in a case, as in `law = hertz, n = 5`.
+pub fn values(case: &Case, rows: &[usize]) -> String {
+    let value = |row: &usize| {
+        let name = &case.schema.parameters[*row].name;
+        case.values[*row].map(|value| format!("{name} = {value}"))
+    };
+    rows.iter().filter_map(value).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+
+    #[test]
+    fn groups_are_in_the_order_of_their_first_items() {
+        let groups = grouped([3, 1, 4, 1, 5, 9, 2, 6], |x| x % 3);
+        assert_eq!(groups, [vec![3, 9, 6], vec![1, 4, 1], vec![5, 2]]);
+    }
+
+    #[test]
+    fn what_changes_with_a_parameter_is_affected_and_nothing_else() {
+        let study = parse(
+            "s",
+            r#"{"problem": "bar-impact", "blocks": [
+              {"parameters": {"gamma": [1, 2], "n": [4, 8], "dt": "0.1/n", "gap": [0.1, 0.2], "duration": "1.5 + gap"},
+               "zip": [["gamma", "gap"]]},
+              {"parameters": {"gamma": 3, "n": 16, "dt": 0.01, "gap": 0, "duration": 1.5}}]}"#,
+        )
+        .unwrap_or_else(|e| panic!("{e}"));
+        let table = study.problem.parameters();
+        let affected = |name: &str| -> Vec<&str> {
+            let row = table.iter().position(|p| p.name == name).unwrap();
+            let shared = unaffected(&*study.problem, &study.blocks, &[row]);
+            let of_study = ["gamma", "k_I", "n", "dt", "gap", "duration", "mass"];
+            let is = |name: &&str| !shared.iter().any(|row| table[*row].name == **name);
+            of_study.into_iter().filter(is).collect()
+        };
+        // No block gives k_I: the problem computes it.
+        assert_eq!(affected("n"), ["k_I", "n", "dt"]);
+        assert_eq!(affected("gap"), ["gamma", "k_I", "gap", "duration"]);
+        assert_eq!(affected("dt"), ["k_I", "dt"]);
+        let case = study.case(0).unwrap();
+        let rows = unaffected(&*study.problem, &study.blocks, &[]);
+        assert!(
+            values(&case, &rows).contains("n = 4"),
+            "{}",
+            values(&case, &rows)
+        );
+    }
+}

@@ -1,0 +1,159 @@
+//! A block of cases. Each case is made from its number, so that 10^9 cases need no more memory than ten.
+
+use super::derived::{Condition, Derived};
+use super::design::Design;
+use super::group::{Axis, Group};
+use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::{Case, Problem};
+use std::sync::OnceLock;
+
+/// A block: all combinations of its groups of axes in file order, the last group fastest; the derived parameters; and the
+/// condition that selects the cases among the combinations.
+#[derive(Debug, Clone, Default)]
+pub struct Block {
+    /// The axes of all parameters that have values. A single value is an axis of length 1.
+    pub groups: Vec<Group>,
+    /// Parameters given by expressions. Each comes after those in its expression.
+    pub derived: Vec<Derived>,
+    /// The condition that a combination must meet to be a case.
+    pub when: Option<Condition>,
+    /// The design that gives the values of one group.
+    pub design: Option<Design>,
+    /// Numbers of cases, counted at the first use.
+    pub(crate) counts: OnceLock<CaseCounts>,
+    /// The values that all combinations share, found at the first use.
+    pub(crate) shared: OnceLock<Option<Shared>>,
+}
+
+/// Numbers of cases of a block with a condition.
+#[derive(Debug, Clone)]
+pub(crate) enum CaseCounts {
+    /// For a condition with a table: how many of the entries before each one meet it, and how many in all. No combination
+    /// has to be made.
+    Tabled(Vec<u64>),
+    /// Otherwise the number of cases before every `STRIDE`-th combination, and at the end.
+    Counted {
+        counts: Vec<u64>,
+        /// The first combination for which the condition has no value.
+        undecided: Option<u64>,
+    },
+}
+
+/// The values that all combinations of a block share, and the groups that vary.
+#[derive(Debug, Clone)]
+pub(crate) struct Shared {
+    values: Vec<Option<Value>>,
+    varying: Vec<usize>,
+}
+
+impl Block {
+    /// All axes.
+    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
+        self.groups.iter().flat_map(|group| &group.axes)
+    }
+
+    /// Number of raw combinations.
+    pub fn raw_len(&self) -> u64 {
+        self.groups.iter().map(Group::len).product()
+    }
+
+    /// The position in each group of combination `raw`.
+    pub(super) fn positions(&self, raw: u64) -> Vec<u64> {
+        let mut positions = vec![0; self.groups.len()];
+        let mut rest = raw;
+        for (position, group) in positions.iter_mut().zip(&self.groups).rev() {
+            *position = rest % group.len();
+            rest /= group.len();
+        }
+        positions
+    }
+
+    /// Combination `raw` with the defaults, before `Problem::complete`.
+    pub(crate) fn raw_case(&self, problem: &dyn Problem, raw: u64) -> Case {
+        let mut case = Case::new(problem.schema());
+        self.put(problem, raw, &mut case);
+        case
+    }
+
+    /// The same, written over `case`.
+    pub(crate) fn put(&self, problem: &dyn Problem, raw: u64, case: &mut Case) {
+        let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
+            case.values.fill(None);
+            self.fill(case, &self.positions(raw), self.derived.len());
+            return;
+        };
+        case.values.copy_from_slice(&shared.values);
+        let mut rest = raw;
+        let varying = shared.varying.iter().rev();
+        for group in varying.map(|group| &self.groups[*group]) {
+            for axis in &group.axes {
+                case.values[axis.parameter] = Some(axis.values.at((rest % group.len()) as usize));
+            }
+            rest /= group.len();
+        }
+    }
+
+    /// The values that all combinations share; `None` for a block with expressions, or with an axis of names that decide
+    /// which other parameters apply.
+    fn shared(&self, problem: &dyn Problem) -> Option<Shared> {
+        let table = problem.parameters();
+        let varying: Vec<usize> = (0..self.groups.len())
+            .filter(|g| self.groups[*g].len() > 1)
+            .collect();
+        let governs = |axis: &Axis| {
+            let name = &table[axis.parameter].name;
+            let mut conditions = table.iter().filter_map(|p| p.applies.as_ref());
+            conditions.any(|on| on.governor == name)
+        };
+        let axes = |group: &usize| self.groups[*group].axes.iter();
+        if !self.derived.is_empty() || varying.iter().flat_map(axes).any(governs) {
+            return None;
+        }
+        let mut case = Case::new(problem.schema());
+        self.fill(&mut case, &vec![0; self.groups.len()], 0);
+        Some(Shared {
+            values: case.values,
+            varying,
+        })
+    }
+
+    /// Sets the values at these positions of the groups, the defaults, and the first `derived` of the derived parameters.
+    pub(super) fn fill(&self, case: &mut Case, positions: &[u64], derived: usize) {
+        for (group, position) in self.groups.iter().zip(positions) {
+            for axis in &group.axes {
+                case.values[axis.parameter] = Some(axis.values.at(*position as usize));
+            }
+        }
+        drop_unsuitable(case);
+        for row in 0..case.schema.parameters.len() {
+            if case.values[row].is_none() && self.derived.iter().all(|d| d.parameter != row) {
+                case.values[row] = case.default_at(row);
+            }
+        }
+        for derived in self.derived.iter().take(derived) {
+            case.values[derived.parameter] = derived.value(&self.groups, case, positions);
+        }
+        if derived > 0 {
+            drop_unsuitable(case);
+        }
+    }
+}
+
+/// Removes values of parameters that do not apply to the names of a case: a block with several laws may give a parameter of some of
+/// them.
+fn drop_unsuitable(case: &mut Case) {
+    let schema = case.schema.clone();
+    let chosen = |case: &Case, governor: &str| {
+        let row = schema.parameters.iter().position(|p| p.name == *governor);
+        let value = row.and_then(|row| case.values[row].or_else(|| case.default_at(row)));
+        value.map_or("", Value::name)
+    };
+    for (row, parameter) in schema.parameters.iter().enumerate() {
+        if let Some(on) = &parameter.applies
+            && case.values[row].is_some()
+            && !on.allows(chosen(case, on.governor))
+        {
+            case.values[row] = None;
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! A few cases in place of all: the ends of the axes, where only a range matters.
+
+use super::block::Block;
+use super::group::{Axis, Group};
+use super::select::distinct;
+use super::values::Values;
+use crate::Study;
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::Value;
+
+/// Larger blocks are tested only at the ends of their axes.
+pub(crate) const MOST_TESTED: u64 = 1_000_000;
+
+/// Of smaller blocks all cases are representative.
+const MOST_LISTED: u64 = 10_000;
+
+impl Study {
+    /// Cases that show the range of a quantity: those at the ends of the axes, or every case of a small block with
+    /// dependent axes.
+    pub fn representative_cases(&self) -> impl Iterator<Item = Case> + '_ {
+        self.blocks.iter().flat_map(|block| {
+            let positions = match block.raw_len() <= MOST_LISTED && !independent(block) {
+                true => all_positions(block),
+                false => ends(block),
+            };
+            let part = restricted(block, &positions);
+            let raws = 0..part.raw_len().min(MOST_TESTED);
+            let cases = raws.filter(|raw| part.is_case(&*self.problem, *raw));
+            let completed = cases.map(|raw| part.completed(&*self.problem, raw));
+            completed.collect::<Vec<_>>()
+        })
+    }
+}
+
+/// Whether the axes are independent of each other. A rule that holds at all their ends then holds everywhere.
+pub(crate) fn independent(block: &Block) -> bool {
+    let single = |group: &Group| group.axes.len() == 1;
+    block.derived.is_empty() && block.when.is_none() && block.groups.iter().all(single)
+}
+
+/// All positions of every group.
+pub(crate) fn all_positions(block: &Block) -> Vec<Vec<usize>> {
+    let all = |group: &Group| (0..group.len() as usize).collect();
+    block.groups.iter().map(all).collect()
+}
+
+/// The positions of the smallest and the largest number of every axis, and of all names. A rule that compares parameters
+/// and that some case breaks is broken there.
+pub(crate) fn ends(block: &Block) -> Vec<Vec<usize>> {
+    let of_axis = |axis: &Axis| -> Vec<usize> {
+        let numbers: Vec<f64> = axis.values.iter().filter_map(Value::as_f64).collect();
+        if numbers.len() < axis.values.len() {
+            return first_of_each(&axis.values);
+        }
+        let by_size = |a: &usize, b: &usize| numbers[*a].total_cmp(&numbers[*b]);
+        let smallest = (0..numbers.len()).min_by(by_size);
+        let largest = (0..numbers.len()).max_by(by_size);
+        smallest.into_iter().chain(largest).collect()
+    };
+    let of_group = |group: &Group| {
+        let mut positions: Vec<usize> = group.axes.iter().flat_map(of_axis).collect();
+        positions.sort_unstable();
+        positions.dedup();
+        positions
+    };
+    block.groups.iter().map(of_group).collect()
+}
+
+fn first_of_each(values: &Values) -> Vec<usize> {
+    let names = distinct(values.iter());
+    let first = |value: &Value| values.iter().position(|v| v == *value);
+    names.iter().filter_map(first).collect()
+}
+
+/// The block with only some positions of each group. Tables of formulas are dropped unless all positions remain.
+pub(crate) fn restricted(block: &Block, positions: &[Vec<usize>]) -> Block {
+    let axis = |axis: &Axis, positions: &[usize]| Axis {
+        parameter: axis.parameter,
+        values: match positions.len() == axis.values.len() {
+            true => axis.values.clone(),
+            false => positions.iter().map(|i| axis.values.at(*i)).collect(),
+        },
+    };
+    let groups = block.groups.iter().zip(positions);
+    let groups = groups.map(|(group, positions)| Group {
+        axes: group.axes.iter().map(|a| axis(a, positions)).collect(),
+    });
+    let mut part = Block {
+        groups: groups.collect(),
+        derived: block.derived.clone(),
+        when: block.when.clone(),
+        ..Block::default()
+    };
+    let mut lens = block.groups.iter().zip(&part.groups);
+    if lens.any(|(a, b)| a.len() != b.len()) {
+        let derived = part.derived.iter_mut().map(|d| &mut d.formula);
+        for formula in derived.chain(part.when.iter_mut().map(|w| &mut w.formula)) {
+            formula.table = None;
+        }
+    }
+    part
+}

@@ -1,0 +1,58 @@
+//! The key `checks` of a study.
+
+use crate::cases::scope::Scope;
+use crate::source::faults::{Faults, any_of};
+use crate::source::object::Object;
+use crate::source::tree::Node;
+use crate::value::{name, number};
+use crate::{Check, Filter};
+use slipgap_solver::problem::parameter::{Range, shortest};
+
+/// The keys of a check.
+pub(crate) const KEYS: [(&str, &str); 4] = [
+    ("metric", "the metric to check"),
+    (
+        "where",
+        "which cases to check: a value or a list of values for parameters; if left out, all cases",
+    ),
+    ("min", "smallest value allowed"),
+    ("max", "largest value allowed"),
+];
+
+/// Decodes a check; `None` if it has a fault.
+pub(crate) fn check(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option<Check> {
+    let before = faults.count();
+    let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
+    let metrics = scope.metrics();
+    let metric = object
+        .need("metric", &format!("one of {}", any_of(&metrics)), faults)
+        .and_then(|node| name(node, &object.path("metric"), "metric", &metrics, faults));
+    let filter = match object.get("where") {
+        Some(node) => scope.filter(node, &object.path("where"), faults),
+        None => Some(Filter::default()),
+    };
+    let mut limit = |key: &str| {
+        let node = object.get(key)?;
+        number(node, &object.path(key), Range::Any, faults).map(|x| (x, node))
+    };
+    let (min, max) = (limit("min"), limit("max"));
+    if object.get("min").is_none() && object.get("max").is_none() {
+        object.fault("missing: \"min\", \"max\" or both", faults);
+    }
+    if let (Some((min, _)), Some((max, node))) = (min, max)
+        && min > max
+    {
+        let (min, max) = (shortest(min), shortest(max));
+        let message = format!("must be >= min = {min}, got {max}");
+        faults.add(node.at, &object.path("max"), message);
+    }
+    if faults.count() > before {
+        return None;
+    }
+    Some(Check {
+        metric: metric?,
+        filter: filter?,
+        min: min.map(|limit| limit.0),
+        max: max.map(|limit| limit.0),
+    })
+}

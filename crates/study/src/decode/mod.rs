@@ -1,0 +1,232 @@
+//! From the tree of a study file to a validated study, or to all its faults.
+
+pub(super) mod blocks;
+pub(super) mod checks;
+mod ensemble;
+mod references;
+pub(super) mod resolve;
+pub(super) mod units;
+pub(super) mod validate;
+
+use std::path::Path;
+
+use crate::cases::scope::Scope;
+use crate::error::Error;
+use crate::figure::figures;
+use crate::measure::{self, Measure};
+use crate::source::faults::Faults;
+use crate::source::hint::nearest;
+use crate::source::input::{Input, tree_of};
+use crate::source::object::Object;
+use crate::source::place::Texts;
+use crate::source::setting;
+use crate::source::tree::{Node, Tree};
+use crate::units::Units;
+use crate::value::{self, name};
+use crate::{Check, Figure, Study, reduction, structure};
+use blocks::{BLOCK_KEYS, blocks};
+use checks::check;
+use ensemble::ensemble;
+use slipgap_solver::problem::structure::schema::NAME;
+use slipgap_solver::problem::{self, PROBLEMS, Problem};
+use std::sync::Arc;
+use validate::MOST_CASES;
+
+/// The keys of a study, each with its meaning.
+pub(crate) const KEYS: [(&str, &str); 13] = [
+    (
+        "$schema",
+        "location of the schema, for editors; slipgap ignores it",
+    ),
+    ("title", "what the study shows, in one line"),
+    ("problem", "the problem to solve"),
+    (
+        "parameters",
+        "parameters of the cases; a list is an axis; the cases are all combinations of the axes, and the last axis varies fastest",
+    ),
+    (
+        "structure",
+        "masses, bars, springs, contacts and loads of a study of structures; numbers may be expressions of the parameters",
+    ),
+    (
+        "blocks",
+        "several sets of parameters instead of one; their cases follow one another",
+    ),
+    (
+        "metrics",
+        "metrics to compute in addition to the default ones; each is a column of results.csv",
+    ),
+    reduction::decode::KEY,
+    (
+        "ensemble",
+        "a parameter or a list of parameters over which the cases are an ensemble, such as the seed of a record or what a design samples; for each set of values of the others, quantiles.csv has the distribution of every metric",
+    ),
+    (
+        "units",
+        "names of the units of the parameters; results.csv then has the results in these units, too; nothing is converted",
+    ),
+    (
+        "iteration",
+        "converged (the default): each step is iterated to convergence; once: each step is solved once with the matrices of the papers, without iteration",
+    ),
+    ("figures", "figures to draw"),
+    ("checks", "limits that `slipgap check` tests"),
+];
+
+/// Names of the ways to solve a step.
+pub(crate) const ITERATIONS: [&str; 2] = ["converged", "once"];
+
+/// Reads a study file of at most [`MOST_CASES`] raw combinations. Faults name the file as `file` does.
+pub fn read(file: &Path) -> Result<Study, Error> {
+    Input::of_file(file)?.study(MOST_CASES)
+}
+
+/// Reads a study from its text; `file` is its name in faults.
+pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
+    Input::new(file, text).study(MOST_CASES)
+}
+
+impl Input {
+    /// The study, of at most `limit` raw combinations.
+    ///
+    /// # Errors
+    /// Every fault of the text and of the settings.
+    pub fn study(&self, limit: u64) -> Result<Study, Error> {
+        let mut root = tree_of(&self.file, &self.text)?;
+        let mut texts = Texts::new(&self.file, &self.text);
+        let settings = self.settings.iter();
+        let starts = settings.map(|setting| texts.push(setting.source(), setting.text()));
+        let starts: Vec<usize> = starts.collect();
+        let mut faults = Faults::default();
+        setting::put_all(&mut root, &self.settings, &starts, &mut faults);
+        let set = self
+            .settings
+            .iter()
+            .map(|setting| setting.name().to_owned());
+        match study(&root, limit, &self.folder, set.collect(), &mut faults) {
+            Some(study) if faults.count() == 0 => Ok(Study {
+                settings: self.settings.clone(),
+                sha256: self.sha256(),
+                ..study
+            }),
+            Some(_) | None => Err(Error::Faults(faults.in_file_order(texts))),
+        }
+    }
+}
+
+/// The study at `root`, of at most `limit` raw combinations, without its settings and hash; records are in `folder`. The command
+/// line set the parameters `set`.
+pub(crate) fn study(
+    root: &Node,
+    limit: u64,
+    folder: &Path,
+    set: Vec<String>,
+    faults: &mut Faults,
+) -> Option<Study> {
+    let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
+    let object = Object::open(root, "", &keys, faults)?;
+    let mut string = |key: &str| {
+        let node = object.get(key)?;
+        value::text(node, &object.path(key), faults)
+    };
+    string("$schema");
+    let title = string("title").unwrap_or_default();
+    let problem = problem(&object, root, folder, faults);
+    let blocks = blocks(&object, problem.as_deref(), limit, faults);
+    let units = object
+        .get("units")
+        .and_then(|node| Units::decode(node, problem.as_deref(), faults));
+    // The other names need the tables of the problem.
+    let problem = problem?;
+    let once = object
+        .get("iteration")
+        .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
+        == Some(1);
+    if let (true, Some(node)) = (once && problem.name() == NAME, object.get("iteration")) {
+        let message = "a structure has no un-iterated form; allowed: converged";
+        faults.add(node.at, "iteration", message);
+    }
+    let mut measures = measure::measures(&*problem, units.as_ref());
+    let metrics: Vec<String> = measures.iter().map(|m| m.name.clone()).collect();
+    let reductions = reduction::decode::measures(&object, &*problem, &measures, &blocks, faults);
+    measures.extend(reductions);
+    let mut scope = Scope {
+        problem,
+        measures,
+        blocks,
+        ensemble: None,
+        once,
+        set,
+    };
+    scope.ensemble = ensemble(&object, &scope, faults);
+    let metrics: Vec<&str> = metrics.iter().map(String::as_str).collect();
+    let listed = object.items("metrics", faults, |node, path, faults| {
+        name(node, path, "metric", &metrics, faults)
+    });
+    let figures = figures(&object, &scope, faults);
+    let checks = object.items("checks", faults, |node, path, faults| {
+        check(node, path, &scope, faults)
+    });
+    let metrics = columns(&*scope.problem, &scope.measures, &listed, &figures, &checks);
+    Some(Study {
+        title,
+        problem: scope.problem,
+        once,
+        units,
+        columns: measure::columns(&scope.measures, &metrics),
+        metrics,
+        measures: scope.measures,
+        blocks: scope.blocks,
+        ensemble: scope.ensemble.unwrap_or_default(),
+        figures,
+        checks,
+        settings: Vec::new(),
+        sha256: String::new(),
+    })
+}
+
+/// The problem by its name. A misspelt name is a fault; the nearest problem is then used to find further faults.
+fn problem(
+    object: &Object,
+    root: &Node,
+    folder: &Path,
+    faults: &mut Faults,
+) -> Option<Arc<dyn Problem>> {
+    let known: Vec<&str> = problem::names().collect();
+    let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
+    let row = name(node, "problem", "problem", &known, faults);
+    let of_structure = row.is_some_and(|row| known[row] == NAME);
+    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get("structure")) {
+        let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
+        faults.add(node.at, "structure", message);
+    }
+    match (row, &node.tree) {
+        (Some(_), _) if of_structure => structure::problem(object, root, folder, faults),
+        (Some(row), _) => Some(PROBLEMS[row].clone()),
+        (None, Tree::Text(misspelt)) => problem::find(nearest(misspelt, &known)?),
+        (None, _) => None,
+    }
+}
+
+/// The metrics that are default, that the study lists or reduces, and that a figure or check needs, in the order of the table.
+fn columns(
+    problem: &dyn Problem,
+    measures: &[Measure],
+    listed: &[usize],
+    figures: &[Figure],
+    checks: &[Check],
+) -> Vec<usize> {
+    let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
+    let drawn = figures.iter().flat_map(shown);
+    let checked = checks.iter().map(|check| check.metric);
+    let reduced = measures.iter().enumerate();
+    let reduced = reduced.filter_map(|(row, measure)| measure.reduction.as_ref().map(|_| row));
+    let named = listed.iter().copied().chain(checked).chain(reduced);
+    let needed = named.chain(drawn).map(|row| measures[row].metric);
+    let needed: Vec<usize> = needed.collect();
+    let metrics = problem.metrics().iter().enumerate();
+    metrics
+        .filter(|(row, metric)| metric.default || needed.contains(row))
+        .map(|(row, _)| row)
+        .collect()
+}

@@ -1,0 +1,172 @@
+//! From the draft of a block to the block: expressions in the order of their references, and the condition.
+
+use super::references::{check_given, report_circle, restates};
+use crate::Block;
+use crate::axes::draft::{BlockDraft, ParameterDraft};
+use crate::cases::derived::{Condition, Derived, refused};
+use crate::cases::tabulated::Tabulated;
+use crate::source::faults::{Faults, quoted};
+use crate::value::value_of;
+use slipgap_solver::expression::not_computed;
+use slipgap_solver::expression::{ExpressionFault, Formula};
+use slipgap_solver::problem::{Case, Problem, Schema};
+use std::sync::Arc;
+
+/// The block of a draft; `None` if an expression has a fault or refers to a faulty parameter.
+pub(crate) fn resolve(
+    draft: &BlockDraft,
+    problem: &dyn Problem,
+    faults: &mut Faults,
+) -> Option<Block> {
+    let table = problem.parameters();
+    let mut block = Block {
+        groups: draft.axes(),
+        design: draft.design.clone(),
+        ..Block::default()
+    };
+    let before = faults.count();
+    let mut unresolved: Vec<&ParameterDraft> = Vec::new();
+    let mut all_given = true;
+    for given in &draft.parameters {
+        if let Some((formula, text)) = &given.formula {
+            let place = (given.at, given.path.as_str());
+            all_given &= check_given(draft, (formula, text), place, table, faults);
+            unresolved.push(given);
+        }
+    }
+    if !all_given {
+        return None;
+    }
+    while !unresolved.is_empty() {
+        let is_ready = |given: &&ParameterDraft| {
+            let mut uses = given.formula.iter().flat_map(|(formula, _)| formula.uses());
+            uses.all(|row| unresolved.iter().all(|other| other.parameter != *row))
+        };
+        let Some(ready) = unresolved.iter().position(is_ready) else {
+            report_circle(draft, &unresolved, table, faults);
+            return None;
+        };
+        let given = unresolved.remove(ready);
+        if let Some(formula) = &given.formula {
+            let restates = restates(draft, given, problem);
+            derive(
+                &mut block,
+                given,
+                formula,
+                restates,
+                problem.schema(),
+                &draft.faulty,
+                faults,
+            );
+        }
+    }
+    if let Some((formula, at, text)) = &draft.when {
+        let path = match draft.path.strip_suffix("parameters") {
+            Some(path) => format!("{path}when"),
+            None => "when".into(),
+        };
+        if !check_given(draft, (formula, text), (*at, &path), table, faults) {
+            return None;
+        }
+        match add_condition(&mut block, formula, text, problem) {
+            Err(Unmet::NoValue(case, _))
+                if !draft.faulty.is_empty() && lacks_a_value(formula, &case) =>
+            {
+                return None;
+            }
+            Err(unmet) => faults.add(*at, &path, unmet.message(formula, text)),
+            Ok(()) => {}
+        }
+    }
+    (faults.count() == before).then_some(block)
+}
+
+/// Whether a parameter of a formula has no value in a case.
+fn lacks_a_value(formula: &Formula, case: &Case) -> bool {
+    formula.uses().iter().any(|row| case.values[*row].is_none())
+}
+
+/// Why a condition cannot be used.
+enum Unmet {
+    /// It has no value for this case.
+    NoValue(Box<Case>, ExpressionFault),
+    /// No combination meets it.
+    Never,
+}
+
+impl Unmet {
+    fn message(&self, formula: &Formula, text: &str) -> String {
+        match self {
+            Unmet::NoValue(case, fault) => not_computed(formula, text, case, fault),
+            Unmet::Never => format!("{}: no combination meets it", quoted(text)),
+        }
+    }
+}
+
+/// Adds the condition of a block.
+///
+/// # Errors
+/// The condition has no value for a case, or no case meets it. A block of very many combinations is not tested.
+fn add_condition(
+    block: &mut Block,
+    formula: &Formula,
+    text: &str,
+    problem: &dyn Problem,
+) -> Result<(), Unmet> {
+    let mut tabulated = Tabulated::new(formula.clone(), block);
+    if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
+        return Err(Unmet::NoValue(Box::new(case), fault));
+    }
+    block.when = Some(Condition {
+        text: text.to_owned(),
+        formula: tabulated,
+    });
+    if block.is_uncounted() {
+        return Ok(());
+    }
+    if let Some(raw) = block.undecided(problem) {
+        let case = block.raw_case(problem, raw);
+        return match formula.value(&|row| case.values[row]) {
+            Ok(_) => Ok(()),
+            Err(fault) => Err(Unmet::NoValue(Box::new(case), fault)),
+        };
+    }
+    match block.len(problem) {
+        0 => Err(Unmet::Never),
+        _ => Ok(()),
+    }
+}
+
+/// Adds a derived parameter. Its first invalid value is a fault.
+fn derive(
+    block: &mut Block,
+    given: &ParameterDraft,
+    (formula, text): &(Formula, String),
+    restates: bool,
+    schema: &Arc<Schema>,
+    faulty: &[usize],
+    faults: &mut Faults,
+) {
+    let mut tabulated = Tabulated::new(formula.clone(), block);
+    let parameter = &schema.parameters[given.parameter];
+    let invalid = match tabulated.tabulate(block, schema) {
+        Err((case, _)) => Some(case),
+        Ok(()) => {
+            let mut values = tabulated.table.iter().flatten();
+            let invalid = values.position(|x| value_of(*x, parameter).is_err());
+            invalid.map(|entry| tabulated.case(block, entry as u64, schema))
+        }
+    };
+    // A faulty parameter may decide which other ones have a value, and is reported itself.
+    let follows = |case: &Case| !faulty.is_empty() && lacks_a_value(formula, case);
+    let invalid = invalid.filter(|case| !follows(case));
+    if let Some(message) = invalid.and_then(|case| refused(formula, text, &case, parameter)) {
+        faults.add(given.at, &given.path, message);
+    }
+    block.derived.push(Derived {
+        parameter: given.parameter,
+        text: text.to_owned(),
+        restates,
+        formula: tabulated,
+    });
+}

@@ -1,0 +1,72 @@
+//! The key `units`.
+
+use crate::source::faults::Faults;
+use crate::source::object::Object;
+use crate::source::tree::Node;
+use crate::units::Units;
+use crate::value::text;
+use slipgap_solver::problem::Problem;
+use slipgap_solver::problem::structure::schema::NAME;
+
+/// The keys of `units`.
+pub(crate) const KEYS: [(&str, &str); 3] = [
+    (
+        "length",
+        "name of the unit of length, as in mm: 1 to 16 letters, digits and µ, first a letter or µ",
+    ),
+    ("force", "name of the unit of force, as in kN"),
+    ("time", "name of the unit of time, as in ms"),
+];
+
+/// Longest name of a unit, in characters.
+const LONGEST: usize = 16;
+
+impl Units {
+    /// Decodes the key; `None` if it has a fault.
+    pub(crate) fn decode(
+        node: &Node,
+        problem: Option<&dyn Problem>,
+        faults: &mut Faults,
+    ) -> Option<Units> {
+        let path = "units";
+        if let Some(problem) = problem.filter(|problem| problem.schema().units.is_empty()) {
+            let name = problem.name();
+            let message = match name {
+                NAME => "a structure names its units in \"structure\": \"units\": \"t, kN, m, s\""
+                    .to_owned(),
+                _ => {
+                    format!("{name} has no units: all its parameters and results are dimensionless")
+                }
+            };
+            faults.add(node.at, path, message);
+            return None;
+        }
+        let object = Object::open(node, path, &KEYS.map(|key| key.0), faults)?;
+        let mut label = |(key, what): (&str, &str)| {
+            let node = object.need(key, what, faults)?;
+            label(node, &object.path(key), faults)
+        };
+        let [length, force, time] = KEYS.map(&mut label);
+        Some(Units {
+            length: length?,
+            force: force?,
+            time: time?,
+        })
+    }
+}
+
+/// The name of a unit: it becomes part of a column's name and of a label in markup.
+fn label(node: &Node, path: &str, faults: &mut Faults) -> Option<String> {
+    let label = text(node, path, faults)?;
+    let allowed = |(place, c): (usize, char)| {
+        c == 'µ' || c.is_ascii_alphabetic() || place > 0 && c.is_ascii_digit()
+    };
+    let count = label.chars().count();
+    if (1..=LONGEST).contains(&count) && label.chars().enumerate().all(allowed) {
+        return Some(label);
+    }
+    let what =
+        format!("the name of a unit: 1 to {LONGEST} letters, digits and µ, first a letter or µ");
+    faults.must_be(node, path, &what);
+    None
+}

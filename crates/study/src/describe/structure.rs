@@ -1,0 +1,316 @@
+//! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
+
+use super::schema::{block_keys, reduction, several, width_and_pair};
+use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
+use crate::decode::checks;
+use crate::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
+use crate::figure::kinds::{KINDS, Needs};
+use crate::structure::keys::{self, Keys};
+use serde_json::{Map, Value as Json, json};
+use slipgap_solver::problem::method::PARAMETERS;
+use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::channel::QUANTITIES;
+use slipgap_solver::problem::structure::contacts::LawName;
+use slipgap_solver::problem::structure::metric::REDUCTIONS;
+use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
+use slipgap_solver::system::loads::Unit;
+use slipgap_solver::system::loads::record::Mean;
+
+/// The rules for studies of structures.
+pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
+    let mut define = |what: &str, schema: Json| {
+        let name = format!("{NAME}.{what}");
+        definitions.insert(name.clone(), schema);
+        refer(&name)
+    };
+    let function = define("function", described(keys::FUNCTION, function_value, &[]));
+    let contact = define(
+        "contact",
+        described(
+            keys::CONTACT,
+            |key| contact_value(key, &function),
+            &["law", "between"],
+        ),
+    );
+    let parameters = define("parameters", parameters());
+    let structure = define("structure", structure(&function, &contact));
+    let metric = define("metric", metric());
+    let mut block = block_keys();
+    block.insert("parameters".into(), parameters.clone());
+    let figures: Vec<Json> = KINDS.iter().map(figure).collect();
+    json!({
+        "if": { "properties": { "problem": { "const": NAME } }, "required": ["problem"] },
+        "then": { "required": ["structure"], "properties": {
+            "problem": { "description": MEANING },
+            "parameters": parameters,
+            "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
+            "structure": structure,
+            "metrics": { "items": metric },
+            "ensemble": several(json!({ "type": "string" })),
+            "units": false,
+            "figures": { "items": {
+                "type": "object",
+                "properties": { "kind": names(KINDS.iter().map(|kind| (kind.name, kind.meaning))) },
+                "required": ["kind"],
+                "allOf": figures,
+            } },
+            "checks": { "items": check(&json!({ "anyOf": [metric, reduction()] })) },
+        } },
+        "else": { "properties": { "structure": false } },
+    })
+}
+
+/// An object with these keys; `value` gives the schema of each.
+fn described(keys: Keys, value: impl Fn(&str) -> Json, required: &[&str]) -> Json {
+    let mut properties = Map::new();
+    for (key, meaning) in keys {
+        let mut schema = value(key);
+        if let Json::Object(schema) = &mut schema {
+            schema.insert("description".into(), (*meaning).into());
+        }
+        properties.insert((*key).into(), schema);
+    }
+    object(properties, required)
+}
+
+/// An object with free names as keys.
+fn named(one: Json) -> Json {
+    json!({ "type": "object", "additionalProperties": one, "properties": { "//": { "description": "a remark" } } })
+}
+
+fn any() -> Json {
+    number(Range::Any)
+}
+
+fn parameters() -> Json {
+    let mut schema = named(axis_values());
+    for (name, meaning) in FIXED {
+        let mut value = axis_values();
+        value["description"] = meaning.into();
+        schema["properties"][name] = value;
+    }
+    for parameter in &PARAMETERS {
+        let mut value = axis_values();
+        value["description"] = parameter.meaning.as_ref().into();
+        schema["properties"][parameter.name.as_ref()] = value;
+    }
+    schema
+}
+
+fn between() -> Json {
+    json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": { "type": "string" } })
+}
+
+fn numbers() -> Json {
+    json!({ "type": "array", "minItems": 1, "items": any() })
+}
+
+fn all_numbers(keys: Keys, required: &[&str]) -> Json {
+    described(keys, |_| any(), required)
+}
+
+fn function_value(key: &str) -> Json {
+    match key {
+        "sine" => all_numbers(keys::SINE, &["amplitude", "omega"]),
+        "table" => described(keys::TABLE, |_| numbers(), &["t", "f"]),
+        "record" => json!({ "type": "string" }),
+        "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+        "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
+        "pulse" => described(
+            keys::PULSE,
+            |key| match key {
+                "ricker" => all_numbers(keys::RICKER, &keys::names(keys::RICKER)),
+                _ => all_numbers(keys::COSINE, &keys::names(keys::COSINE)),
+            },
+            &[],
+        ),
+        "synthetic" => json!({ "anyOf": [all_numbers(keys::SYNTHETIC, &["seed"]), any()] }),
+        _ => any(),
+    }
+}
+
+fn contact_value(key: &str, function: &Json) -> Json {
+    match key {
+        "law" => {
+            json!({ "anyOf": [names(LawName::NAMES.iter().copied()), { "type": "string" }] })
+        }
+        "between" => between(),
+        "N" => {
+            let table = described(keys::NORMAL_TABLE, |_| numbers(), &["t", "N"]);
+            let value = |key: &str| match key {
+                "vertical" => function.clone(),
+                _ => any(),
+            };
+            let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
+            json!({ "anyOf": [any(), table, weight] })
+        }
+        _ => any(),
+    }
+}
+
+fn structure(function: &Json, contact: &Json) -> Json {
+    let load = || {
+        let mut schema = described(keys::FUNCTION, function_value, &["at"]);
+        schema["properties"]["at"] = json!({ "type": "string", "description": keys::LOAD_AT.1 });
+        schema
+    };
+    let value = |key: &str| match key {
+        "units" => json!({ "type": "string" }),
+        "masses" => named(any()),
+        "bars" => named(all_numbers(keys::BAR, &["L", "EA", "mass", "n"])),
+        "springs" => {
+            let spring = |key: &str| match key {
+                "between" => between(),
+                _ => any(),
+            };
+            let spring = described(keys::SPRING, spring, &["between"]);
+            json!({ "type": "array", "items": spring })
+        }
+        "rayleigh" => all_numbers(keys::RAYLEIGH, &[]),
+        "contacts" => named(contact.clone()),
+        "loads" => json!({ "type": "array", "items": load() }),
+        "ground" => function.clone(),
+        "start" => named(all_numbers(keys::START, &[])),
+        "contacts_reference" => json!({ "enum": keys::REFERENCES }),
+        "damping_stiffness" => {
+            let [first, ..] = keys::DAMPING_STIFFNESSES;
+            json!({ "enum": keys::DAMPING_STIFFNESSES, "default": first })
+        }
+        _ => any(),
+    };
+    described(keys::STRUCTURE, value, &[])
+}
+
+/// The name of a metric.
+fn metric() -> Json {
+    let all: Vec<&str> = REDUCTIONS.iter().map(|known| known.0).collect();
+    json!({
+        "type": "string",
+        "pattern": format!("^({})( *\\(.+\\))?$", all.join("|")),
+        "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12)",
+    })
+}
+
+fn check(metric: &Json) -> Json {
+    let value = |key: &str| match key {
+        "metric" => metric.clone(),
+        "where" => json!({ "type": "object" }),
+        _ => any(),
+    };
+    let mut schema = described(&checks::KEYS, value, &["metric"]);
+    schema["anyOf"] = json!([{ "required": ["min"] }, { "required": ["max"] }]);
+    schema
+}
+
+/// The rules for figures of one kind.
+fn figure(kind: &crate::figure::kinds::Kind) -> Json {
+    let mut properties = Map::new();
+    let mut required = Vec::new();
+    for key in COMMON.iter().chain(kind.keys) {
+        let mut schema = taken(key);
+        schema["description"] = key.meaning.into();
+        properties.insert(key.name.into(), schema);
+        if key.required {
+            required.push(key.name);
+        }
+    }
+    let then = match kind.needs == Needs::Profiles || kind.name == "law" {
+        true => json!(false),
+        false => object(properties, &required),
+    };
+    json!({
+        "if": { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
+        "then": then,
+    })
+}
+
+fn taken(key: &Key) -> Json {
+    let text = json!({ "type": "string" });
+    match key.takes {
+        Takes::FileName => {
+            json!({ "type": "string", "pattern": "^[A-Za-z0-9_][A-Za-z0-9_-]{0,99}$" })
+        }
+        Takes::Kind => json!({}),
+        Takes::Filter => json!({ "type": "object" }),
+        Takes::Quantities
+        | Takes::Profiles
+        | Takes::Metrics
+        | Takes::Budgets
+        | Takes::Parameters => several(text),
+        Takes::Ordinates => several(names(ORDINATES.into_iter())),
+        Takes::Ratios => several(ratio()),
+        Takes::Times => several(number(Range::NotNegative)),
+        Takes::Width => width_and_pair().0,
+        Takes::Range | Takes::Periods | Takes::Probabilities => width_and_pair().1,
+        Takes::Number => any(),
+        Takes::Marks => json!({ "type": "object" }),
+        Takes::InUnits => json!({ "const": false }),
+        Takes::Ridge => json!({ "enum": RIDGES }),
+        Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
+        Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
+        Takes::Text
+        | Takes::Parameter
+        | Takes::NumericParameter
+        | Takes::Column
+        | Takes::Quantity
+        | Takes::Profile
+        | Takes::Metric => text,
+    }
+}
+
+/// The section of the reference page.
+pub(super) fn reference() -> String {
+    let table = |title: &str, keys: Keys| {
+        let rows = keys
+            .iter()
+            .map(|(key, meaning)| format!("| `{key}` | {} |\n", meaning.replace('|', "\\|")));
+        format!(
+            "\n{title}\n\n| key | meaning |\n| --- | --- |\n{}",
+            rows.collect::<String>()
+        )
+    };
+    let law = |(law, meaning): &(&str, &str)| format!("| `{law}` | {meaning} |\n");
+    let laws = LawName::NAMES.iter().map(law);
+    let mut text = format!(
+        "## {NAME}\n\n{}{}. The parameters have free names; every number inside `structure` may be an expression of them. \
+         `dt` and `duration` are fixed names. `law` of a contact and `record` may be the name of a parameter, whose values are then \
+         names. docs/structures.md explains the equations.\n",
+        MEANING[..1].to_uppercase(),
+        &MEANING[1..]
+    );
+    text += &table("The keys of `structure`:", keys::STRUCTURE);
+    text += &table("A bar:", keys::BAR);
+    text += &table("A spring:", keys::SPRING);
+    text += &table("`rayleigh`:", keys::RAYLEIGH);
+    text += &table("A contact:", keys::CONTACT);
+    text += &format!(
+        "\nThe laws of contacts:\n\n| law | meaning |\n| --- | --- |\n{}",
+        laws.collect::<String>()
+    );
+    text += &table("`N` as a table:", keys::NORMAL_TABLE);
+    text += &table("`N` of a weight:", keys::WEIGHT);
+    text += &table(
+        "A function of time has one of `sine`, `table`, `record`, `pulse`, `synthetic`. A load has the key `at` too, the node:",
+        keys::FUNCTION,
+    );
+    text += &table("`sine`:", keys::SINE);
+    text += &table("`table`:", keys::TABLE);
+    text += &table("`pulse`:", keys::PULSE);
+    text += &table("`ricker`:", keys::RICKER);
+    text += &table("`cosine`:", keys::COSINE);
+    text += &table("`synthetic`:", keys::SYNTHETIC);
+    text += &table("`start`, for each node or bar:", keys::START);
+    text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, the following of a contact, and sums and differences such as \
+             `g1.right - p2`:\n";
+    text += &table("`CONTACT.` and one of:", &QUANTITIES);
+    text += "\nHistory figures and curves draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \
+             channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`; the study lists them under `metrics`:\n";
+    text += &table("Reductions (c computed):", &REDUCTIONS);
+    text
+}
+
+/// Values of a parameter with a free name.
+fn axis_values() -> Json {
+    let list = json!({ "type": "array", "minItems": 1, "items": { "type": ["number", "string"] } });
+    json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL)] })
+}

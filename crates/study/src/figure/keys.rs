@@ -1,0 +1,193 @@
+//! The keys of figures, and the types of their values.
+
+/// One key of a figure.
+pub(crate) struct Key {
+    pub name: &'static str,
+    pub takes: Takes,
+    pub required: bool,
+    pub meaning: &'static str,
+}
+
+/// The type of the value of a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Takes {
+    /// A name that becomes a file name.
+    FileName,
+    /// The name of a kind.
+    Kind,
+    /// Any string.
+    Text,
+    /// Parameters with the values that the cases shown have.
+    Filter,
+    /// A parameter.
+    Parameter,
+    /// One or several parameters.
+    Parameters,
+    /// A parameter that is a number.
+    NumericParameter,
+    /// One of the problem's quantities over time.
+    Quantity,
+    /// One or several of the problem's quantities over time.
+    Quantities,
+    /// A parameter that is a number, or a metric.
+    Column,
+    /// One of the problem's quantities along the structure.
+    Profile,
+    /// One or several of the problem's quantities along the structure.
+    Profiles,
+    /// A metric.
+    Metric,
+    /// One or several metrics.
+    Metrics,
+    /// One or several times, not negative.
+    Times,
+    /// One or several of the problem's budgets.
+    Budgets,
+    /// A width in mm.
+    Width,
+    /// The first and last value of an axis.
+    Range,
+    /// Places on a map and their name.
+    Marks,
+    /// `linear` or `log`.
+    Scale,
+    /// The same; if left out, `log`.
+    ScaleOrLog,
+    /// Which value a line follows.
+    Ridge,
+    /// Whether axes are in the units of the study.
+    InUnits,
+    /// One or several ordinates of response spectra.
+    Ordinates,
+    /// One or several damping ratios, from 0 to less than 1.
+    Ratios,
+    /// The first and last period of a spectrum.
+    Periods,
+    /// A number.
+    Number,
+    /// Two probabilities, rising.
+    Probabilities,
+}
+
+/// Names of the ordinates of spectra, as `Ordinate` has them, each with its formula.
+pub(crate) const ORDINATES: [(&str, &str); 3] = [
+    (
+        "displacement",
+        "spectral displacement S_d: largest displacement of an oscillator relative to the ground",
+    ),
+    ("pseudo-velocity", "2 pi/T times S_d"),
+    ("pseudo-acceleration", "(2 pi/T)^2 times S_d"),
+];
+
+/// Names of the scales, as `Scale` has them.
+pub(crate) const SCALES: [&str; 2] = ["linear", "log"];
+
+/// Names of the lines along a map, as `Ridge` has them.
+pub(crate) const RIDGES: [&str; 3] = ["least", "greatest", "nearest to 1"];
+
+pub(super) const fn key(
+    name: &'static str,
+    takes: Takes,
+    required: bool,
+    meaning: &'static str,
+) -> Key {
+    Key {
+        name,
+        takes,
+        required,
+        meaning,
+    }
+}
+
+/// The keys of every figure.
+pub(crate) static COMMON: [Key; 6] = [
+    key(
+        "name",
+        Takes::FileName,
+        true,
+        "file name without extension: letters, digits, - and _; different for each figure of a study",
+    ),
+    key("kind", Takes::Kind, true, "what is drawn"),
+    key("title", Takes::Text, false, "heading; if left out, none"),
+    key(
+        "note",
+        Takes::Text,
+        false,
+        "remark in small type under the panels; if left out, none",
+    ),
+    key(
+        "width",
+        Takes::Width,
+        false,
+        "width of the picture in mm, 70 to 400, as in 90 for one column and 190 for the page of many journals; letters keep their size, and panels side by side move below one another where they do not fit; a width that suits the kind if left out",
+    ),
+    key(
+        "where",
+        Takes::Filter,
+        false,
+        "which cases to show: a value or a list of values for parameters; if left out, all cases",
+    ),
+];
+
+/// Keys of several kinds.
+pub(super) const X: Key = key(
+    "x",
+    Takes::NumericParameter,
+    true,
+    "parameter along the horizontal axis",
+);
+pub(super) const METRICS: Key = key("y", Takes::Metrics, true, "metrics, one panel each");
+pub(super) const BY_OTHERS: Key = key(
+    "by",
+    Takes::Parameter,
+    false,
+    "parameter with one line style for each value; if left out, all other parameters that vary",
+);
+pub(super) const IN_UNITS: Key = key(
+    "in_units",
+    Takes::InUnits,
+    false,
+    "true: axes in the units of the study, which it must give; scaled if left out",
+);
+pub(super) const BY: Key = key(
+    "by",
+    Takes::Parameter,
+    false,
+    "parameter with one line style for each value; if left out, all parameters that vary",
+);
+pub(super) const BY_OUTSIDE: Key = key(
+    "by",
+    Takes::Parameter,
+    false,
+    "parameter with one line style for each value, not of the ensemble; if left out, all parameters outside of the ensemble that vary",
+);
+pub(super) const PANELS: Key = key(
+    "panels",
+    Takes::Parameter,
+    false,
+    "parameter with one panel for each value",
+);
+pub(super) const X_SCALE: Key = key(
+    "x_scale",
+    Takes::Scale,
+    false,
+    "horizontal scale; if left out, linear",
+);
+pub(super) const Y_SCALE: Key = key(
+    "y_scale",
+    Takes::Scale,
+    false,
+    "vertical scale; if left out, linear",
+);
+pub(super) const X_RANGE: Key = key(
+    "x_range",
+    Takes::Range,
+    false,
+    "first and last value of the horizontal axis, as in [0, 10]; curves end at the frame; all values if left out",
+);
+pub(super) const Y_RANGE: Key = key(
+    "y_range",
+    Takes::Range,
+    false,
+    "first and last value of the vertical axis, for a figure with one quantity in y; all values if left out",
+);

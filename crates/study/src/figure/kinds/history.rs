@@ -1,0 +1,143 @@
+//! Curves over time.
+
+use super::{Decoded, FigureKind, Kind, Needs};
+use crate::Scale;
+use crate::figure::checker::{Checker, NARROW};
+use crate::figure::keys::{BY, IN_UNITS, PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::vary;
+use crate::scope::Scope;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::unit::Dimension;
+use std::collections::HashMap;
+
+/// Most curves that line styles can distinguish in one panel.
+const MOST_CURVES: usize = 8;
+
+/// Most steps of all histories in one figure: the histories of all its cases are held at once.
+const MOST_DRAWN: u64 = 10_000_000;
+
+pub(super) const KIND: Kind = Kind {
+    name: "history",
+    needs: Needs::Nothing,
+    meaning: "curves over time, with the exact solution as a thin line; at most 8 cases in a panel",
+    keys: &[
+        key(
+            "y",
+            Takes::Quantities,
+            false,
+            "quantities, one panel each; if left out, the response and its error",
+        ),
+        BY,
+        PANELS,
+        IN_UNITS,
+        X_RANGE,
+        Y_RANGE,
+    ],
+    decode: |values, scope| {
+        Some(FigureKind::History(History {
+            y: values
+                .rows("y")
+                .unwrap_or_else(|| response_and_error(scope)),
+            by: values.row("by"),
+            panels: values.row("panels"),
+            in_units: values.switch("in_units"),
+        }))
+    },
+};
+
+/// Curves over time, one panel for each quantity, the exact solution thin.
+#[derive(Debug)]
+pub struct History {
+    /// Rows of `problem.schema().quantities`, one panel each.
+    pub y: Vec<usize>,
+    /// Parameter with one line style for each value; `None`: all that vary.
+    pub by: Option<usize>,
+    /// Parameter with one panel for each value.
+    pub panels: Option<usize>,
+    /// Whether the axes are in the units of the study.
+    pub in_units: bool,
+}
+
+/// The first quantity, and the first that is an error.
+fn response_and_error(scope: &Scope) -> Vec<usize> {
+    let quantities = &scope.problem.schema().quantities;
+    let error = quantities.iter().position(|quantity| quantity.error);
+    let response = (!quantities.is_empty()).then_some(0);
+    response.into_iter().chain(error).collect()
+}
+
+impl Decoded for History {
+    fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
+        Some(([Scale::Linear; 2], self.y.len()))
+    }
+
+    fn check_cases(&self, checker: &mut Checker) {
+        check(checker, self.by, self.panels, 1, KIND.name);
+        self.check_times(checker);
+    }
+
+    fn draws_histories(&self) -> bool {
+        true
+    }
+}
+
+impl History {
+    /// Reports an `x_range` after the end of every history, or before their start.
+    fn check_times(&self, checker: &mut Checker) {
+        let problem = &*checker.scope.problem;
+        let ends = checker.cases().filter_map(|case| {
+            let size = match self.in_units {
+                true => problem.size(&case, Dimension::Time)?,
+                false => 1.0,
+            };
+            Some(case.at(problem.schema().duration)? * size)
+        });
+        let end = ends.fold(f64::NEG_INFINITY, f64::max);
+        checker.range_overlaps("the time", [0.0, end]);
+    }
+}
+
+/// Reports cases that the curves of `kind` cannot show, with so many rows of panels for each value of `panels`.
+pub(super) fn check(
+    checker: &mut Checker,
+    by: Option<usize>,
+    panels: Option<usize>,
+    rows: usize,
+    kind: &str,
+) {
+    let keys = [("by", by), ("panels", panels)];
+    for (key, row) in keys {
+        if let Some(row) = row {
+            checker.has_values(key, row);
+        }
+    }
+    if let Some(by) = by {
+        let distinguished: Vec<usize> = panels.into_iter().chain([by]).collect();
+        let what = format!("a {kind} figure with \"by\" shows one case for each curve");
+        vary::check(checker, &distinguished, &what, vary::OR_WITHOUT_BY);
+    }
+    if panels.is_none_or(|row| checker.panels_fit(row, rows)) {
+        check_curves(checker, panels);
+    }
+}
+
+/// Reports more curves in a panel than can be distinguished, or more steps than fit in memory.
+fn check_curves(checker: &mut Checker, panels: Option<usize>) {
+    let mut counts: HashMap<Option<(u64, &str)>, usize> = HashMap::new();
+    let mut steps = 0u64;
+    for case in checker.cases() {
+        let panel = panels.and_then(|row| case.values[row]);
+        let count = counts.entry(panel.map(Value::identity)).or_default();
+        *count += 1;
+        steps = steps.saturating_add(checker.scope.problem.steps(&case));
+        let most = if *count > MOST_CURVES {
+            format!("{MOST_CURVES} cases in one panel")
+        } else if steps > MOST_DRAWN {
+            format!("{MOST_DRAWN} steps to draw")
+        } else {
+            continue;
+        };
+        checker.fault("where", format!("more than {most}; {NARROW}"));
+        return;
+    }
+}

@@ -1,0 +1,25 @@
+//! The laws of the cases.
+
+use super::{Decoded, FigureKind, Kind, Needs};
+use crate::Scale;
+use crate::figure::checker::Checker;
+
+pub(super) const KIND: Kind = Kind {
+    name: "law",
+    needs: Needs::OneContact,
+    meaning: "the laws of the cases: force over displacement or velocity",
+    keys: &[],
+    decode: |_, _| Some(FigureKind::Law(Law)),
+};
+
+/// The laws of the cases: force over displacement or velocity.
+#[derive(Debug)]
+pub struct Law;
+
+impl Decoded for Law {
+    fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
+        None
+    }
+
+    fn check_cases(&self, _: &mut Checker) {}
+}

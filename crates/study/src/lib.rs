@@ -1,0 +1,120 @@
+//! Studies: a file is read and validated, and gives the cases, figures and checks of a run.
+//!
+//! The text becomes a tree with the place of every key and value (`source`). `decode` makes a [`Study`] of it by the tables of
+//! the problem and of `figure::kinds`, with the axes of its blocks (`axes`) and its figures (`figure`), and reports every
+//! fault. Each case is then made from its number (`cases`).
+
+mod axes;
+mod cases;
+mod decode;
+mod describe;
+pub mod error;
+mod figure;
+mod measure;
+mod reduction;
+mod source;
+mod structure;
+#[cfg(test)]
+mod tests;
+pub mod units;
+pub mod value;
+
+// For the ledger of claims, which has the same syntax.
+pub use cases::{alike, scope};
+pub use figure::reduced;
+pub use source::{faults, input, object, place, tree};
+
+pub use cases::block::Block;
+pub use cases::design::{Design, Sampling};
+pub use cases::filter::Filter;
+pub use cases::group::{Axis, Group};
+pub use cases::values::Values;
+pub use decode::validate::MOST_CASES;
+pub use decode::{parse, read};
+pub use describe::{reference, schema, start};
+pub use figure::kinds::{self, FigureKind};
+pub use measure::Measure;
+pub use measure::measures;
+pub use reduction::{Groups, Reduced, Reduction, Word};
+pub use slipgap_solver::expression::{printable, unprintable};
+pub use source::input::{Input, STDIN};
+pub use source::setting::Setting;
+pub use units::Units;
+
+pub use slipgap_drawing::colour_map::{Marks, Ridge};
+pub use slipgap_drawing::layout::axis::Scale;
+
+use slipgap_solver::problem::Problem;
+use std::sync::Arc;
+
+/// A validated study.
+#[derive(Debug)]
+pub struct Study {
+    /// The title; empty if the study has none.
+    pub title: String,
+    /// The problem.
+    pub problem: Arc<dyn Problem>,
+    /// Whether each step is solved once with the matrices of the papers, instead of to convergence.
+    pub once: bool,
+    /// The blocks of cases in order.
+    pub blocks: Vec<Block>,
+    /// Names of the units of its parameters, if the study has results in units.
+    pub units: Option<Units>,
+    /// The rows of `problem.metrics()`, then those in the units of the study, then the reductions.
+    pub measures: Vec<Measure>,
+    /// Rows of `problem.metrics()` that are computed and stored, in the order of the table.
+    pub metrics: Vec<usize>,
+    /// Rows of `measures` that are columns of results.csv: each metric, then the same in units.
+    pub columns: Vec<usize>,
+    /// Rows of `problem.parameters()` over which the cases are an ensemble; empty if the study has none.
+    pub ensemble: Vec<usize>,
+    /// Figures to draw.
+    pub figures: Vec<Figure>,
+    /// Limits to test.
+    pub checks: Vec<Check>,
+    /// Parameters that the command line set.
+    pub settings: Vec<Setting>,
+    /// SHA-256 of the bytes of the file and of the settings, in hexadecimal digits.
+    pub sha256: String,
+}
+
+/// A check: every case of the filter must have the metric within the limits.
+#[derive(Debug)]
+pub struct Check {
+    /// Row of the study's measures.
+    pub metric: usize,
+    /// The cases that it applies to.
+    pub filter: Filter,
+    /// Smallest value allowed.
+    pub min: Option<f64>,
+    /// Largest value allowed.
+    pub max: Option<f64>,
+}
+
+/// A figure: its file name, which cases it shows, and how.
+#[derive(Debug)]
+pub struct Figure {
+    /// File name without ending.
+    pub name: String,
+    /// Heading, if the study gives one.
+    pub title: Option<String>,
+    /// Text in small print under the panels, if the study has one.
+    pub note: Option<String>,
+    /// Width in points, if the study gives one.
+    pub width: Option<f64>,
+    /// First and last value along the horizontal and the vertical axis, where the study gives them.
+    pub ranges: [Option<[f64; 2]>; 2],
+    /// Which cases.
+    pub filter: Filter,
+    /// What is drawn.
+    pub kind: FigureKind,
+}
+
+/// A column of numbers in the results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// Row of `problem.parameters()`.
+    Parameter(usize),
+    /// Row of the study's measures.
+    Metric(usize),
+}

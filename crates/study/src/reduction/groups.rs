@@ -1,0 +1,130 @@
+//! The values of reductions, collected case by case.
+
+use super::{Reduction, Word};
+use crate::cases::alike::Identity;
+use slipgap_solver::problem::Case;
+use std::collections::HashMap;
+
+/// Groups of cases that reductions of the same parameters take together, in the order of their first cases.
+#[derive(Debug)]
+pub struct Groups<'a> {
+    reductions: Vec<&'a Reduction>,
+    places: HashMap<Identity, usize>,
+    groups: Vec<Group>,
+}
+
+/// A group of cases.
+#[derive(Debug)]
+struct Group {
+    first: u64,
+    cases: u64,
+    /// One for each reduction.
+    values: Vec<Values>,
+}
+
+/// The values of a metric in a group, as far as its word needs them.
+#[derive(Debug)]
+enum Values {
+    /// Case and value of the preferred one, and the number of values.
+    One(Option<(u64, f64)>, u64),
+    All(Vec<f64>),
+}
+
+/// The value of a reduction in a group.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reduced {
+    /// Number of the first case of the group.
+    pub first: u64,
+    /// Number of cases.
+    pub cases: u64,
+    /// How many of them have no value.
+    pub empty: u64,
+    /// The value of the others; `None` if no case has one.
+    pub value: Option<f64>,
+    /// The first case with this value, for words that are the value of a case.
+    pub at: Option<u64>,
+}
+
+impl<'a> Groups<'a> {
+    /// No cases yet; the reductions group alike.
+    pub fn new(reductions: Vec<&'a Reduction>) -> Groups<'a> {
+        Groups {
+            reductions,
+            places: HashMap::new(),
+            groups: Vec::new(),
+        }
+    }
+
+    /// The reductions.
+    pub fn reductions(&self) -> &[&'a Reduction] {
+        &self.reductions
+    }
+
+    /// Adds a case; `value` gives its metrics by their rows of the measures. It returns the place of its group, and whether
+    /// the group is new.
+    pub fn add(
+        &mut self,
+        number: u64,
+        case: &Case,
+        value: impl Fn(usize) -> Option<f64>,
+    ) -> (usize, bool) {
+        let Some(first) = self.reductions.first() else {
+            return (0, false);
+        };
+        let next = self.groups.len();
+        let place = *self.places.entry(first.group(case)).or_insert(next);
+        if place == next {
+            let empty = |reduction: &&Reduction| match reduction.word.is_of_a_case() {
+                true => Values::One(None, 0),
+                false => Values::All(Vec::new()),
+            };
+            self.groups.push(Group {
+                first: number,
+                cases: 0,
+                values: self.reductions.iter().map(empty).collect(),
+            });
+        }
+        let group = &mut self.groups[place];
+        group.cases += 1;
+        for (values, reduction) in group.values.iter_mut().zip(&self.reductions) {
+            if let Some(x) = value(reduction.of).filter(|x| x.is_finite()) {
+                values.add(reduction.word, number, x);
+            }
+        }
+        (place, place == next)
+    }
+
+    /// The value of reduction `which` in every group.
+    pub fn values(&self, which: usize) -> impl Iterator<Item = Reduced> {
+        self.groups.iter().map(move |group| {
+            let (value, at, count) = match &group.values[which] {
+                Values::One(one, count) => (one.map(|one| one.1), one.map(|one| one.0), *count),
+                Values::All(all) => {
+                    let value = self.reductions[which].word.of(all);
+                    (value, None, all.len() as u64)
+                }
+            };
+            Reduced {
+                first: group.first,
+                cases: group.cases,
+                empty: group.cases - count,
+                value,
+                at,
+            }
+        })
+    }
+}
+
+impl Values {
+    fn add(&mut self, word: Word, number: u64, x: f64) {
+        match self {
+            Values::One(one, count) => {
+                *count += 1;
+                if one.is_none_or(|(_, before)| word.prefers(x, before)) {
+                    *one = Some((number, x));
+                }
+            }
+            Values::All(all) => all.push(x),
+        }
+    }
+}

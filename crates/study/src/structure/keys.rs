@@ -1,0 +1,258 @@
+//! The keys of a structure in a study, each with its meaning, for decoding, schema and documentation.
+
+/// Keys with their meanings.
+pub(crate) type Keys = &'static [(&'static str, &'static str)];
+
+/// Keys of `structure`.
+pub(crate) const STRUCTURE: Keys = &[
+    (
+        "units",
+        "units of mass, force, length and time, such as \"t, kN, m, s\", with force = mass length/time^2; nothing is converted but records",
+    ),
+    ("masses", "lumped masses: a node for each name"),
+    (
+        "bars",
+        "bars of n elements, with the nodes NAME.left, NAME.1 to NAME.(n-1), NAME.right; \"a|b|c\" is three alike",
+    ),
+    (
+        "springs",
+        "springs with dashpots between two nodes, or a node and \"ground\"",
+    ),
+    (
+        "rayleigh",
+        "C += mass M + stiffness K, K of \"damping_stiffness\"",
+    ),
+    (
+        "modal_damping",
+        "damping ratio in every mode of M and K, K of \"damping_stiffness\"",
+    ),
+    (
+        "damping_stiffness",
+        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with the elastic contacts at their stiffness at rest",
+    ),
+    (
+        "contacts",
+        "contacts between two nodes; r = u_J - u_I + gap",
+    ),
+    ("loads", "forces on nodes"),
+    (
+        "ground",
+        "acceleration of the ground; u is then relative to the ground",
+    ),
+    (
+        "start",
+        "displacement and velocity at t = 0 of nodes, or of all nodes of a bar",
+    ),
+    (
+        "contacts_reference",
+        "the exact motion in histories, figures and errors: that of the softened laws, or of the rigid ones",
+    ),
+];
+
+/// Keys of a bar.
+pub(crate) const BAR: Keys = &[
+    ("L", "length"),
+    ("EA", "axial stiffness E A"),
+    (
+        "mass",
+        "mass of the whole bar; m/n at each node, half of it at the ends",
+    ),
+    ("n", "number of elements, each with the stiffness E A n/L"),
+    (
+        "stiffness_damping",
+        "dashpot of each element over its stiffness; a time",
+    ),
+];
+
+/// Keys of a spring.
+pub(crate) const SPRING: Keys = &[
+    ("between", "two nodes"),
+    ("k", "stiffness"),
+    ("c", "dashpot"),
+    (
+        "mass",
+        "mass that has the period on this spring; with period and ratio, instead of k and c",
+    ),
+    ("period", "k = mass (2 pi/period)^2"),
+    ("ratio", "c = 2 ratio (2 pi/period) mass"),
+];
+
+/// Keys of `rayleigh`.
+pub(crate) const RAYLEIGH: Keys = &[
+    ("mass", "factor of M, 1 over time"),
+    ("stiffness", "factor of K, a time"),
+];
+
+/// Keys of a contact.
+pub(crate) const CONTACT: Keys = &[
+    ("law", "law of the contact, or a parameter that chooses it"),
+    ("between", "nodes I and J; r = u_J - u_I + gap"),
+    ("gap", "r at rest"),
+    (
+        "k",
+        "stiffness of a linear spring of impact, or of displacement-control, bouc-wen and dahl below the limit",
+    ),
+    (
+        "k_h",
+        "force over length^1.5 of hertz, hertz-damp, hunt-crossley, ye and jankowski: k_h delta^1.5, delta = -r",
+    ),
+    (
+        "restitution",
+        "target of the coefficient of restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
+    ),
+    (
+        "colliding_mass",
+        "m1 m2/(m1 + m2) of the bodies that collide, from which kelvin-voigt and jankowski compute their dashpot",
+    ),
+    ("e", "restitution of a rigid impact, from 0 to 1"),
+    (
+        "c",
+        "viscosity of velocity-control, tanh and stribeck at rdot = 0, for every N",
+    ),
+    (
+        "rE",
+        "r^E at rest, instead of k = limit at rest/r^E; k does not change with N",
+    ),
+    (
+        "rdotE",
+        "rdot^E at rest, instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N, so that rdot^E = limit/c does",
+    ),
+    (
+        "exponent",
+        "exponent of bouc-wen and dahl, >= 1; 1 if left out",
+    ),
+    ("sigma0", "lugre: stiffness of the bristles"),
+    ("sigma1", "lugre: damping of the bristles; 0 if left out"),
+    (
+        "sigma2",
+        "lugre: viscosity of the sliding contact; 0 if left out",
+    ),
+    (
+        "static_ratio",
+        "stribeck and lugre: static limit over the kinetic one, >= 1; 1 if left out",
+    ),
+    (
+        "stribeck_velocity",
+        "stribeck and lugre: velocity v_S over which the limit falls from the static to the kinetic one: of stribeck by exp(-(|rdot| - rdot^E)/v_S), of lugre by exp(-(rdot/v_S)^2)",
+    ),
+    (
+        "limit",
+        "friction limit, instead of nu and N; of stribeck and lugre the kinetic one",
+    ),
+    ("nu", "coefficient of friction; the limit is nu N"),
+    (
+        "N",
+        "force that presses, positive when pressed; a number, a table of t and N, or a weight under a vertical acceleration",
+    ),
+    (
+        "nu_min",
+        "velocity-control and tanh: coefficient of friction at rest, nu - (nu - nu_min) exp(-nu_rate |rdot|)",
+    ),
+    ("nu_rate", "its rate over velocity"),
+    (
+        "pressure_exponent",
+        "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); 0 if left out",
+    ),
+];
+
+/// Keys of a table of normal forces.
+pub(crate) const NORMAL_TABLE: Keys = &[("t", "times"), ("N", "forces at these times")];
+
+/// Keys of a weight under vertical acceleration.
+pub(crate) const WEIGHT: Keys = &[
+    ("weight", "W; N = W (1 + a/g)"),
+    ("vertical", "vertical acceleration a of the ground"),
+];
+
+/// Keys of a function of time; one of the first ones.
+pub(crate) const FUNCTION: Keys = &[
+    ("sine", "amplitude sin(omega t + phase)"),
+    ("table", "straight lines between points, constant beyond"),
+    (
+        "record",
+        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, CSV), or a parameter that chooses it",
+    ),
+    ("pulse", "a pulse of acceleration"),
+    (
+        "synthetic",
+        "a synthetic acceleration by its seed, or by its seed and the frequency of its ground filter",
+    ),
+    (
+        "unit",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2; not needed if the file names it",
+    ),
+    (
+        "mean",
+        "mean of a record: \"removed\" or \"kept\"; if left out, that of K-NET is removed, because its counts have an offset, and others are kept",
+    ),
+    ("scale", "factor of the function"),
+];
+
+/// Number of the keys of [`FUNCTION`] of which one is needed.
+pub(crate) const FUNCTIONS: usize = 5;
+
+/// Keys of `sine`.
+pub(crate) const SINE: Keys = &[
+    ("amplitude", "amplitude"),
+    ("omega", "circular frequency"),
+    ("phase", "phase; 0 if not given"),
+];
+
+/// Keys of `table`.
+pub(crate) const TABLE: Keys = &[
+    ("t", "times, rising; two equal times make a jump"),
+    ("f", "values at these times"),
+];
+
+/// Keys of `pulse`.
+pub(crate) const PULSE: Keys = &[
+    (
+        "ricker",
+        "a (1 - 2 x) exp(-x), x = (pi f (t - at))^2, from 0 to 2 at",
+    ),
+    ("cosine", "one sine cycle"),
+];
+
+/// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
+const SAMPLED: &str = "time between samples, straight between; the last sample is at the end of the pulse, also if the last interval is shorter; from there on 0, by a jump if the sample is not 0";
+
+/// Keys of `ricker`.
+pub(crate) const RICKER: Keys = &[
+    ("amplitude", "a"),
+    ("frequency", "f"),
+    ("at", "time of the peak"),
+    ("sampled", SAMPLED),
+];
+
+/// Keys of `cosine`.
+pub(crate) const COSINE: Keys = &[
+    ("amplitude", "amplitude"),
+    ("period", "length of the cycle"),
+    ("sampled", SAMPLED),
+];
+
+/// Keys of `synthetic`.
+pub(crate) const SYNTHETIC: Keys = &[
+    ("seed", "a whole number from 0 to 4294967295"),
+    (
+        "omega",
+        "circular frequency of the ground filter in rad/s, > 0; 15.6 (firm ground) if left out; the second filter is at omega/10",
+    ),
+];
+
+/// Keys of a load: the node, and those of a function.
+pub(crate) const LOAD_AT: (&str, &str) = ("at", "node on which the force acts");
+
+/// Keys of a start.
+pub(crate) const START: Keys = &[("u", "displacement"), ("v", "velocity")];
+
+/// Names of the references.
+pub(crate) const REFERENCES: [&str; 2] = ["softened", "rigid"];
+
+/// Names of the stiffnesses of damping.
+pub(crate) const DAMPING_STIFFNESSES: [&str; 2] = ["without-contacts", "initial"];
+
+/// The names of keys.
+pub(crate) fn names(keys: Keys) -> Vec<&'static str> {
+    keys.iter().map(|key| key.0).collect()
+}

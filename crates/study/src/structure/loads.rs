@@ -1,0 +1,207 @@
+//! Functions of time: sines, tables, records, pulses and synthetic accelerations.
+
+use super::keys::{
+    COSINE, FUNCTION, FUNCTIONS, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names,
+};
+use super::reader::{Reader, open};
+use super::records::record;
+use crate::source::faults::{Faults, join};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::amount::{self, Amount};
+use slipgap_solver::problem::structure::loads::{Kind, LARGEST_SEED, Source};
+use slipgap_solver::problem::structure::template::{Load, Scaled};
+
+/// A force on a node.
+pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Load> {
+    let mut keys = vec![LOAD_AT.0];
+    keys.extend(names(FUNCTION));
+    let object = Object::open(node, path, &keys, faults)?;
+    let at = object.need(LOAD_AT.0, LOAD_AT.1, faults);
+    let at = at.and_then(|node| reader.moving(node, &object.path("at"), faults));
+    let force = function(&object, node.at, path, reader, faults);
+    Some(Load {
+        at: at?,
+        force: force?,
+    })
+}
+
+/// A function of time with its scale.
+pub(super) fn scaled(
+    node: &Node,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Scaled> {
+    let object = open(node, path, FUNCTION, faults)?;
+    function(&object, node.at, path, reader, faults)
+}
+
+/// Keys that only a record has, and the message for another function with one.
+const OF_RECORDS: [(&str, &str); 2] = [
+    (
+        "unit",
+        "only a record has a unit; other functions are in the units of the study",
+    ),
+    ("mean", "only the mean of a record is removed or kept"),
+];
+
+fn function(
+    object: &Object,
+    at: usize,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Scaled> {
+    let kinds = &FUNCTION[..FUNCTIONS];
+    let given = object.members.iter();
+    let given: Vec<_> = given
+        .filter(|member| kinds.iter().any(|kind| kind.0 == member.key))
+        .collect();
+    let [member] = given[..] else {
+        let all: Vec<&str> = kinds.iter().map(|kind| kind.0).collect();
+        object.fault(
+            format!("must have exactly one of {}", all.join(", ")),
+            faults,
+        );
+        return None;
+    };
+    for (key, message) in OF_RECORDS {
+        if let (Some(node), false) = (object.get(key), member.key == "record") {
+            faults.add(node.at, &object.path(key), message);
+        }
+    }
+    let inner = join(path, &member.key);
+    let scale = reader.optional(object, "scale", Range::Any, faults);
+    let kind = match member.key.as_str() {
+        "sine" => sine(&member.node, &inner, reader, faults),
+        "table" => {
+            let [t, f] = table(&member.node, &inner, (TABLE, "f"), reader, faults)?;
+            Some(Kind::Table { t, f })
+        }
+        "record" => record(&member.node, &inner, object, reader, faults),
+        "pulse" => pulse(&member.node, &inner, reader, faults),
+        _ => synthetic(&member.node, &inner, reader, faults),
+    };
+    Some(Scaled {
+        source: Source::new(kind?, (at, path.to_owned())),
+        scale,
+    })
+}
+
+fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
+    let object = open(node, path, SINE, faults)?;
+    let mut need = |key| reader.needed(&object, SINE, key, Range::Any, faults);
+    let (amplitude, omega) = (need("amplitude"), need("omega"));
+    Some(Kind::Sine {
+        amplitude: amplitude?,
+        omega: omega?,
+        phase: reader.optional(&object, "phase", Range::Any, faults),
+    })
+}
+
+/// Times under `t` and values under another key, lists of one length.
+pub(super) fn table(
+    node: &Node,
+    path: &str,
+    (keys, values): (super::keys::Keys, &str),
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<[Vec<Amount>; 2]> {
+    let object = open(node, path, keys, faults)?;
+    let mut list = |key: &str| {
+        let node = object.need(key, "a list of numbers", faults)?;
+        let path = object.path(key);
+        let Tree::List(items) = &node.tree else {
+            faults.must_be(node, &path, "a list of numbers");
+            return None;
+        };
+        let before = faults.count();
+        let amounts = items.iter().enumerate().filter_map(|(i, item)| {
+            reader.amount(item, &format!("{path}[{i}]"), Range::Any, faults)
+        });
+        let amounts: Vec<Amount> = amounts.collect();
+        (faults.count() == before).then_some(amounts)
+    };
+    let (t, f) = (list("t"), list(values));
+    let (t, f) = (t?, f?);
+    if t.len() != f.len() || t.is_empty() {
+        let message = format!(
+            "needs as many numbers in t as in {values}, at least one, got {} and {}",
+            t.len(),
+            f.len()
+        );
+        object.fault(message, faults);
+        return None;
+    }
+    Some([t, f])
+}
+
+fn pulse(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
+    let object = open(node, path, PULSE, faults)?;
+    let [member] = object.members[..] else {
+        object.fault("must have exactly one of ricker, cosine", faults);
+        return None;
+    };
+    let path = object.path(&member.key);
+    if member.key == "ricker" {
+        let object = open(&member.node, &path, RICKER, faults)?;
+        let mut need = |key, range| reader.needed(&object, RICKER, key, range, faults);
+        let (amplitude, frequency) = (
+            need("amplitude", Range::Any),
+            need("frequency", Range::Positive),
+        );
+        let (at, sampled) = (
+            need("at", Range::Positive),
+            need("sampled", Range::Positive),
+        );
+        return Some(Kind::Ricker {
+            amplitude: amplitude?,
+            frequency: frequency?,
+            at: at?,
+            sampled: sampled?,
+        });
+    }
+    let object = open(&member.node, &path, COSINE, faults)?;
+    let mut need = |key, range| reader.needed(&object, COSINE, key, range, faults);
+    let amplitude = need("amplitude", Range::Any);
+    let (period, sampled) = (
+        need("period", Range::Positive),
+        need("sampled", Range::Positive),
+    );
+    Some(Kind::Cosine {
+        amplitude: amplitude?,
+        period: period?,
+        sampled: sampled?,
+    })
+}
+
+/// A seed, plain or in an object with the frequency of the ground filter.
+fn synthetic(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Kind> {
+    let Tree::Object(_) = &node.tree else {
+        let seed = reader.amount(node, path, Range::NotNegative, faults);
+        return Some(Kind::Synthetic {
+            seed: whole(seed?, faults)?,
+            omega: None,
+        });
+    };
+    let object = open(node, path, SYNTHETIC, faults)?;
+    let before = faults.count();
+    let seed = reader.needed(&object, SYNTHETIC, "seed", Range::NotNegative, faults);
+    let seed = seed.and_then(|seed| whole(seed, faults));
+    let omega = reader.optional(&object, "omega", Range::Positive, faults);
+    let complete = faults.count() == before;
+    Some(Kind::Synthetic { seed: seed?, omega }).filter(|_| complete)
+}
+
+/// A seed; a plain number is reported here if it is not whole, so that all faults are reported together.
+fn whole(seed: Amount, faults: &mut Faults) -> Option<Amount> {
+    if let amount::Source::Number(x) = seed.source
+        && let Err(violation) = seed.as_whole(x, 0, LARGEST_SEED)
+    {
+        faults.add(seed.at, &seed.path, violation.message);
+        return None;
+    }
+    Some(seed)
+}

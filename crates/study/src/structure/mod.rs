@@ -1,0 +1,181 @@
+//! Structures in studies: the key `structure`, the names of parameters, and the metrics and channels that a study uses.
+
+mod contacts;
+pub(super) mod keys;
+mod labels;
+mod loads;
+mod names;
+mod parts;
+mod reader;
+mod records;
+#[cfg(test)]
+mod tests;
+mod wanted;
+
+use super::source::faults::{Faults, quoted};
+use super::source::object::Object;
+use super::source::tree::Node;
+use super::value;
+use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
+use reader::{Reader, named, open};
+use slipgap_solver::problem::Problem;
+use slipgap_solver::problem::structure::StructureProblem;
+use slipgap_solver::problem::structure::channel::Names;
+use slipgap_solver::problem::structure::consistent;
+use slipgap_solver::problem::structure::schema::{self, Named};
+use slipgap_solver::problem::structure::template::{DampingStiffness, Reference, Template};
+use std::path::Path;
+use std::sync::Arc;
+
+/// The problem of the study at `root`, with records from `folder`; `None` if the structure has a fault.
+pub(super) fn problem(
+    root: &Object,
+    root_node: &Node,
+    folder: &Path,
+    faults: &mut Faults,
+) -> Option<Arc<dyn Problem>> {
+    let before = faults.count();
+    let node = root.need("structure", "masses, bars, springs and contacts", faults)?;
+    let choices = names::choices(node, root_node);
+    let parameters = names::parameters(root_node, &choices, faults);
+    let first = schema::schema(&parameters, &[], &[], "");
+    let object = open(node, "structure", STRUCTURE, faults)?;
+    let mut taken = Vec::new();
+    let mut parts = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
+        Some(node) => named(node, &object.path(key), what, &mut taken, faults),
+        None => Vec::new(),
+    };
+    let masses = parts("masses", "mass", faults);
+    let bars = parts("bars", "bar", faults);
+    let contacts = parts("contacts", "contact", faults);
+    if masses.is_empty() && bars.is_empty() && faults.count() == before {
+        object.fault("has no node; give masses or bars", faults);
+    }
+    let (units, metre) = units(&object, node, faults);
+    let name = |part: &parts::Part| part.0.clone();
+    let reader = Reader {
+        table: &first.parameters,
+        masses: masses.iter().map(name).collect(),
+        bars: bars.iter().map(name).collect(),
+        metre,
+        folder,
+        used: Default::default(),
+        records: Default::default(),
+        removed_means: Default::default(),
+    };
+    let template = Template {
+        units,
+        metre,
+        masses: parts::masses(&masses, &reader, faults),
+        bars: parts::bars(&bars, &reader, faults),
+        springs: object.items("springs", faults, |node, path, faults| {
+            parts::spring(node, path, &reader, faults)
+        }),
+        rayleigh: parts::rayleigh(&object, &reader, faults).unwrap_or_default(),
+        modal_damping: reader.optional(
+            &object,
+            "modal_damping",
+            slipgap_solver::problem::parameter::Range::NotNegative,
+            faults,
+        ),
+        damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
+        contacts: contacts::contacts(&contacts, &reader, faults),
+        loads: object.items("loads", faults, |node, path, faults| {
+            loads::load(node, path, &reader, faults)
+        }),
+        ground: object
+            .get("ground")
+            .and_then(|node| loads::scaled(node, &object.path("ground"), &reader, faults)),
+        start: parts::start(&object, &reader, faults),
+        reference: reference(&object, faults),
+    };
+    let texts = |parts: &[parts::Part]| -> Vec<String> { parts.iter().map(name).collect() };
+    let contacts = texts(&contacts);
+    let as_str = |texts: &[String]| -> Vec<&'static str> {
+        texts
+            .iter()
+            .map(|text| slipgap_solver::problem::interned(text))
+            .collect()
+    };
+    let (masses, bars, contacts) = (
+        as_str(&reader.masses),
+        as_str(&reader.bars),
+        as_str(&contacts),
+    );
+    let known = Names {
+        masses: &masses,
+        bars: &bars,
+        contacts: &contacts,
+    };
+    let metrics = wanted::metrics(root, &known, faults);
+    let drawn = wanted::drawn(root, &known, faults);
+    wanted::report_errors_without_reference(root, &drawn, template.reference.is_some(), faults);
+    let used = reader.used.borrow();
+    let parameters: Vec<Named> = parameters
+        .into_iter()
+        .enumerate()
+        .map(|(row, named)| Named {
+            required: named.required || used.contains(&row),
+            ..named
+        })
+        .collect();
+    // A faulty value may be the one that contains the name.
+    if faults.count() == before {
+        names::report_unused(root_node, &parameters, &first.parameters, faults);
+    }
+    let note = records::note(&reader);
+    let identity = names::identity(node, &reader.records.borrow());
+    let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
+    (faults.count() == before).then(|| {
+        Arc::new(StructureProblem::new(
+            template, schema, metrics, drawn, identity, note,
+        )) as _
+    })
+}
+
+/// The units as the study writes them, and the unit of length in m.
+fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64) {
+    let Some(node) = object.get("units") else {
+        return (String::new(), 1.0);
+    };
+    let path = object.path("units");
+    let Some(text) = value::text(node, &path, faults) else {
+        return (String::new(), 1.0);
+    };
+    if let Some(message) = consistent::fault(&text) {
+        faults.add(node.at, &path, message);
+        return (String::new(), 1.0);
+    }
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001)];
+    let metre = LENGTHS.iter().find(|known| parts.contains(&known.0));
+    // Of other units, g and the accelerations of records are unknown.
+    let needs_metre = ["record", "synthetic", "weight"];
+    if (metre.is_none() || !parts.contains(&"s")) && names::has_key(structure, &needs_metre) {
+        let message = format!(
+            "records, synthetic motions and weights need a length in m, cm or mm and a time in s, as in \"t, kN, m, s\", got {}",
+            quoted(&text)
+        );
+        faults.add(node.at, &path, message);
+    }
+    let metre = metre.map_or(1.0, |known| known.1);
+    (text, metre)
+}
+
+fn reference(object: &Object, faults: &mut Faults) -> Option<Reference> {
+    let node = object.get("contacts_reference")?;
+    let path = object.path("contacts_reference");
+    match value::name(node, &path, "reference", &REFERENCES, faults)? {
+        0 => Some(Reference::Softened),
+        _ => Some(Reference::Rigid),
+    }
+}
+
+fn damping_stiffness(object: &Object, faults: &mut Faults) -> Option<DampingStiffness> {
+    let node = object.get("damping_stiffness")?;
+    let path = object.path("damping_stiffness");
+    match value::name(node, &path, "stiffness", &DAMPING_STIFFNESSES, faults)? {
+        0 => Some(DampingStiffness::WithoutContacts),
+        _ => Some(DampingStiffness::Initial),
+    }
+}

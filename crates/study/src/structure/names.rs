@@ -1,0 +1,309 @@
+//! The names that a study gives its parameters, and the identity of its structure.
+
+use super::labels::{is_label, labels, report_texts_of_tables};
+use super::reader::{Reader, is_name};
+use crate::source::faults::{Faults, join, quoted};
+use crate::source::tree::{Member, Node, Tree};
+use sha2::{Digest, Sha256};
+use slipgap_solver::expression::FUNCTIONS;
+use slipgap_solver::expression::Formula;
+use slipgap_solver::problem::interned;
+use slipgap_solver::problem::method::PARAMETERS;
+use slipgap_solver::problem::parameter::{Kind, Parameter};
+use slipgap_solver::problem::structure::contacts::LawName;
+use slipgap_solver::problem::structure::metric::OF_ALL;
+use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
+
+/// The names that a parameter chooses from, each with its meaning.
+pub(super) type Choices = &'static [(&'static str, &'static str)];
+
+/// The members of an object; none of another value.
+pub(super) fn members(node: &Node) -> &[Member] {
+    match &node.tree {
+        Tree::Object(members) => members,
+        _ => &[],
+    }
+}
+
+/// The value of a key of an object.
+pub(super) fn member<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
+    let mut members = members(node).iter();
+    members
+        .find(|member| member.key == key)
+        .map(|member| &member.node)
+}
+
+/// The members of all `parameters` of a study, each with its path.
+pub(super) fn given(root: &Node) -> Vec<(&Member, String)> {
+    let of = |node: &Node, path: &str| -> Vec<(usize, String)> {
+        let members = members(node).iter().enumerate();
+        let real = members.filter(|(_, member)| member.key != "//");
+        real.map(|(i, member)| (i, join(path, &member.key)))
+            .collect()
+    };
+    let mut all = Vec::new();
+    let mut add = |node, path: &str| {
+        for (i, path) in of(node, path) {
+            all.push((&members(node)[i], path));
+        }
+    };
+    if let Some(node) = member(root, "parameters") {
+        add(node, "parameters");
+    }
+    if let Some(Tree::List(blocks)) = member(root, "blocks").map(|node| &node.tree) {
+        for (i, block) in blocks.iter().enumerate() {
+            if let Some(node) = member(block, "parameters") {
+                add(node, &format!("blocks[{i}].parameters"));
+            }
+        }
+    }
+    all
+}
+
+/// The texts of a value: of one text, or of a list.
+pub(super) fn texts(node: &Node) -> Vec<&str> {
+    match &node.tree {
+        Tree::Text(text) => vec![text],
+        Tree::List(items) => items.iter().flat_map(texts).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Every text under `key` anywhere in a tree.
+fn under<'a>(node: &'a Node, key: &str, found: &mut Vec<&'a str>) {
+    match &node.tree {
+        Tree::Object(members) => {
+            for member in members {
+                if member.key == key {
+                    found.extend(texts(&member.node));
+                }
+                under(&member.node, key, found);
+            }
+        }
+        Tree::List(items) => items.iter().for_each(|item| under(item, key, found)),
+        _ => {}
+    }
+}
+
+/// Whether one of these keys is anywhere in a tree.
+pub(super) fn has_key(node: &Node, keys: &[&str]) -> bool {
+    match &node.tree {
+        Tree::Object(members) => members
+            .iter()
+            .any(|member| keys.contains(&member.key.as_str()) || has_key(&member.node, keys)),
+        Tree::List(items) => items.iter().any(|item| has_key(item, keys)),
+        _ => false,
+    }
+}
+
+/// The parameters whose values are names: those that choose a law or a record, and labels.
+pub(super) struct Choosing {
+    /// Those that choose a law or a record, with what they choose from.
+    pub parts: Vec<(String, Choices)>,
+    /// Labels, with their texts.
+    pub labels: Vec<(String, Choices)>,
+}
+
+/// The parameters of a study whose values are names.
+pub(super) fn choices(structure: &Node, root: &Node) -> Choosing {
+    Choosing {
+        parts: parts(structure, root),
+        labels: labels(structure, root),
+    }
+}
+
+/// The parameters that choose a law or a record, with what they choose from.
+fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
+    let given = given(root);
+    let values = |name: &str| -> Vec<&str> {
+        let own = given.iter().filter(|(member, _)| member.key == name);
+        own.flat_map(|(member, _)| texts(&member.node)).collect()
+    };
+    let mut found: Vec<(String, Choices)> = Vec::new();
+    for key in ["law", "record"] {
+        let mut names = Vec::new();
+        under(structure, key, &mut names);
+        for name in names {
+            let is_given = given.iter().any(|(member, _)| member.key == name);
+            if !is_given || found.iter().any(|known| known.0 == name) {
+                continue;
+            }
+            let choices = match key {
+                "law" => LawName::NAMES,
+                _ => {
+                    let mut files: Vec<(&str, &str)> = Vec::new();
+                    for file in values(name) {
+                        let file = interned(file);
+                        if !files.iter().any(|known| known.0 == file) {
+                            files.push((file, "record"));
+                        }
+                    }
+                    interned_choices(files)
+                }
+            };
+            found.push((name.to_owned(), choices));
+        }
+    }
+    found
+}
+
+/// A table of names that lives as long as the program, one for equal lists.
+pub(super) fn interned_choices(names: Vec<(&'static str, &'static str)>) -> Choices {
+    use std::collections::BTreeSet;
+    use std::sync::{Mutex, PoisonError};
+    static TABLES: Mutex<BTreeSet<Choices>> = Mutex::new(BTreeSet::new());
+    let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = tables.get(&names[..]) {
+        return known;
+    }
+    let table: Choices = Box::leak(names.into_boxed_slice());
+    tables.insert(table);
+    table
+}
+
+/// The parameters of all blocks in the order of the file. dt, duration and those of the method are always among them.
+pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -> Vec<Named> {
+    let mut parameters: Vec<Named> = Vec::new();
+    for (member, path) in given(root) {
+        let name = &member.key;
+        if parameters.iter().any(|known| known.name == *name) || of_method(name) {
+            continue;
+        }
+        report_texts_of_tables(&member.node, &path, name, choices, faults);
+        let reserved = FUNCTIONS.iter().any(|function| function.0 == name)
+            || ["and", "or", "not"].contains(&name.as_str());
+        // Columns of results that are not parameters.
+        let column = name == "case" || OF_ALL.contains(&name.as_str());
+        if reserved || column || !is_name(name) {
+            let message = match reserved || column {
+                true if column => format!(
+                    "{} is a column of results.csv; choose another name",
+                    quoted(name)
+                ),
+                true => format!(
+                    "{} has a meaning in expressions; choose another name",
+                    quoted(name)
+                ),
+                false => format!(
+                    "{} cannot name a parameter; a name is letters, digits and _, not beginning with a digit",
+                    quoted(name)
+                ),
+            };
+            faults.add(member.at, &path, message);
+        }
+        let of = |all: &[(String, Choices)]| {
+            let known = all.iter().find(|known| known.0 == *name);
+            known.map(|known| known.1)
+        };
+        let (part, label) = (of(&choices.parts), of(&choices.labels));
+        parameters.push(Named {
+            name: name.clone(),
+            choices: part.or(label),
+            required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
+        });
+    }
+    for (name, _) in FIXED {
+        if !parameters.iter().any(|known| known.name == name) {
+            parameters.push(Named {
+                name: name.to_owned(),
+                choices: None,
+                required: true,
+            });
+        }
+    }
+    // One behind the other, as `method::of_case` reads them.
+    parameters.extend(PARAMETERS.iter().map(|parameter| Named {
+        name: parameter.name.to_string(),
+        choices: None,
+        required: true,
+    }));
+    parameters
+}
+
+/// Reports the parameters that neither the structure nor another parameter nor a condition contains, and that are no labels.
+pub(super) fn report_unused(
+    root: &Node,
+    parameters: &[Named],
+    table: &[Parameter],
+    faults: &mut Faults,
+) {
+    let given = given(root);
+    let mut used = vec![false; parameters.len()];
+    let mut conditions = Vec::new();
+    under(root, "when", &mut conditions);
+    let formulas = given.iter().flat_map(|(member, _)| texts(&member.node));
+    let formulas = formulas.filter_map(|text| Formula::number(text, table).ok());
+    let conditions = conditions.into_iter();
+    let conditions = conditions.filter_map(|text| Formula::condition(text, table).ok());
+    for formula in formulas.chain(conditions) {
+        formula.uses().iter().for_each(|row| used[*row] = true);
+    }
+    let is_used = |row: usize| {
+        let named = &parameters[row];
+        named.required || used[row] && named.choices.is_none()
+    };
+    let is_used_name = |name: &str| {
+        let row = parameters.iter().position(|named| named.name == name);
+        row.is_some_and(is_used)
+    };
+    for (row, named) in parameters.iter().enumerate() {
+        if is_used(row) || is_label(root, &named.name, &is_used_name) {
+            continue;
+        }
+        let own = given.iter().find(|(member, _)| member.key == named.name);
+        if let Some((member, path)) = own {
+            let name = quoted(&named.name);
+            let message = format!(
+                "{name} is not used: no part of the structure and no expression contains it; a label of the cases is allowed as a \
+                 list in a \"zip\" with a parameter that is used"
+            );
+            faults.add(member.at, path, message);
+        }
+    }
+}
+
+/// Hash of the code that makes numbers of a structure. The keys of stores have no numbers of structures.
+const READER: &str = env!("SLIPGAP_READER");
+
+/// A hash of this code and of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records.
+pub(super) fn identity(structure: &Node, records: &[(String, Vec<u8>)]) -> String {
+    let mut digest = Sha256::new();
+    for (name, bytes) in records {
+        digest.update(name.as_bytes());
+        digest.update([0]);
+        digest.update((bytes.len() as u64).to_le_bytes());
+        digest.update(bytes);
+    }
+    let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
+    let structure = Sha256::digest(format!("{READER} {}", written(structure)));
+    let records = digest.finalize();
+    format!("{}.{}", hex(&structure), hex(&records))
+}
+
+/// A value as JSON without blanks and remarks.
+fn written(node: &Node) -> String {
+    let all = |parts: Vec<String>| parts.join(",");
+    match &node.tree {
+        Tree::Object(members) => {
+            let real = members.iter().filter(|member| member.key != "//");
+            let one = |member: &Member| format!("{:?}:{}", member.key, written(&member.node));
+            format!("{{{}}}", all(real.map(one).collect()))
+        }
+        Tree::List(items) => format!("[{}]", all(items.iter().map(written).collect())),
+        Tree::Text(text) => format!("{text:?}"),
+        Tree::Number(number) => number.clone(),
+        Tree::Bool(truth) => truth.to_string(),
+        Tree::Null => "null".to_owned(),
+    }
+}
+
+impl Reader<'_> {
+    /// The row of the parameter with this name and what it chooses from, if it chooses names.
+    pub fn choices(&self, name: &str) -> Option<(usize, Choices)> {
+        let row = self.table.iter().position(|p| p.name == name)?;
+        match self.table[row].kind {
+            Kind::Choice(choices) => Some((row, choices)),
+            Kind::Number(_) | Kind::Whole { .. } => None,
+        }
+    }
+}

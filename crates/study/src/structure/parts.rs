@@ -1,0 +1,144 @@
+//! Masses, bars, springs, damping and start of a structure.
+
+use super::keys::{BAR, RAYLEIGH, SPRING, START};
+use super::reader::{Reader, open};
+use crate::source::faults::{Faults, join};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::amount::Amount;
+use slipgap_solver::problem::structure::template::{
+    Bar, Mass, Moved, Spring, SpringNumbers, Start,
+};
+
+/// A named part with its value in the study.
+pub(super) type Part<'a> = (String, &'a Node, String);
+
+/// The lumped masses.
+pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Mass> {
+    let mass = |(name, node, path): &Part| {
+        let mass = reader.amount(node, path, Range::Positive, faults)?;
+        Some(Mass {
+            name: name.clone(),
+            mass,
+        })
+    };
+    parts.iter().filter_map(mass).collect()
+}
+
+/// The bars.
+pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Bar> {
+    let mut bar = |(name, node, path): &Part| {
+        let object = open(node, path, BAR, faults)?;
+        let mut need = |key| reader.needed(&object, BAR, key, Range::Positive, faults);
+        let (length, stiffness) = (need("L"), need("EA"));
+        let (mass, elements) = (need("mass"), need("n"));
+        let damping = "stiffness_damping";
+        let stiffness_damping = reader.optional(&object, damping, Range::NotNegative, faults);
+        Some(Bar {
+            name: name.clone(),
+            length: length?,
+            stiffness: stiffness?,
+            mass: mass?,
+            elements: elements?,
+            stiffness_damping,
+        })
+    };
+    parts.iter().filter_map(&mut bar).collect()
+}
+
+/// A spring.
+pub(super) fn spring(
+    node: &Node,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Spring> {
+    let object = open(node, path, SPRING, faults)?;
+    let between = reader.between(&object, "a spring", faults);
+    let by_period = ["mass", "period", "ratio"].map(|key| object.get(key).is_some());
+    let by_stiffness = ["k", "c"].map(|key| object.get(key).is_some());
+    if by_period.contains(&true) && by_stiffness.contains(&true) {
+        object.fault("give k and c, or mass, period and ratio, not both", faults);
+        return None;
+    }
+    let numbers = if by_period.contains(&true) {
+        let mut need = |key| reader.needed(&object, SPRING, key, Range::Positive, faults);
+        let (mass, period) = (need("mass"), need("period"));
+        let ratio = reader.optional(&object, "ratio", Range::NotNegative, faults);
+        SpringNumbers::Period {
+            mass: mass?,
+            period: period?,
+            ratio,
+        }
+    } else {
+        let c = reader.optional(&object, "c", Range::NotNegative, faults);
+        let k = match (object.get("k"), &c) {
+            // A dashpot alone.
+            (None, Some(c)) => Some(zero(c)),
+            (None, None) => {
+                object.fault("missing: k and c, or mass, period and ratio", faults);
+                None
+            }
+            (Some(_), _) => reader.needed(&object, SPRING, "k", Range::NotNegative, faults),
+        };
+        SpringNumbers::Stiffness { k: k?, c }
+    };
+    Some(Spring {
+        between: between?,
+        numbers,
+    })
+}
+
+/// The number 0 at the place of another.
+fn zero(at: &Amount) -> Amount {
+    Amount {
+        source: slipgap_solver::problem::structure::amount::Source::Number(0.0),
+        ..at.clone()
+    }
+}
+
+/// The factors of M and K in C.
+pub(super) fn rayleigh(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<[Option<Amount>; 2]> {
+    let node = object.get("rayleigh")?;
+    let object = open(node, &object.path("rayleigh"), RAYLEIGH, faults)?;
+    Some(["mass", "stiffness"].map(|key| reader.optional(&object, key, Range::NotNegative, faults)))
+}
+
+/// The displacements and velocities at t = 0, by the names of nodes and bars.
+pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Vec<Start> {
+    let Some(node) = object.get("start") else {
+        return Vec::new();
+    };
+    let path = object.path("start");
+    let Tree::Object(members) = &node.tree else {
+        faults.must_be(node, &path, "an object with a key for each node or bar");
+        return Vec::new();
+    };
+    let members = members.iter().filter(|member| member.key != "//");
+    let one = |member: &crate::source::tree::Member| {
+        let path = join(&path, &member.key);
+        let bar = reader.bars.iter().position(|bar| *bar == member.key);
+        let of = match bar {
+            Some(bar) => Moved::Bar(bar),
+            None => {
+                let name = Node {
+                    at: member.at,
+                    tree: Tree::Text(member.key.clone()),
+                };
+                Moved::Node(reader.moving(&name, &path, faults)?)
+            }
+        };
+        let object = open(&member.node, &path, START, faults)?;
+        Some(Start {
+            of,
+            u: reader.optional(&object, "u", Range::Any, faults),
+            v: reader.optional(&object, "v", Range::Any, faults),
+        })
+    };
+    members.filter_map(one).collect()
+}

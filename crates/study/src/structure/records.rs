@@ -1,0 +1,141 @@
+//! Recorded accelerations: the files next to the study, read once.
+
+use super::reader::Reader;
+use crate::source::faults::{Faults, quoted};
+use crate::source::input::open;
+use crate::source::object::Object;
+use crate::source::tree::Node;
+use crate::value::{name, text};
+use slipgap_solver::problem::interned;
+use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::structure::loads::Kind;
+use slipgap_solver::problem::structure::template::Chosen;
+use slipgap_solver::system::loads::record::Mean;
+use slipgap_solver::system::loads::{self, SignalFault, Unit};
+use slipgap_solver::system::structure::Signal;
+use std::io::{self, Read};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Most bytes of a record.
+const LARGEST: u64 = 64 << 20;
+
+/// The record at a node, or the parameter that chooses one.
+pub(super) fn record(
+    node: &Node,
+    path: &str,
+    function: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Kind> {
+    let unit = match function.get("unit") {
+        None => None,
+        Some(node) => {
+            let names = Unit::ALL.map(Unit::name);
+            Some(Unit::ALL[name(node, &function.path("unit"), "unit", &names, faults)?])
+        }
+    };
+    let mean = match function.get("mean") {
+        None => None,
+        Some(node) => {
+            let names = Mean::ALL.map(Mean::name);
+            Some(Mean::ALL[name(node, &function.path("mean"), "mean", &names, faults)?])
+        }
+    };
+    let file = text(node, path, faults)?;
+    let (chosen, files) = match reader.choices(&file) {
+        Some((row, files)) => (
+            Chosen::Parameter(row),
+            files.iter().map(|file| file.0).collect(),
+        ),
+        None => {
+            let file = interned(&file);
+            (Chosen::Name(file), vec![file])
+        }
+    };
+    let before = faults.count();
+    let mut records = Vec::new();
+    for file in files {
+        match read(file, (unit, mean), reader) {
+            Ok(signal) => records.push((file, signal)),
+            Err((key, why)) => {
+                let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
+                let (at, path) = wrong.unwrap_or_else(|| (node.at, path.to_owned()));
+                faults.add(at, &path, format!("{}: {why}", quoted(file)));
+            }
+        }
+    }
+    (faults.count() == before).then_some(Kind::Record {
+        name: chosen,
+        records,
+    })
+}
+
+/// Why a file gives no signal, and the key of the function that contradicts it; without one, the file itself is at fault.
+type Fault = (Option<&'static str>, String);
+
+/// The signal of a file, in the study's units.
+fn read(
+    file: &str,
+    (unit, mean): (Option<Unit>, Option<Mean>),
+    reader: &Reader,
+) -> Result<Arc<Signal>, Fault> {
+    let bytes = bytes(&reader.folder.join(file)).map_err(|why| (None, why))?;
+    let record = loads::record::parse(file, &bytes, mean);
+    let record =
+        record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.message)))?;
+    let signal = loads::signal(&record, unit, 1.0 / reader.metre).map_err(|why| match why {
+        SignalFault::TwoUnits { .. } => (Some("unit"), why.to_string()),
+        SignalFault::NoUnit | SignalFault::NotFinite => (None, why.to_string()),
+    })?;
+    if let (None, Some(removed), Some(unit)) = (mean, record.removed_mean, record.unit) {
+        let removed = format!("{} {unit}", shortest(four_digits(removed)));
+        let mut means = reader.removed_means.borrow_mut();
+        if !means.iter().any(|(known, _)| known == file) {
+            means.push((file.to_owned(), removed));
+        }
+    }
+    let mut all = reader.records.borrow_mut();
+    if !all.iter().any(|(known, _)| known == file) {
+        all.push((file.to_owned(), bytes));
+    }
+    Ok(signal)
+}
+
+/// A number with four digits.
+fn four_digits(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, String> {
+    if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return Err("not a file".into());
+    }
+    let unread = |error: io::Error| format!("cannot read {}: {error}", path.display());
+    let opened = open(path).map_err(unread)?;
+    if opened.limit() > LARGEST {
+        return Err(format!("larger than {} MiB", LARGEST >> 20));
+    }
+    let mut bytes = Vec::new();
+    opened
+        .take(LARGEST)
+        .read_to_end(&mut bytes)
+        .map_err(unread)?;
+    Ok(bytes)
+}
+
+/// What was done to the records, for `explain`, `run` and the page; `None` if nothing was, or the study asks for it.
+pub(super) fn note(reader: &Reader) -> Option<String> {
+    let removed = reader.removed_means.borrow();
+    let (file, mean) = removed.first()?;
+    let more = match removed.len() {
+        1 => String::new(),
+        2 => " and that of 1 more record".to_owned(),
+        count => format!(" and those of {} more records", count - 1),
+    };
+    Some(format!(
+        "the mean of {}, {mean},{more} is removed, as for every K-NET file; \"mean\": \"kept\" keeps it, \"mean\": \"removed\" ends \
+         this note",
+        quoted(file)
+    ))
+}

@@ -1,0 +1,92 @@
+//! The estimated duration of a contact.
+
+use crate::parse;
+use slipgap_solver::contact::{
+    ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
+};
+use slipgap_solver::problem::structure::touch;
+use slipgap_solver::system::structure::{Contact, Node, Relation, Structure, Symmetric};
+
+const MASSES: [f64; 2] = [2.0, 3.0];
+
+/// The estimate for a law, over the `contact_time` of a run with fine steps: two free bodies that meet at 0.7.
+fn ratio(law: Relation, keys: &str) -> f64 {
+    let [a, b] = MASSES;
+    let text = format!(
+        r#"{{"problem": "structure", "parameters": {{"dt": 0.00001, "duration": 0.2}},
+          "structure": {{"masses": {{"a": {a}, "b": {b}}}, "contacts": {{"c": {{{keys}, "between": ["a", "b"]}}}},
+          "start": {{"a": {{"v": 0.7}}}}}}, "metrics": ["contact_time(c)", "min(c.r)"]}}"#
+    );
+    let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+    let metrics = study.problem.solve(&study.case(0).unwrap(), &[]);
+    let metrics = metrics.unwrap().metrics;
+    let node = |mass| Node {
+        name: String::new(),
+        mass,
+    };
+    let contact = Contact {
+        name: String::new(),
+        between: [Some(0), Some(1)],
+        gap: 0.0,
+        law,
+    };
+    let structure = Structure {
+        nodes: MASSES.map(node).to_vec(),
+        stiffness: Symmetric::zeros(2),
+        damping: Symmetric::zeros(2),
+        contacts: Vec::new(),
+        loads: Vec::new(),
+        displacement: vec![0.0; 2],
+        velocity: vec![0.0; 2],
+    };
+    let time = touch::time(&structure, &contact, metrics[1].map(|r| -r));
+    time.unwrap() / metrics[0].unwrap()
+}
+
+#[test]
+fn free_bodies_touch_for_the_estimated_time() {
+    // A step more or less at both ends, of 1e-5 s: of 0.03 s for the linear laws, and of 0.06 s for the others.
+    let near = |ratio: f64| assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
+    let stiffness = 4000.0;
+    let spring = Relation::ImpactSpring { stiffness };
+    near(ratio(spring, r#""law": "impact-spring", "k": 4000"#));
+    let curved = |law: ContactLaw| Relation::CurvedImpact {
+        law,
+        restitution: 1.0,
+    };
+    let k_h = 90_000.0;
+    let hertz = curved(ContactLaw::Hertz(Hertz { stiffness: k_h }));
+    near(ratio(hertz, r#""law": "hertz", "k_h": 90000"#));
+    // With m = 1.2 of the bodies xi is 0.22 and 0.69; with the larger one it is 3.
+    for (e, m) in [(0.5, 1.2), (0.05, 1.2), (0.05, 22.7)] {
+        let law = curved(ContactLaw::KelvinVoigt(KelvinVoigt::new(stiffness, e, m)));
+        near(ratio(
+            law,
+            &format!(
+                r#""law": "kelvin-voigt", "k": 4000, "restitution": {e}, "colliding_mass": {m}"#
+            ),
+        ));
+    }
+    // Damping delays the separation: they touch for longer, but less than twice as long.
+    let e = 0.6;
+    for (law, name) in [
+        (ContactLaw::HertzDamp(HertzDamp::new(k_h, e)), "hertz-damp"),
+        (
+            ContactLaw::HuntCrossley(HuntCrossley::new(k_h, e)),
+            "hunt-crossley",
+        ),
+        (ContactLaw::Ye(Ye::new(k_h, e)), "ye"),
+        (
+            ContactLaw::Jankowski(Jankowski::new(k_h, e, 1.2)),
+            "jankowski",
+        ),
+    ] {
+        let mass = match name {
+            "jankowski" => r#", "colliding_mass": 1.2"#,
+            _ => "",
+        };
+        let keys = format!(r#""law": "{name}", "k_h": 90000, "restitution": {e}{mass}"#);
+        let ratio = ratio(curved(law), &keys);
+        assert!((0.5..1.2).contains(&ratio), "{name}: {ratio}");
+    }
+}

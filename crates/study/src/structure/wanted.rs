@@ -1,0 +1,147 @@
+//! The metrics and channels that a study names, which become the tables of its problem.
+
+use crate::reduction::decode;
+use crate::source::faults::{Faults, join, quoted};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use slipgap_solver::expression::printable;
+use slipgap_solver::problem::structure::channel::{Channel, Names};
+use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
+use slipgap_solver::problem::structure::schema::Drawn;
+
+/// The metrics in the list `metrics`, and those that reductions, checks and figures name.
+pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<StructureMetric> {
+    let mut metrics: Vec<StructureMetric> = Vec::new();
+    let mut add = |text: &str, at: usize, path: &str, faults: &mut Faults| {
+        if metrics.iter().any(|known| known.name == text.trim()) {
+            return;
+        }
+        match StructureMetric::parse(text, names) {
+            Ok(metric) => metrics.push(StructureMetric {
+                place: (at, path.to_owned()),
+                ..metric
+            }),
+            Err(why) => {
+                faults.add(at, path, format!("{}: {}", quoted(text), printable(&why)));
+                // The name is known from here on, so that it is reported once.
+                metrics.push(StructureMetric {
+                    name: text.trim().to_owned(),
+                    reduction: Reduction::EnergyError,
+                    channel: None,
+                    contact: None,
+                    threshold: 0.0,
+                    place: (at, path.to_owned()),
+                });
+            }
+        }
+    };
+    if let Some(node) = root.get("metrics") {
+        each_text(node, "metrics", &mut |text, at, path| {
+            add(text, at, path, faults)
+        });
+    }
+    if let Some(node) = root.get(decode::KEY.0) {
+        each_text(node, decode::KEY.0, &mut |text, at, path| {
+            if let Some(parts) = decode::parts(text) {
+                add(parts.metric, at, path, faults);
+            }
+        });
+    }
+    for key in ["checks", "figures"] {
+        if let Some(node) = root.get(key) {
+            each_text(node, key, &mut |text, at, path| {
+                if looks_like_metric(text) {
+                    add(text, at, path, faults);
+                }
+            });
+        }
+    }
+    metrics
+}
+
+/// The kinds of figure that draw channels.
+const KINDS: [&str; 2] = ["history", "curve"];
+
+/// The channels that history figures and curves draw; `error(CHANNEL)` is the error of one.
+pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Drawn> {
+    let mut all: Vec<Drawn> = Vec::new();
+    let Some(Tree::List(figures)) = root.get("figures").map(|node| &node.tree) else {
+        return all;
+    };
+    for (i, figure) in figures.iter().enumerate() {
+        let Tree::Object(members) = &figure.tree else {
+            continue;
+        };
+        let draws = members.iter().any(|member| {
+            member.key == "kind"
+                && matches!(&member.node.tree, Tree::Text(kind) if KINDS.contains(&kind.as_str()))
+        });
+        for member in members.iter().filter(|_| draws) {
+            if !["x", "y"].contains(&member.key.as_str()) {
+                continue;
+            }
+            let path = format!("figures[{i}].{}", member.key);
+            each_text(&member.node, &path, &mut |text, at, path| {
+                if all.iter().any(|known| known.name == text) {
+                    return;
+                }
+                let inside = text
+                    .strip_prefix("error(")
+                    .and_then(|rest| rest.strip_suffix(')'));
+                let channel = Channel::parse(inside.unwrap_or(text), names).unwrap_or_else(|why| {
+                    faults.add(at, path, format!("{}: {}", quoted(text), printable(&why)));
+                    Channel {
+                        name: text.to_owned(),
+                        terms: Vec::new(),
+                    }
+                });
+                all.push(Drawn {
+                    name: text.to_owned(),
+                    channel,
+                    error: inside.is_some(),
+                    place: (at, path.to_owned()),
+                });
+            });
+        }
+    }
+    all
+}
+
+/// Reports `error(CHANNEL)` of figures in a study without exact motions.
+pub(super) fn report_errors_without_reference(
+    root: &Object,
+    drawn: &[Drawn],
+    has_reference: bool,
+    faults: &mut Faults,
+) {
+    let (Some(node), false) = (root.get("figures"), has_reference) else {
+        return;
+    };
+    each_text(node, "figures", &mut |text, at, path| {
+        if drawn.iter().any(|drawn| drawn.error && drawn.name == text) {
+            let message = format!(
+                "{} needs \"contacts_reference\" in \"structure\": softened or rigid",
+                quoted(text)
+            );
+            faults.add(at, path, message);
+        }
+    });
+}
+
+/// Every text in a tree, with its place.
+fn each_text(node: &Node, path: &str, visit: &mut dyn FnMut(&str, usize, &str)) {
+    match &node.tree {
+        Tree::Text(text) => visit(text, node.at, path),
+        Tree::List(items) => {
+            for (i, item) in items.iter().enumerate() {
+                each_text(item, &format!("{path}[{i}]"), visit);
+            }
+        }
+        Tree::Object(members) => {
+            for member in members {
+                each_text(&member.node, &join(path, &member.key), visit);
+            }
+        }
+        Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
+    }
+}
