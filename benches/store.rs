@@ -91,7 +91,7 @@ fn numbers(study: &Study, part: &PartResult) -> Vec<Vec<f64>> {
         let of = |value: &Option<Value>| value.map_or(f64::NAN, |v| v.as_f64().unwrap_or(0.0));
         columns.push(match column {
             Column::Same(value) => vec![of(value); part.len()],
-            Column::Each(values) => values.iter().map(of).collect(),
+            Column::Each(cells) => (0..part.len()).map(|row| of(&cells.at(row))).collect(),
         });
     }
     for metric in &study.metrics {

@@ -1,13 +1,13 @@
 //! The cases of a study that its figures show.
 
 use crate::batch::output::sobol::DesignMetrics;
-use crate::batch::{self, CaseMetrics, GroupResults, Outcome};
-use crate::figures::{DrawnCase, FigureData};
-use slipgap_solver::problem::{Case, Snapshot};
-use slipgap_study::{Figure, Study};
+use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
+use crate::figures::FigureData;
+use slipgap_solver::problem::Case;
+use slipgap_study::{Column, Figure, Study};
 
 /// Whether a figure shows the case.
-pub fn show(study: &Study, case: &Case) -> bool {
+fn show(study: &Study, case: &Case) -> bool {
     let shows = |figure: &Figure| figure.filter.matches(case);
     study.figures.iter().any(shows)
 }
@@ -18,12 +18,69 @@ pub fn show_history(study: &Study, case: &Case) -> bool {
     study.figures.iter().any(shows)
 }
 
+/// The columns that the figures of a study read.
+pub fn needed(study: &Study) -> Needed {
+    let mut needed = Needed {
+        parameters: vec![false; study.problem.parameters().len()],
+        measures: vec![false; study.measures.len()],
+    };
+    for figure in &study.figures {
+        let measures = figure.kind.measures(&*study.problem);
+        let reduces = measures.iter().any(|row| study.reduction(*row).is_some());
+        let Some(columns) = figure.kind.columns().filter(|_| !reduces) else {
+            needed.parameters.fill(true);
+            needed.measures.fill(true);
+            return needed;
+        };
+        for column in columns {
+            match column {
+                Column::Parameter(row) => needed.parameters[row] = true,
+                Column::Metric(row) => needed.measures[row] = true,
+            }
+        }
+        let filtered = figure.filter.0.iter();
+        filtered.for_each(|(row, _)| needed.parameters[*row] = true);
+    }
+    needed
+}
+
+/// Adds the cases of a part that a figure shows; `needed` is what [`needed`] gives.
+pub fn add(study: &Study, needed: &Needed, part: &mut PartResult, shown: &mut ShownCases) {
+    if study.figures.is_empty() {
+        return;
+    }
+    let all = 0..part.len() as u32;
+    let rows: Vec<u32> = match study
+        .figures
+        .iter()
+        .any(|figure| figure.filter.0.is_empty())
+    {
+        true => all.collect(),
+        false => {
+            let mut cases = part.cases.shown();
+            all.filter(|row| show(study, cases.at(*row as usize)))
+                .collect()
+        }
+    };
+    shown.add(part, &rows, needed);
+}
+
 /// Solves cases from the store again if a figure shows their histories.
-pub fn add_histories(study: &Study, outcomes: &mut [Outcome]) {
-    for outcome in outcomes.iter_mut() {
-        let missing = outcome.solution.is_none() && outcome.failure.is_none();
-        if missing && show_history(study, &outcome.case) {
-            outcome.solution = batch::solution(study, &outcome.case).ok().map(Box::new);
+pub fn add_histories(study: &Study, shown: &mut ShownCases) {
+    let mut figures = study.figures.iter();
+    if !figures.any(|figure| figure.kind.draws_histories()) {
+        return;
+    }
+    for row in 0..shown.len() {
+        let drawn = shown.at(row);
+        if drawn.solution().is_some() || shown.has_failed(row) {
+            continue;
+        }
+        let case = drawn.case();
+        if show_history(study, &case)
+            && let Ok(solution) = batch::solution(study, &case)
+        {
+            shown.set_solution(row, solution);
         }
     }
 }
@@ -33,47 +90,59 @@ pub fn add_histories(study: &Study, outcomes: &mut [Outcome]) {
 pub fn with_data<T>(
     study: &Study,
     figure: &Figure,
-    outcomes: &[Outcome],
+    shown: &ShownCases,
     designs: &DesignMetrics,
     draw: impl FnOnce(&FigureData) -> T,
 ) -> T {
-    let chosen = outcomes.iter().filter(|o| figure.filter.matches(&o.case));
-    let mut chosen: Vec<&Outcome> = chosen.collect();
-    let shown = figure.kind.measures(&*study.problem);
-    let reduced = batch::reduced(study, &shown, &chosen);
-    if let Some(reduced) = &reduced {
-        chosen = reduced.iter().collect();
-    }
-    let snapshots: Vec<_> = chosen.iter().map(|o| snapshots(study, figure, o)).collect();
-    let shown: Vec<DrawnCase> = chosen
-        .iter()
-        .zip(&snapshots)
-        .map(|(outcome, snapshots)| DrawnCase {
-            case: &outcome.case,
-            metrics: &outcome.metrics,
-            solution: outcome.solution.as_deref(),
-            snapshots,
+    let draw = |cases: &[DrawnCase]| {
+        let groups = GroupResults::new(study, figure, cases, designs);
+        draw(&FigureData {
+            study,
+            figure,
+            cases,
+            groups: &groups,
         })
-        .collect();
-    let cases = chosen.iter().map(|outcome| outcome.case_metrics());
-    let cases: Vec<CaseMetrics> = cases.collect();
-    let groups = GroupResults::new(study, figure, &cases, designs);
-    draw(&FigureData {
-        study,
-        figure,
-        cases: &shown,
-        groups: &groups,
-    })
+    };
+    let all = 0..shown.len() as u32;
+    let rows: Vec<u32> = match figure.filter.0.is_empty() {
+        true => all.collect(),
+        false => {
+            let mut cases = shown.cases().shown();
+            all.filter(|row| figure.filter.matches(cases.at(*row as usize)))
+                .collect()
+        }
+    };
+    let measures = figure.kind.measures(&*study.problem);
+    let reduced = batch::reduced(study, &measures, |take| {
+        let mut cases = shown.cases().shown();
+        for row in &rows {
+            let row = *row as usize;
+            take(cases.at(row), &|metric| shown.at(row).metric(metric));
+        }
+    });
+    if let Some(reduced) = reduced {
+        let mut shown = ShownCases::new(study.problem.schema());
+        let cases = reduced.iter();
+        cases.for_each(|own| shown.push(&own.case, &own.metrics, None));
+        return draw(&with_snapshots(study, figure, shown).all());
+    }
+    if figure.kind.draws_snapshots() {
+        return draw(&with_snapshots(study, figure, shown.only(&rows)).all());
+    }
+    let cases = rows.into_iter().map(|row| shown.at(row as usize));
+    draw(&cases.collect::<Vec<_>>())
 }
 
-/// The profiles that a figure shows of a case; none of a case that could not be solved.
-fn snapshots(study: &Study, figure: &Figure, outcome: &Outcome) -> Vec<Snapshot> {
-    let (problem, case) = (&study.problem, &outcome.case);
-    let times = figure.kind.snapshot_times(&**problem, case);
-    if times.is_empty() || outcome.failure.is_some() {
-        return Vec::new();
+/// The cases with the profiles that a figure shows; none of a case that could not be solved.
+fn with_snapshots(study: &Study, figure: &Figure, mut shown: ShownCases) -> ShownCases {
+    for row in 0..shown.len() {
+        let case = shown.at(row).case();
+        let times = figure.kind.snapshot_times(&*study.problem, &case);
+        if !times.is_empty() && !shown.has_failed(row) {
+            shown.set_snapshots(row, study.problem.snapshots(&case, &times));
+        }
     }
-    problem.snapshots(case, &times)
+    shown
 }
 
 #[cfg(test)]
@@ -83,23 +152,19 @@ mod tests {
     use slipgap_study::parse;
 
     /// Outcomes with made-up errors: the x0 of the case, times its step, plus the distance of its width from 0.3.
-    fn outcomes(study: &Study) -> Vec<Outcome> {
+    fn outcomes(study: &Study) -> ShownCases {
         let row = |name: &str| study.measures.iter().position(|m| m.name == name).unwrap();
-        let outcome = |case: Case| {
+        let mut shown = ShownCases::new(study.problem.schema());
+        for case in study.cases() {
             let number = |name: &str| case.number(name);
             let width = number("alpha").or(number("beta")).unwrap();
             let (x0, step) = (number("x0").unwrap(), number("dT").unwrap());
             let mut metrics = vec![None; study.measures.len()];
             metrics[row("rms_error")] = Some(x0 * step + (width - 0.3).abs());
             metrics[row("max_error")] = (width > 0.3).then_some(x0);
-            Outcome {
-                case,
-                metrics,
-                solution: None,
-                failure: None,
-            }
-        };
-        study.cases().map(outcome).collect()
+            shown.push(&case, &metrics, None);
+        }
+        shown
     }
 
     fn study(figure: &str) -> Study {
@@ -184,7 +249,10 @@ mod tests {
         let cases = with_data(&study, figure, &outcomes, &designs, |data| {
             data.cases
                 .iter()
-                .map(|shown| (shown.case.clone(), shown.metrics.to_vec()))
+                .map(|shown| {
+                    let metrics = (0..study.measures.len()).map(|row| shown.metric(row));
+                    (shown.case(), metrics.collect::<Vec<_>>())
+                })
                 .collect::<Vec<_>>()
         });
         assert_eq!(cases.len(), 6);

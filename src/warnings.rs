@@ -44,7 +44,7 @@ impl<'a> StudyWarnings<'a> {
         let mut shown = part.cases.shown();
         for row in 0..part.len() {
             let (number, case) = (part.number(row), shown.at(row));
-            let value = |metric| part.metrics.row(row).nth(metric).flatten();
+            let value = |metric| part.metrics.value(row, metric);
             let mut tested = checks::applicable(self.study, case, value);
             let fails = |(check, value)| !checks::verdict(self.study, check, number, value).holds();
             if tested.any(fails) {

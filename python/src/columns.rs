@@ -62,7 +62,7 @@ impl Columns {
         for (row, constant) in self.parameters.iter().zip(&mut self.constant) {
             let kind = table[*row].kind;
             arrays.push(match &part.cases.columns()[*row] {
-                Column::Each(values) => array(kind, values.iter().copied(), len),
+                Column::Each(cells) => array(kind, (0..len).map(|row| cells.at(row)), len),
                 Column::Same(value) => match constant {
                     Some((same, n, array)) if *n == len && Value::identical(*same, *value) => {
                         array.clone()

@@ -1,7 +1,7 @@
 //! The figures of a study, drawn when they are asked for, or read from the folder of the run.
 
 use pyo3::prelude::*;
-use slipgap::batch::Outcome;
+use slipgap::batch::ShownCases;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::error::Error;
 use slipgap::figures::{self, style};
@@ -15,7 +15,9 @@ use std::sync::Arc;
 /// The cases that the figures of a study show.
 pub struct Shown {
     pub source: Source,
-    pub outcomes: Vec<Outcome>,
+    pub cases: ShownCases,
+    /// The metrics of its saltelli designs.
+    pub designs: DesignMetrics,
 }
 
 /// Where the drawing comes from.
@@ -88,15 +90,13 @@ impl Figure {
 fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
     let study = &shown.source.study;
     let figure = &study.figures[index];
-    let cases = shown.outcomes.iter().map(Outcome::case_metrics);
-    let designs = DesignMetrics::of_cases(study, &cases.collect::<Vec<_>>());
-    let outcomes = &shown.outcomes;
-    let sheet = study_figures::with_data(study, figure, outcomes, &designs, figures::sheet);
-    match format {
-        Format::Svg => figures::svg(&sheet, style::DPI).map(String::into_bytes),
-        Format::Png => figures::png(&sheet, style::DPI),
-        Format::Pdf => figures::pdf(&sheet, style::DPI),
-    }
+    let sheet =
+        study_figures::with_data(study, figure, &shown.cases, &shown.designs, figures::sheet);
+    Ok(match format {
+        Format::Svg => figures::svg(&sheet, style::DPI)?.into_bytes(),
+        Format::Png => figures::png(&sheet, style::DPI)?,
+        Format::Pdf => figures::pdf(&sheet, style::DPI)?,
+    })
 }
 
 #[pymethods]

@@ -11,9 +11,10 @@ use indicatif::ProgressBar;
 use pyo3::prelude::*;
 use slipgap::batch::WarnedCases;
 use slipgap::batch::output::Folder;
+use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::store::Store;
 use slipgap::batch::work_progress::WorkProgress;
-use slipgap::batch::{self, Outcome, PartResult, RunOptions};
+use slipgap::batch::{self, PartResult, RunOptions, ShownCases};
 use slipgap::checks::{self, ReducedChecks};
 use slipgap::error::Error;
 use slipgap::problem::cases_without_contact;
@@ -31,7 +32,9 @@ struct Collected {
     without_contact: u64,
     warnings: Vec<WarnedCases>,
     /// The cases that figures show; none if the run wrote the figures.
-    shown: Vec<Outcome>,
+    shown: ShownCases,
+    /// The metrics of its saltelli designs.
+    designs: DesignMetrics,
 }
 
 /// Runs a study; `progress` is called with the numbers of finished and of all cases.
@@ -72,8 +75,12 @@ pub fn run(
         |_| report(bar.position()),
     )?;
     report(cases)?;
-    let outcomes = collected.shown;
-    let shown = Arc::new(Shown { source, outcomes });
+    let (cases, designs) = (collected.shown, collected.designs);
+    let shown = Arc::new(Shown {
+        source,
+        cases,
+        designs,
+    });
     let table = Table {
         schema: columns,
         batches: collected.batches,
@@ -99,13 +106,11 @@ fn in_memory(source: &Source, mut collector: Collector<'_>) -> Result<Collected,
         progress: Some(&*work),
         ..RunOptions::METRICS
     };
-    let mut shown = Vec::new();
-    batch::run(study, &bar, &options, |part| {
+    let needed = study_figures::needed(study);
+    let mut shown = ShownCases::new(study.problem.schema());
+    batch::run(study, &bar, &options, |mut part| {
         collector.add(&part)?;
-        if !study.figures.is_empty() {
-            let outcomes = part.outcomes(study).into_iter().map(|(_, outcome)| outcome);
-            shown.extend(outcomes.filter(|outcome| study_figures::show(study, &outcome.case)));
-        }
+        study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     })?;
     study_figures::add_histories(study, &mut shown);
@@ -122,7 +127,8 @@ fn to_folder(
     let store = Store::open(path)?;
     let output = OutputOptions::default();
     run_study(source, folder, store, &output, &mut collector)?;
-    collector.finish(Vec::new())
+    let none = ShownCases::new(collector.study.problem.schema());
+    collector.finish(none)
 }
 
 /// Collects the results part by part.
@@ -153,7 +159,8 @@ impl<'a> Collector<'a> {
                 checked: vec![Vec::new(); study.checks.len()],
                 without_contact: 0,
                 warnings: Vec::new(),
-                shown: Vec::new(),
+                shown: ShownCases::new(study.problem.schema()),
+                designs: DesignMetrics::new(study),
             },
             error: None,
         }
@@ -162,6 +169,7 @@ impl<'a> Collector<'a> {
     fn add(&mut self, part: &PartResult) -> Result<(), Error> {
         self.warnings.add(part);
         let (study, collected) = (self.study, &mut self.collected);
+        collected.designs.add(part);
         collected.batches.push(self.columns.of(study, part)?);
         let failures = part.metrics.failures();
         let numbered = failures.map(|(row, why)| (part.first + row as u64, why.to_string()));
@@ -172,7 +180,7 @@ impl<'a> Collector<'a> {
         }
         let mut shown = part.cases.shown();
         for (place, number) in (0..part.len()).zip(part.first..) {
-            let value = |metric| part.metrics.row(place).nth(metric).flatten();
+            let value = |metric| part.metrics.value(place, metric);
             for (check, value) in checks::applicable(study, shown.at(place), value) {
                 collected.checked[check].push((number, value.unwrap_or(f64::NAN)));
             }
@@ -181,7 +189,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    fn finish(mut self, shown: Vec<Outcome>) -> Result<Collected, Error> {
+    fn finish(mut self, shown: ShownCases) -> Result<Collected, Error> {
         if let Some(error) = self.error {
             return Err(error);
         }

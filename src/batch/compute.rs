@@ -97,9 +97,9 @@ pub(super) fn compute_rows(
         swept.extend(tables.collect::<Result<Vec<_>, Error>>()?);
     }
     let in_lanes = in_lanes.concat();
-    let swept = swept.into_iter().reduce(MetricTable::followed_by);
+    let swept = MetricTable::joined(swept);
     if in_lanes.len() == cases.len() && in_lanes.is_sorted() {
-        return Ok((swept.unwrap_or_default(), Solutions::new()));
+        return Ok((swept, Solutions::new()));
     }
     let mut shown = cases.shown();
     let solve = |(row, case): &(usize, Case)| {
@@ -118,9 +118,7 @@ pub(super) fn compute_rows(
     let (mut metrics, mut solutions) =
         (MetricTable::new(cases.len(), table.len()), Solutions::new());
     for (place, row) in in_lanes.into_iter().enumerate() {
-        if let Some(swept) = &swept {
-            metrics.copy(row as usize, swept, place);
-        }
+        metrics.copy(row as usize, &swept, place);
     }
     for (row, why) in cases.refused() {
         metrics.fail(row, Unsolvable::BrokenRules(why.to_owned()));

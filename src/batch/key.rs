@@ -1,6 +1,6 @@
 //! Keys: everything that determines the results of a part. Stored results are used again only if their key is the same.
 
-use slipgap_solver::problem::cases::{Cases, Column};
+use slipgap_solver::problem::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_solver::problem::parameter::{ColumnRule, Value};
 use slipgap_study::Study;
 use std::fmt;
@@ -46,11 +46,9 @@ impl Key {
                     bytes.push(0);
                     push_value(&mut bytes, *value);
                 }
-                Column::Each(values) => {
+                Column::Each(cells) => {
                     bytes.push(1);
-                    values
-                        .iter()
-                        .for_each(|value| push_value(&mut bytes, *value));
+                    push_cells(&mut bytes, cells);
                 }
             }
             hasher.write(&bytes);
@@ -153,17 +151,57 @@ pub fn case_hash(case: &[Option<Value>]) -> u128 {
 
 /// Appends bytes that are different for every value.
 fn push_value(bytes: &mut Vec<u8>, value: Option<Value>) {
-    let tag: u8 = match value {
-        None => 0,
-        Some(Value::Number(_)) => 1,
-        Some(Value::Whole(_)) => 2,
-        Some(Value::Name(_)) => 3,
-    };
-    bytes.push(tag);
-    if let Some((bits, name)) = value.map(Value::identity) {
-        bytes.extend((bits ^ name.len() as u64).to_le_bytes());
-        bytes.extend(name.as_bytes());
+    match value {
+        None => bytes.push(ABSENT),
+        Some(Value::Number(x)) => push_bits(bytes, NUMBER, x.to_bits()),
+        Some(Value::Whole(n)) => push_bits(bytes, WHOLE, n),
+        Some(Value::Name(name)) => {
+            push_bits(bytes, NAME, name.len() as u64);
+            bytes.extend_from_slice(name.as_bytes());
+        }
     }
+}
+
+/// Appends the bytes of [`push_value`] for each value.
+fn push_cells(bytes: &mut Vec<u8>, cells: &Cells) {
+    match cells {
+        Cells::Numbers(numbers) => {
+            bytes.reserve(9 * numbers.len());
+            for x in numbers {
+                match applies(*x) {
+                    true => push_bits(bytes, NUMBER, x.to_bits()),
+                    false => bytes.push(ABSENT),
+                }
+            }
+        }
+        Cells::Whole(numbers) => {
+            bytes.reserve(9 * numbers.len());
+            for n in numbers {
+                match *n {
+                    NO_WHOLE => bytes.push(ABSENT),
+                    n => push_bits(bytes, WHOLE, n),
+                }
+            }
+        }
+        Cells::Names { names, places } => {
+            for place in places {
+                let known = (*place != NO_NAME).then(|| names[*place as usize]);
+                push_value(bytes, known.map(Value::Name));
+            }
+        }
+    }
+}
+
+/// The first byte of a value, by its kind.
+const ABSENT: u8 = 0;
+const NUMBER: u8 = 1;
+const WHOLE: u8 = 2;
+const NAME: u8 = 3;
+
+fn push_bits(bytes: &mut Vec<u8>, kind: u8, bits: u64) {
+    let mut all = [kind; 9];
+    all[1..].copy_from_slice(&bits.to_le_bytes());
+    bytes.extend_from_slice(&all);
 }
 
 /// The checksum of some bytes, as 32 hexadecimal digits.

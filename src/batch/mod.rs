@@ -16,6 +16,7 @@ mod queue;
 mod reduced;
 mod run_part;
 mod shard;
+mod shown;
 pub mod store;
 #[cfg(test)]
 mod tests_columns;
@@ -29,9 +30,10 @@ pub use compute::{keep_memory, solution};
 pub use groups::GroupResults;
 pub use missing::{MissingParts, missing_parts};
 pub use options::{OnSolution, RunOptions};
-pub use part_result::{CaseMetrics, Outcome, PartResult};
+pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
 pub use shard::{Shard, ShardResult, run_shard, shard_of};
+pub use shown::{DrawnCase, Needed, ShownCases};
 pub use units::with_unit_columns;
 pub use warned::{WarnedCases, WarningCounts};
 

@@ -40,15 +40,6 @@ pub struct PartResult {
     pub from_store: u64,
 }
 
-/// A case with its metrics.
-#[derive(Debug, Clone, Copy)]
-pub struct CaseMetrics<'a> {
-    /// Its parameters.
-    pub case: &'a Case,
-    /// In the order of the study's measures; `None` where one is undefined.
-    pub metrics: &'a [Option<f64>],
-}
-
 impl PartResult {
     /// Number of cases.
     pub fn len(&self) -> usize {

@@ -109,6 +109,14 @@ struct Missing<'a> {
 impl<'a> Missing<'a> {
     fn new(cases: &'a Cases, earlier: &'a EarlierCases) -> Missing<'a> {
         let (mut rows, mut reused) = (Vec::new(), Vec::new());
+        // A hash for each case is only made to look it up.
+        if earlier.is_empty() {
+            return Missing {
+                cases,
+                rows: compute::solvable_rows(cases),
+                reused,
+            };
+        }
         let mut shown = cases.shown();
         for row in compute::solvable_rows(cases) {
             match earlier.get(case_hash(&shown.at(row as usize).values)) {

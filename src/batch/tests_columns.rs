@@ -1,9 +1,10 @@
 //! A new parameter with a default: a copy of the friction oscillator with one more parameter.
 
 use super::key::{Key, case_hash};
-use super::output::tables::{FailureTable, ResultTable};
+use super::output::results::ResultTable;
+use super::output::tables::FailureTable;
 use super::store::Store;
-use super::{Outcome, solution};
+use super::{RunOptions, run};
 use slipgap_solver::history::History;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::friction::FrictionOscillator;
@@ -87,16 +88,13 @@ fn tables(study: &Study) -> [String; 2] {
                 &slipgap_solver::solve::Unsolvable::OutOfRange,
             )
             .unwrap();
-        let solved = solution(study, &case).unwrap();
-        let metrics = study.measures.iter().map(|m| solved.metrics[m.metric]);
-        let outcome = Outcome {
-            case,
-            metrics: metrics.collect(),
-            solution: None,
-            failure: None,
-        };
-        table.row(number, &outcome).unwrap();
     }
+    let bar = indicatif::ProgressBar::hidden();
+    let add = |part| {
+        table.add(&part).unwrap();
+        Ok(())
+    };
+    run(study, &bar, &RunOptions::METRICS, add).unwrap();
     [table.finish().unwrap(), failures.finish().unwrap()]
         .map(|bytes| String::from_utf8(bytes).unwrap())
 }

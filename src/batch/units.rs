@@ -9,20 +9,17 @@ pub fn with_unit_columns(study: &Study, cases: &Cases, metrics: MetricTable) -> 
     if study.units.is_none() {
         return metrics;
     }
-    let mut extended = MetricTable::new(metrics.len(), study.measures.len());
-    let mut shown = cases.shown();
-    for row in 0..metrics.len() {
-        extended.copy(row, &metrics, row);
-        let cells = extended.row(row);
-        let mut cells: Vec<f64> = cells.map(|x| x.unwrap_or(f64::NAN)).collect();
-        let case = shown.at(row);
-        for (column, measure) in study.measures.iter().enumerate() {
-            if let (Some(dimension), None) = (measure.dimension, &measure.reduction) {
-                let size = study.problem.size(case, dimension);
-                cells[column] = cells[measure.metric] * size.unwrap_or(f64::NAN);
-            }
+    let mut extended = metrics.widened(study.measures.len());
+    for (column, measure) in study.measures.iter().enumerate() {
+        if let (Some(dimension), None) = (measure.dimension, &measure.reduction) {
+            let scaled: Vec<Option<f64>> = extended.column(measure.metric).collect();
+            let mut shown = cases.shown();
+            let in_units = scaled.iter().enumerate().map(|(row, scaled)| {
+                let size = study.problem.size(shown.at(row), dimension);
+                scaled.zip(size).map_or(f64::NAN, |(x, size)| x * size)
+            });
+            extended.set_column(column, in_units);
         }
-        extended.set(row, cells.into_iter());
     }
     extended
 }

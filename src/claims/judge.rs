@@ -38,7 +38,11 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> Met {
     let reduced = match expect.demand {
         Demand::Within { metric, .. }
         | Demand::Trend { metric, .. }
-        | Demand::LeastAt { metric, .. } => batch::reduced(study, &[metric], &cases),
+        | Demand::LeastAt { metric, .. } => batch::reduced(study, &[metric], |take| {
+            for own in &cases {
+                take(&own.case, &|row| own.metrics.get(row).copied().flatten());
+            }
+        }),
         Demand::AwayFromFronts { .. } | Demand::LaterEvent { .. } => None,
     };
     if let Some(reduced) = &reduced {

@@ -82,7 +82,7 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
         let mut shown = part.cases.shown();
         for place in 0..part.len() {
             let number = part.number(place);
-            let value = |metric| part.metrics.row(place).nth(metric).flatten();
+            let value = |metric| part.metrics.value(place, metric);
             for (check, value) in checks::applicable(study, shown.at(place), value) {
                 values[check].push((number, value.unwrap_or(f64::NAN)));
             }

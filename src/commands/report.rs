@@ -11,7 +11,7 @@ use slipgap::batch::output::ensemble::EnsembleMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::output::{Folder, is_outdated};
 use slipgap::batch::store::Store;
-use slipgap::batch::{self, RunOptions};
+use slipgap::batch::{self, RunOptions, ShownCases};
 use slipgap::checks::ReducedChecks;
 use slipgap::claims::compute;
 use slipgap::claims::ledger::Ledger;
@@ -111,25 +111,24 @@ fn section<'a>(
     let mut results = Results::new(study, store.folder().to_owned(), largest);
     let (mut counts, mut checks) = (Counts::new(study), Checks::default());
     let mut warnings = StudyWarnings::new(study);
-    let mut shown = Vec::new();
+    let needed = study_figures::needed(study);
+    let mut shown = ShownCases::new(study.problem.schema());
     let mut designs = DesignMetrics::new(study);
     let mut reduced = ReducedChecks::new(study);
     let mut ensembles = EnsembleMetrics::new(study);
-    batch::run(study, &bar, &options, |part| {
+    batch::run(study, &bar, &options, |mut part| {
         tally.add(&part);
         designs.add(&part);
         warnings.add(&part);
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);
         }
+        study_figures::add(study, &needed, &mut part, &mut shown);
         for (number, outcome) in part.outcomes(study) {
             results.add(&outcome);
             counts.add(study, number, &outcome);
             checks.judge(study, number, &outcome);
             reduced.add(number, &outcome.case, |metric| outcome.metrics[metric]);
-            if study_figures::show(study, &outcome.case) {
-                shown.push(outcome);
-            }
         }
         Ok(())
     })?;

@@ -6,14 +6,9 @@ use slipgap_study::{Column, Scale, Study};
 /// The value of a case in a column.
 pub fn value(shown: &DrawnCase, column: Column) -> Option<f64> {
     match column {
-        Column::Parameter(row) => shown.case.values[row].and_then(|value| value.as_f64()),
-        Column::Metric(row) => metric_of(shown, row),
+        Column::Parameter(row) => shown.number(row),
+        Column::Metric(row) => shown.metric(row),
     }
-}
-
-/// The metric of a case in a row of the study's measures.
-pub fn metric_of(shown: &DrawnCase, row: usize) -> Option<f64> {
-    shown.metrics.get(row).copied().flatten()
 }
 
 /// The title of a column, in markup.

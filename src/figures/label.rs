@@ -4,7 +4,7 @@ use crate::figures::DrawnCase;
 use slipgap_drawing::text::{markup, number};
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::parameter::{Default, Parameter, Value};
-use slipgap_study::{Filter, Study, alike};
+use slipgap_study::{Filter, Study};
 use std::collections::HashMap;
 
 /// Whether two values are the same, or both do not apply.
@@ -20,7 +20,7 @@ pub fn same(a: Option<Value>, b: Option<Value>) -> bool {
 pub fn values(cases: &[DrawnCase], row: usize) -> Vec<Option<Value>> {
     let mut found: Vec<Option<Value>> = Vec::new();
     for shown in cases {
-        let value = shown.case.values[row];
+        let value = shown.value(row);
         if !found.iter().any(|f| same(*f, value)) {
             found.push(value);
         }
@@ -33,8 +33,8 @@ pub fn bound(table: &[Parameter], cases: &[DrawnCase], by: usize) -> Vec<usize> 
     let groups = values(cases, by);
     let settled = |row: &usize| {
         groups.iter().all(|group| {
-            let of_group = cases.iter().filter(|c| same(c.case.values[by], *group));
-            let mut its = of_group.map(|c| c.case.values[*row]);
+            let of_group = cases.iter().filter(|c| same(c.value(by), *group));
+            let mut its = of_group.map(|c| c.value(*row));
             let first = its.next().flatten();
             its.all(|value| same(value, first))
         })
@@ -96,8 +96,8 @@ pub fn along(study: &Study, cases: &[DrawnCase], x: usize) -> Vec<usize> {
 fn settled_by(cases: &[DrawnCase], by: &[usize], row: usize) -> bool {
     let mut found = HashMap::new();
     cases.iter().all(|shown| {
-        let its = shown.case.values[row];
-        let first = found.entry(alike::identity(shown.case, by)).or_insert(its);
+        let its = shown.value(row);
+        let first = found.entry(shown.identity(by)).or_insert(its);
         same(*first, its)
     })
 }
@@ -109,7 +109,7 @@ fn varies(cases: &[DrawnCase], row: usize) -> bool {
 /// Whether a parameter has the value of an earlier one in every case, as the mesh of the right bar that of the left one.
 fn repeats_another(cases: &[DrawnCase], row: usize) -> bool {
     let repeats = |other| {
-        let alike = |c: &DrawnCase| same(c.case.values[other], c.case.values[row]);
+        let alike = |c: &DrawnCase| same(c.value(other), c.value(row));
         cases.iter().all(alike)
     };
     (0..row).any(repeats)
@@ -151,7 +151,7 @@ pub fn named(
                     .applies
                     .as_ref()
                     .is_some_and(|on| on.governor == table[row].name)
-                    && shown.case.values[*other].is_some()
+                    && shown.value(*other).is_some()
             };
             rows.iter().any(depends)
         })
@@ -179,7 +179,7 @@ pub fn labels(
 
 /// Significant digits that distinguish the values of a parameter.
 pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
-    let values = cases.iter().filter_map(|shown| shown.case.values[row]);
+    let values = cases.iter().filter_map(|shown| shown.value(row));
     number::digits(values.filter_map(|value| value.as_f64()))
 }
 
@@ -187,9 +187,7 @@ pub fn digits(cases: &[DrawnCase], row: usize) -> usize {
 fn label(table: &[Parameter], shown: &DrawnCase, rows: &[(usize, usize)]) -> String {
     let parts: Vec<_> = rows
         .iter()
-        .filter_map(|(row, digits)| {
-            Some(value_label(&table[*row], shown.case.values[*row]?, *digits))
-        })
+        .filter_map(|(row, digits)| Some(value_label(&table[*row], shown.value(*row)?, *digits)))
         .collect();
     if parts.is_empty() {
         "computed".into()

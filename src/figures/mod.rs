@@ -11,6 +11,7 @@ mod label;
 #[cfg(test)]
 mod tests;
 
+pub use crate::batch::{DrawnCase, ShownCases};
 pub use front::Front;
 pub use hover::with_hover;
 pub use slipgap_drawing::draw::base64;
@@ -22,21 +23,7 @@ pub use slipgap_drawing::{pdf, png, svg};
 use crate::batch::GroupResults;
 use sheet::Sheet;
 use slipgap_drawing::layout::{self, envelope};
-use slipgap_solver::problem::{Case, Snapshot, Solution};
 use slipgap_study::{Figure, Study};
-
-/// A case that a figure draws.
-#[derive(Debug, Clone, Copy)]
-pub struct DrawnCase<'a> {
-    /// Its parameters.
-    pub case: &'a Case,
-    /// Its metrics, in the order of the study's measures; `None` where one is undefined.
-    pub metrics: &'a [Option<f64>],
-    /// Its histories, for kinds that draw them; `None` if the case could not be solved.
-    pub solution: Option<&'a Solution>,
-    /// The quantities along the structure at the figure's times, rising; empty for kinds that do not draw them.
-    pub snapshots: &'a [Snapshot],
-}
 
 /// What a figure draws.
 #[derive(Debug, Clone, Copy)]

@@ -4,7 +4,7 @@ use super::{Observer, OutputOptions, Source};
 use crate::batch::output::fragility::FragilityTable;
 use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::{FRAGILITY, Folder};
-use crate::batch::{GroupResults, Outcome};
+use crate::batch::{GroupResults, ShownCases};
 use crate::figures::{self, FigureData};
 use crate::study_figures;
 use slipgap_study::error::Error;
@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// Draws every figure of a study, writes the table of fragility figures, and adds the paths of the files to `paths`.
 pub fn write(
     source: &Source,
-    outcomes: &mut [Outcome],
+    shown: &mut ShownCases,
     designs: &DesignMetrics,
     output: &OutputOptions,
     folder: &mut Folder,
@@ -24,7 +24,7 @@ pub fn write(
     let (study, dpi) = (&source.study, output.dpi);
     let mut table = FragilityTable::new(study)?;
     let bar = observer.begin_figures(source, study.figures.len());
-    study_figures::add_histories(study, outcomes);
+    study_figures::add_histories(study, shown);
     for figure in &study.figures {
         let draw = |data: &FigureData| {
             if let (Some(table), FigureKind::Fragility(kind), GroupResults::Fragility(curves)) =
@@ -34,7 +34,7 @@ pub fn write(
             }
             Ok::<_, Error>(figures::sheet(data))
         };
-        let sheet = study_figures::with_data(study, figure, outcomes, designs, draw)?;
+        let sheet = study_figures::with_data(study, figure, shown, designs, draw)?;
         let name = &figure.name;
         paths.push(folder.write(&format!("{name}.png"), &figures::png(&sheet, dpi)?)?);
         let svg = figures::svg(&sheet, dpi)?;

@@ -25,7 +25,7 @@ use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::output::tables::write_history;
 use crate::batch::output::{Folder, INDICES, REDUCTIONS, history_name};
 use crate::batch::store::Store;
-use crate::batch::{self, RunOptions};
+use crate::batch::{self, RunOptions, ShownCases};
 use crate::study_figures;
 use crate::warnings::StudyWarnings;
 use slipgap_drawing::style;
@@ -101,7 +101,8 @@ pub fn run_study(
     let (bar, work) = observer.begin_cases(source);
     let mut tables = Tables::create(source, &folder, output.table.unwrap_or(cases <= MOST_ROWS))?;
     let mut tally = Tally::new(store.is_empty(), output.histories);
-    let mut shown = Vec::new();
+    let needed = study_figures::needed(study);
+    let mut shown = ShownCases::new(study.problem.schema());
     let on_solution = |number: u64, solution: &Solution| {
         if let Some(case) = &study.case(number) {
             folder.write_unlisted(&history_name(number), |out| {
@@ -124,7 +125,7 @@ pub fn run_study(
     let mut ensembles = EnsembleMetrics::new(study);
     let mut warnings = StudyWarnings::new(study);
     let mut without_contact = 0;
-    batch::run(study, &bar, &options, |part| {
+    batch::run(study, &bar, &options, |mut part| {
         tally.add(&part);
         observer.part(&part);
         warnings.add(&part);
@@ -134,28 +135,18 @@ pub fn run_study(
         if let Some(ensembles) = &mut ensembles {
             ensembles.add(&part);
         }
-        // Cases are separated from the columns only if they are needed one by one.
-        if !tables.has_results()
-            && study.figures.is_empty()
-            && !output.histories
-            && part.metrics.failures().next().is_none()
-        {
-            return Ok(());
+        tables.add(&folder, &part)?;
+        let failed = part.metrics.failures().next();
+        if let Some((row, why)) = failed.filter(|_| output.fail_fast) {
+            bar.finish_and_clear();
+            let line = unsolved::line(source, part.number(row), why);
+            return Err(Error::Unsolved(line));
         }
-        for (number, outcome) in part.outcomes(study) {
-            tables.add(&folder, number, &outcome)?;
-            match &outcome.failure {
-                Some(why) if output.fail_fast => {
-                    bar.finish_and_clear();
-                    return Err(Error::Unsolved(unsolved::line(source, number, why)));
-                }
-                None if output.histories => histories.push(history_name(number)),
-                Some(_) | None => {}
-            }
-            if study_figures::show(study, &outcome.case) {
-                shown.push(outcome);
-            }
+        if output.histories {
+            let solved = (0..part.len()).filter(|row| part.metrics.failure(*row).is_none());
+            histories.extend(solved.map(|row| history_name(part.number(row))));
         }
+        study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     })?;
     observer.end_cases(source, &bar, &tally.summary());

@@ -2,9 +2,10 @@
 
 use super::unsolved::UnsolvedCases;
 use super::{Observer, Source};
-use crate::batch::Outcome;
+use crate::batch::PartResult;
 use crate::batch::output::atomic::AtomicFile;
-use crate::batch::output::tables::{FailureTable, ResultTable};
+use crate::batch::output::results::ResultTable;
+use crate::batch::output::tables::FailureTable;
 use crate::batch::output::{FAILURES, Folder, RESULTS};
 use crate::batch::store::Store;
 use slipgap_study::error::Error;
@@ -36,30 +37,27 @@ impl<'a> Tables<'a> {
         })
     }
 
-    /// Whether each case is a row of results.csv.
-    pub fn has_results(&self) -> bool {
-        self.results.is_some()
-    }
-
-    /// Adds a case.
-    pub fn add(&mut self, folder: &Folder, number: u64, outcome: &Outcome) -> Result<(), Error> {
+    /// Adds the cases of a part.
+    pub fn add(&mut self, folder: &Folder, part: &PartResult) -> Result<(), Error> {
         if let Some(table) = &mut self.results {
-            let written = table.row(number, outcome);
+            let written = table.add(part);
             written.map_err(write_error(folder, RESULTS))?;
         }
-        let Some(why) = &outcome.failure else {
-            return Ok(());
-        };
-        self.unsolved.add(number, why);
-        let table = match &mut self.failures {
-            Some(table) => table,
-            none => {
-                let table = FailureTable::new(&self.source.study, folder.create(FAILURES)?);
-                none.insert(table.map_err(write_error(folder, FAILURES))?)
-            }
-        };
-        let written = table.row(number, &outcome.case, why);
-        written.map_err(write_error(folder, FAILURES))
+        let mut shown = part.cases.shown();
+        for (row, why) in part.metrics.failures() {
+            let number = part.number(row);
+            self.unsolved.add(number, why);
+            let table = match &mut self.failures {
+                Some(table) => table,
+                none => {
+                    let table = FailureTable::new(&self.source.study, folder.create(FAILURES)?);
+                    none.insert(table.map_err(write_error(folder, FAILURES))?)
+                }
+            };
+            let written = table.row(number, shown.at(row), why);
+            written.map_err(write_error(folder, FAILURES))?;
+        }
+        Ok(())
     }
 
     /// Commits the files, adds their paths to `paths`, and reports cases without a solution. It returns whether every

@@ -6,7 +6,7 @@ use crate::xml;
 use indicatif::ProgressBar;
 use slipgap::batch::output::reductions::ReducedMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
-use slipgap::batch::{self, Outcome, RunOptions};
+use slipgap::batch::{self, RunOptions, ShownCases};
 use slipgap::error::{Error, Fault};
 use slipgap::figures;
 use slipgap::problem::cases::Cases;
@@ -144,31 +144,32 @@ fn solved(study: &Study, case: &Case, violations: &[Violation]) -> bool {
 
 /// Draws every figure as well-formed SVG.
 fn drawn(study: &Study) {
-    let mut outcomes = Vec::new();
+    let needed = study_figures::needed(study);
+    let (mut shown, mut cases) = (ShownCases::new(study.problem.schema()), 0);
     let options = RunOptions {
         keep_history: &|_| true,
         ..RunOptions::METRICS
     };
     let mut reductions = ReducedMetrics::new(study);
-    let run = batch::run(study, &ProgressBar::hidden(), &options, |part| {
+    let mut designs = DesignMetrics::new(study);
+    let run = batch::run(study, &ProgressBar::hidden(), &options, |mut part| {
         reductions.add(&part);
-        let numbered = part.outcomes(study).into_iter();
-        outcomes.extend(numbered.map(|(_, outcome)| outcome));
+        designs.add(&part);
+        cases += part.len() as u64;
+        study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     });
     run.expect("a run");
     let table = reductions.table().expect("a table");
     assert_eq!(table.is_some(), study.reductions().next().is_some());
-    assert_eq!(outcomes.len() as u64, study.len());
+    assert_eq!(cases, study.len());
     for figure in &study.figures {
-        let svg = svg(study, figure, &outcomes);
+        let svg = svg(study, figure, &shown, &designs);
         assert_eq!(xml::fault(&svg), None, "figure {}: {svg}", figure.name);
     }
 }
 
-fn svg(study: &Study, figure: &Figure, outcomes: &[Outcome]) -> String {
-    let cases = outcomes.iter().map(Outcome::case_metrics);
-    let designs = DesignMetrics::of_cases(study, &cases.collect::<Vec<_>>());
-    let sheet = study_figures::with_data(study, figure, outcomes, &designs, figures::sheet);
+fn svg(study: &Study, figure: &Figure, shown: &ShownCases, designs: &DesignMetrics) -> String {
+    let sheet = study_figures::with_data(study, figure, shown, designs, figures::sheet);
     figures::svg(&sheet, figures::style::DPI).expect("a picture")
 }

@@ -1,7 +1,7 @@
 //! The curves of a fragility figure: in how many cases a metric exceeds a limit, and the lognormal function of the largest
 //! likelihood.
 
-use super::CaseMetrics;
+use crate::batch::DrawnCase;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_statistics::binomial;
 use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
@@ -47,20 +47,24 @@ pub struct Probability {
 
 /// The curves of a figure: the cases of each value of its `by`, or else of each set of values of the parameters that vary and
 /// change neither with the ensemble nor along the axis; in the order of the first cases.
-pub fn curves(study: &Study, figure: &Fragility, cases: &[CaseMetrics]) -> Vec<FragilityCurve> {
+pub fn curves(study: &Study, figure: &Fragility, cases: &[DrawnCase]) -> Vec<FragilityCurve> {
     let rows = match figure.by {
         Some(row) => vec![row],
         None => study.outside_ensemble(&[figure.x]),
     };
-    let groups = alike::grouped(cases, |shown| alike::identity(shown.case, &rows));
-    groups.iter().map(|cases| curve(figure, cases)).collect()
+    let groups = alike::grouped(cases, |shown| shown.identity(&rows));
+    let parameters = study.problem.parameters().len();
+    let groups = groups.iter();
+    groups
+        .map(|cases| curve(parameters, figure, cases))
+        .collect()
 }
 
-fn curve(figure: &Fragility, cases: &[&CaseMetrics]) -> FragilityCurve {
-    let along = |shown: &CaseMetrics| shown.case.values[figure.x].filter(|x| x.as_f64().is_some());
+fn curve(parameters: usize, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCurve {
+    let along = |shown: &DrawnCase| shown.value(figure.x).filter(|x| x.as_f64().is_some());
     let placed = cases.iter().filter(|shown| along(shown).is_some());
     let groups = alike::grouped(placed, |shown| along(shown).map(Value::identity));
-    let point = |cases: Vec<&&CaseMetrics>| {
+    let point = |cases: Vec<&&DrawnCase>| {
         let at = along(cases.first()?)?.as_f64()?;
         Some(FragilityPoint::new(figure, at, &cases))
     };
@@ -69,30 +73,25 @@ fn curve(figure: &Fragility, cases: &[&CaseMetrics]) -> FragilityCurve {
     let trials = points.iter().filter(|point| point.probability.is_some());
     let trials: Vec<Trials> = trials.map(FragilityPoint::trials).collect();
     FragilityCurve {
-        shared: shared(cases),
+        shared: shared(parameters, cases),
         fit: Function::fit(&trials),
         points,
     }
 }
 
 /// For each parameter the value that all cases have.
-fn shared(cases: &[&CaseMetrics]) -> Vec<Option<Value>> {
-    let mut cases = cases.iter();
-    let first = cases.next();
-    let mut shared = first.map_or(Vec::new(), |first| first.case.values.clone());
-    for shown in cases {
-        for (own, other) in shared.iter_mut().zip(&shown.case.values) {
-            if !Value::identical(*own, *other) {
-                *own = None;
-            }
-        }
-    }
-    shared
+fn shared(parameters: usize, cases: &[&DrawnCase]) -> Vec<Option<Value>> {
+    let value = |row: usize| {
+        let first = cases.first()?.value(row);
+        let mut others = cases.iter().map(|shown| shown.value(row));
+        first.filter(|_| others.all(|other| Value::identical(other, first)))
+    };
+    (0..parameters).map(value).collect()
 }
 
 impl FragilityPoint {
-    fn new(figure: &Fragility, at: f64, cases: &[&&CaseMetrics]) -> FragilityPoint {
-        let value = |shown: &&&CaseMetrics| shown.metrics.get(figure.y).copied().flatten();
+    fn new(figure: &Fragility, at: f64, cases: &[&&DrawnCase]) -> FragilityPoint {
+        let value = |shown: &&&DrawnCase| shown.metric(figure.y);
         let values: Vec<f64> = cases.iter().filter_map(value).collect();
         let exceeded = values.iter().filter(|value| **value > figure.limit);
         let (exceeded, count) = (exceeded.count() as u64, values.len() as u64);

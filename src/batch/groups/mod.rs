@@ -2,8 +2,8 @@
 
 pub mod fragility;
 
+use super::DrawnCase;
 use super::output::sobol::{DesignMetrics, Estimates};
-use super::{CaseMetrics, Outcome};
 use fragility::FragilityCurve;
 use slipgap_study::kinds::FigureKind;
 use slipgap_study::{Figure, Study};
@@ -30,25 +30,15 @@ impl<'a> GroupResults<'a> {
     pub fn new(
         study: &Study,
         figure: &Figure,
-        cases: &[CaseMetrics],
+        cases: &[DrawnCase],
         designs: &'a DesignMetrics,
     ) -> GroupResults<'a> {
         match &figure.kind {
-            FigureKind::Sobol(kind) => designs.indices(study, cases, &kind.y),
+            FigureKind::Sobol(kind) => designs.indices(study, figure, cases.len(), &kind.y),
             FigureKind::Fragility(kind) => {
                 GroupResults::Fragility(fragility::curves(study, kind, cases))
             }
             _ => GroupResults::None,
-        }
-    }
-}
-
-impl Outcome {
-    /// The case with its metrics.
-    pub fn case_metrics(&self) -> CaseMetrics<'_> {
-        CaseMetrics {
-            case: &self.case,
-            metrics: &self.metrics,
         }
     }
 }

@@ -6,6 +6,7 @@ pub mod fragility;
 mod manifest;
 mod names;
 pub mod reductions;
+pub mod results;
 pub mod sobol;
 pub mod tables;
 

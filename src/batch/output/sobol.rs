@@ -1,10 +1,12 @@
 //! sobol.csv: the Sobol' indices of every metric of every saltelli design.
 
-use crate::batch::{CaseMetrics, GroupResults, PartResult};
-use slipgap_solver::problem::parameter::{Value, shortest};
+#[cfg(test)]
+use crate::batch::DrawnCase;
+use crate::batch::{GroupResults, PartResult};
+use slipgap_solver::problem::parameter::shortest;
 use slipgap_statistics::sobol::{Index, Indices, Lack, indices};
 use slipgap_study::error::Error;
-use slipgap_study::{Block, Sampling, Study};
+use slipgap_study::{Block, Figure, Sampling, Study};
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -87,19 +89,20 @@ impl DesignMetrics {
         }
     }
 
-    /// The designs whose cases are among these, together and in their order.
-    pub fn of_cases(study: &Study, cases: &[CaseMetrics]) -> DesignMetrics {
+    /// The designs with as many cases, which are these.
+    #[cfg(test)]
+    pub fn of_cases(study: &Study, cases: &[DrawnCase]) -> DesignMetrics {
         let mut all = DesignMetrics::new(study);
-        for design in &mut all.designs {
-            let first = cases.iter().position(|shown| design.begins(study, shown));
-            let rows = first.map_or(&[][..], |first| &cases[first..]);
-            let count = design.cases.end - design.cases.start;
-            for column in &mut design.columns {
-                let values = rows.iter().take(count as usize);
-                let values =
-                    values.map(|shown| shown.metrics.get(column.metric).copied().flatten());
-                column.values.extend(values.map(|x| x.unwrap_or(f64::NAN)));
-            }
+        let count = cases.len() as u64;
+        let own = |design: &DesignColumns| design.cases.end - design.cases.start == count;
+        all.designs.retain(own);
+        for column in all
+            .designs
+            .iter_mut()
+            .flat_map(|design| &mut design.columns)
+        {
+            let values = cases.iter().map(|shown| shown.metric(column.metric));
+            column.values.extend(values.map(|x| x.unwrap_or(f64::NAN)));
         }
         all
     }
@@ -118,17 +121,19 @@ impl DesignMetrics {
         }
     }
 
-    /// The indices of these metrics from the design whose cases a figure shows.
+    /// The indices of these metrics from the design whose cases a figure shows, which are `count`.
     pub(in crate::batch) fn indices(
         &self,
         study: &Study,
-        shown: &[CaseMetrics],
+        figure: &Figure,
+        count: usize,
         metrics: &[usize],
     ) -> GroupResults<'_> {
         let own = |design: &&DesignColumns| {
-            let first = shown.first();
-            design.cases.end - design.cases.start == shown.len() as u64
-                && first.is_some_and(|first| design.begins(study, first))
+            let cases = &design.cases;
+            let first = study.case(cases.start);
+            cases.end - cases.start == count as u64
+                && first.is_some_and(|first| figure.filter.matches(&first))
         };
         let Some(design) = self.designs.iter().find(own) else {
             return GroupResults::None;
@@ -179,15 +184,6 @@ impl DesignMetrics {
 }
 
 impl DesignColumns {
-    /// Whether this is its first case.
-    fn begins(&self, study: &Study, shown: &CaseMetrics) -> bool {
-        let first = study.case(self.cases.start);
-        first.is_some_and(|first| {
-            let mut values = first.values.iter().zip(&shown.case.values);
-            values.all(|(a, b)| Value::identical(*a, *b))
-        })
-    }
-
     /// The indices of a metric.
     fn estimates<'a>(&self, column: &'a MetricColumn) -> &'a Estimates {
         column.estimates.get_or_init(|| {

@@ -1,56 +1,11 @@
-//! CSV tables: results.csv, failures.csv and the histories.
+//! CSV tables of cases without a solution, failures.csv, and of histories.
 
-use crate::batch::Outcome;
 use slipgap_solver::problem::parameter::shortest;
 use slipgap_solver::problem::unit::Dimension;
 use slipgap_solver::problem::{Case, HistoryColumn, Solution};
 use slipgap_solver::solve::Unsolvable;
 use slipgap_study::Study;
 use std::io::{self, Write};
-
-/// results.csv: one row for each case, in order. The columns are `case`, the parameters and the metrics.
-pub struct ResultTable<'a, W: Write> {
-    study: &'a Study,
-    /// Rows of the parameters that are columns.
-    parameters: Vec<usize>,
-    writer: csv::Writer<W>,
-}
-
-impl<'a, W: Write> ResultTable<'a, W> {
-    /// Writes the header.
-    pub fn new(study: &'a Study, out: W) -> io::Result<ResultTable<'a, W>> {
-        let parameters = study.parameter_columns();
-        let table = study.problem.parameters();
-        let mut writer = csv::Writer::from_writer(out);
-        let header = ["case"]
-            .into_iter()
-            .chain(parameters.iter().map(|row| table[*row].column_name()))
-            .chain(
-                study
-                    .columns
-                    .iter()
-                    .map(|&m| study.measures[m].name.as_str()),
-            );
-        writer.write_record(header)?;
-        Ok(ResultTable {
-            study,
-            parameters,
-            writer,
-        })
-    }
-
-    /// Writes one case.
-    pub fn row(&mut self, number: u64, outcome: &Outcome) -> io::Result<()> {
-        let metrics = self.study.columns.iter().map(|&m| cell(outcome.metrics[m]));
-        let row = parameters(number, &self.parameters, &outcome.case).chain(metrics);
-        Ok(self.writer.write_record(row)?)
-    }
-
-    /// Flushes the table and returns its writer.
-    pub fn finish(self) -> io::Result<W> {
-        self.writer.into_inner().map_err(|e| e.into_error())
-    }
-}
 
 /// failures.csv: the cases that could not be solved, with their parameters and the reason.
 pub struct FailureTable<W: Write> {
@@ -72,6 +27,9 @@ impl<W: Write> FailureTable<W> {
     }
 
     /// Writes one case.
+    ///
+    /// # Errors
+    /// Those of the writer.
     pub fn row(&mut self, number: u64, case: &Case, why: &Unsolvable) -> io::Result<()> {
         let row = parameters(number, &self.parameters, case).chain([why.to_string()]);
         Ok(self.writer.write_record(row)?)

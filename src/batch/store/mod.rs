@@ -311,6 +311,11 @@ pub struct EarlierCases {
 }
 
 impl EarlierCases {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     /// The table and the row with the metrics of the case with this hash.
     pub fn get(&self, hash: u128) -> Option<(&MetricTable, usize)> {
         let (table, row) = self.rows.get(&hash)?;

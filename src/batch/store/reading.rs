@@ -21,7 +21,7 @@ pub const FAILURE: &str = "failure";
 pub const WARNED: &str = "warnings";
 
 /// Number of the columns of text after the metrics: failures, then warnings.
-const OWN_TEXTS: usize = 2;
+pub const OWN_TEXTS: usize = 2;
 
 /// An error with this message.
 pub fn general(message: &str) -> ParquetError {
@@ -186,15 +186,11 @@ fn metrics(study: &Study, file: &SerializedFileReader<Bytes>, count: usize) -> R
         _ => Err(general("a column is not text")),
     };
     let (failures, warned) = (texts(own)?, texts(own + 1)?);
-    let (mut table, mut row) = (
-        MetricTable::new(failures.len(), width),
-        vec![f64::NAN; width],
-    );
+    let mut table = MetricTable::new(failures.len(), width);
+    for (metric, column) in columns {
+        table.set_column(metric, column.into_iter().map(|x| x.unwrap_or(f64::NAN)));
+    }
     for (case, why) in failures.into_iter().enumerate() {
-        for (metric, column) in &columns {
-            row[*metric] = column.get(case).copied().flatten().unwrap_or(f64::NAN);
-        }
-        table.set(case, row.iter().copied());
         if let Some(why) = why {
             table.fail(case, Unsolvable::Stored(why.as_utf8()?.to_owned()));
         }

@@ -17,9 +17,9 @@ use parquet::schema::types::{ColumnDescPtr, ColumnPath, Type};
 use serde_json::json;
 
 use super::constant_columns::{ConstantColumns, EncodedColumn};
-use super::reading::{FAILURE, WARNED, general};
+use super::reading::{FAILURE, OWN_TEXTS, WARNED, general};
 use crate::batch::key::Key;
-use slipgap_solver::problem::cases::{Cases, Column};
+use slipgap_solver::problem::cases::{Cases, Cells, Column, NO_NAME, NO_WHOLE, applies};
 use slipgap_solver::problem::parameter::{Kind, Value};
 use slipgap_solver::solve::MetricTable;
 use slipgap_study::Study;
@@ -41,18 +41,15 @@ pub fn encode(
     let columns = file.schema_descr().columns().to_vec();
     let mut rows = file.next_row_group()?;
     let len = cases.len();
-    let numbers = (0..len).map(|row| Some((first + cases.offset(row)) as i64));
-    write_next(&mut rows, |writer| {
-        write_cells::<Int64Type>(writer, len, numbers)
-    })?;
+    let numbers = (0..len).map(|row| (first + cases.offset(row)) as i64);
+    let numbers: Vec<i64> = numbers.collect();
+    write_next(&mut rows, |writer| write_all::<Int64Type>(writer, &numbers))?;
     let table = study.problem.parameters();
     let parameter_rows = study.parameter_columns().into_iter();
     let given = parameter_rows.map(|row| (&cases.columns()[row], &table[row]));
     for (place, (column, parameter)) in (1..).zip(given) {
         match column {
-            Column::Each(values) => write_next(&mut rows, |writer| {
-                write_values(writer, parameter.kind, len, values.iter().copied())
-            })?,
+            Column::Each(cells) => write_next(&mut rows, |writer| write_column(writer, cells))?,
             Column::Same(value) => {
                 let (bytes, footer) = constant_columns.column(place, *value, len, || {
                     encode_column(&columns[place], &properties, |writer| {
@@ -64,31 +61,32 @@ pub fn encode(
         }
     }
     for &metric in &study.metrics {
-        let values = metrics.column(metric);
-        write_next(&mut rows, |writer| {
-            write_cells::<DoubleType>(writer, len, values)
+        write_next(&mut rows, |writer| match metrics.numbers(metric) {
+            Some(numbers) => write_numbers(writer, numbers, |x| !x.is_nan()),
+            None => write_cells::<DoubleType>(writer, len, repeat_n(None, len)),
         })?;
     }
+    // Most parts have no failures and no warnings.
     let why = |case| Some(ByteArray::from(metrics.failure(case)?.to_string().as_str()));
-    let reasons = (0..len).map(why);
-    write_next(&mut rows, |writer| {
-        write_cells::<ByteArrayType>(writer, len, reasons)
-    })?;
-    // Most parts have no warnings.
-    let place = columns.len() - 1;
-    match metrics.warned().next() {
-        None => {
-            let (bytes, footer) = constant_columns.column(place, None, len, || {
-                encode_column(&columns[place], &properties, |writer| {
-                    write_cells::<ByteArrayType>(writer, len, repeat_n(None, len))
-                })
+    let texts: [(bool, &dyn Fn(usize) -> Option<ByteArray>); OWN_TEXTS] = [
+        (metrics.failures().next().is_some(), &why),
+        (metrics.warned().next().is_some(), &|case| {
+            warnings(metrics, case)
+        }),
+    ];
+    for (place, (some, text)) in (columns.len() - OWN_TEXTS..).zip(texts) {
+        if some {
+            write_next(&mut rows, |writer| {
+                write_cells::<ByteArrayType>(writer, len, (0..len).map(text))
             })?;
-            rows.append_column(&bytes, footer)?;
+            continue;
         }
-        Some(_) => write_next(&mut rows, |writer| {
-            let names = (0..len).map(|case| warnings(metrics, case));
-            write_cells::<ByteArrayType>(writer, len, names)
-        })?,
+        let (bytes, footer) = constant_columns.column(place, None, len, || {
+            encode_column(&columns[place], &properties, |writer| {
+                write_cells::<ByteArrayType>(writer, len, repeat_n(None, len))
+            })
+        })?;
+        rows.append_column(&bytes, footer)?;
     }
     rows.close()?;
     file.close()?;
@@ -155,6 +153,49 @@ fn write_values(
         Kind::Whole { .. } => write_cells::<Int64Type>(writer, len, values.map(|v| integer(v?))),
         Kind::Choice(_) => write_cells::<ByteArrayType>(writer, len, values.map(|v| name(v?))),
     }
+}
+
+/// Writes the values of a parameter.
+fn write_column(writer: &mut ColumnWriter, cells: &Cells) -> Result<()> {
+    match cells {
+        Cells::Numbers(numbers) => write_numbers(writer, numbers, applies),
+        Cells::Whole(numbers) => {
+            let cells = numbers
+                .iter()
+                .map(|n| (*n != NO_WHOLE).then_some(*n as i64));
+            write_cells::<Int64Type>(writer, numbers.len(), cells)
+        }
+        Cells::Names { names, places } => {
+            let names = names
+                .iter()
+                .map(|name| Bytes::from_static(name.as_bytes()).into());
+            let names: Vec<ByteArray> = names.collect();
+            let name = |place: &u32| (*place != NO_NAME).then(|| names[*place as usize].clone());
+            write_cells::<ByteArrayType>(writer, places.len(), places.iter().map(name))
+        }
+    }
+}
+
+/// Writes numbers, of which those that `has` selects are cells with a value.
+fn write_numbers(
+    writer: &mut ColumnWriter,
+    numbers: &[f64],
+    has: impl Fn(f64) -> bool,
+) -> Result<()> {
+    match numbers.iter().all(|x| has(*x)) {
+        true => write_all::<DoubleType>(writer, numbers),
+        false => {
+            let cells = numbers.iter().map(|x| has(*x).then_some(*x));
+            write_cells::<DoubleType>(writer, numbers.len(), cells)
+        }
+    }
+}
+
+/// Writes cells that all have a value.
+fn write_all<D: DataType>(writer: &mut ColumnWriter, values: &[D::T]) -> Result<()> {
+    let writer = get_typed_column_writer_mut::<D>(writer);
+    writer.write_batch(values, Some(&vec![1; values.len()]), None)?;
+    Ok(())
 }
 
 /// Writes `len` cells: the values, and for each row whether it has one.

@@ -40,7 +40,7 @@ impl Draw for Budget {
             .map(|row| &study.problem.schema().budgets[*row])
             .collect();
         let member = |shown: &&DrawnCase, group: &Option<Value>| {
-            panels.is_none_or(|row| label::same(shown.case.values[row], *group))
+            panels.is_none_or(|row| label::same(shown.value(row), *group))
         };
         // Panel by panel: budget, group, curves.
         let mut content = Vec::new();
@@ -64,7 +64,7 @@ impl Draw for Budget {
         let usual = [1.2 * style::SINGLE, 1.5 * style::SINGLE, style::DOUBLE][columns - 1];
         let width = figure.width.unwrap_or(usual);
         let grid = layout::grid(width, columns, &vec![height; rows], &axes, 6.0);
-        let at = cases.iter().filter_map(|c| c.case.values[*x]?.as_f64());
+        let at = cases.iter().filter_map(|c| c.number(*x));
         let title = &parameters[*x].symbol;
         let across = limits::axis(title, at, Scale::Log, x_range, grid.width / 40.0);
 
@@ -113,7 +113,7 @@ impl Draw for Budget {
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         let whole = |shown: &&DrawnCase| {
             let mut rows = budgets.iter().flat_map(|b| b.metrics());
-            rows.all(|row| shown.metrics.get(row).is_some_and(Option::is_some))
+            rows.all(|row| shown.metric(row).is_some())
         };
         let bare = cases.len() - cases.iter().filter(whole).count();
         if bare > 0 {
@@ -133,8 +133,8 @@ fn curves(budget: &problem::Budget, members: &[&DrawnCase], x: usize) -> Vec<Ser
         let mut points: Vec<[f64; 2]> = members
             .iter()
             .filter_map(|shown| {
-                let value = shown.metrics.get(metric).copied().flatten();
-                Some([shown.case.values[x]?.as_f64()?, value.unwrap_or(f64::NAN)])
+                let value = shown.metric(metric);
+                Some([shown.number(x)?, value.unwrap_or(f64::NAN)])
             })
             .collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]));

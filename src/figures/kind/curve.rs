@@ -33,7 +33,7 @@ impl Draw for Curve {
             ..
         } = *data;
         let units = study.units.as_ref().filter(|_| self.in_units);
-        let solved = cases.iter().copied().filter(|c| c.solution.is_some());
+        let solved = cases.iter().copied().filter(|c| c.solution().is_some());
         let solved: Vec<DrawnCase> = solved.collect();
         let drawn = &solved[..solved.len().min(style::MOST_STYLES)];
         let table = study.problem.parameters();
@@ -130,7 +130,8 @@ impl Draw for Curve {
                     panel.series.insert(0, zero);
                 }
                 if let (0, Some(first)) = (cell.quantity, groups[cell.group].first()) {
-                    panel.caption = label::value_labels(table, drawn, &except, drawn[*first].case);
+                    panel.caption =
+                        label::value_labels(table, drawn, &except, &drawn[*first].case());
                 }
                 sheet.panels.push(panel);
             }
@@ -163,7 +164,7 @@ impl Pairs<'_> {
 
     /// Points of two lists of values, in the units of the axes.
     fn points(&self, y: &Quantity, shown: &DrawnCase, values: [Vec<f64>; 2]) -> Vec<[f64; 2]> {
-        let size = |quantity| sizes(self.study, self.in_units, shown.case, quantity)[1];
+        let size = |quantity| sizes(self.study, self.in_units, &shown.case(), quantity)[1];
         let [across, up] = [self.x, y].map(size);
         let [xs, ys] = values;
         let pairs = xs.into_iter().zip(ys);
@@ -171,7 +172,7 @@ impl Pairs<'_> {
     }
 
     fn computed(&self, y: &Quantity, shown: &DrawnCase) -> Vec<[f64; 2]> {
-        let Some(solution) = shown.solution else {
+        let Some(solution) = shown.solution() else {
             return Vec::new();
         };
         let both = [self.x, y].map(|quantity| values(quantity, solution));
@@ -198,13 +199,13 @@ impl Pairs<'_> {
 
     /// The exact motion, at more times than the computed one.
     fn history(&self, shown: &DrawnCase) -> Option<History> {
-        let time = &shown.solution?.computed.time;
+        let time = &shown.solution()?.computed.time;
         let end = *time.last()?;
         let [fewest, most] = EXACT_POINTS;
         let count = (FOR_EACH_STEP * time.len()).clamp(fewest, most);
         let time = |i| end * i as f64 / count as f64;
         let times: Vec<f64> = (0..=count).map(time).collect();
-        self.study.problem.exact(shown.case, &times)
+        self.study.problem.exact(&shown.case(), &times)
     }
 }
 

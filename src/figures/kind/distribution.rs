@@ -3,7 +3,7 @@
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
 use crate::figures::FigureData;
-use crate::figures::column::{has_place, metric_of};
+use crate::figures::column::has_place;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::limits;
@@ -44,7 +44,7 @@ impl Draw for Distribution {
         );
         let across = |metric: &usize| {
             let values = found.iter().flat_map(|of| of.cases.iter());
-            let values = values.filter_map(|shown| metric_of(shown, *metric));
+            let values = values.filter_map(|shown| shown.metric(*metric));
             let title = &study.measures[*metric].symbol;
             limits::axis(title, values, self.x_scale, x_range, width / 50.0)
         };
@@ -94,7 +94,7 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, k: usize) {
     let values = ensemble
         .cases
         .iter()
-        .filter_map(|shown| metric_of(shown, metric));
+        .filter_map(|shown| shown.metric(metric));
     let mut rising: Vec<f64> = values.collect();
     rising.sort_unstable_by(f64::total_cmp);
     if rising.is_empty() {

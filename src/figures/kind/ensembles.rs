@@ -1,7 +1,6 @@
 //! What the figures of ensembles share: the ensembles among the cases, their strokes, and the cases without a value.
 
 use crate::figures::DrawnCase;
-use crate::figures::column::metric_of;
 use crate::figures::label;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;
@@ -34,7 +33,7 @@ pub fn ensembles<'a, 'c>(
     let also: Vec<usize> = x.into_iter().collect();
     let outside = study.outside_ensemble(&also);
     let rows = by.map_or_else(|| outside.clone(), |row| vec![row]);
-    let groups = alike::grouped(cases, |shown| alike::identity(shown.case, &rows));
+    let groups = alike::grouped(cases, |shown| shown.identity(&rows));
     let ensemble = |cases| Ensemble {
         label: String::new(),
         cases,
@@ -59,8 +58,7 @@ pub fn ensembles<'a, 'c>(
 impl<'a, 'c> Ensemble<'a, 'c> {
     /// Its cases at each value of a parameter, by rising value.
     pub fn at_each(&self, x: usize) -> Vec<(f64, Vec<&'a DrawnCase<'c>>)> {
-        let value =
-            |shown: &DrawnCase| shown.case.values[x].filter(|value| value.as_f64().is_some());
+        let value = |shown: &DrawnCase| shown.value(x).filter(|value| value.as_f64().is_some());
         let cases = self.cases.iter().copied();
         let placed = cases.filter(|shown| value(shown).is_some());
         let groups = alike::grouped(placed, |shown| value(shown).map(Value::identity));
@@ -91,9 +89,7 @@ pub fn keys(found: &[Ensemble], marker: impl Fn(usize) -> Option<Marker>) -> Vec
 /// Adds under a finished sheet how many cases have no value of a metric.
 pub fn without_value(sheet: &mut Sheet, study: &Study, cases: &[DrawnCase], metrics: &[usize]) {
     for metric in metrics {
-        let empty = cases
-            .iter()
-            .filter(|shown| metric_of(shown, *metric).is_none());
+        let empty = cases.iter().filter(|shown| shown.metric(*metric).is_none());
         let (empty, all) = (empty.count(), cases.len());
         if empty > 0 {
             let name = markup::escape(&study.measures[*metric].name);

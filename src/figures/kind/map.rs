@@ -16,6 +16,7 @@ use slipgap_drawing::text::number;
 use slipgap_solver::problem::escape;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Map;
+use std::collections::HashSet;
 
 /// Fewest places along each axis that make a contour.
 const FEWEST: usize = 3;
@@ -38,8 +39,7 @@ impl Draw for Map {
             ridge,
         } = self;
         let (parameters, metric) = (study.problem.parameters(), &study.measures[*z]);
-        let number =
-            |shown: &DrawnCase, row: usize| shown.case.values[row].and_then(|v| v.as_f64());
+        let number = |shown: &DrawnCase, row: usize| shown.number(row);
         let (xs, ys) = (
             places(cases, scales[0], |c| number(c, *x)),
             places(cases, scales[1], |c| number(c, *y)),
@@ -48,20 +48,25 @@ impl Draw for Map {
         let (x_edges, y_edges) = (edges(&xs, scales[0]), edges(&ys, scales[1]));
         let mut values = vec![f64::NAN; xs.len() * ys.len()];
         let mut cells: Vec<Cell> = Vec::new();
-        let mut empty = vec![false; values.len()];
+        // Mostly none.
+        let mut empty: HashSet<usize> = HashSet::new();
         for shown in cases {
             let found = |places: &[f64], row| {
                 let value = number(shown, row)?;
                 let i = places.partition_point(|p| *p < value && !same(*p, value));
                 places.get(i).is_some_and(|p| same(*p, value)).then_some(i)
             };
-            let value = shown.metrics.get(*z).copied().flatten();
+            let value = shown.metric(*z);
             let (Some(column), Some(row)) = (found(&xs, *x), found(&ys, *y)) else {
                 continue;
             };
-            empty[column * ys.len() + row] = value.is_none();
-            if let Some(value) = value {
-                values[column * ys.len() + row] = value;
+            let place = column * ys.len() + row;
+            let Some(value) = value else {
+                empty.insert(place);
+                continue;
+            };
+            values[place] = value;
+            if !contoured {
                 cells.push(Cell {
                     x: [x_edges[column], x_edges[column + 1]],
                     y: [y_edges[row], y_edges[row + 1]],
@@ -70,13 +75,15 @@ impl Draw for Map {
             }
         }
         let hatched = match contoured {
-            _ if !empty.contains(&true) => Vec::new(),
+            _ if empty.is_empty() => Vec::new(),
             true => hatched([&xs, &ys], |i, j, rows| {
                 [i, i + 1]
                     .iter()
-                    .any(|i| [j, j + 1].iter().any(|j| empty[i * rows + j]))
+                    .any(|i| [j, j + 1].iter().any(|j| empty.contains(&(i * rows + j))))
             }),
-            false => hatched([&x_edges, &y_edges], |i, j, rows| empty[i * (rows - 1) + j]),
+            false => hatched([&x_edges, &y_edges], |i, j, rows| {
+                empty.contains(&(i * (rows - 1) + j))
+            }),
         };
         let height = 190.0;
         let along = |row: usize, places: &[f64], edges: &[f64], scale, most| {
@@ -90,10 +97,10 @@ impl Draw for Map {
             }
         };
         let colours = {
-            let values = cells.iter().map(|c| c.value);
+            let values = values.iter().copied().filter(|x| !x.is_nan());
             bar::axis(&metric.symbol, values, scales[2], *z_range)
         };
-        let outside = outside(&cells, *z_range);
+        let outside = outside(&values, *z_range);
         let colours = match contoured {
             true => bands::limited(colours, height),
             false => colours,
@@ -179,10 +186,9 @@ impl Draw for Map {
         let parameters = study.problem.parameters();
         let symbol = plain(&study.measures[self.z].symbol);
         let point = |shown: &DrawnCase| {
-            let [x, y] =
-                [self.x, self.y].map(|row| shown.case.values[row].and_then(|v| v.as_f64()));
+            let [x, y] = [self.x, self.y].map(|row| shown.number(row));
             let at = panel.place([x?, y?]);
-            let value = shown.metrics.get(self.z).copied().flatten();
+            let value = shown.metric(self.z);
             let value = value.map_or("undefined".into(), number::plain_text);
             let [across, up] = [self.x, self.y].map(|row| plain(&parameters[row].symbol));
             let (x, y) = (number::plain_text(x?), number::plain_text(y?));
@@ -217,11 +223,11 @@ fn hatched(
 }
 
 /// How many values are outside of the range of the shades; `None` if none is.
-fn outside(cells: &[Cell], range: Option<[f64; 2]>) -> Option<String> {
+fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let [low, high] = range?;
-    let all = cells.iter().filter(|cell| cell.value.is_finite()).count();
-    let below = cells.iter().filter(|cell| cell.value < low).count();
-    let above = cells.iter().filter(|cell| cell.value > high).count();
+    let all = values.iter().filter(|x| x.is_finite()).count();
+    let below = values.iter().filter(|x| **x < low).count();
+    let above = values.iter().filter(|x| **x > high).count();
     let count = |some: usize, word: &str, end: f64| {
         (some > 0).then(|| format!("{some} {word} {}", number::short(end)))
     };
@@ -246,7 +252,10 @@ fn places(
     value: impl Fn(&DrawnCase) -> Option<f64>,
 ) -> Vec<f64> {
     let has_place = |x: &f64| scale == Scale::Linear || *x > 0.0;
-    let mut places: Vec<f64> = cases.iter().filter_map(value).filter(has_place).collect();
+    let all = cases.iter().filter_map(value).filter(has_place);
+    // There are far fewer places than cases.
+    let different: HashSet<u64> = all.map(f64::to_bits).collect();
+    let mut places: Vec<f64> = different.into_iter().map(f64::from_bits).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| same(*a, *b));
     places

@@ -32,7 +32,7 @@ impl Draw for Profile {
         let [x_range, y_range] = figure.ranges;
         let solved = cases.iter().copied();
         let solved: Vec<DrawnCase> = solved
-            .filter(|c| c.snapshots.len() == times.len())
+            .filter(|c| c.snapshots().len() == times.len())
             .collect();
         let drawn = &solved[..solved.len().min(style::MOST_STYLES)];
         let labels = label::labels(problem.parameters(), drawn, None, &[]);
@@ -121,7 +121,7 @@ fn curves(
     let mut exact: Vec<Series> = Vec::new();
     let mut computed = Vec::new();
     for (shown, index) in cases.iter().zip(indices) {
-        let lines = &shown.snapshots[row].profiles[quantity];
+        let lines = &shown.snapshots()[row].profiles[quantity];
         let points = joined(&lines.exact);
         if !exact.iter().any(|series| alike(&series.points, &points)) {
             exact.push(Series::exact(points));
@@ -167,7 +167,7 @@ fn marked(lines: &[Vec<[f64; 2]>], index: usize, indices: usize) -> Vec<usize> {
 
 /// The ends of the parts of the structure, each once.
 fn ends(cases: &[DrawnCase]) -> Vec<f64> {
-    let snapshots = cases.iter().flat_map(|c| c.snapshots);
+    let snapshots = cases.iter().flat_map(|c| c.snapshots());
     let lines = snapshots.flat_map(|s| &s.profiles).flat_map(|p| &p.exact);
     let both = lines.flat_map(|line| line.first().into_iter().chain(line.last()));
     let mut ends: Vec<f64> = both.map(|point| point[0]).collect();
@@ -178,7 +178,7 @@ fn ends(cases: &[DrawnCase]) -> Vec<f64> {
 
 /// The time of a row: those of the steps of the cases.
 fn moment(study: &Study, cases: &[DrawnCase], row: usize) -> String {
-    let mut times: Vec<f64> = cases.iter().map(|c| c.snapshots[row].time).collect();
+    let mut times: Vec<f64> = cases.iter().map(|c| c.snapshots()[row].time).collect();
     times.sort_by(f64::total_cmp);
     times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
     let title = &study.problem.schema().time.title;

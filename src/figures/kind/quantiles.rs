@@ -2,7 +2,6 @@
 
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
-use crate::figures::column::metric_of;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -107,7 +106,7 @@ fn meaning(figure: &Quantiles) -> String {
 fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Point> {
     let [low, high] = figure.band;
     let point = |(x, cases): (f64, Vec<&DrawnCase>)| {
-        let values = cases.iter().filter_map(|shown| metric_of(shown, metric));
+        let values = cases.iter().filter_map(|shown| shown.metric(metric));
         let mut values: Vec<f64> = values.collect();
         values.sort_unstable_by(f64::total_cmp);
         let of = |p| {

@@ -146,7 +146,7 @@ fn over_periods(figure: &Spectrum) -> Vec<f64> {
 fn motions<'a>(study: &Study, cases: &[DrawnCase<'a>]) -> (Vec<GroundMotion>, Vec<DrawnCase<'a>>) {
     let (mut motions, mut first) = (Vec::new(), Vec::new());
     for shown in cases {
-        if let Some(motion) = study.problem.ground_motion(shown.case)
+        if let Some(motion) = study.problem.ground_motion(&shown.case())
             && !motions.contains(&motion)
         {
             motions.push(motion);

@@ -28,7 +28,7 @@ impl Draw for Wave {
         } = *data;
         let Wave { y } = *self;
         let mut rows: Vec<(f64, &Lines)> = Vec::new();
-        for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots) {
+        for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots()) {
             // Several times can have the same step.
             if rows.last().is_none_or(|(time, _)| *time < snapshot.time) {
                 rows.push((snapshot.time, &snapshot.profiles[y]));

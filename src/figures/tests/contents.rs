@@ -1,6 +1,5 @@
 //! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
 
-use crate::figures::DrawnCase;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Marker};
 use slipgap_solver::problem::Case;
@@ -22,17 +21,7 @@ fn drawn(study: &Study, value: impl Fn(&Case, &str) -> Option<f64>) -> Sheet {
         table.map(|metric| value(case, &metric.name)).collect()
     };
     let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
-    let shown: Vec<DrawnCase> = cases
-        .iter()
-        .zip(&metrics)
-        .map(|(case, metrics)| DrawnCase {
-            case,
-            metrics,
-            solution: None,
-            snapshots: &[],
-        })
-        .collect();
-    super::sheet_of(study, figure, &shown)
+    super::sheet_of(study, figure, &super::shown(study, &cases, &metrics).all())
 }
 
 fn number(case: &Case, name: &str) -> f64 {

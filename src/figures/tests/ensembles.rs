@@ -1,6 +1,6 @@
 //! Figures of ensembles: functions, quantiles and probabilities against what a hand computes.
 
-use crate::figures::{DrawnCase, pdf, png, sheet, svg, with_hover};
+use crate::figures::{pdf, png, sheet, svg, with_hover};
 use slipgap_drawing::layout::sheet::{Series, Sheet};
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
@@ -32,14 +32,8 @@ fn drawn(study: &Study, value: impl Fn(&Case) -> Option<f64>) -> (Sheet, String)
         table.map(|metric| own(&metric.name)).collect()
     };
     let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
-    let shown = cases.iter().zip(&metrics).map(|(case, metrics)| DrawnCase {
-        case,
-        metrics,
-        solution: None,
-        snapshots: &[],
-    });
-    let shown: Vec<DrawnCase> = shown.collect();
-    super::with_data(study, figure, &shown, |data| {
+    let shown = super::shown(study, &cases, &metrics);
+    super::with_data(study, figure, &shown.all(), |data| {
         let sheet = sheet(data);
         let text = svg(&sheet, style::DPI).unwrap();
         let hover = with_hover(data, &sheet, &text, "f");

@@ -1,7 +1,7 @@
 //! Fronts: their points against the columns of the cases, then the places of the legends.
 
 use super::colour_at;
-use crate::figures::{DrawnCase, with_hover};
+use crate::figures::with_hover;
 use slipgap_drawing::layout::sheet::{Rect, Sheet};
 use slipgap_drawing::layout::slope::overlap;
 use slipgap_drawing::style::{self, Stroke};
@@ -57,13 +57,8 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>, String) {
         table.iter().map(|metric| value(&metric.name)).collect()
     };
     let metrics: Vec<_> = cases.iter().map(row).collect();
-    let shown = cases.iter().zip(&metrics).map(|(case, metrics)| DrawnCase {
-        case,
-        metrics,
-        solution: None,
-        snapshots: &[],
-    });
-    let shown: Vec<DrawnCase> = shown.collect();
+    let shown = super::shown(study, &cases, &metrics);
+    let shown = shown.all();
     let figure = &study.figures[0];
     let (sheet, hover) = super::with_data(study, figure, &shown, |data| {
         let sheet = crate::figures::sheet(data);

@@ -10,8 +10,8 @@ mod samples;
 mod structures;
 
 use crate::batch::output::sobol::DesignMetrics;
-use crate::batch::{CaseMetrics, GroupResults};
-use crate::figures::{DrawnCase, FigureData, png, sheet, svg};
+use crate::batch::{DrawnCase, GroupResults};
+use crate::figures::{FigureData, ShownCases, png, sheet, svg};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_solver::exact::coulomb::Coulomb;
@@ -35,16 +35,22 @@ fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
         .collect();
     let times = figure.kind.snapshot_times(&**problem, &cases[0]);
     let snapshots: Vec<_> = cases.iter().map(|c| problem.snapshots(c, &times)).collect();
-    let shown: Vec<DrawnCase> = (0..cases.len())
-        .map(|i| DrawnCase {
-            case: &cases[i],
-            metrics: &solutions[i].metrics,
-            solution: Some(&solutions[i]),
-            snapshots: &snapshots[i],
-        })
-        .collect();
-    let sheet = sheet_of(study, figure, &shown);
+    let mut shown = ShownCases::new(problem.schema());
+    for (i, (case, solution)) in cases.iter().zip(solutions).enumerate() {
+        shown.push(case, &solution.metrics.clone(), Some(solution));
+        shown.set_snapshots(i, snapshots[i].clone());
+    }
+    let sheet = sheet_of(study, figure, &shown.all());
     (sheet, snapshots)
+}
+
+/// Cases with these metrics and without histories.
+fn shown(study: &Study, cases: &[Case], metrics: &[Vec<Option<f64>>]) -> ShownCases {
+    let mut shown = ShownCases::new(study.problem.schema());
+    for (case, metrics) in cases.iter().zip(metrics) {
+        shown.push(case, metrics, None);
+    }
+    shown
 }
 
 pub(super) struct Run {
@@ -107,14 +113,10 @@ impl Run {
         width: Option<f64>,
         ranges: [Option<[f64; 2]>; 2],
     ) -> Sheet {
-        let shown: Vec<DrawnCase> = (0..self.cases.len())
-            .map(|i| DrawnCase {
-                case: &self.cases[i],
-                metrics: &self.metrics[i],
-                solution: Some(&self.solutions[i]),
-                snapshots: &[],
-            })
-            .collect();
+        let mut shown = ShownCases::new(self.study.problem.schema());
+        for (i, case) in self.cases.iter().enumerate() {
+            shown.push(case, &self.metrics[i], Some(self.solutions[i].clone()));
+        }
         let figure = Figure {
             name: "figure".into(),
             title: Some(
@@ -127,7 +129,7 @@ impl Run {
             filter: Filter::default(),
             kind,
         };
-        sheet_of(&self.study, &figure, &shown)
+        sheet_of(&self.study, &figure, &shown.all())
     }
 }
 
@@ -143,13 +145,8 @@ fn with_data<T>(
     cases: &[DrawnCase],
     draw: impl FnOnce(&FigureData) -> T,
 ) -> T {
-    let rows = cases.iter().map(|shown| CaseMetrics {
-        case: shown.case,
-        metrics: shown.metrics,
-    });
-    let rows: Vec<CaseMetrics> = rows.collect();
-    let designs = DesignMetrics::of_cases(study, &rows);
-    let groups = GroupResults::new(study, figure, &rows, &designs);
+    let designs = DesignMetrics::of_cases(study, cases);
+    let groups = GroupResults::new(study, figure, cases, &designs);
     draw(&FigureData {
         study,
         figure,

@@ -1,6 +1,6 @@
 //! Scatters and matrices of samples: their dots against the columns of the cases, then the size of the SVG.
 
-use crate::figures::{DrawnCase, png, svg};
+use crate::figures::{png, svg};
 use slipgap_drawing::layout::cloud::{Cloud, MOST_SHAPES};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style;
@@ -44,13 +44,8 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>) {
         table.iter().map(|metric| value(&metric.name)).collect()
     };
     let metrics: Vec<_> = cases.iter().map(row).collect();
-    let shown = cases.iter().zip(&metrics).map(|(case, metrics)| DrawnCase {
-        case,
-        metrics,
-        solution: None,
-        snapshots: &[],
-    });
-    let shown: Vec<DrawnCase> = shown.collect();
+    let shown = super::shown(study, &cases, &metrics);
+    let shown = shown.all();
     (super::sheet_of(study, &study.figures[0], &shown), cases)
 }
 

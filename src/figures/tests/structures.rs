@@ -1,7 +1,7 @@
 //! Curves, spectra and schemes of structures.
 
 use super::{drawn, fig5};
-use crate::figures::{DrawnCase, pdf, png, svg};
+use crate::figures::{pdf, png, svg};
 use slipgap_drawing::layout::sheet::{Anchor, Rect, Shape, Sheet};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
@@ -20,14 +20,12 @@ fn structure(parts: &str, figure: &str) -> Study {
 /// The sheet of the first figure, without motions.
 fn unsolved(study: &Study) -> Sheet {
     let cases: Vec<_> = study.cases().collect();
-    let shown = |case| DrawnCase {
-        case,
-        metrics: &[],
-        solution: None,
-        snapshots: &[],
-    };
-    let shown: Vec<DrawnCase> = cases.iter().map(shown).collect();
-    super::sheet_of(study, &study.figures[0], &shown)
+    let none = vec![Vec::new(); cases.len()];
+    super::sheet_of(
+        study,
+        &study.figures[0],
+        &super::shown(study, &cases, &none).all(),
+    )
 }
 
 #[test]

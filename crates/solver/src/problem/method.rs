@@ -139,7 +139,7 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
         // A mode of a bar needs sines, and the search for the highest frequency takes the modes many times.
         let modes = (0..system.linear.len()).map(|j| system.linear.mode(j).mode);
         let modes: Vec<Mode> = modes.collect();
-        let stiffness = system.law.largest_stiffness(overlap);
+        let stiffness = system.law.properties().largest_stiffness(overlap);
         // An element without mass is in series with the contact.
         let stiffness = 1.0 / (1.0 / stiffness + system.linear.contact_compliance());
         if stiffness == f64::INFINITY {
@@ -158,7 +158,7 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
             ));
         }
     }
-    if !system.law.falls() || one_root(system, system.step) {
+    if !system.law.properties().falls() || one_root(system, system.step) {
         return Vec::new();
     }
     let (mut low, mut high) = (0.0, system.step);
@@ -179,5 +179,6 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
 /// Whether all steps of this length have one root.
 fn one_root(system: &System, step: f64) -> bool {
     let flexibilities = solve::flexibilities(&System { step, ..*system });
-    flexibilities.is_some_and(|both| both.iter().all(|on| system.law.has_one_root(on)))
+    let law = system.law.properties();
+    flexibilities.is_some_and(|both| both.iter().all(|on| law.has_one_root(on)))
 }

@@ -3,8 +3,11 @@
 mod case;
 pub mod cases;
 mod choice;
+mod column;
+pub mod digits;
 pub mod friction;
 pub mod impact;
+mod laws;
 pub mod method;
 pub mod parameter;
 pub mod schema;

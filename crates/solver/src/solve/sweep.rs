@@ -83,7 +83,7 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     };
     let sum = case.reference_key().into_iter().fold(0, mixed) >> 32;
     let system = case.system();
-    let kinds = (system.method.kind() as u128) << 5 | system.law.kind() as u128;
+    let kinds = (system.method.kind() as u128) << 5 | system.law.which() as u128;
     let kind = kinds << 40 | system.linear.len() as u128;
     kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
 }
@@ -137,8 +137,8 @@ impl<const L: usize, E, T: Track<L>> Scratch<L, E, T> {
             let solved = range.clone().filter(|l| finite[*l]);
             if range.len() >= SHARED {
                 let all = C::metrics(&lanes, &self.motion, reference);
+                table.set_lanes(&rows, solved.clone(), all.as_ref());
                 for l in solved {
-                    table.set(rows[l], all.as_ref().iter().map(|metric| metric.0[l]));
                     table.warn(rows[l], lanes[l].warnings(|i| all.as_ref()[i].0[l]));
                 }
             } else {

@@ -1,9 +1,10 @@
 //! The metrics of many cases.
 
 use super::{Unsolvable, Warnings};
+use crate::lane::Lane;
 use std::collections::BTreeMap;
 
-/// The metrics of many cases, row by row, why some have none, and the warnings of others.
+/// The metrics of many cases, column by column, why some have none, and the warnings of others.
 ///
 /// ```
 /// use slipgap_solver::solve::{MetricTable, Unsolvable};
@@ -21,7 +22,7 @@ use std::collections::BTreeMap;
 pub struct MetricTable {
     len: usize,
     width: usize,
-    /// NaN for an undefined metric: half of the memory of an option.
+    /// The columns one after the other; NaN for an undefined metric: half of the memory of an option.
     metrics: Vec<f64>,
     failures: BTreeMap<usize, Unsolvable>,
     /// Empty if no case has a warning.
@@ -52,18 +53,24 @@ impl MetricTable {
 
     /// The metrics of a case, the first ones of the problem's table.
     pub fn row(&self, case: usize) -> impl Iterator<Item = Option<f64>> + '_ {
-        let row = &self.metrics[case * self.width..(case + 1) * self.width];
-        row.iter().map(|x| defined(*x))
+        (0..self.width).map(move |metric| self.value(case, metric))
+    }
+
+    /// A metric of a case; `None` if it is undefined.
+    pub fn value(&self, case: usize, metric: usize) -> Option<f64> {
+        let inside = metric < self.width;
+        inside.then(|| defined(self.metrics[metric * self.len + case]))?
+    }
+
+    /// A metric of every case, NaN where it is undefined; `None` if the table does not have the metric.
+    pub fn numbers(&self, metric: usize) -> Option<&[f64]> {
+        let inside = metric < self.width;
+        inside.then(|| &self.metrics[metric * self.len..(metric + 1) * self.len])
     }
 
     /// A metric of every case; `None` if one is undefined.
     pub fn column(&self, metric: usize) -> impl Iterator<Item = Option<f64>> + '_ {
-        let (inside, width) = (metric < self.width, self.width);
-        let cell = move |case: usize| match inside {
-            true => defined(self.metrics[case * width + metric]),
-            false => None,
-        };
-        (0..self.len).map(cell)
+        (0..self.len).map(move |case| self.value(case, metric))
     }
 
     /// Why a case could not be solved, if so.
@@ -95,15 +102,37 @@ impl MetricTable {
         self.column(metric).enumerate().filter(without).count() as u64
     }
 
-    /// Sets the metrics of a case, at most as many as there are in a row; those that are not finite are undefined.
+    /// Sets the metrics of a case, at most as many as there are columns; those that are not finite are undefined.
     #[inline]
     pub fn set(&mut self, case: usize, metrics: impl Iterator<Item = f64>) {
-        let row = &mut self.metrics[case * self.width..(case + 1) * self.width];
-        let mut cells = row.iter_mut();
-        // In a sweep the number of metrics is known to the compiler, that of cells is not: a zip would not be unrolled.
-        for metric in metrics {
-            let Some(x) = cells.next() else { return };
-            *x = finite_or_nan(metric);
+        let len = self.len;
+        for (metric, x) in metrics.take(self.width).enumerate() {
+            self.metrics[metric * len + case] = finite_or_nan(x);
+        }
+    }
+
+    /// Sets the metrics of the cases in some lanes, each in its row, at most as many as there are columns.
+    #[inline]
+    pub fn set_lanes<const L: usize>(
+        &mut self,
+        rows: &[usize; L],
+        lanes: impl Iterator<Item = usize> + Clone,
+        metrics: &[Lane<L>],
+    ) {
+        let len = self.len;
+        for (metric, x) in metrics.iter().take(self.width).enumerate() {
+            let column = &mut self.metrics[metric * len..(metric + 1) * len];
+            for lane in lanes.clone() {
+                column[rows[lane]] = finite_or_nan(x.0[lane]);
+            }
+        }
+    }
+
+    /// Sets a metric of every case; those that are not finite are undefined.
+    pub fn set_column(&mut self, metric: usize, values: impl Iterator<Item = f64>) {
+        let column = &mut self.metrics[metric * self.len..(metric + 1) * self.len];
+        for (to, x) in column.iter_mut().zip(values) {
+            *to = finite_or_nan(x);
         }
     }
 
@@ -132,29 +161,52 @@ impl MetricTable {
 
     /// Copies a case of another table, which has at most as many columns.
     pub fn copy(&mut self, case: usize, other: &MetricTable, from: usize) {
-        let (to, row) = (
-            case * self.width,
-            from * other.width..(from + 1) * other.width,
-        );
-        self.metrics[to..to + other.width].copy_from_slice(&other.metrics[row]);
+        for metric in 0..other.width {
+            self.metrics[metric * self.len + case] = other.metrics[metric * other.len + from];
+        }
         if let Some(why) = other.failure(from) {
             self.failures.insert(case, why.clone());
         }
         self.warn(case, other.warnings(from));
     }
 
-    /// This table and another of the same width below it.
-    pub fn followed_by(mut self, below: MetricTable) -> MetricTable {
-        let moved = below.failures.into_iter();
-        self.failures
-            .extend(moved.map(|(case, why)| (self.len + case, why)));
-        self.metrics.extend(below.metrics);
-        if !self.warnings.is_empty() || !below.warnings.is_empty() {
-            self.warnings.resize(self.len, Warnings::NONE);
-            self.warnings.extend(below.warnings);
-            self.warnings.resize(self.len + below.len, Warnings::NONE);
+    /// Tables of the same width, one below the other.
+    pub fn joined(mut tables: Vec<MetricTable>) -> MetricTable {
+        if tables.len() == 1 {
+            return tables.remove(0);
         }
-        self.len += below.len;
+        let (len, width) = (
+            tables.iter().map(|table| table.len).sum(),
+            tables.first().map_or(0, |table| table.width),
+        );
+        let mut joined = MetricTable {
+            len,
+            width,
+            ..MetricTable::default()
+        };
+        joined.metrics.reserve_exact(len * width);
+        for metric in 0..width {
+            let columns = tables.iter().filter_map(|table| table.numbers(metric));
+            columns.for_each(|column| joined.metrics.extend_from_slice(column));
+        }
+        let mut start = 0;
+        for table in tables {
+            let moved = table.failures.into_iter();
+            joined
+                .failures
+                .extend(moved.map(|(case, why)| (start + case, why)));
+            for (case, warnings) in table.warnings.iter().enumerate() {
+                joined.warn(start + case, *warnings);
+            }
+            start += table.len;
+        }
+        joined
+    }
+
+    /// The table with `width` columns, which are at least as many; the new ones have no values.
+    pub fn widened(mut self, width: usize) -> MetricTable {
+        self.metrics.resize(self.len * width, f64::NAN);
+        self.width = width;
         self
     }
 }
@@ -180,10 +232,11 @@ mod tests {
         with.warn(0, Warnings::NONE);
         assert_eq!(with.warned().count(), 0);
         with.warn(1, gain);
-        for (joined, place) in [
-            (without.clone().followed_by(with.clone()), 3),
-            (with.clone().followed_by(without), 1),
+        for (tables, place) in [
+            (vec![without.clone(), with.clone()], 3),
+            (vec![with.clone(), without], 1),
         ] {
+            let joined = MetricTable::joined(tables);
             assert_eq!(joined.warned().collect::<Vec<_>>(), [(place, gain)]);
         }
         let mut copy = MetricTable::new(1, 1);
@@ -191,6 +244,27 @@ mod tests {
         assert_eq!(copy.warnings(0), gain);
         copy.copy(0, &with, 0);
         assert!(copy.warnings(0).is_empty());
+    }
+
+    #[test]
+    fn rows_columns_and_lanes_are_the_same_numbers() {
+        let mut table = MetricTable::new(3, 2);
+        table.set(1, [10.0, 11.0, 12.0].into_iter());
+        let lanes = [Lane([20.0, 0.0, f64::INFINITY]), Lane([21.0, 1.0, 9.0])];
+        table.set_lanes(&[2, 0, 1], 0..2, &lanes);
+        assert_eq!(table.numbers(0), Some(&[0.0, 10.0, 20.0][..]));
+        assert_eq!(table.numbers(1), Some(&[1.0, 11.0, 21.0][..]));
+        assert_eq!(table.numbers(2), None);
+        let mut more = table.clone().widened(3);
+        more.set_column(2, [5.0, f64::INFINITY, 7.0].into_iter());
+        for (case, third) in [(0, Some(5.0)), (1, None), (2, Some(7.0))] {
+            let row: Vec<_> = table.row(case).chain([third]).collect();
+            assert_eq!(more.row(case).collect::<Vec<_>>(), row);
+        }
+        let joined = MetricTable::joined(vec![table.clone(), MetricTable::new(1, 2), table]);
+        let column: Vec<_> = joined.column(1).collect();
+        let [a, b, c] = [1.0, 11.0, 21.0].map(Some);
+        assert_eq!(column, [a, b, c, None, a, b, c]);
     }
 
     #[test]

@@ -3,13 +3,13 @@
 use super::derived::{Condition, Derived};
 use super::design::Design;
 use super::group::{Axis, Group};
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::parameter::{Default, Value};
 use slipgap_solver::problem::{Case, Problem};
 use std::sync::OnceLock;
 
 /// A block: all combinations of its groups of axes in file order, the last group fastest; the derived parameters; and the
 /// condition that selects the cases among the combinations.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, std::default::Default)]
 pub struct Block {
     /// The axes of all parameters that have values. A single value is an axis of length 1.
     pub groups: Vec<Group>,
@@ -91,6 +91,22 @@ impl Block {
             }
             rest /= group.len();
         }
+    }
+
+    /// The values of the parameters that all completed combinations share, and the rows of the others.
+    pub(super) fn alike(&self, problem: &dyn Problem) -> (Vec<Option<Value>>, Vec<usize>) {
+        let table = problem.parameters();
+        let Some(shared) = self.shared.get_or_init(|| self.shared(problem)) else {
+            return (vec![None; table.len()], (0..table.len()).collect());
+        };
+        let varies = |row: usize| {
+            let mut groups = shared.varying.iter().map(|group| &self.groups[*group]);
+            groups.any(|group| group.has(row))
+        };
+        // The problem fills in what follows from other parameters.
+        let follows = |row: usize| matches!(table[row].default, Default::Follows(_));
+        let changing = (0..table.len()).filter(|row| varies(*row) || follows(*row));
+        (shared.values.clone(), changing.collect())
     }
 
     /// The values that all combinations share; `None` for a block with expressions, or with an axis of names that decide

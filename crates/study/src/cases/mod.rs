@@ -150,6 +150,8 @@ impl Study {
                 continue;
             }
             let (start, uncounted, mut next) = (raws.start, block.is_uncounted(), number);
+            let (like, changing) = block.alike(&*self.problem);
+            let mut alike = cases.alike(&like, &changing);
             for raw in raws {
                 let met = block.put_and_test(&*self.problem, raw, &mut case);
                 if !met.unwrap_or(uncounted) {
@@ -164,7 +166,7 @@ impl Study {
                     None => block.without_condition(&case).into_iter().collect(),
                 };
                 let offset = next - *first.get_or_insert(next);
-                cases.push_at(offset, &case, Violation::all(&violations));
+                alike.push(offset, &case, Violation::all(&violations));
                 next += 1;
             }
         }

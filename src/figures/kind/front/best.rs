@@ -24,7 +24,7 @@ pub fn points<'a>(
         None => cases.iter().map(|shown| vec![*shown]).collect(),
         Some(row) => {
             let shared = alike::unaffected(&*study.problem, &study.blocks, &[row]);
-            let identity = |shown: &DrawnCase| alike::identity(shown.case, &shared);
+            let identity = |shown: &DrawnCase| shown.identity(&shared);
             alike::grouped(cases.iter().copied(), identity)
         }
     };
@@ -50,9 +50,7 @@ pub fn points<'a>(
 /// The mean of x and the root mean square of y; `None` if either is undefined in a case.
 fn mean(front: &Front, group: &[DrawnCase]) -> Option<[f64; 2]> {
     let metric = |row: usize| -> Option<Vec<f64>> {
-        let values = group
-            .iter()
-            .map(|shown| shown.metrics.get(row).copied().flatten());
+        let values = group.iter().map(|shown| shown.metric(row));
         values.collect()
     };
     let (x, y) = (metric(front.x)?, metric(front.y)?);

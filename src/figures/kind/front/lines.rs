@@ -69,9 +69,7 @@ pub fn lines(study: &Study, cases: &[DrawnCase], points: &[Point], row: usize) -
     let line = |(index, value): (usize, Option<Value>)| Line {
         label: name(study, row, value, digits),
         index,
-        best: best_of(points, |point| {
-            label::same(point.shown.case.values[row], value)
-        }),
+        best: best_of(points, |point| label::same(point.shown.value(row), value)),
     };
     let lines = values.enumerate().map(line);
     lines.filter(|line| !line.best.is_empty()).collect()

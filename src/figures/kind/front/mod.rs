@@ -134,7 +134,7 @@ impl Draw for Front {
                 let [a, b] = point.at.map(number::plain_text);
                 let label = plain(&line.label);
                 let mut text = format!("{label}: {x} = {a}, {y} = {b}");
-                let others = label::value_labels(table, cases, &others, point.shown.case);
+                let others = label::value_labels(table, cases, &others, &point.shown.case());
                 if !others.is_empty() {
                     text += &format!("; {}", plain(&others));
                 }

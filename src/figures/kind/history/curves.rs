@@ -43,10 +43,10 @@ impl Curves<'_> {
             }
         }
         for &i in members {
-            let Some(solution) = self.cases[i].solution else {
+            let Some(solution) = self.cases[i].solution() else {
                 continue;
             };
-            let sizes = sizes(self.study, self.in_units, self.cases[i].case, quantity);
+            let sizes = sizes(self.study, self.in_units, &self.cases[i].case(), quantity);
             let points = points(quantity, solution).into_iter();
             let points: Vec<[f64; 2]> = points.map(|p| times(p, sizes)).collect();
             let index = self.indices[i];
@@ -67,7 +67,7 @@ impl Curves<'_> {
         if quantity.error {
             return None;
         }
-        let sizes = sizes(self.study, self.in_units, shown.case, quantity);
+        let sizes = sizes(self.study, self.in_units, &shown.case(), quantity);
         let [first, last] = self.window.map(|time| time / sizes[0]);
         let time = |i| first + (last - first) * i as f64 / EXACT_POINTS as f64;
         // It starts at 0 even if the first time shown is later.
@@ -76,7 +76,7 @@ impl Curves<'_> {
             .into_iter()
             .chain((0..=EXACT_POINTS).map(time))
             .collect();
-        let exact = self.study.problem.exact(shown.case, &all)?;
+        let exact = self.study.problem.exact(&shown.case(), &all)?;
         let values = exact.channel(quantity.channel);
         let line = exact.time.iter().zip(values);
         Some(line.map(|(t, x)| times([*t, *x], sizes)).collect())
@@ -108,7 +108,7 @@ impl Curves<'_> {
 /// The cases of a panel: those with a value of a parameter, or all.
 pub fn members(cases: &[DrawnCase], group: Option<(usize, Option<Value>)>) -> Vec<usize> {
     let belongs = |i: &usize| match group {
-        Some((row, value)) => label::same(cases[*i].case.values[row], value),
+        Some((row, value)) => label::same(cases[*i].value(row), value),
         None => true,
     };
     (0..cases.len()).filter(belongs).collect()

@@ -39,7 +39,7 @@ impl Draw for History {
         let solved: Vec<DrawnCase> = cases
             .iter()
             .copied()
-            .filter(|c| c.solution.is_some())
+            .filter(|c| c.solution().is_some())
             .collect();
         let drawn = &solved[..solved.len().min(style::MOST_STYLES)];
         let table = study.problem.parameters();
@@ -60,10 +60,10 @@ impl Draw for History {
         let [x_range, y_range] = figure.ranges;
         let end = drawn.iter().filter_map(|c| {
             let size = match in_units {
-                true => study.problem.size(c.case, Dimension::Time)?,
+                true => study.problem.size(&c.case(), Dimension::Time)?,
                 false => 1.0,
             };
-            Some(c.solution?.computed.time.last()? * size)
+            Some(c.solution()?.computed.time.last()? * size)
         });
         let end = end.fold(0.0, f64::max);
         let title = |scaled: &str, dimension| match units {
@@ -157,7 +157,8 @@ impl Draw for History {
                 panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
                 panel.series = series[cell.group][cell.quantity].clone();
                 if let (0, Some(first)) = (cell.quantity, members[cell.group].first()) {
-                    panel.caption = label::value_labels(table, drawn, &except, drawn[*first].case);
+                    panel.caption =
+                        label::value_labels(table, drawn, &except, &drawn[*first].case());
                 }
                 sheet.panels.push(panel);
             }

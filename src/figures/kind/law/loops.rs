@@ -27,7 +27,7 @@ pub fn sheet(
     let mut groups: Vec<(&'static str, Vec<(ContactLaw, &DrawnCase)>)> = Vec::new();
     for (law, shown) in laws.iter().zip(cases) {
         let Some(law) = law else { continue };
-        let name = shown.case.choice("law");
+        let name = shown.case().choice("law");
         match groups.iter_mut().find(|group| group.0 == name) {
             Some(group) => group.1.push((*law, shown)),
             None => groups.push((name, vec![(*law, shown)])),
@@ -67,7 +67,7 @@ pub fn sheet(
             of_x(f64::min, f64::INFINITY),
             of_x(f64::max, f64::NEG_INFINITY),
         ];
-        let title = match group.1[0].0.over_velocity() {
+        let title = match group.1[0].0.properties().over_velocity() {
             true => velocity,
             false => displacement,
         };
@@ -121,7 +121,10 @@ fn curves(
     group: &[(ContactLaw, &DrawnCase)],
     table: &[slipgap_solver::problem::parameter::Parameter],
 ) -> Vec<Curve> {
-    let reach = group.iter().map(|(law, _)| law.reach()).fold(0.0, f64::max);
+    let reach = group
+        .iter()
+        .map(|(law, _)| law.properties().reach())
+        .fold(0.0, f64::max);
     let mut curves: Vec<Curve> = Vec::new();
     let mut seen: Vec<ContactLaw> = Vec::new();
     for (law, shown) in group {
@@ -129,16 +132,14 @@ fn curves(
             continue;
         }
         seen.push(*law);
-        let parts = table.iter().zip(&shown.case.values).enumerate();
-        let own = parts.filter_map(|(row, (parameter, value))| {
+        let own = table.iter().enumerate().filter_map(|(row, parameter)| {
+            let value = shown.value(row);
             let of_law =
                 parameter.name == "law" || parameter.applies.is_some_and(|on| on.governor == "law");
-            let varies = parameter.name == "law"
-                || group
-                    .iter()
-                    .any(|(_, other)| other.case.values[row] != *value);
+            let varies =
+                parameter.name == "law" || group.iter().any(|(_, other)| other.value(row) != value);
             (of_law && varies).then_some(())?;
-            Some(label::value_label(parameter, (*value)?, 3))
+            Some(label::value_label(parameter, value?, 3))
         });
         curves.push(Curve {
             label: own.collect::<Vec<_>>().join(", "),

@@ -6,7 +6,7 @@ mod papers;
 use super::Draw;
 use crate::figures::FigureData;
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_solver::contact::{ContactLaw, LawKind};
+use slipgap_solver::contact::{ContactLaw, WhichLaw};
 use slipgap_study::kinds::Law;
 
 impl Draw for Law {
@@ -19,11 +19,11 @@ impl Draw for Law {
         } = *data;
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
-            .map(|shown| study.problem.contact_law(shown.case))
+            .map(|shown| study.problem.contact_law(&shown.case()))
             .collect();
         let softened = |law: &Option<ContactLaw>| match law {
             Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,
-            Some(law) => law.kind() == LawKind::DisplacementControl,
+            Some(law) => law.which() == WhichLaw::DisplacementControl,
             None => true,
         };
         match laws.iter().all(softened) {

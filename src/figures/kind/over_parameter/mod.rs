@@ -50,7 +50,7 @@ impl Curves<'_> {
             orders,
         } = *self;
         let parameter = &study.problem.parameters()[x];
-        let at = |shown: &DrawnCase| shown.case.values[x].and_then(|value| value.as_f64());
+        let at = |shown: &DrawnCase| shown.number(x);
         let cases: Vec<DrawnCase> = cases.iter().copied().filter(|c| at(c).is_some()).collect();
         let along = label::along(study, &cases, x);
         let table = study.problem.parameters();
@@ -76,7 +76,7 @@ impl Curves<'_> {
                     .zip(&indices)
                     .filter(|(_, its)| **its == index)
                     .filter_map(|(shown, _)| {
-                        let value = shown.metrics.get(metric).copied().flatten();
+                        let value = shown.metric(metric);
                         Some([at(shown)?, value.unwrap_or(f64::NAN)])
                     })
                     .collect();
@@ -209,7 +209,7 @@ fn order(
     }
     let number = |index: usize| {
         let first = indices.iter().position(|its| *its == index)?;
-        cases[first].case.values[row]?.as_f64()
+        cases[first].number(row)
     };
     let numbers: Vec<f64> = (0..count).map(number).collect::<Option<_>>()?;
     let mut order: Vec<usize> = (0..count).collect();

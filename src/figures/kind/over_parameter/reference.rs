@@ -40,7 +40,7 @@ pub fn lines(
     for index in 0..indices.iter().max().map_or(0, |last| last + 1) {
         let its = cases.iter().zip(indices).filter(|(_, its)| **its == index);
         let mut points: Vec<[f64; 2]> = its
-            .filter_map(|(shown, _)| Some([at(shown)?, shown.metrics.get(row).copied().flatten()?]))
+            .filter_map(|(shown, _)| Some([at(shown)?, shown.metric(row)?]))
             .collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]));
         if !points.is_empty() && lines.iter().all(|line| line.points != points) {
@@ -66,6 +66,7 @@ pub fn lines(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figures::ShownCases;
     use slipgap_solver::problem;
     use slipgap_solver::problem::Case;
     use slipgap_solver::problem::unit::Dimension;
@@ -121,15 +122,12 @@ mod tests {
             })
             .collect();
         let indices = [0, 0, 0, 1, 1, 1, 2, 2, 2];
-        let shown: Vec<DrawnCase> = (0..9)
-            .map(|i| DrawnCase {
-                case: &cases[i],
-                metrics: &metrics[i],
-                solution: None,
-                snapshots: &[],
-            })
-            .collect();
-        let at = |shown: &DrawnCase| shown.case.values[x].and_then(|v| v.as_f64());
+        let mut shown = ShownCases::new(problem.schema());
+        for (case, metrics) in cases.iter().zip(&metrics) {
+            shown.push(case, metrics, None);
+        }
+        let shown = shown.all();
+        let at = |shown: &DrawnCase| shown.number(x);
         let strokes = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
         let alone = lines(&shown[..6], &indices[..6], &strokes, at, 1);
         assert_eq!(alone.len(), 1);

@@ -28,7 +28,7 @@ impl Draw for Scheme {
             ..
         } = *data;
         let first = cases.first();
-        let scheme = first.and_then(|shown| study.problem.scheme(shown.case));
+        let scheme = first.and_then(|shown| study.problem.scheme(&shown.case()));
         let Some(scheme) = scheme else {
             return Sheet {
                 width: figure.width.unwrap_or(style::SINGLE),

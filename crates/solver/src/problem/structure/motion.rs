@@ -187,7 +187,7 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
 }
 
 /// The same structure with rigid laws: impacts without compliance, with the restitution of the law, which is 1 without damping, and
-/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one.
+/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one. Links stay.
 pub fn rigid(structure: &Structure) -> Structure {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
@@ -197,7 +197,9 @@ pub fn rigid(structure: &Structure) -> Structure {
             Relation::DisplacementControl { limit, .. }
             | Relation::CurvedFriction { limit, .. }
             | Relation::VelocityControl { limit, .. } => Relation::Coulomb { limit },
-            law @ (Relation::RigidStop { .. } | Relation::Coulomb { .. }) => law,
+            law @ (Relation::RigidStop { .. }
+            | Relation::Coulomb { .. }
+            | Relation::Link { .. }) => law,
         };
     }
     rigid

@@ -23,8 +23,8 @@ mod wave;
 use super::checker::Checker;
 use super::keys::{COMMON, Key};
 use super::taken::Values;
-use crate::Scale;
 use crate::scope::Scope;
+use crate::{Column, Scale};
 use slipgap_solver::problem::{Case, Problem, structure};
 
 /// One kind of figure.
@@ -71,8 +71,18 @@ pub(crate) trait Decoded {
         Vec::new()
     }
 
+    /// The columns of the results that it reads; `None` for all of them.
+    fn columns(&self) -> Option<Vec<Column>> {
+        None
+    }
+
     /// Whether it draws histories.
     fn draws_histories(&self) -> bool {
+        false
+    }
+
+    /// Whether it draws quantities along the structure.
+    fn draws_snapshots(&self) -> bool {
         false
     }
 
@@ -137,6 +147,16 @@ impl FigureKind {
     /// The rows of the study's measures that it shows.
     pub fn measures(&self, problem: &dyn Problem) -> Vec<usize> {
         self.decoded().measures(problem)
+    }
+
+    /// The columns of the results that the figure reads; `None` for all of them.
+    pub fn columns(&self) -> Option<Vec<Column>> {
+        self.decoded().columns()
+    }
+
+    /// Whether the figure draws quantities along the structure.
+    pub fn draws_snapshots(&self) -> bool {
+        self.decoded().draws_snapshots()
     }
 
     /// The times at which it draws quantities along the structure of a case; none for kinds without them.

@@ -65,6 +65,10 @@ impl Decoded for Profile {
         self.check_times(checker);
     }
 
+    fn draws_snapshots(&self) -> bool {
+        true
+    }
+
     fn snapshot_times(&self, _end: f64, _steps: u64) -> Vec<f64> {
         self.times.clone()
     }

@@ -1,10 +1,10 @@
 //! The parameters that a design samples, in pairs.
 
 use super::{Decoded, FigureKind, Kind, Needs};
-use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::keys::{Takes, key};
 use crate::figure::{limits, sampled};
+use crate::{Column, Scale};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
@@ -56,6 +56,12 @@ impl Decoded for Samples {
 
     fn check_cases(&self, checker: &mut Checker) {
         sampled::check(self.parameters.len(), checker);
+    }
+
+    fn columns(&self) -> Option<Vec<Column>> {
+        let parameters = self.parameters.iter();
+        let parameters = parameters.map(|(row, _)| Column::Parameter(*row));
+        Some(parameters.chain([Column::Metric(self.y)]).collect())
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

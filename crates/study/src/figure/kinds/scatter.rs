@@ -97,6 +97,11 @@ impl Decoded for Scatter {
         }
     }
 
+    fn columns(&self) -> Option<Vec<Column>> {
+        let columns = Scatter::columns(self).into_iter();
+        Some(columns.filter_map(|(_, column)| column).collect())
+    }
+
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {
         let columns = self.columns().into_iter().filter_map(|(_, column)| column);
         let metric = |column| match column {

@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
 use crate::figure::keys::METRICS;
-use crate::{Block, Sampling, Scale};
+use crate::{Block, Column, Sampling, Scale};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
@@ -43,6 +43,10 @@ impl Decoded for Sobol {
             let message = "a sobol figure shows all cases of one block with a saltelli design, and no other cases";
             checker.fault("where", message);
         }
+    }
+
+    fn columns(&self) -> Option<Vec<Column>> {
+        Some(self.y.iter().copied().map(Column::Metric).collect())
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

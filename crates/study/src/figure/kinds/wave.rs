@@ -45,6 +45,10 @@ impl Decoded for Wave {
         }
     }
 
+    fn draws_snapshots(&self) -> bool {
+        true
+    }
+
     fn snapshot_times(&self, end: f64, steps: u64) -> Vec<f64> {
         let rows = steps.clamp(1, MOST_ROWS);
         let time = |row| end * row as f64 / rows as f64;

@@ -87,7 +87,9 @@ impl Line<f64> {
                 ..none
             },
             // Not a line; its lanes have forces of their own.
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => impact(1.0),
+            Relation::CurvedImpact { .. }
+            | Relation::CurvedFriction { .. }
+            | Relation::Link { .. } => impact(1.0),
         }
     }
 }

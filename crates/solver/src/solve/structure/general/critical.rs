@@ -126,9 +126,9 @@ fn with_contacts(structure: &Structure) -> Symmetric {
             Relation::ImpactSpring { stiffness }
             | Relation::DisplacementControl { stiffness, .. } => *stiffness,
             // The stiffness of delta^1.5 grows with an overlap that is not known: only an unstable step without it is certain.
-            Relation::CurvedImpact { law, .. } | Relation::CurvedFriction { law, .. } => {
-                law.largest_stiffness(0.0)
-            }
+            Relation::CurvedImpact { law, .. }
+            | Relation::CurvedFriction { law, .. }
+            | Relation::Link { law } => law.properties().largest_stiffness(0.0),
             Relation::RigidStop { .. }
             | Relation::VelocityControl { .. }
             | Relation::Coulomb { .. } => 0.0,

@@ -97,7 +97,9 @@ impl Dense<'_> {
             // rdot = by_u (r - gap) + rest.
             let still = gaps[i] - rest_of[i] / by_u;
             (g[i], center[i]) = match contact.law {
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
                 Relation::RigidStop { .. } => (0.0, 0.0),
                 Relation::DisplacementControl { stiffness, .. } => {
@@ -185,7 +187,9 @@ impl Dense<'_> {
         let (mut g, mut center) = (DVector::zeros(count), DVector::zeros(count));
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             (g[i], center[i]) = match contact.law {
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => (1.0 / (stiffness * theta * dt), -still[i]),
                 Relation::DisplacementControl { stiffness, .. } => {
                     let g = 1.0 / (stiffness * theta * dt);
@@ -226,7 +230,9 @@ impl Dense<'_> {
         let mut g = DVector::zeros(count);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             let known = match contact.law {
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => stiffness * r[i],
                 Relation::DisplacementControl { stiffness, .. } => {
                     self.s[i] + stiffness * (r[i] - before[i])

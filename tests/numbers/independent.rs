@@ -1,7 +1,6 @@
 //! Histories and metrics compared with independent programs (tests/reference), which use 50 digits.
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::Value as Json;
 use slipgap::problem::{Metric, Solution, find};

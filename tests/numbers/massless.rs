@@ -1,8 +1,7 @@
 //! Bars whose contact nodes have no mass, compared with all degrees of freedom: the nodes without mass are in equilibrium at each
 //! step, with full matrices and without modes.
 
-mod common;
-
+use crate::common;
 use common::case;
 use nalgebra::{DMatrix, DVector};
 use serde_json::{Value as Json, json};

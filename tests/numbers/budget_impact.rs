@@ -1,7 +1,6 @@
 //! The parts of the error of the impact: their sum, where they are undefined, and the order of the step error.
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::{Value as Json, json};
 use slipgap::problem::find;

@@ -1,7 +1,6 @@
 //! Metrics of contact: its duration, the exact values, and bars that never touch.
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::{Value as Json, json};
 use slipgap::problem::{Problem, cases_without_contact, find};

@@ -1,10 +1,11 @@
 //! Results in the units of a study, compared with physics worked out by hand and with the scaled results.
 
 use indicatif::ProgressBar;
-use slipgap::batch::output::tables::{ResultTable, write_history};
+use slipgap::batch::output::results::ResultTable;
+use slipgap::batch::output::tables::write_history;
 use slipgap::batch::{self, GroupResults, Outcome};
 use slipgap::figures::sheet::Sheet;
-use slipgap::figures::{DrawnCase, FigureData, sheet};
+use slipgap::figures::{FigureData, ShownCases, sheet};
 use slipgap::problem::PROBLEMS;
 use slipgap::problem::unit::Dimension;
 use slipgap::study::{Study, parse};
@@ -29,9 +30,12 @@ fn bars(parameters: &str, more: &str) -> Study {
 /// results.csv as cells, the header first.
 fn table(study: &Study) -> Vec<Vec<String>> {
     let mut table = ResultTable::new(study, Vec::new()).unwrap();
-    for (number, outcome) in outcomes(study).iter().enumerate() {
-        table.row(number as u64, outcome).unwrap();
-    }
+    let add = |part| {
+        table.add(&part).unwrap();
+        Ok(())
+    };
+    let bar = ProgressBar::hidden();
+    batch::run(study, &bar, &batch::RunOptions::METRICS, add).unwrap();
     cells(&table.finish().unwrap())
 }
 
@@ -298,20 +302,14 @@ fn drawn(study: &Study) -> Sheet {
     let outcomes = outcomes(study);
     let solutions = outcomes.iter().map(|o| study.problem.solve(&o.case, &[]));
     let solutions: Vec<_> = solutions.map(Result::unwrap).collect();
-    let shown = outcomes
-        .iter()
-        .zip(&solutions)
-        .map(|(outcome, solution)| DrawnCase {
-            case: &outcome.case,
-            metrics: &outcome.metrics,
-            solution: Some(solution),
-            snapshots: &[],
-        });
-    let shown: Vec<DrawnCase> = shown.collect();
+    let mut shown = ShownCases::new(study.problem.schema());
+    for (outcome, solution) in outcomes.iter().zip(solutions) {
+        shown.push(&outcome.case, &outcome.metrics, Some(solution));
+    }
     sheet(&FigureData {
         study,
         figure: &study.figures[0],
-        cases: &shown,
+        cases: &shown.all(),
         groups: &GroupResults::None,
     })
 }

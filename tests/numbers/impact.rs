@@ -1,7 +1,6 @@
 //! The impact of two bars: printed numbers, and comparisons with exact solutions.
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::{Value as Json, json};
 use slipgap::exact::wave::Bars;

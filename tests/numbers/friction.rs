@@ -1,7 +1,6 @@
 //! The friction oscillator: order of convergence, and identities of every step for any parameters.
 
-mod common;
-
+use crate::common;
 use common::case;
 use proptest::prelude::*;
 use serde_json::{Value as Json, json};

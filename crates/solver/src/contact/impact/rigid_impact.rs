@@ -3,8 +3,7 @@
 //! They are free but for the law: m dv/dt = -F with m = m1 m2/(m1 + m2), v = ddelta/dt, from delta = 0, v = v0. The restitution
 //! that a law achieves is not the target from which its damping is computed.
 
-use crate::contact::ContactLaw;
-use crate::contact::impact::collision::{DampedHertz, HertzDashpot, Linear};
+use super::collision::{DampedHertz, HertzDashpot, Linear};
 use libm::{cosh, exp, pow, sinh, sqrt};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -16,15 +15,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// ```
 /// use slipgap_solver::contact::impact::HuntCrossley;
 /// use slipgap_solver::contact::{ContactLaw, ImpactSpring};
-/// use slipgap_solver::exact::rigid_impact::RigidImpact;
 ///
 /// let spring = ContactLaw::ImpactSpring(ImpactSpring { stiffness: 4.0 });
-/// let impact = RigidImpact::new(&spring, 1.0, 3.0).expect("a law of impact");
+/// let impact = spring.collision(1.0, 3.0).expect("a law of impact");
 /// assert_eq!((impact.restitution, impact.overlap), (1.0, 1.5));
 /// assert_eq!(impact.duration, std::f64::consts::FRAC_PI_2);
 ///
 /// let law = ContactLaw::HuntCrossley(HuntCrossley::new(4.0, 0.5));
-/// let impact = RigidImpact::new(&law, 1.0, 3.0).expect("a law of impact");
+/// let impact = law.collision(1.0, 3.0).expect("a law of impact");
 /// assert!((impact.restitution - 0.662).abs() < 1e-3);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,34 +40,34 @@ pub struct RigidImpact {
 const QUARTER: f64 = 1.471_637_592_162_352;
 
 impl RigidImpact {
-    /// For m = m1 m2/(m1 + m2) of the bodies and the closing speed v0; `None` for a law of friction.
-    pub fn new(law: &ContactLaw, mass: f64, speed: f64) -> Option<RigidImpact> {
-        let power = |stiffness: f64| pow(mass / stiffness * (speed * speed), 0.4);
-        let linear = |stiffness: f64| speed * sqrt(mass / stiffness);
-        let (length, scaled) = match law {
-            ContactLaw::ImpactSpring(law) => (linear(law.stiffness), of_linear(0.0)),
-            ContactLaw::KelvinVoigt(law) => (linear(law.stiffness), of_linear(law.ratio(mass))),
-            ContactLaw::Hertz(law) => (power(law.stiffness), of_damped_hertz(0.0)),
-            ContactLaw::HertzDamp(law) => (power(law.stiffness), of_damped_hertz(law.damping)),
-            ContactLaw::HuntCrossley(law) => (power(law.stiffness), of_damped_hertz(law.damping)),
-            ContactLaw::Ye(law) => (power(law.stiffness), of_damped_hertz(law.damping)),
-            ContactLaw::Jankowski(law) => (power(law.stiffness), of_dashpot(law.ratio(mass))),
-            ContactLaw::Rigid(law) => (
-                0.0,
-                RigidImpact {
-                    restitution: law.restitution,
-                    duration: 0.0,
-                    overlap: 0.0,
-                },
-            ),
-            _ => return None,
-        };
-        Some(RigidImpact {
-            restitution: scaled.restitution,
-            duration: scaled.duration * (length / speed),
-            overlap: scaled.overlap * length,
-        })
+    /// With the spring k and a dashpot of this damping ratio, for m = m1 m2/(m1 + m2) of the bodies and the closing speed v0.
+    pub(in crate::contact) fn linear(k: f64, ratio: f64, mass: f64, speed: f64) -> RigidImpact {
+        of_linear(ratio).in_scales(speed * sqrt(mass / k), speed)
     }
+
+    /// With k_h delta^1.5 (1 + damping ddelta/v0).
+    pub(super) fn hertz(k_h: f64, damping: f64, mass: f64, speed: f64) -> RigidImpact {
+        of_damped_hertz(damping).in_scales(power_length(k_h, mass, speed), speed)
+    }
+
+    /// With k_h delta^1.5 and, while approaching, a dashpot of this damping ratio.
+    pub(super) fn dashpot(k_h: f64, ratio: f64, mass: f64, speed: f64) -> RigidImpact {
+        of_dashpot(ratio).in_scales(power_length(k_h, mass, speed), speed)
+    }
+
+    /// From scales of this length and the closing speed.
+    fn in_scales(self, length: f64, speed: f64) -> RigidImpact {
+        RigidImpact {
+            restitution: self.restitution,
+            duration: self.duration * (length / speed),
+            overlap: self.overlap * length,
+        }
+    }
+}
+
+/// The scale of length of the laws of the power 1.5.
+fn power_length(k_h: f64, mass: f64, speed: f64) -> f64 {
+    pow(mass / k_h * (speed * speed), 0.4)
 }
 
 fn of_linear(ratio: f64) -> RigidImpact {
@@ -106,7 +104,7 @@ fn of_dashpot(ratio: f64) -> RigidImpact {
 }
 
 /// The integral over 0..1 by the double exponential rule, which needs no smoothness at the ends.
-fn integral(f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn integral(f: impl Fn(f64) -> f64) -> f64 {
     let step = 1.0 / 64.0;
     let mut sum = 0.0;
     for k in -256..=256 {
@@ -127,7 +125,7 @@ fn integral(f: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
     use crate::contact::impact::*;
-    use crate::contact::{Answer, Cycle, Flexibility, Law, StepFlexibility, StoredEnergy, Trial};
+    use crate::contact::{Answer, ContactLaw, Flexibility, StepFlexibility, StoredEnergy, Trial};
     use crate::lane::Lane;
 
     fn law(name: &str, k: f64, e: f64, m: f64) -> ContactLaw {
@@ -153,14 +151,14 @@ mod tests {
 
     #[test]
     fn collisions_are_those_of_the_independent_program() {
-        let text = include_str!("../../../../tests/data/laws.json");
+        let text = include_str!("../../../../../tests/data/laws.json");
         let rows: Vec<serde_json::Value> = serde_json::from_str(text).unwrap();
         assert_eq!(rows.len(), 72);
         for row in rows {
             let number = |key: &str| row[key].as_f64().unwrap();
             let name = row["law"].as_str().unwrap();
             let law = law(name, number("k"), number("target"), number("m"));
-            let found = RigidImpact::new(&law, number("m"), number("v0")).unwrap();
+            let found = law.collision(number("m"), number("v0")).unwrap();
             for (key, value) in [
                 ("restitution", found.restitution),
                 ("duration", found.duration),
@@ -202,15 +200,11 @@ mod tests {
             [1.0 - 1e-9, 1.0, 1.0 + 1e-9].map(|ratio| of_linear(ratio).restitution);
         assert!((at - libm::exp(-2.0)).abs() < 1e-15);
         assert!((below - at).abs() < 1e-8 && (above - at).abs() < 1e-8 && below > at && at > above);
-        let rigid = RigidImpact::new(
-            &ContactLaw::Rigid(Rigid {
-                restitution: 0.7,
-                impulses: true,
-            }),
-            2.0,
-            3.0,
-        )
-        .unwrap();
+        let rigid = ContactLaw::Rigid(Rigid {
+            restitution: 0.7,
+            impulses: true,
+        });
+        let rigid = rigid.collision(2.0, 3.0).unwrap();
         assert_eq!(
             rigid,
             RigidImpact {
@@ -221,26 +215,14 @@ mod tests {
         );
     }
 
-    fn cycle(law: &ContactLaw, reach: f64) -> Cycle {
-        match law {
-            ContactLaw::KelvinVoigt(law) => law.cycle(reach),
-            ContactLaw::Hertz(law) => law.cycle(reach),
-            ContactLaw::HertzDamp(law) => law.cycle(reach),
-            ContactLaw::HuntCrossley(law) => law.cycle(reach),
-            ContactLaw::Ye(law) => law.cycle(reach),
-            ContactLaw::Jankowski(law) => law.cycle(reach),
-            _ => panic!("{law:?}"),
-        }
-    }
-
     #[test]
     fn loops_of_figures_enclose_the_energy_lost() {
         for name in NAMES {
             for target in [0.3, 0.7, 1.0] {
                 let law = law(name, 20.0, target, 1.0);
-                let (points, _) = cycle(&law, 0.3);
+                let (points, _) = law.cycle(0.3);
                 // The speed with the largest overlap 0.3, m = 1.
-                let unit = RigidImpact::new(&law, 1.0, 1.0).unwrap();
+                let unit = law.collision(1.0, 1.0).unwrap();
                 let speed = if name == "kelvin-voigt" {
                     0.3 / unit.overlap
                 } else {
@@ -314,7 +296,7 @@ mod tests {
         for name in NAMES {
             for target in [0.2, 0.6, 0.9] {
                 let law = law(name, 300.0, target, 0.7);
-                let exact = RigidImpact::new(&law, 0.7, 2.5).unwrap();
+                let exact = law.collision(0.7, 2.5).unwrap();
                 for n in [100.0, 400.0, 1600.0, 6400.0] {
                     let dt = exact.duration / n;
                     let [restitution, duration, overlap, energy] =

@@ -1,7 +1,6 @@
 //! The impact of two bars: identities of every step, and parameters without effect on results.
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::{Value as Json, json};
 use slipgap::history::History;

@@ -1,8 +1,7 @@
 //! The table of advice in docs/findings-laws.md: every row holds with its own step and with finer ones, and rows with a mesh on meshes
 //! twice and four times as fine.
 
-mod common;
-
+use crate::common;
 use serde_json::{Value as Json, json};
 use slipgap::problem::friction::FrictionOscillator;
 use slipgap::problem::impact::BarImpact;
@@ -11,7 +10,7 @@ use slipgap::recommend::{metric, with_finer_step};
 use std::f64::consts::PI;
 use std::process::Command;
 
-const PAGE: &str = include_str!("../docs/findings-laws.md");
+const PAGE: &str = include_str!("../../docs/findings-laws.md");
 
 /// Parts of the step at which a row is computed.
 const PARTS: [u32; 3] = [1, 2, 4];

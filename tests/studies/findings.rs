@@ -2,8 +2,7 @@
 //!
 //! The pages give two to four digits. Each tolerance here is half a unit of the last digit given, rounded up.
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::json;
 use slipgap::problem::{Problem, find};

@@ -3,8 +3,7 @@
 //! Two equal half-infinite meshes have it with the shape (-x)^j, x = sqrt(1 + 4 gamma^2) - 2 gamma, and the frequency
 //! Omega C0/h, Omega^2 = 2 + 2 sqrt(1 + 4 gamma^2), above the cut-off 2 C0/h of the mesh (derived in tests/reference).
 
-mod common;
-
+use crate::common;
 use common::case;
 use serde_json::json;
 use slipgap::lane::Lane;
