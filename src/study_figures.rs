@@ -228,15 +228,17 @@ mod tests {
             let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
             let drawn = |needed: &Needed| {
                 let mut shown = ShownCases::new(study.problem.schema());
+                let mut designs = DesignMetrics::new(&study);
                 let bar = indicatif::ProgressBar::hidden();
                 batch::run(&study, &bar, &RunOptions::METRICS, |mut part| {
+                    designs.add(&part);
                     add(&study, needed, &mut part, &mut shown);
                     Ok(())
                 })
                 .unwrap();
-                with_cases(&study, &study.figures[0], &shown, |cases| {
-                    let sheet = figures::sheet(&study, &study.figures[0], cases);
-                    figures::svg(&sheet, 192).unwrap()
+                let figure = &study.figures[0];
+                with_data(&study, figure, &shown, &designs, |data| {
+                    figures::svg(&figures::sheet(data), 192).unwrap()
                 })
             };
             let own = needed(&study);
