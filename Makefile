@@ -1,8 +1,10 @@
 # `make` alone lists the targets. Everything is built by cargo; nothing else is needed.
 
-# Most tests run in a build that stops at an overflow. `make fresh`, `make guard` and what computes all studies share a release build.
+# Tests run in a build that stops at an overflow. What computes all studies runs the release build, which is compiled once, without what
+# only tests need.
 
 debug = $(or $(CARGO_TARGET_DIR),target)/debug
+released = SLIPGAP_PROGRAM=$(abspath $(or $(CARGO_TARGET_DIR),target))/release/slipgap
 
 .PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel
 
@@ -19,8 +21,9 @@ report: ## one page about all studies, figures/report.html: tables to sort and f
 # The tests come last, so that their summary ends the output. `--workspace` builds no more, but all with the same features of the
 # crates below, so that the library is compiled once for all tests and for the Python package.
 test: ## check results and verdicts against recorded values, run all tests
-	cargo test --release --locked --test shipped -- --ignored --test-threads 1
+	cargo build --release --locked
 	cargo build --locked --workspace --examples
+	$(released) cargo test --locked --workspace --test shipped -- --ignored --test-threads 1
 	for example in one_case sweep figure own_metric; do $(debug)/examples/$$example > target/$$example.txt || exit 1; done
 	cargo test --locked --workspace
 
@@ -30,7 +33,8 @@ lint: ## formatting, clippy and documentation without warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
-	cargo test --release --locked --test fresh -- --ignored
+	cargo build --release --locked
+	$(released) cargo test --locked --workspace --test fresh -- --ignored
 
 licences: ## check that the licences of all dependencies are in the list allowed
 	cargo test --locked --workspace --test licences -- --ignored
@@ -72,28 +76,27 @@ slurm-test: ## shards as a Slurm array on four virtual nodes: killed, requeued, 
 # pattern. What survives is explained in tests/mutants.md; lists of what was caught and missed are in target/mutants/PART/.
 PART = numbers structures events problem batch run study figures claims recommend
 ONLY = .
-changed_numbers = -f 'src/contact/**' -f 'src/methods/**' -f 'src/exact/**' -e 'src/exact/events/**' -f 'src/metrics/**' -f 'src/solve/**' \
-  -e 'src/solve/structure/**' -f 'src/system/**' -e 'src/system/structure/**' -e 'src/system/loads/**'
-noticed_numbers = --test budget --test budget_impact --test mesh --test friction --test friction_work --test impact \
-  --test impact_contact --test impact_invariants --test impact_mode --test independent --test lanes --test regularised --test spring \
-  --test massless --test sweep --test two_forms --test two_forms_impact
-changed_structures = -f 'src/solve/structure/**' -f 'src/system/structure/**' -f 'src/system/loads/**'
-noticed_structures = --test structures --test structures_laws --test structures_exact
-changed_events = -f 'src/exact/events/**'
-noticed_events = --test structures_exact
-changed_problem = -f 'src/problem/**'
-noticed_problem = --test structures --test structures_exact --test friction --test impact --test bad_studies --test study_language --test units
+solver = crates/solver/src
+changed_numbers = -f '$(solver)/**' -e '$(solver)/exact/events/**' -e '$(solver)/solve/structure/**' -e '$(solver)/system/structure/**' \
+  -e '$(solver)/system/loads/**' -e '$(solver)/problem/**'
+noticed_numbers = --test numbers
+changed_structures = -f '$(solver)/solve/structure/**' -f '$(solver)/system/structure/**' -f '$(solver)/system/loads/**'
+noticed_structures = --test numbers
+changed_events = -f '$(solver)/exact/events/**'
+noticed_events = --test numbers
+changed_problem = -f '$(solver)/problem/**'
+noticed_problem = --test numbers --test studies
 changed_run = -f 'src/run/**'
 noticed_run = --test command_line
-changed_batch = -f 'src/batch/**' -f 'src/statistics/**' -f 'src/compare/**'
+changed_batch = -f 'src/batch/**' -f 'crates/statistics/src/**' -f 'src/compare/**'
 noticed_batch = --test command_line
-changed_study = -f 'src/study/**' -e 'src/study/describe/**'
-noticed_study = --test bad_studies --test study_language --test every_case --test command_line
-changed_figures = -f 'src/figures/**'
+changed_study = -f 'crates/study/src/**' -e 'crates/study/src/describe/**'
+noticed_study = --test studies --test command_line
+changed_figures = -f 'src/figures/**' -f 'crates/drawing/src/**'
 noticed_figures = --test report
 changed_claims = -f 'src/claims/**' -f src/checks.rs
-noticed_claims = --test command_line --test findings
-changed_recommend = -f 'src/recommend/**'
+noticed_claims = --test command_line --test studies
+changed_recommend = -f 'crates/recommend/src/**'
 noticed_recommend = --test recommend
 # As arguments of cargo, so that no other tests are compiled after each change.
 changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib $(noticed_$(1)))

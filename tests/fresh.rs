@@ -75,9 +75,14 @@ fn committed_schema_and_its_page_are_what_the_program_prints_now() {
     }
 }
 
+/// The release build that the Makefile names, or else the one of the tests, which is slower.
+fn program() -> String {
+    std::env::var("SLIPGAP_PROGRAM").unwrap_or_else(|_| env!("CARGO_BIN_EXE_slipgap").into())
+}
+
 /// Runs the program in the project's folder and gives its stdout.
 fn slipgap(words: &[&str]) -> Vec<u8> {
-    let output = Command::new(env!("CARGO_BIN_EXE_slipgap"))
+    let output = Command::new(program())
         .args(words)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()

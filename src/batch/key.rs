@@ -150,7 +150,8 @@ impl CaseHash {
     /// The hash of a case.
     pub fn of(&mut self, case: &[Option<Value>]) -> u128 {
         self.0.clear();
-        case.iter().for_each(|value| push_value(&mut self.0, *value));
+        case.iter()
+            .for_each(|value| push_value(&mut self.0, *value));
         XxHash3_128::oneshot(&self.0)
     }
 }

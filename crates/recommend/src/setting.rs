@@ -1,5 +1,6 @@
 //! Laws and methods with their parameters: the short lists that a search tries.
 
+use slipgap_solver::contact::{Described, DisplacementControl, ImpactSpring, VelocityControl};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::parameter::{Kind, Value, shortest};
 
@@ -64,7 +65,11 @@ pub struct Variant {
 }
 
 /// The laws and the method of the papers.
-const LAWS: [&str; 3] = ["displacement-control", "velocity-control", "impact-spring"];
+const LAWS: [&str; 3] = [
+    DisplacementControl::NAME,
+    VelocityControl::NAME,
+    ImpactSpring::NAME,
+];
 const METHOD: &str = "average-acceleration";
 
 impl Variant {

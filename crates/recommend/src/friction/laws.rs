@@ -1,6 +1,8 @@
 //! The friction laws of a search, and their widths.
 
 use crate::{Setting, setting};
+use slipgap_solver::contact::WhichLaw;
+use slipgap_solver::contact::offer::{Offered, Place};
 use slipgap_solver::problem::friction::FrictionOscillator;
 use slipgap_solver::problem::parameter::Value;
 
@@ -10,34 +12,37 @@ const ZETA: f64 = 0.5;
 /// Names of the laws that are searched. `stribeck` is not: its static friction is other physics than the reference.
 pub fn names() -> Vec<&'static str> {
     let mut names = setting::choices(&FrictionOscillator, "law");
-    names.retain(|name| *name != "stribeck");
+    names.retain(|name| which(name) != Some(WhichLaw::Stribeck));
     names
 }
 
 /// A law with a short list of its exponents.
 pub fn law(name: &'static str) -> Vec<Setting> {
-    match name {
-        "bouc-wen" => Setting::each(name, "exponent", &[1.0, 2.0, 10.0]),
-        "dahl" => Setting::each(name, "exponent", &[1.0, 2.0]),
+    match which(name) {
+        Some(WhichLaw::BoucWen) => Setting::each(name, "exponent", &[1.0, 2.0, 10.0]),
+        Some(WhichLaw::Dahl) => Setting::each(name, "exponent", &[1.0, 2.0]),
         _ => vec![Setting::new(name)],
     }
 }
 
-/// The parameter that is the width of a law; `None` for a law without compliance.
+/// The parameter that is the width of a law, the first of its numbers; `None` for a law without compliance.
 pub fn width(law: &str) -> Option<&'static str> {
-    match law {
-        "coulomb" => None,
-        "velocity-control" | "tanh" => Some("beta"),
-        "lugre" => Some("sigma0"),
-        _ => Some("alpha"),
-    }
+    let numbers = Offered::named(Place::Oscillator, law)?
+        .at(Place::Oscillator)?
+        .numbers;
+    numbers.first().map(|number| number.key)
+}
+
+/// The law of a name.
+pub fn which(name: &str) -> Option<WhichLaw> {
+    Some(Offered::named(Place::Oscillator, name)?.law)
 }
 
 /// The parameters of a law with this width. The width of lugre is 1/sigma0.
 pub fn of_width(law: &str, value: f64) -> Vec<(&'static str, Value)> {
-    match width(law) {
-        None => Vec::new(),
-        Some("sigma0") => {
+    match (which(law), width(law)) {
+        (_, None) => Vec::new(),
+        (Some(WhichLaw::Lugre), _) => {
             let sigma0 = three_digits(1.0 / value);
             let sigma1 = three_digits(2.0 * ZETA * sigma0.sqrt());
             vec![
@@ -45,7 +50,7 @@ pub fn of_width(law: &str, value: f64) -> Vec<(&'static str, Value)> {
                 ("sigma1", Value::Number(sigma1)),
             ]
         }
-        Some(name) => vec![(name, Value::Number(value))],
+        (_, Some(name)) => vec![(name, Value::Number(value))],
     }
 }
 

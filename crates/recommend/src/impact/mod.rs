@@ -11,6 +11,7 @@ pub use task::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, bar};
 
 use super::{Fixed, Grid, Setting, Variant};
 use mesh::{Mesh, meshes, most_cost};
+use slipgap_solver::contact::{Described, ImpactSpring};
 use slipgap_solver::problem::impact::BarImpact;
 use slipgap_solver::problem::impact::scaled::Scaled;
 use slipgap_solver::problem::parameter::Value;
@@ -70,7 +71,7 @@ impl Impact {
     /// The search space of these bars, or the rules that they break.
     pub fn new(fixed: FixedParameters) -> Result<Impact, Vec<Violation>> {
         let usual = Variant {
-            law: Setting::new("impact-spring"),
+            law: Setting::new(ImpactSpring::NAME),
             method: Setting::new("average-acceleration"),
             mass: Some("lumped"),
         };
@@ -119,7 +120,7 @@ impl Impact {
         let spring = self.fixed.spring_or_soft();
         let short = mesh::PASSES.into_iter().fold(f64::INFINITY, f64::min);
         let mesh = (self.fixed.n.unwrap_or(2), short);
-        let broken = |variant: &Variant| match variant.law.name == "rigid" {
+        let broken = |variant: &Variant| match variants::is_rigid(variant.law.name) {
             true if self.fixed.spring.is_some() => violation(
                 "gamma",
                 "does not apply to law rigid, which has no stiffness",
@@ -159,7 +160,7 @@ impl Impact {
         for (name, value) in settings.chain(variant.method.given("method")) {
             given.push((name, value));
         }
-        if variant.law.name != "rigid" {
+        if !variants::is_rigid(variant.law.name) {
             given.push((spring.0, Value::Number(spring.1)));
         }
         if let Some(ratio) = self.time_ratio.filter(|_| !self.fixed.has_right_mesh()) {

@@ -3,7 +3,7 @@
 use super::Impact;
 use super::energy::energy_change;
 use super::mesh::{MOST_ELEMENTS, Mesh, PASSES, WITH_EVERY_MESH};
-use super::variants::masses;
+use super::variants::{is_rigid, masses};
 use crate::format::{digits, is_positive_integer, plain};
 use crate::grid::decades;
 use crate::setting::{METHOD_PARAMETERS, sentence};
@@ -63,7 +63,7 @@ impl SearchSpace for Impact {
             ("dt", Some(x)) => fraction(x).unwrap_or_else(|| shortest(x)),
             // A study may not give it: the method ignores it.
             ("restitution", _)
-                if plain(case, "law") == "rigid" && plain(case, "method") != "moreau-jean" =>
+                if is_rigid(case.choice("law")) && plain(case, "method") != "moreau-jean" =>
             {
                 "-".into()
             }
@@ -146,10 +146,10 @@ impl SearchSpace for Impact {
     fn level(&self, index: usize) -> CostLevel {
         let (variant, mesh, _) = self.levels()[index];
         let variant = &self.variants[variant];
-        match (self.fixed.spring, variant.law.name) {
+        match (self.fixed.spring, is_rigid(variant.law.name)) {
             (Some(spring), _) => self.one_stiffness(variant, spring, mesh),
-            (None, "rigid") => self.one_stiffness(variant, ("gamma", 1.0), mesh),
-            (None, _) => self.stiffnesses(variant, mesh),
+            (None, true) => self.one_stiffness(variant, ("gamma", 1.0), mesh),
+            (None, false) => self.stiffnesses(variant, mesh),
         }
     }
 

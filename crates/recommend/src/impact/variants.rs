@@ -2,6 +2,9 @@
 
 use super::FixedParameters;
 use crate::{Setting, Variant, setting};
+use slipgap_solver::contact::WhichLaw;
+use slipgap_solver::contact::numbers::bars::RESTITUTION;
+use slipgap_solver::contact::offer::{Offered, Place};
 use slipgap_solver::problem::impact::BarImpact;
 
 /// Targets of the restitution of laws with damping; without damping they are other laws of the list.
@@ -18,7 +21,7 @@ pub fn variants(fixed: &FixedParameters) -> Vec<Variant> {
     let only = fixed.choice.law;
     let laws = setting::choices(&BarImpact, "law").into_iter();
     // The force of rigid contact depends on the step: an answer for it holds with its own step only.
-    let laws = laws.filter(|name| only.map_or(*name != "rigid", |only| only == *name));
+    let laws = laws.filter(|name| only.map_or(!is_rigid(name), |only| only == *name));
     let masses = masses(fixed.mass);
     let mut variants = Vec::new();
     for name in laws {
@@ -43,12 +46,19 @@ pub fn masses(only: Option<&'static str>) -> Vec<&'static str> {
     }
 }
 
+/// Whether a law is rigid contact.
+pub fn is_rigid(name: &str) -> bool {
+    Offered::named(Place::Bars, name).is_some_and(|law| law.law == WhichLaw::Rigid)
+}
+
 /// A law with a short list of restitutions.
 fn law(name: &'static str, method: &str, one: bool) -> Vec<Setting> {
-    match name {
-        "impact-spring" | "hertz" => vec![Setting::new(name)],
-        "rigid" if method == "moreau-jean" => Setting::each(name, "restitution", &RIGID),
-        "rigid" => vec![Setting::new(name)],
+    let own = Offered::named(Place::Bars, name).and_then(|law| law.at(Place::Bars));
+    let damped = own.is_some_and(|own| RESTITUTION.is_in(own.numbers));
+    match is_rigid(name) {
+        true if method == "moreau-jean" => Setting::each(name, "restitution", &RIGID),
+        true => vec![Setting::new(name)],
+        false if !damped => vec![Setting::new(name)],
         _ if one => Setting::each(name, "restitution", &RESTITUTIONS_OF_ONE),
         _ => Setting::each(name, "restitution", &RESTITUTIONS),
     }

@@ -1,11 +1,9 @@
 //! The law of a contact, any of the list at the end of this file.
 
 use super::element::Element;
-use super::{
-    Answer, Bearing, BoucWen, Cycle, Dahl, DisplacementControl, Hertz, HertzDamp, HuntCrossley,
-    ImpactSpring, Jankowski, KelvinVoigt, Law, LawsVisitor, Lugre, Rigid, RunningLaw,
-    StepFlexibility, StoredEnergy, Stribeck, Tanh, Trial, VelocityControl, Visitor, Ye,
-};
+use super::impact::*;
+use super::offer::{self, Offered, Place};
+use super::*;
 use crate::lane::Lane;
 use multiversion::multiversion;
 
@@ -43,11 +41,11 @@ macro_rules! laws {
         /// A sliding contact dissipates S times the distance, and its elastic part stores S^2/(2 k^C):
         ///
         /// ```
-        /// use slipgap_solver::contact::{ContactLaw, DisplacementControl, LawKind, StoredEnergy};
+        /// use slipgap_solver::contact::{ContactLaw, DisplacementControl, StoredEnergy, WhichLaw};
         ///
         /// let friction = DisplacementControl { compliance: 0.1, limit: 1.0 };
         /// let law = ContactLaw::DisplacementControl(friction);
-        /// assert_eq!(law.kind(), LawKind::DisplacementControl);
+        /// assert_eq!(law.which(), WhichLaw::DisplacementControl);
         /// assert_eq!(law.stored_energy(3.0, 1.0), 0.05);
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,9 +53,9 @@ macro_rules! laws {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law)),+
         }
 
-        /// The laws.
+        /// The laws without their numbers.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum LawKind {
+        pub enum WhichLaw {
             $(#[doc = concat!("See [`", stringify!($law), "`].")] $law),+
         }
 
@@ -78,9 +76,64 @@ macro_rules! laws {
 
         impl ContactLaw {
             /// Which law it is.
-            pub fn kind(&self) -> LawKind {
+            pub fn which(&self) -> WhichLaw {
                 match self {
-                    $(ContactLaw::$law(_) => LawKind::$law),+
+                    $(ContactLaw::$law(_) => WhichLaw::$law),+
+                }
+            }
+
+            /// What its contact can do.
+            pub fn kind(&self) -> ContactKind {
+                match self {
+                    $(ContactLaw::$law(_) => $law::KIND),+
+                }
+            }
+
+            /// Its name in text.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(ContactLaw::$law(_) => $law::NAME),+
+                }
+            }
+
+            /// Whether S follows from rdot alone.
+            pub fn of_velocity(&self) -> bool {
+                match self {
+                    $(ContactLaw::$law(_) => $law::OF_VELOCITY),+
+                }
+            }
+
+            /// What its numbers tell.
+            pub fn properties(&self) -> &dyn Properties {
+                match self {
+                    $(ContactLaw::$law(law) => law),+
+                }
+            }
+
+            /// The law with another friction limit; an impact and a link have none.
+            pub fn at_limit(&self, limit: f64) -> ContactLaw {
+                match *self {
+                    $(ContactLaw::$law(law) => ContactLaw::$law(law.at_limit(limit))),+
+                }
+            }
+
+            /// The collision of two rigid masses, of m = m1 m2/(m1 + m2) and the closing speed; `None` for a law without one.
+            pub fn collision(&self, mass: f64, speed: f64) -> Option<RigidImpact> {
+                match self {
+                    $(ContactLaw::$law(law) => match $law::CLOSED_FORM {
+                        ClosedForm::Collision(collision) => Some(collision(law, mass, speed)),
+                        ClosedForm::Driven(_) => None,
+                    }),+
+                }
+            }
+
+            /// S after a motion from rest with S = 0 at this rdot > 0 for this time; `None` without a closed form.
+            pub fn driven(&self, velocity: f64, time: f64) -> Option<f64> {
+                match self {
+                    $(ContactLaw::$law(law) => match $law::CLOSED_FORM {
+                        ClosedForm::Driven(driven) => driven(law, velocity, time),
+                        ClosedForm::Collision(_) => None,
+                    }),+
                 }
             }
 
@@ -107,6 +160,11 @@ macro_rules! laws {
                 }
             }
         }
+
+        /// The offers of each law.
+        const OFFERS: &[(WhichLaw, ContactKind, bool, &[offer::Offer])] = &[
+            $((WhichLaw::$law, $law::KIND, $law::OF_VELOCITY, $law::OFFERS)),+
+        ];
 
         impl<const L: usize> AnyLaw<L> {
             /// Other numbers of a law of the same kind in all lanes; the memory stays.
@@ -156,6 +214,38 @@ laws!(
     others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
         Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre
 );
+
+/// All laws by the names of studies: impacts, friction, links.
+pub static LAWS: [Offered; offer::count(OFFERS)] = ALL;
+/// The same, for constants.
+pub const ALL: [Offered; offer::count(OFFERS)] = {
+    let (law, kind, of_velocity, offers) = OFFERS[0];
+    let first = Offered {
+        law,
+        kind,
+        of_velocity,
+        offer: &offers[0],
+    };
+    offer::collect(OFFERS, first)
+};
+
+impl Offered {
+    /// The law of this name in a problem.
+    #[inline]
+    pub fn named(place: Place, name: &str) -> Option<&'static Offered> {
+        // Names of the tables: mostly the same memory.
+        let is = |law: &&Offered| std::ptr::eq(law.offer.name, name) || law.offer.name == name;
+        let mut offered = LAWS.iter().filter(|law| law.at(place).is_some());
+        offered.find(is)
+    }
+}
+
+impl ContactLaw {
+    /// Whether r >= 0 holds without compliance.
+    pub fn rigid(&self) -> bool {
+        self.which() == WhichLaw::Rigid
+    }
+}
 
 impl<const L: usize> Answer<L> for AnyLaw<L> {
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {

@@ -1,7 +1,11 @@
 //! The velocity-control model with the coefficient of friction of a sliding bearing.
 
+use super::offer::Offer;
 use super::saturation::{self, rise};
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes};
+use super::{
+    ClosedForm, ContactKind, Cycle, Described, Law, Properties, StepFlexibility, StepLaw,
+    StoredEnergy, Trial, curve, lanes,
+};
 use crate::lane::Lane;
 
 /// Velocity-control model [F (16)] whose coefficient rises with velocity, nu = nu_max - (nu_max - nu_min) exp(-a |rdot|)
@@ -31,6 +35,17 @@ pub struct Step<const L: usize> {
     by_rate: Lane<L>,
 }
 
+impl Bearing {
+    /// S at a velocity >= 0.
+    fn force(&self, v: f64) -> f64 {
+        let limit = self.limit * (self.ratio + (1.0 - self.ratio) * rise(self.rate * v));
+        match v < self.compliance * limit {
+            true => v / self.compliance,
+            false => limit,
+        }
+    }
+}
+
 impl StoredEnergy for Bearing {
     /// None: all work is dissipated.
     fn stored_energy(&self, _: f64, _: f64) -> f64 {
@@ -38,8 +53,47 @@ impl StoredEnergy for Bearing {
     }
 }
 
+impl Described for Bearing {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "velocity-control";
+    const OF_VELOCITY: bool = true;
+    const OFFERS: &'static [Offer] = &[];
+    const CLOSED_FORM: ClosedForm<Self> =
+        ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
+}
+
+impl Properties for Bearing {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("c =", 1.0 / self.compliance)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn reach(&self) -> f64 {
+        4.0 * (self.compliance * self.limit + 1.0 / self.rate)
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.limit, self.limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        true
+    }
+}
+
 impl Law for Bearing {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        Bearing { limit, ..self }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
@@ -55,14 +109,7 @@ impl Law for Bearing {
     /// From -1.1 `reach` to 1.1 `reach`; a compliance of zero is the rigid law.
     fn cycle(&self, reach: f64) -> Cycle {
         curve::over_velocity(reach, |velocity| {
-            let v = velocity.abs();
-            let limit = self.limit * (self.ratio + (1.0 - self.ratio) * rise(self.rate * v));
-            let viscous = if v < self.compliance * limit {
-                v / self.compliance
-            } else {
-                limit
-            };
-            viscous.copysign(velocity)
+            self.force(velocity.abs()).copysign(velocity)
         })
     }
 }

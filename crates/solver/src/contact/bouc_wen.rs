@@ -1,7 +1,12 @@
 //! The Bouc-Wen model of friction.
 
+use super::numbers::{oscillator, structure};
+use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use super::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+};
 use crate::lane::Lane;
 
 /// Bouc-Wen model [Bouc 1967, Wen 1976] of friction: S = L z, dz/dr = (1 - |z|^n (1 + sgn(rdot z))/2)/u_y with u_y = compliance L,
@@ -49,8 +54,90 @@ impl StoredEnergy for BoucWen {
     }
 }
 
+impl Described for BoucWen {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "bouc-wen";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: Some(InOscillator {
+            of: In {
+                meaning: "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+                numbers: &[&oscillator::ALPHA, &oscillator::EXPONENT],
+            },
+            law: |given| {
+                let [compliance, exponent] = given.all()?;
+                Some(ContactLaw::BoucWen(BoucWen {
+                    compliance,
+                    limit: 1.0,
+                    exponent,
+                }))
+            },
+        }),
+        bars: None,
+        structure: Some(In {
+            meaning: "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
+            numbers: &[&structure::K, &structure::R_E, &structure::EXPONENT],
+        }),
+        form: |given| {
+            Ok(Form::Friction(ContactLaw::BoucWen(BoucWen {
+                compliance: 1.0 / given.stiffness()?,
+                limit: given.limit(),
+                exponent: given.need("exponent")?,
+            })))
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
+        let u = velocity * time / (law.compliance * law.limit);
+        match law.exponent {
+            1.0 => Some(law.limit * -libm::expm1(-u)),
+            2.0 => Some(law.limit * libm::tanh(u)),
+            _ => None,
+        }
+    });
+}
+
+impl Properties for BoucWen {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", 1.0 / self.compliance), ("exponent", self.exponent)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        1.0 / self.compliance
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        if self.limit > 0.0 {
+            1.0 / self.compliance
+        } else {
+            0.0
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        4.0 * self.compliance * self.limit
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.limit, self.limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        Some(0.0)
+    }
+}
+
 impl Law for BoucWen {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        BoucWen { limit, ..self }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {

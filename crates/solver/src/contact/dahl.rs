@@ -1,7 +1,12 @@
 //! Dahl's model of friction.
 
+use super::numbers::{oscillator, structure};
+use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use super::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+};
 use crate::lane::Lane;
 
 /// Dahl's model [Dahl 1968, 1976]: dS/dr = sigma (1 - (S/L) sgn rdot)^n, sigma = 1/compliance. n = 0 is the displacement-control model.
@@ -45,8 +50,92 @@ impl StoredEnergy for Dahl {
     }
 }
 
+impl Described for Dahl {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "dahl";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: Some(InOscillator {
+            of: In {
+                meaning: "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
+                numbers: &[&oscillator::ALPHA, &oscillator::EXPONENT],
+            },
+            law: |given| {
+                let [compliance, exponent] = given.all()?;
+                Some(ContactLaw::Dahl(Dahl {
+                    compliance,
+                    limit: 1.0,
+                    exponent,
+                }))
+            },
+        }),
+        bars: None,
+        structure: Some(In {
+            meaning: "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
+            numbers: &[&structure::K, &structure::R_E, &structure::EXPONENT],
+        }),
+        form: |given| {
+            Ok(Form::Friction(ContactLaw::Dahl(Dahl {
+                compliance: 1.0 / given.stiffness()?,
+                limit: given.limit(),
+                exponent: given.need("exponent")?,
+            })))
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
+        let z = velocity * time / (law.compliance * law.limit);
+        let n = law.exponent;
+        let rest = match n == 1.0 {
+            true => libm::exp(-z),
+            false => libm::pow((1.0 + (n - 1.0) * z).max(0.0), -1.0 / (n - 1.0)),
+        };
+        Some(law.limit * (1.0 - rest))
+    });
+}
+
+impl Properties for Dahl {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", 1.0 / self.compliance), ("exponent", self.exponent)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        // Unloading from the limit.
+        libm::pow(2.0, self.exponent) / self.compliance
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        if self.limit > 0.0 {
+            1.0 / self.compliance
+        } else {
+            0.0
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        4.0 * self.compliance * self.limit
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.limit, self.limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        Some(0.0)
+    }
+}
+
 impl Law for Dahl {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        Dahl { limit, ..self }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {

@@ -1,7 +1,12 @@
 //! The displacement-control model of friction.
 
 use super::element::{DisplacementFriction, Element};
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
+use super::numbers::{oscillator, structure};
+use super::offer::{Form, In, InOscillator, Offer};
+use super::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, lanes,
+};
 use crate::lane::Lane;
 
 /// Displacement-control model [F (9)]: elastic up to r^E = nu |N|/k^C about the slip, then sliding at the friction limit.
@@ -29,8 +34,78 @@ impl StoredEnergy for DisplacementControl {
     }
 }
 
+impl Described for DisplacementControl {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "displacement-control";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: Some(InOscillator {
+            of: In {
+                meaning: "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
+                numbers: &[&oscillator::ALPHA],
+            },
+            law: |given| {
+                let [compliance] = given.all()?;
+                let limit = 1.0;
+                Some(ContactLaw::DisplacementControl(DisplacementControl {
+                    compliance,
+                    limit,
+                }))
+            },
+        }),
+        bars: None,
+        structure: Some(In {
+            meaning: "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
+            numbers: &[&structure::K, &structure::R_E],
+        }),
+        form: |given| {
+            let stiffness = given.stiffness()?;
+            Ok(Form::Elastic { stiffness })
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
+        Some((velocity * time / law.compliance).min(law.limit))
+    });
+}
+
+impl Properties for DisplacementControl {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", 1.0 / self.compliance)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        1.0 / self.compliance
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        if self.limit > 0.0 {
+            1.0 / self.compliance
+        } else {
+            0.0
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        4.0 * self.compliance * self.limit
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.limit, self.limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+}
+
 impl Law for DisplacementControl {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        DisplacementControl { limit, ..self }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {

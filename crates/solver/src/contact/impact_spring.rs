@@ -1,8 +1,15 @@
 //! The impact spring.
 
 use super::element::{Element, ImpactElement};
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
+use super::impact::{PUSHES, RigidImpact, stop};
+use super::numbers::structure;
+use super::offer::{Form, In, Offer};
+use super::{
+    ClosedForm, ContactKind, Cycle, Described, Law, Properties, StepFlexibility, StepLaw,
+    StoredEnergy, Trial, lanes,
+};
 use crate::lane::Lane;
+use std::f64::consts::PI;
 
 /// Impact spring `[I (7), (8)]`, `S = k_I <r> r`: it pushes while r < 0 and never pulls (the paper does not print the last r).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +35,84 @@ impl StoredEnergy for ImpactSpring {
     #[inline(always)]
     fn deflection(&self, s: f64) -> Option<[f64; 2]> {
         Some([s / self.stiffness, 1.0 / self.stiffness])
+    }
+}
+
+impl Described for ImpactSpring {
+    const KIND: ContactKind = ContactKind::Impact;
+    const NAME: &'static str = "impact-spring";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[
+        Offer {
+            name: "impact",
+            also: &[],
+            oscillator: None,
+            bars: None,
+            structure: Some(In {
+                meaning: "closes when r reaches 0; a spring k [I (7)], or rigid with restitution e",
+                numbers: &[&structure::K, &structure::E],
+            }),
+            form: |given| match (given.given("k"), given.given("e")) {
+                (Some(stiffness), None) => Ok(Form::Spring { stiffness }),
+                (None, Some(e)) => stop(e),
+                (None, None) => {
+                    Err("missing: k of the impact spring, or e of a rigid impact".into())
+                }
+                (Some(_), Some(_)) => {
+                    Err("give k of the impact spring or e of a rigid impact, not both".into())
+                }
+            },
+        },
+        Offer {
+            name: Self::NAME,
+            also: &["linearspring", "penaltyspring"],
+            oscillator: None,
+            bars: Some(In {
+                meaning: "linear spring [I (7)]",
+                numbers: &[],
+            }),
+            structure: Some(In {
+                meaning: "impact with the spring k [I (7)]",
+                numbers: &[&structure::K],
+            }),
+            form: |given| {
+                let stiffness = given.need("k")?;
+                Ok(Form::Spring { stiffness })
+            },
+        },
+    ];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
+        RigidImpact::linear(law.stiffness, 0.0, mass, speed)
+    });
+}
+
+impl Properties for ImpactSpring {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", self.stiffness)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        self.stiffness
+    }
+
+    fn initial_stiffness(&self, overlap: f64) -> f64 {
+        if overlap > 0.0 { self.stiffness } else { 0.0 }
+    }
+
+    fn reach(&self) -> f64 {
+        1.0 / self.stiffness
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        PUSHES
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
+        Some(PI / (self.stiffness * inverse_mass).sqrt())
     }
 }
 

@@ -20,14 +20,19 @@ mod bouc_wen;
 pub mod coupled;
 mod curve;
 mod dahl;
+mod described;
 mod displacement_control;
 pub mod element;
 #[cfg(test)]
 mod friction_tests;
+mod given;
 pub mod impact;
 mod impact_spring;
+mod kind;
 mod lugre;
-mod properties;
+pub mod number;
+pub mod numbers;
+pub mod offer;
 mod roots;
 mod saturation;
 mod series;
@@ -35,14 +40,17 @@ mod stribeck;
 mod tanh;
 mod velocity_control;
 
-pub use any::{AnyLaw, ContactLaw, LawKind};
+pub use any::{ALL, AnyLaw, ContactLaw, LAWS, WhichLaw};
 pub use bearing::Bearing;
 pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
+pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
+pub use given::Given;
 pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 pub use impact_spring::ImpactSpring;
+pub use kind::ContactKind;
 pub use lugre::Lugre;
 pub use series::in_series;
 pub use stribeck::Stribeck;
@@ -108,12 +116,17 @@ pub struct StepFlexibility<const L: usize> {
 /// // The root: r' = r* - h S' and S' = k_I r'.
 /// assert_eq!(force, 2.0 * (-0.5 - 0.5 * force));
 /// ```
-pub trait Law: StoredEnergy {
+pub trait Law: Described + Properties {
     /// The law over a step, for L cases.
     type Step<const L: usize>: StepLaw<L>;
 
     /// The law over a step, for cases on structures of this flexibility.
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Self::Step<L>;
+
+    /// The law of friction with another limit, the static one in proportion; another law has none.
+    fn at_limit(self, _limit: f64) -> Self {
+        self
+    }
 
     /// Energy that the contact dissipates over a step between two states (r, S), the force being the mean of both as in the
     /// constant average acceleration method.

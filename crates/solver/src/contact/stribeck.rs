@@ -1,14 +1,19 @@
 //! Friction that falls from a static to a kinetic limit with velocity.
 
+use super::numbers::{oscillator, structure};
+use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation::rise;
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use super::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+};
 use crate::lane::Lane;
 
 /// Velocity-control model [F (16)] with a Stribeck curve: viscous up to the static limit L_s at rdot^E = compliance L_s, beyond it
 /// S = L_k + (L_s - L_k) exp(-(|rdot| - rdot^E)/v_S), the exponential form [Tustin 1947; Bo and Pavelescu 1982 with exponent 1].
 ///
 /// S falls there, with the slope -(L_s - L_k)/v_S at most. A step has one root if h_rate (L_s - L_k) < v_S
-/// ([`Stribeck::has_one_root`]). Otherwise up to three: one on the viscous branch and two while sliding, of which the slower is
+/// ([`Properties::has_one_root`]). Otherwise up to three: one on the viscous branch and two while sliding, of which the slower is
 /// unstable. The rule is then that the contact stays on its branch as long as this has a root: it slides on if it slides at the
 /// start in the direction of the trial, else it sticks. Such a result depends on dt, so problems refuse such a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,9 +49,13 @@ pub struct Step<const L: usize> {
 }
 
 impl Stribeck {
-    /// Whether every step with this flexibility has one root.
-    pub fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
-        on.end.h_rate.0[0] * (self.static_limit - self.limit) < self.stribeck_velocity
+    /// S at a velocity >= 0.
+    fn force(&self, v: f64) -> f64 {
+        let width = self.compliance * self.static_limit;
+        match v < width {
+            true => v / self.compliance,
+            false => self.sliding((v - width) / self.stribeck_velocity),
+        }
     }
 
     /// S at `over` = (|rdot| - rdot^E)/v_S >= 0.
@@ -62,8 +71,109 @@ impl StoredEnergy for Stribeck {
     }
 }
 
+impl Described for Stribeck {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "stribeck";
+    const OF_VELOCITY: bool = true;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: Some(InOscillator {
+            of: In {
+                meaning: "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
+                numbers: &[
+                    &oscillator::BETA,
+                    &oscillator::STATIC_RATIO,
+                    &oscillator::STRIBECK_VELOCITY,
+                ],
+            },
+            law: |given| {
+                let [width, static_limit, stribeck_velocity] = given.all()?;
+                Some(ContactLaw::Stribeck(Stribeck {
+                    // rdot^E is that of the static limit.
+                    compliance: width / static_limit,
+                    limit: 1.0,
+                    static_limit,
+                    stribeck_velocity,
+                }))
+            },
+        }),
+        bars: None,
+        structure: Some(In {
+            meaning: "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
+            numbers: &[
+                &structure::C,
+                &structure::RDOT_E,
+                &structure::STATIC_RATIO,
+                &structure::STRIBECK_VELOCITY,
+            ],
+        }),
+        form: |given| {
+            let limit = given.limit();
+            let static_limit = given.need("static_ratio")? * limit;
+            let stribeck_velocity = given.need("stribeck_velocity")?;
+            Ok(Form::Friction(ContactLaw::Stribeck(Stribeck {
+                // rdot^E is that of the static limit.
+                compliance: 1.0 / given.viscosity(static_limit)?,
+                limit,
+                static_limit,
+                stribeck_velocity,
+            })))
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> =
+        ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)));
+}
+
+impl Properties for Stribeck {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("c =", 1.0 / self.compliance)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn reach(&self) -> f64 {
+        2.0 * self.compliance * self.static_limit + 3.0 * self.stribeck_velocity
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.static_limit, self.static_limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        true
+    }
+
+    fn falls(&self) -> bool {
+        self.static_limit > self.limit
+    }
+
+    fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
+        on.end.h_rate.0[0] * (self.static_limit - self.limit) < self.stribeck_velocity
+    }
+}
+
 impl Law for Stribeck {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        // The static limit stays in proportion.
+        let static_limit = match self.limit > 0.0 {
+            true => self.static_limit / self.limit * limit,
+            false => limit,
+        };
+        Stribeck {
+            limit,
+            static_limit,
+            ..self
+        }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
@@ -88,15 +198,8 @@ impl Law for Stribeck {
 
     /// From -1.1 `reach` to 1.1 `reach`; a compliance of zero is the rigid law.
     fn cycle(&self, reach: f64) -> Cycle {
-        let width = self.compliance * self.static_limit;
         curve::over_velocity(reach, |velocity| {
-            let v = velocity.abs();
-            let force = if v < width {
-                v / self.compliance
-            } else {
-                self.sliding((v - width) / self.stribeck_velocity)
-            };
-            force.copysign(velocity)
+            self.force(velocity.abs()).copysign(velocity)
         })
     }
 }

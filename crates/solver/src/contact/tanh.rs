@@ -1,7 +1,12 @@
 //! Friction with a hyperbolic tangent of the velocity.
 
+use super::numbers::{oscillator, structure};
+use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation::{self, rise};
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use super::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+};
 use crate::lane::Lane;
 
 /// S = nu(rdot) N tanh(rdot/rdot^E), rdot^E = compliance limit: the velocity-control model without corners [Andersson, Soderberg
@@ -56,8 +61,89 @@ impl StoredEnergy for Tanh {
     }
 }
 
+impl Described for Tanh {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "tanh";
+    const OF_VELOCITY: bool = true;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: Some(InOscillator {
+            of: In {
+                meaning: "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",
+                numbers: &[
+                    &oscillator::BETA,
+                    &oscillator::NU_RATIO,
+                    &oscillator::NU_RATE,
+                ],
+            },
+            law: |given| {
+                let [compliance, ratio, rate] = given.all()?;
+                Some(ContactLaw::Tanh(Tanh {
+                    compliance,
+                    limit: 1.0,
+                    ratio,
+                    rate,
+                }))
+            },
+        }),
+        bars: None,
+        structure: Some(In {
+            meaning: "friction, limit times tanh(rdot/rdot^E)",
+            numbers: &[
+                &structure::C,
+                &structure::RDOT_E,
+                &structure::NU_MIN,
+                &structure::NU_RATE,
+            ],
+        }),
+        form: |given| {
+            let limit = given.limit();
+            let [ratio, rate] = given.bearing()?;
+            Ok(Form::Friction(ContactLaw::Tanh(Tanh {
+                compliance: 1.0 / given.viscosity(limit)?,
+                limit,
+                ratio,
+                rate,
+            })))
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> =
+        ClosedForm::Driven(|law, velocity, _| Some(law.force(velocity)[0]));
+}
+
+impl Properties for Tanh {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("c =", 1.0 / self.compliance)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn reach(&self) -> f64 {
+        4.0 * self.compliance * self.limit
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.limit, self.limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        true
+    }
+}
+
 impl Law for Tanh {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        Tanh { limit, ..self }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {

@@ -1,7 +1,12 @@
 //! The velocity-control model of friction.
 
 use super::element::{Element, VelocityFriction};
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
+use super::numbers::{oscillator, structure};
+use super::offer::{Form, In, InOscillator, Offer};
+use super::{
+    Bearing, ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
+};
 use crate::lane::Lane;
 
 /// Velocity-control model [F (16)]: viscous up to rdot^E = nu |N|/c^C, then sliding at the friction limit.
@@ -29,8 +34,105 @@ impl StoredEnergy for VelocityControl {
     }
 }
 
+impl Described for VelocityControl {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "velocity-control";
+    const OF_VELOCITY: bool = true;
+    const OFFERS: &'static [Offer] = &[
+        Offer {
+            name: Self::NAME,
+            also: &[],
+            oscillator: Some(InOscillator {
+                of: In {
+                    meaning: "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
+                    numbers: &[
+                        &oscillator::BETA,
+                        &oscillator::NU_RATIO,
+                        &oscillator::NU_RATE,
+                    ],
+                },
+                law: |given| {
+                    let [compliance, ratio, rate] = given.all()?;
+                    Some(with_ratio(compliance, 1.0, [ratio, rate]))
+                },
+            }),
+            bars: None,
+            structure: Some(In {
+                meaning: "friction, viscous up to the velocity rdot^E, then at the limit [F (16)]",
+                numbers: &[
+                    &structure::C,
+                    &structure::RDOT_E,
+                    &structure::NU_MIN,
+                    &structure::NU_RATE,
+                ],
+            }),
+            form: |given| {
+                let viscosity = given.viscosity(given.limit())?;
+                let [ratio, rate] = given.bearing()?;
+                if ratio == 1.0 {
+                    return Ok(Form::Viscous { viscosity });
+                }
+                let law = with_ratio(1.0 / viscosity, given.limit(), [ratio, rate]);
+                Ok(Form::Friction(law))
+            },
+        },
+        Offer {
+            name: "coulomb",
+            also: &[],
+            oscillator: Some(InOscillator {
+                of: In {
+                    meaning: "without compliance: sticks below the friction limit, slides at it",
+                    numbers: &[],
+                },
+                law: |_| Some(with_ratio(0.0, 1.0, [1.0, 0.0])),
+            }),
+            bars: None,
+            structure: Some(In {
+                meaning: "friction without compliance: sticks below the limit, slides at it",
+                numbers: &[],
+            }),
+            form: |_| Ok(Form::Coulomb),
+        },
+    ];
+    const CLOSED_FORM: ClosedForm<Self> =
+        ClosedForm::Driven(|law, velocity, _| Some((velocity / law.compliance).min(law.limit)));
+}
+
+impl Properties for VelocityControl {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("c =", 1.0 / self.compliance)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn reach(&self) -> f64 {
+        match self.compliance {
+            0.0 => 1.0,
+            compliance => 4.0 * compliance * self.limit,
+        }
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [-self.limit, self.limit]
+    }
+
+    fn over_velocity(&self) -> bool {
+        true
+    }
+}
+
 impl Law for VelocityControl {
     type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        VelocityControl { limit, ..self }
+    }
 
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
@@ -60,6 +162,19 @@ impl Law for VelocityControl {
             [1.1 * reach, limit],
         ];
         (points, vec![2, 3])
+    }
+}
+
+/// The law with nu_min/nu and the rate of the coefficient: that of a bearing if they matter.
+fn with_ratio(compliance: f64, limit: f64, [ratio, rate]: [f64; 2]) -> ContactLaw {
+    match ratio == 1.0 {
+        true => ContactLaw::VelocityControl(VelocityControl { compliance, limit }),
+        false => ContactLaw::Bearing(Bearing {
+            compliance,
+            limit,
+            ratio,
+            rate,
+        }),
     }
 }
 

@@ -5,7 +5,6 @@ pub mod coulomb;
 pub mod events;
 pub mod mesh;
 pub mod regularised;
-pub mod rigid_impact;
 pub mod spring;
 mod state;
 pub mod wave;

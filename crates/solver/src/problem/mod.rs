@@ -7,6 +7,7 @@ mod column;
 pub mod digits;
 pub mod friction;
 pub mod impact;
+mod laws;
 pub mod method;
 pub mod parameter;
 pub mod schema;

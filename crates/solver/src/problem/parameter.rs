@@ -1,7 +1,10 @@
 //! The table of parameters, with one row for each, for decoding, schema, columns, `explain` and the documentation.
 
 pub use super::digits::shortest;
+pub use crate::contact::number::Range;
+
 use super::text::{Text, text};
+use crate::contact::number::{Number, Usual, same};
 use std::fmt;
 
 /// One parameter of a problem.
@@ -59,6 +62,18 @@ impl Parameter {
             names: chosen,
         };
         Parameter::row(names, kind, default, Some(applies), meaning)
+    }
+
+    /// A number of the laws of these names.
+    pub const fn of_laws(number: &'static Number, laws: &'static [&'static str]) -> Parameter {
+        let default = match number.usual {
+            Usual::Needed => Default::Required,
+            Usual::Is(x) => Default::Is(Value::Number(x)),
+            Usual::Follows(text) => Default::Follows(Text::Borrowed(text)),
+        };
+        let names = [number.key, number.symbol, number.unit];
+        let kind = Kind::Number(number.range);
+        Parameter::only_for(names, kind, default, ("law", laws), number.meaning)
     }
 
     const fn row(
@@ -146,16 +161,6 @@ pub const fn row_of(table: &[Parameter], name: &str) -> usize {
     panic!("no such parameter")
 }
 
-/// Whether two names are the same, for constants.
-pub(super) const fn same(a: &str, b: &str) -> bool {
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    let mut same = 0;
-    while same < a.len() && same < b.len() && a[same] == b[same] {
-        same += 1;
-    }
-    same == a.len() && same == b.len()
-}
-
 /// The declared type of a parameter; decoding depends on nothing else.
 #[derive(Debug, Clone, Copy)]
 pub enum Kind {
@@ -170,62 +175,6 @@ pub enum Kind {
     },
     /// One of several names, each with its meaning.
     Choice(&'static [(&'static str, &'static str)]),
-}
-
-/// Range of a real parameter; infinity and NaN are never allowed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Range {
-    /// x > 0
-    Positive,
-    /// 0 < x <= 1
-    Fraction,
-    /// 0 <= x <= 1
-    UpToOne,
-    /// x >= 1
-    AtLeastOne,
-    /// 1/2 <= x <= 1
-    FromHalfToOne,
-    /// -1/3 <= x <= 0
-    HilberHughesTaylor,
-    /// x >= 0
-    NotNegative,
-    /// x != 0
-    NotZero,
-    /// any finite x
-    Any,
-}
-
-impl Range {
-    /// Whether a finite number is in the range.
-    pub fn contains(self, x: f64) -> bool {
-        match self {
-            Range::Positive => x > 0.0,
-            Range::Fraction => x > 0.0 && x <= 1.0,
-            Range::UpToOne => (0.0..=1.0).contains(&x),
-            Range::AtLeastOne => x >= 1.0,
-            Range::FromHalfToOne => (0.5..=1.0).contains(&x),
-            Range::HilberHughesTaylor => (-1.0 / 3.0..=0.0).contains(&x),
-            Range::NotNegative => x >= 0.0,
-            Range::NotZero => x != 0.0,
-            Range::Any => true,
-        }
-    }
-}
-
-impl fmt::Display for Range {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Range::Positive => "> 0",
-            Range::Fraction => "> 0 and <= 1",
-            Range::UpToOne => "from 0 to 1",
-            Range::AtLeastOne => ">= 1",
-            Range::FromHalfToOne => "from 1/2 to 1",
-            Range::HilberHughesTaylor => "from -1/3 to 0",
-            Range::NotNegative => ">= 0",
-            Range::NotZero => "not 0",
-            Range::Any => "a finite number",
-        })
-    }
 }
 
 /// The value of a parameter that the study does not give.

@@ -1,7 +1,7 @@
 //! The schema of a problem: the tables for decoding, columns, figures, messages and documentation. It is data of the problem, so
 //! that a problem may build it from a study.
 
-use super::parameter::{self, Parameter};
+use super::parameter::Parameter;
 use super::text::text;
 pub use super::text::{Table, Text};
 use super::unit::{Dimension, Unit};
@@ -167,7 +167,7 @@ impl Metric {
 pub const fn metric_of(table: &[Metric], name: &str) -> usize {
     let mut row = 0;
     while row < table.len() {
-        if parameter::same(text(&table[row].name), name) {
+        if crate::contact::number::same(text(&table[row].name), name) {
             return row;
         }
         row += 1;

@@ -10,7 +10,7 @@ use serde_json::{Map, Value as Json, json};
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::QUANTITIES;
-use slipgap_solver::problem::structure::contacts::LawName;
+use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::metric::REDUCTIONS;
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
 use slipgap_solver::system::loads::Unit;
@@ -27,7 +27,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     let contact = define(
         "contact",
         described(
-            keys::CONTACT,
+            &keys::CONTACT,
             |key| contact_value(key, &function),
             &["law", "between"],
         ),
@@ -89,7 +89,7 @@ fn parameters() -> Json {
         value["description"] = meaning.into();
         schema["properties"][name] = value;
     }
-    for parameter in &PARAMETERS {
+    for parameter in PARAMETERS.iter() {
         let mut value = axis_values();
         value["description"] = parameter.meaning.as_ref().into();
         schema["properties"][parameter.name.as_ref()] = value;
@@ -132,7 +132,7 @@ fn function_value(key: &str) -> Json {
 fn contact_value(key: &str, function: &Json) -> Json {
     match key {
         "law" => {
-            json!({ "anyOf": [names(LawName::NAMES.iter().copied()), { "type": "string" }] })
+            json!({ "anyOf": [names(NAMES.iter().copied()), { "type": "string" }] })
         }
         "between" => between(),
         "N" => {
@@ -270,7 +270,7 @@ pub(super) fn reference() -> String {
         )
     };
     let law = |(law, meaning): &(&str, &str)| format!("| `{law}` | {meaning} |\n");
-    let laws = LawName::NAMES.iter().map(law);
+    let laws = NAMES.iter().map(law);
     let mut text = format!(
         "## {NAME}\n\n{}{}. The parameters have free names; every number inside `structure` may be an expression of them. \
          `dt` and `duration` are fixed names. `law` of a contact and `record` may be the name of a parameter, whose values are then \
@@ -282,7 +282,7 @@ pub(super) fn reference() -> String {
     text += &table("A bar:", keys::BAR);
     text += &table("A spring:", keys::SPRING);
     text += &table("`rayleigh`:", keys::RAYLEIGH);
-    text += &table("A contact:", keys::CONTACT);
+    text += &table("A contact:", &keys::CONTACT);
     text += &format!(
         "\nThe laws of contacts:\n\n| law | meaning |\n| --- | --- |\n{}",
         laws.collect::<String>()

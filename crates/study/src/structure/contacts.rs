@@ -9,7 +9,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::name;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::contacts::{KEYS, LawName};
+use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
 use slipgap_solver::problem::structure::loads::{Kind, Source};
 use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal};
 
@@ -26,7 +26,7 @@ fn contact(
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<Contact> {
-    let object = open(node, path, CONTACT, faults)?;
+    let object = open(node, path, &CONTACT, faults)?;
     let law = law(&object, reader, faults);
     let between = reader.between(&object, "a contact", faults);
     if let Some(Chosen::Name(law)) = law {
@@ -34,21 +34,11 @@ fn contact(
     }
     let before = faults.count();
     let mut optional = |key: &str, range| reader.optional(&object, key, range, faults);
-    let (gap, k) = (optional("gap", Range::Any), optional("k", Range::Positive));
-    let (e, c) = (
-        optional("e", Range::NotNegative),
-        optional("c", Range::Positive),
-    );
-    let (elastic, elastic_rate) = (
-        optional("rE", Range::Positive),
-        optional("rdotE", Range::Positive),
-    );
-    let (limit, nu) = (
-        optional("limit", Range::NotNegative),
-        optional("nu", Range::NotNegative),
-    );
-    let other = |(key, range): &(&'static str, Range)| Some((*key, optional(key, *range)?));
-    let others = OTHERS.iter().filter_map(other).collect();
+    let gap = optional("gap", Range::Any);
+    // The normal force is more than a number.
+    let numbers = NUMBERS.iter().filter(|number| number.key != "N");
+    let given = numbers.filter_map(|own| Some((own.key, optional(own.key, own.range)?)));
+    let numbers = given.collect();
     let normal = object
         .get("N")
         .and_then(|node| normal(node, &object.path("N"), reader, faults));
@@ -59,23 +49,15 @@ fn contact(
         between: between?,
         law: law?,
         gap,
-        k,
-        e,
-        c,
-        elastic,
-        elastic_rate,
-        limit,
-        nu,
         normal,
-        others,
+        numbers,
     })
     .filter(|_| complete)
 }
 
 /// The law by its name, or the parameter that chooses it.
 fn law(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Chosen> {
-    let laws = LawName::NAMES;
-    let names: Vec<&str> = laws.iter().map(|law| law.0).collect();
+    let names: Vec<&str> = NAMES.iter().map(|law| law.0).collect();
     let node = object.need("law", &format!("one of {}", names.join(", ")), faults)?;
     if let Tree::Text(text) = &node.tree
         && let Some((row, _)) = reader.choices(text)
@@ -83,30 +65,15 @@ fn law(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Chosen> 
         return Some(Chosen::Parameter(row));
     }
     let law = name(node, &object.path("law"), "law", &names, faults)?;
-    Some(Chosen::Name(laws[law].0))
+    Some(Chosen::Name(NAMES[law].0))
 }
-
-/// Numbers of the laws that are not clipped lines, and of their limits.
-const OTHERS: [(&str, Range); 12] = [
-    ("k_h", Range::Positive),
-    ("restitution", Range::Fraction),
-    ("colliding_mass", Range::Positive),
-    ("exponent", Range::AtLeastOne),
-    ("sigma0", Range::Positive),
-    ("sigma1", Range::NotNegative),
-    ("sigma2", Range::NotNegative),
-    ("static_ratio", Range::AtLeastOne),
-    ("stribeck_velocity", Range::Positive),
-    ("nu_min", Range::Positive),
-    ("nu_rate", Range::NotNegative),
-    ("pressure_exponent", Range::UpToOne),
-];
 
 /// Reports keys of other laws.
 fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
-    let Some((_, own)) = KEYS.iter().find(|own| own.0 == law) else {
+    let Some(own) = law_named(law) else {
         return;
     };
+    let own: Vec<&str> = own.structure_numbers().map(|number| number.key).collect();
     for member in &object.members {
         let key = member.key.as_str();
         if !["law", "between", "gap"].contains(&key) && !own.contains(&key) {
@@ -122,7 +89,10 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
         let message = "give limit, or nu and N, not both";
         faults.add(limit.at, &object.path("limit"), message);
     }
-    for [first, second] in [["k", "rE"], ["c", "rdotE"], ["k", "e"]] {
+    let instead = NUMBERS
+        .iter()
+        .filter_map(|own| Some((own.key, own.instead_of?)));
+    for (second, first) in instead {
         if let (Some(node), Some(_)) = (has(second), has(first)) {
             let message = format!("give {first} or {second}, not both");
             faults.add(node.at, &object.path(second), message);

@@ -1,5 +1,9 @@
 //! The keys of a structure in a study, each with its meaning, for decoding, schema and documentation.
 
+use slipgap_solver::contact::number::Number;
+use slipgap_solver::problem::structure::contacts::{NUMBERS, meaning};
+use std::sync::LazyLock;
+
 /// Keys with their meanings.
 pub(crate) type Keys = &'static [(&'static str, &'static str)];
 
@@ -83,77 +87,19 @@ pub(crate) const RAYLEIGH: Keys = &[
     ("stiffness", "factor of K, a time"),
 ];
 
-/// Keys of a contact.
-pub(crate) const CONTACT: Keys = &[
-    ("law", "law of the contact, or a parameter that chooses it"),
-    ("between", "nodes I and J; r = u_J - u_I + gap"),
-    ("gap", "r at rest"),
-    (
-        "k",
-        "stiffness of a linear spring of impact, or of displacement-control, bouc-wen and dahl below the limit",
-    ),
-    (
-        "k_h",
-        "force over length^1.5 of hertz, hertz-damp, hunt-crossley, ye and jankowski: k_h delta^1.5, delta = -r",
-    ),
-    (
-        "restitution",
-        "target of the coefficient of restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
-    ),
-    (
-        "colliding_mass",
-        "m1 m2/(m1 + m2) of the bodies that collide, from which kelvin-voigt and jankowski compute their dashpot",
-    ),
-    ("e", "restitution of a rigid impact, from 0 to 1"),
-    (
-        "c",
-        "viscosity of velocity-control, tanh and stribeck at rdot = 0, for every N",
-    ),
-    (
-        "rE",
-        "r^E at rest, instead of k = limit at rest/r^E; k does not change with N",
-    ),
-    (
-        "rdotE",
-        "rdot^E at rest, instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N, so that rdot^E = limit/c does",
-    ),
-    (
-        "exponent",
-        "exponent of bouc-wen and dahl, >= 1; 1 if left out",
-    ),
-    ("sigma0", "lugre: stiffness of the bristles"),
-    ("sigma1", "lugre: damping of the bristles; 0 if left out"),
-    (
-        "sigma2",
-        "lugre: viscosity of the sliding contact; 0 if left out",
-    ),
-    (
-        "static_ratio",
-        "stribeck and lugre: static limit over the kinetic one, >= 1; 1 if left out",
-    ),
-    (
-        "stribeck_velocity",
-        "stribeck and lugre: velocity v_S over which the limit falls from the static to the kinetic one: of stribeck by exp(-(|rdot| - rdot^E)/v_S), of lugre by exp(-(rdot/v_S)^2)",
-    ),
-    (
-        "limit",
-        "friction limit, instead of nu and N; of stribeck and lugre the kinetic one",
-    ),
-    ("nu", "coefficient of friction; the limit is nu N"),
-    (
-        "N",
-        "force that presses, positive when pressed; a number, a table of t and N, or a weight under a vertical acceleration",
-    ),
-    (
-        "nu_min",
-        "velocity-control and tanh: coefficient of friction at rest, nu - (nu - nu_min) exp(-nu_rate |rdot|)",
-    ),
-    ("nu_rate", "its rate over velocity"),
-    (
-        "pressure_exponent",
-        "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); 0 if left out",
-    ),
-];
+/// Keys of a contact: those of all, then the numbers of the laws.
+pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
+    let of_all = [
+        ("law", "law of the contact, or a parameter that chooses it"),
+        ("between", "nodes I and J; r = u_J - u_I + gap"),
+        ("gap", "r at rest"),
+    ];
+    let number = |number: &&Number| (number.key, &*meaning(number).leak());
+    of_all
+        .into_iter()
+        .chain(NUMBERS.iter().map(number))
+        .collect()
+});
 
 /// Keys of a table of normal forces.
 pub(crate) const NORMAL_TABLE: Keys = &[("t", "times"), ("N", "forces at these times")];

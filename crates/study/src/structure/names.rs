@@ -10,7 +10,7 @@ use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::{Kind, Parameter};
-use slipgap_solver::problem::structure::contacts::LawName;
+use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::metric::OF_ALL;
 use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
 
@@ -129,7 +129,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
                 continue;
             }
             let choices = match key {
-                "law" => LawName::NAMES,
+                "law" => NAMES,
                 _ => {
                     let mut files: Vec<(&str, &str)> = Vec::new();
                     for file in values(name) {

@@ -67,7 +67,7 @@ pub fn sheet(
             of_x(f64::min, f64::INFINITY),
             of_x(f64::max, f64::NEG_INFINITY),
         ];
-        let title = match group.1[0].0.over_velocity() {
+        let title = match group.1[0].0.properties().over_velocity() {
             true => velocity,
             false => displacement,
         };
@@ -121,7 +121,10 @@ fn curves(
     group: &[(ContactLaw, &DrawnCase)],
     table: &[slipgap_solver::problem::parameter::Parameter],
 ) -> Vec<Curve> {
-    let reach = group.iter().map(|(law, _)| law.reach()).fold(0.0, f64::max);
+    let reach = group
+        .iter()
+        .map(|(law, _)| law.properties().reach())
+        .fold(0.0, f64::max);
     let mut curves: Vec<Curve> = Vec::new();
     let mut seen: Vec<ContactLaw> = Vec::new();
     for (law, shown) in group {

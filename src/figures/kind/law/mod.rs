@@ -4,21 +4,26 @@ mod loops;
 mod papers;
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_solver::contact::{ContactLaw, LawKind};
+use slipgap_solver::contact::{ContactLaw, WhichLaw};
 use slipgap_study::kinds::Law;
-use slipgap_study::{Figure, Study};
 
 impl Draw for Law {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
             .map(|shown| study.problem.contact_law(&shown.case()))
             .collect();
         let softened = |law: &Option<ContactLaw>| match law {
             Some(ContactLaw::VelocityControl(law)) => law.compliance > 0.0,
-            Some(law) => law.kind() == LawKind::DisplacementControl,
+            Some(law) => law.which() == WhichLaw::DisplacementControl,
             None => true,
         };
         match laws.iter().all(softened) {

@@ -71,7 +71,7 @@ pub struct DampedHertz {
 }
 
 /// (z - ln(1 + z))/z^2, without a difference near z = 0.
-fn lag(z: f64) -> f64 {
+pub(super) fn lag(z: f64) -> f64 {
     if z.abs() > 0.25 {
         return (z - log1p(z)) / (z * z);
     }

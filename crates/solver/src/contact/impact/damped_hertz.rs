@@ -1,17 +1,30 @@
-//! Hertz's law with a damping factor, F = k_h delta^1.5 (1 + kappa ddelta/v0), or 0 if that is negative, with three formulas for
-//! kappa.
+//! Hertz's law with a damping factor, F = k_h delta^1.5 (1 + kappa ddelta/v0), or 0 if that is negative, for laws that
+//! differ in their formula of kappa.
 
 use super::collision::DampedHertz;
-use super::{ClosingSpeed, Free, hertz, loop_of, resisting};
-use crate::contact::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
-use crate::lane::Lane;
+use prelude::*;
+
+/// What [`damped_hertz`] uses, for files with another formula.
+pub(super) mod prelude {
+    pub(in crate::contact::impact) use super::super::{
+        ClosingSpeed, Free, PUSHES, RigidImpact, hertz, loop_of, resisting,
+    };
+    pub(in crate::contact::impact) use super::{Step, cycle};
+    pub(in crate::contact::impact) use crate::contact::numbers::{bars, structure};
+    pub(in crate::contact::impact) use crate::contact::offer::{Form, In, Offer};
+    pub(in crate::contact::impact) use crate::contact::{
+        ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+        StepLaw, StoredEnergy, Trial, lanes,
+    };
+    pub(in crate::contact::impact) use crate::lane::Lane;
+}
 
 /// The law over a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
-    hertz: hertz::Step<L>,
+    pub(super) hertz: hertz::Step<L>,
     /// kappa.
-    damping: Lane<L>,
+    pub(super) damping: Lane<L>,
 }
 
 impl<const L: usize> StepLaw<L> for Step<L> {
@@ -28,9 +41,9 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     }
 }
 
-/// A law for each formula of kappa.
-macro_rules! laws {
-    ($($(#[$doc:meta])+ $law:ident: $restitution:ident => $kappa:expr;)+) => {$(
+/// A law with a formula of kappa; a file has one.
+macro_rules! damped_hertz {
+    ($($(#[$doc:meta])+ $law:ident $name:literal $(also $($also:literal),+)?: $meaning:literal, $restitution:ident => $kappa:expr;)+) => {$(
         $(#[$doc])+
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub struct $law {
@@ -58,6 +71,67 @@ macro_rules! laws {
             }
         }
 
+        impl Described for $law {
+            const KIND: ContactKind = ContactKind::Impact;
+            const NAME: &'static str = $name;
+            const OF_VELOCITY: bool = false;
+            const OFFERS: &'static [Offer] = &[
+                Offer {
+                    name: Self::NAME,
+                    also: &[$($($also),+)?],
+                    oscillator: None,
+                    bars: Some(In {
+                        meaning: $meaning,
+                        numbers: &[&bars::K_H, &bars::RESTITUTION],
+                    }),
+                    structure: Some(In {
+                        meaning: $meaning,
+                        numbers: &[&structure::K_H, &structure::RESTITUTION],
+                    }),
+                    form: |given| {
+                        let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
+                        Ok(Form::Impact {
+                            law: ContactLaw::$law($law::new(k_h, restitution)),
+                            restitution,
+                        })
+                    },
+                },
+            ];
+            const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
+                RigidImpact::hertz(law.stiffness, law.damping, mass, speed)
+            });
+        }
+
+        impl Properties for $law {
+            fn shown(&self) -> Vec<(&'static str, f64)> {
+                vec![("k_h =", self.stiffness)]
+            }
+
+            fn largest_stiffness(&self, overlap: f64) -> f64 {
+                hertz::steepest(self.stiffness, overlap)
+            }
+
+            fn initial_stiffness(&self, overlap: f64) -> f64 {
+                if overlap > 0.0 { hertz::steepest(self.stiffness, overlap) } else { 0.0 }
+            }
+
+            fn reach(&self) -> f64 {
+                hertz::reach(self.stiffness)
+            }
+
+            fn bounds(&self) -> [f64; 2] {
+                PUSHES
+            }
+
+            fn over_velocity(&self) -> bool {
+                false
+            }
+
+            fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
+                hertz::touching_time(self.stiffness, inverse_mass, overlap?)
+            }
+        }
+
         impl Law for $law {
             type Step<const L: usize> = Step<L>;
 
@@ -77,16 +151,10 @@ macro_rules! laws {
     )+};
 }
 
-laws! {
-    /// kappa = 3 (1 - e^2)/4 (Lankarani and Nikravesh 1990; for pounding Muthukumar and DesRoches 2006).
-    HertzDamp: e => 0.75 * (1.0 - e) * (1.0 + e);
-    /// kappa = 3 (1 - e)/2 (Hunt and Crossley 1975).
-    HuntCrossley: e => 1.5 * (1.0 - e);
-    /// kappa = 8 (1 - e)/(5 e) (Ye, Li and Zhu 2009).
-    Ye: e => 1.6 * (1.0 - e) / e;
-}
+pub(super) use damped_hertz;
 
-fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
+/// A collision of two rigid masses up to the overlap `reach`.
+pub fn cycle(stiffness: f64, damping: f64, reach: f64) -> Cycle {
     let collision = DampedHertz { damping };
     let branch = |closing: bool| {
         (0..=hertz::POINTS).map(move |i| {

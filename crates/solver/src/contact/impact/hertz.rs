@@ -1,9 +1,12 @@
 //! Hertz's law without damping, and the root of a step that all laws of the power 1.5 with a damping factor share.
 
 use super::newton::{above_cube_root, above_fifth_root, newton};
-use super::{Free, loop_of, resisting};
+use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use crate::contact::numbers::{bars, structure};
+use crate::contact::offer::{Form, In, Offer};
 use crate::contact::{
-    Cycle, Flexibility, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Flexibility, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 
@@ -123,6 +126,69 @@ impl StoredEnergy for Hertz {
     }
 }
 
+impl Described for Hertz {
+    const KIND: ContactKind = ContactKind::Impact;
+    const NAME: &'static str = "hertz";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: None,
+        bars: Some(In {
+            meaning: "spring with the force k_h delta^1.5 (Goldsmith 1960)",
+            numbers: &[&bars::K_H],
+        }),
+        structure: Some(In {
+            meaning: "impact with the force k_h delta^1.5, delta = -r (Goldsmith 1960)",
+            numbers: &[&structure::K_H],
+        }),
+        form: |given| {
+            let stiffness = given.need("k_h")?;
+            Ok(Form::Impact {
+                law: ContactLaw::Hertz(Hertz { stiffness }),
+                restitution: 1.0,
+            })
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
+        RigidImpact::hertz(law.stiffness, 0.0, mass, speed)
+    });
+}
+
+impl Properties for Hertz {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k_h =", self.stiffness)]
+    }
+
+    fn largest_stiffness(&self, overlap: f64) -> f64 {
+        steepest(self.stiffness, overlap)
+    }
+
+    fn initial_stiffness(&self, overlap: f64) -> f64 {
+        if overlap > 0.0 {
+            steepest(self.stiffness, overlap)
+        } else {
+            0.0
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        reach(self.stiffness)
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        PUSHES
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
+        touching_time(self.stiffness, inverse_mass, overlap?)
+    }
+}
+
 impl Law for Hertz {
     type Step<const L: usize> = Step<L>;
 
@@ -151,6 +217,25 @@ pub(super) fn push(stiffness: f64, overlap: f64) -> f64 {
 pub(super) fn stored_energy(stiffness: f64, r: f64) -> f64 {
     let overlap = (-r).max(0.0);
     0.4 * push(stiffness, overlap) * overlap
+}
+
+/// dS/dr of k_h delta^1.5 at an overlap.
+pub(super) fn steepest(stiffness: f64, overlap: f64) -> f64 {
+    1.5 * stiffness * overlap.sqrt()
+}
+
+/// The overlap of k_h delta^1.5 under a force of 1.
+pub(super) fn reach(stiffness: f64) -> f64 {
+    1.0 / (libm::cbrt(stiffness) * libm::cbrt(stiffness))
+}
+
+/// 2 sqrt(5/4) times the integral of 1/sqrt(1 - x^2.5) from 0 to 1, which is sqrt(pi) Gamma(1.4)/Gamma(0.9).
+const TOUCHING: f64 = 3.290_681_694_319_133;
+
+/// Time for which two free masses touch up to this overlap, from the energy 2/5 k_h delta^2.5 without damping. With damping it is
+/// longer.
+pub(super) fn touching_time(stiffness: f64, inverse_mass: f64, overlap: f64) -> Option<f64> {
+    Some(TOUCHING / (stiffness * overlap.sqrt() * inverse_mass).sqrt())
 }
 
 /// The part of S from the overlap alone.

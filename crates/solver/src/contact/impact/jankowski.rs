@@ -3,8 +3,13 @@
 use super::collision::HertzDashpot;
 use super::hertz::{self, POINTS, bound, conservative_force, push, stored_energy};
 use super::newton::newton;
-use super::{Free, loop_of, resisting};
-use crate::contact::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes};
+use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use crate::contact::numbers::{bars, structure};
+use crate::contact::offer::{Form, In, Offer};
+use crate::contact::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, lanes,
+};
 use crate::lane::Lane;
 use libm::sqrt;
 use std::f64::consts::PI;
@@ -53,6 +58,74 @@ impl StoredEnergy for Jankowski {
 
     fn conservative_force(&self, r: f64, _: f64) -> f64 {
         conservative_force(self.stiffness, r)
+    }
+}
+
+impl Described for Jankowski {
+    const KIND: ContactKind = ContactKind::Impact;
+    const NAME: &'static str = "jankowski";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: None,
+        bars: Some(In {
+            meaning: "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
+            numbers: &[&bars::K_H, &bars::RESTITUTION],
+        }),
+        structure: Some(In {
+            meaning: "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
+            numbers: &[
+                &structure::K_H,
+                &structure::RESTITUTION,
+                &structure::COLLIDING_MASS,
+            ],
+        }),
+        form: |given| {
+            let (k_h, restitution) = (given.need("k_h")?, given.need("restitution")?);
+            let law = Jankowski::new(k_h, restitution, given.need("colliding_mass")?);
+            Ok(Form::Impact {
+                law: ContactLaw::Jankowski(law),
+                restitution,
+            })
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
+        RigidImpact::dashpot(law.stiffness, law.ratio(mass), mass, speed)
+    });
+}
+
+impl Properties for Jankowski {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k_h =", self.stiffness)]
+    }
+
+    fn largest_stiffness(&self, overlap: f64) -> f64 {
+        hertz::steepest(self.stiffness, overlap)
+    }
+
+    fn initial_stiffness(&self, overlap: f64) -> f64 {
+        if overlap > 0.0 {
+            hertz::steepest(self.stiffness, overlap)
+        } else {
+            0.0
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        hertz::reach(self.stiffness)
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        PUSHES
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
+        hertz::touching_time(self.stiffness, inverse_mass, overlap?)
     }
 }
 

@@ -2,9 +2,12 @@
 
 use super::collision::Linear;
 use super::hertz::POINTS;
-use super::{Free, loop_of, resisting};
+use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
+use crate::contact::numbers::{bars, structure};
+use crate::contact::offer::{Form, In, Offer};
 use crate::contact::{
-    Cycle, Flexibility, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Flexibility, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 use libm::{log, sqrt};
@@ -62,6 +65,73 @@ impl StoredEnergy for KelvinVoigt {
     }
 }
 
+impl Described for KelvinVoigt {
+    const KIND: ContactKind = ContactKind::Impact;
+    const NAME: &'static str = "kelvin-voigt";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &["viscoelastic", "linearviscoelastic"],
+        oscillator: None,
+        bars: Some(In {
+            meaning: "linear spring and dashpot that do not pull (Anagnostopoulos 1988)",
+            numbers: &[&bars::RESTITUTION],
+        }),
+        structure: Some(In {
+            meaning: "impact with the spring k and a dashpot that do not pull (Anagnostopoulos 1988)",
+            numbers: &[
+                &structure::K,
+                &structure::RESTITUTION,
+                &structure::COLLIDING_MASS,
+            ],
+        }),
+        form: |given| {
+            let (k, restitution) = (given.need("k")?, given.need("restitution")?);
+            let law = KelvinVoigt::new(k, restitution, given.need("colliding_mass")?);
+            Ok(Form::Impact {
+                law: ContactLaw::KelvinVoigt(law),
+                restitution,
+            })
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, mass, speed| {
+        RigidImpact::linear(law.stiffness, law.ratio(mass), mass, speed)
+    });
+}
+
+impl Properties for KelvinVoigt {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", self.stiffness), ("c =", self.damping)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        self.stiffness
+    }
+
+    fn initial_stiffness(&self, overlap: f64) -> f64 {
+        if overlap > 0.0 { self.stiffness } else { 0.0 }
+    }
+
+    fn reach(&self) -> f64 {
+        1.0 / self.stiffness
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        PUSHES
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    /// With xi = c/(2 m omega), omega = sqrt(k/m): delta is e^(-xi omega t) sin(omega_d t), omega_d = omega sqrt(1 - xi^2), and
+    /// k delta + c ddelta is 0 again at t = 2 acos(xi)/omega_d; for xi > 1 the hyperbolic functions take their place.
+    fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
+        let omega = (self.stiffness * inverse_mass).sqrt();
+        Some(2.0 * damped(self.ratio(1.0 / inverse_mass)) / omega)
+    }
+}
+
 impl Law for KelvinVoigt {
     type Step<const L: usize> = Step<L>;
 
@@ -95,6 +165,17 @@ impl Law for KelvinVoigt {
         // Without force from there on.
         let parted = collision.state(collision.duration())[0];
         loop_of(states.chain([[unit * parted, 0.0]]), reach)
+    }
+}
+
+/// acos(xi)/sqrt(1 - xi^2), which is acosh(xi)/sqrt(xi^2 - 1) above 1.
+fn damped(xi: f64) -> f64 {
+    let distance = 1.0 - xi * xi;
+    match distance {
+        // The next term is (1 - xi)/3 of it.
+        _ if distance.abs() < 1e-9 => 1.0,
+        _ if distance > 0.0 => libm::acos(xi) / distance.sqrt(),
+        _ => libm::acosh(xi) / (-distance).sqrt(),
     }
 }
 

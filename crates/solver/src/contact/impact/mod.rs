@@ -18,20 +18,28 @@ mod closing;
 pub mod collision;
 mod damped_hertz;
 mod hertz;
+mod hertz_damp;
+mod hunt_crossley;
 mod jankowski;
 mod kelvin_voigt;
 mod newton;
 mod rigid;
+mod rigid_impact;
 #[cfg(test)]
 mod tests;
+mod ye;
 
 pub use closing::ClosingSpeed;
-pub use damped_hertz::{HertzDamp, HuntCrossley, Ye};
 pub use hertz::Hertz;
+pub use hertz_damp::HertzDamp;
+pub use hunt_crossley::HuntCrossley;
 pub use jankowski::Jankowski;
 pub use kelvin_voigt::KelvinVoigt;
 pub use rigid::Rigid;
+pub use rigid_impact::RigidImpact;
+pub use ye::Ye;
 
+use super::offer::Form;
 use super::{Flexibility, Trial};
 use crate::lane::Lane;
 
@@ -53,6 +61,17 @@ impl<const L: usize> Free<L> {
             overlap: (-r).larger(Lane::splat(0.0)),
             closing: trial.force * start.h_rate - trial.rate,
         }
+    }
+}
+
+/// The bounds of S of an impact.
+pub(super) const PUSHES: [f64; 2] = [f64::NEG_INFINITY, 0.0];
+
+/// A rigid impact.
+pub(super) fn stop(restitution: f64) -> Result<Form, String> {
+    match restitution <= 1.0 {
+        true => Ok(Form::Stop { restitution }),
+        false => Err(format!("e must be from 0 to 1, got {restitution}")),
     }
 }
 

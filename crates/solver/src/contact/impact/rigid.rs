@@ -1,8 +1,11 @@
 //! Contact without compliance.
 
-use super::{Free, loop_of, resisting};
+use super::{Free, PUSHES, RigidImpact, loop_of, resisting, stop};
+use crate::contact::numbers::{bars, structure};
+use crate::contact::offer::{Form, In, Offer};
 use crate::contact::{
-    Cycle, Flexibility, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, Cycle, Described, Flexibility, Law, Properties, StepFlexibility,
+    StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 
@@ -42,6 +45,60 @@ impl StoredEnergy for Rigid {
 
     fn conservative_force(&self, _: f64, s: f64) -> f64 {
         if self.impulses { 0.0 } else { s }
+    }
+}
+
+impl Described for Rigid {
+    const KIND: ContactKind = ContactKind::Impact;
+    const NAME: &'static str = "rigid";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &[],
+        oscillator: None,
+        bars: Some(In {
+            meaning: "without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)",
+            numbers: &[&bars::RESTITUTION],
+        }),
+        structure: Some(In {
+            meaning: "impact without compliance, with restitution e (Moreau 1988, Jean 1999)",
+            numbers: &[&structure::E],
+        }),
+        form: |given| match given.given("restitution") {
+            Some(restitution) => Ok(Form::Stop { restitution }),
+            None => stop(given.need("e")?),
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Collision(|law, _, _| RigidImpact {
+        restitution: law.restitution,
+        duration: 0.0,
+        overlap: 0.0,
+    });
+}
+
+impl Properties for Rigid {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("e =", self.restitution)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        0.0
+    }
+
+    fn reach(&self) -> f64 {
+        1.0
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        PUSHES
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
     }
 }
 

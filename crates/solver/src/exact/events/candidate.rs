@@ -4,6 +4,7 @@ use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
+use crate::contact::ContactKind;
 use crate::system::structure::Relation;
 
 /// A contact that may stick or stay shut.
@@ -54,7 +55,7 @@ pub fn candidates(
             _ => continue,
         }
         state.phase = Phase::Closed;
-        let friction = model.structure.contacts[contact].law.limit().is_some();
+        let friction = model.structure.contacts[contact].law.kind() == ContactKind::Friction;
         candidates.push(Candidate {
             contact,
             at: [friction, true],

@@ -33,6 +33,7 @@ pub use fault::EventsFault;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
+use crate::contact::ContactKind;
 use crate::system::structure::{Limit, Relation, Structure};
 use model::Model;
 use motion::Motion;
@@ -156,9 +157,9 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
     let phases = structure
         .contacts
         .iter()
-        .map(|contact| match contact.law.is_impact() {
-            true => ContactState::in_phase(Phase::Open),
-            false => ContactState::in_phase(Phase::Closed),
+        .map(|contact| match contact.law.kind() {
+            ContactKind::Impact => ContactState::in_phase(Phase::Open),
+            ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
     let phases: Vec<ContactState> = phases.collect();
     let pieces = Model::new(structure).pieces(&phases, end);

@@ -69,9 +69,12 @@ impl ContactState {
                 Force::Constraint
             }
             // Such laws are refused.
-            (Phase::Closed, Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. }) => {
-                Force::None
-            }
+            (
+                Phase::Closed,
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. },
+            ) => Force::None,
         }
     }
 }

@@ -6,6 +6,7 @@ use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
 use super::watch::{Crossing, Found};
+use crate::contact::ContactKind;
 use crate::system::structure::Relation;
 
 /// What a review works on: a piece that has begun, and the phases.
@@ -55,7 +56,7 @@ impl Review<'_> {
     pub fn friction(&mut self, states: &mut [ContactState]) {
         for (i, state) in states.iter_mut().enumerate() {
             let law = &self.model.structure.contacts[i].law;
-            if law.limit().is_none() {
+            if law.kind() != ContactKind::Friction {
                 continue;
             }
             if !self.presses(i) {

@@ -98,7 +98,8 @@ impl Scales {
             Relation::RigidStop { .. }
             | Relation::Coulomb { .. }
             | Relation::CurvedImpact { .. }
-            | Relation::CurvedFriction { .. } => TOLERANCE * self.force,
+            | Relation::CurvedFriction { .. }
+            | Relation::Link { .. } => TOLERANCE * self.force,
         };
         motion + self.limit(contact)
     }

@@ -5,6 +5,7 @@ use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
+use crate::contact::ContactKind;
 use crate::system::structure::Relation;
 
 /// What happens at an event.
@@ -81,7 +82,7 @@ impl Watched<'_> {
         let scales = self.scales;
         let force_tolerance = scales.contact_force(self.model, self.contact, self.series.length);
         let limit_tolerance = scales.limit(self.contact);
-        let impact = law.limit().is_none();
+        let impact = law.kind() == ContactKind::Impact;
         let varying = law.limit().is_some_and(|limit| limit.varying.is_some());
         match phase {
             Phase::Open if impact => self.touch(law, test),

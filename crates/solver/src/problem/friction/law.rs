@@ -1,90 +1,71 @@
 //! The friction law of a case.
 
 use super::case::PlainLaw;
-use super::tables::{InitialSlip, LawName, rows};
-use crate::contact::{
-    Bearing, BoucWen, ContactLaw, Dahl, DisplacementControl, Lugre, Stribeck, Tanh, VelocityControl,
-};
+use super::tables::{InitialSlip, SCHEMA, rows};
+use crate::contact::number::Number;
+use crate::contact::{ContactLaw, Described, DisplacementControl, Given, LAWS, VelocityControl};
 use crate::problem::Case;
+use std::sync::LazyLock;
 
 /// The friction limit nu N in the problem's scales.
 const LIMIT: f64 = 1.0;
 
+/// A law of the oscillator.
+struct Own {
+    name: &'static str,
+    law: fn(&Given) -> Option<ContactLaw>,
+    numbers: &'static [&'static Number],
+    /// The row of each.
+    rows: Vec<usize>,
+    /// Whether S(0) depends on the slip at release.
+    slips: bool,
+}
+
+/// Most numbers of a law.
+const MOST: usize = 8;
+
+static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| {
+    let row = |number: &&Number| {
+        let mut rows = SCHEMA.parameters.iter();
+        rows.position(|row| row.name == number.key)
+    };
+    let own = LAWS.iter().filter_map(|law| {
+        let offer = law.offer.oscillator?;
+        Some(Own {
+            name: law.offer.name,
+            law: offer.law,
+            numbers: offer.of.numbers,
+            rows: offer.of.numbers.iter().filter_map(row).collect(),
+            slips: !law.of_velocity,
+        })
+    });
+    own.collect()
+});
+
 /// The law of a case, and S(0); `None` if a parameter is not given.
 pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
-    let limit = LIMIT;
-    let number = |row| case.at(row);
-    let start = || {
-        let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
-        Some(release_force(slip, number(rows::X0)?))
-    };
-    if let Some((law, force)) = PlainLawName::of(case).and_then(|name| plain_law(name, case)) {
-        return Some((law.into(), force));
+    let name = case.name_at(rows::LAW);
+    // Names of the table: mostly the same memory.
+    let is = |own: &&Own| std::ptr::eq(own.name, name) || own.name == name;
+    let own = OWN.iter().find(is)?;
+    let mut values = [None; MOST];
+    for (value, row) in values.iter_mut().zip(&own.rows) {
+        *value = case.at(*row);
     }
-    Some(match LawName::parse(case.name_at(rows::LAW))? {
-        LawName::DisplacementControl => return None,
-        LawName::VelocityControl => {
-            let law = Bearing {
-                compliance: number(rows::BETA)?,
-                limit,
-                ratio: number(rows::NU_RATIO)?,
-                rate: number(rows::NU_RATE)?,
-            };
-            (ContactLaw::Bearing(law), 0.0)
+    let given = Given {
+        law: own.name,
+        numbers: own.numbers,
+        values: &values[..own.rows.len().min(MOST)],
+        others: &[],
+    };
+    let force = match own.slips {
+        true => {
+            let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
+            release_force(slip, case.at(rows::X0)?)
         }
-        LawName::Coulomb => {
-            let compliance = 0.0;
-            let law = VelocityControl { compliance, limit };
-            (ContactLaw::VelocityControl(law), 0.0)
-        }
-        LawName::Tanh => {
-            let law = Tanh {
-                compliance: number(rows::BETA)?,
-                limit,
-                ratio: number(rows::NU_RATIO)?,
-                rate: number(rows::NU_RATE)?,
-            };
-            (ContactLaw::Tanh(law), 0.0)
-        }
-        LawName::Stribeck => {
-            // rdot^E is that of the static limit.
-            let static_limit = limit * number(rows::STATIC_RATIO)?;
-            let law = Stribeck {
-                compliance: number(rows::BETA)? / static_limit,
-                limit,
-                static_limit,
-                stribeck_velocity: number(rows::STRIBECK_VELOCITY)?,
-            };
-            (ContactLaw::Stribeck(law), 0.0)
-        }
-        LawName::BoucWen => {
-            let law = BoucWen {
-                compliance: number(rows::ALPHA)?,
-                limit,
-                exponent: number(rows::EXPONENT)?,
-            };
-            (ContactLaw::BoucWen(law), start()?)
-        }
-        LawName::Dahl => {
-            let law = Dahl {
-                compliance: number(rows::ALPHA)?,
-                limit,
-                exponent: number(rows::EXPONENT)?,
-            };
-            (ContactLaw::Dahl(law), start()?)
-        }
-        LawName::Lugre => {
-            let law = Lugre {
-                sigma0: number(rows::SIGMA0)?,
-                sigma1: number(rows::SIGMA1)?,
-                sigma2: number(rows::SIGMA2)?,
-                limit,
-                static_limit: limit * number(rows::STATIC_RATIO)?,
-                stribeck_velocity: number(rows::STRIBECK_VELOCITY)?,
-            };
-            (ContactLaw::Lugre(law), start()?)
-        }
-    })
+        false => 0.0,
+    };
+    Some(((own.law)(&given)?, force))
 }
 
 /// Which law of `[F]` a case has.
@@ -100,13 +81,13 @@ impl PlainLawName {
 
     /// `None` for another law.
     pub fn of(case: &Case) -> Option<PlainLawName> {
-        match LawName::parse(case.name_at(rows::LAW))? {
-            LawName::DisplacementControl => {
+        match case.name_at(rows::LAW) {
+            DisplacementControl::NAME => {
                 let slip = InitialSlip::parse(case.name_at(rows::INITIAL_SLIP))?;
                 Some(PlainLawName::Displacement(slip))
             }
             // With another ratio it is the law of a bearing.
-            LawName::VelocityControl if case.at(rows::NU_RATIO)? == 1.0 => {
+            VelocityControl::NAME if case.at(rows::NU_RATIO)? == 1.0 => {
                 Some(PlainLawName::Velocity)
             }
             _ => None,

@@ -1,6 +1,10 @@
 //! The tables of the friction oscillator: parameters, metrics, quantities.
 
+use crate::contact::number::Number;
+use crate::contact::numbers::oscillator as number;
+use crate::contact::offer::Place;
 use crate::problem::choice::choice;
+use crate::problem::laws::{law_names, laws, others};
 use crate::problem::method;
 use crate::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use crate::problem::schema::{Text, TimeAxis};
@@ -9,25 +13,6 @@ use crate::problem::{Budget, Channel, Metric, Quantity, Schema, metric_of};
 use std::borrow::Cow::{self, Borrowed};
 use std::ops::Range as Rows;
 use std::sync::{Arc, LazyLock};
-
-choice! {
-    /// Friction model.
-    pub(super) enum LawName {
-        DisplacementControl = "displacement-control":
-            "elastic up to the displacement r^E, then sliding at the friction limit [F (9)]",
-        VelocityControl = "velocity-control":
-            "viscous up to the velocity rdot^E, then at the friction limit [F (16)]",
-        Coulomb = "coulomb": "without compliance: sticks below the friction limit, slides at it",
-        Tanh = "tanh":
-            "nu N tanh(rdot/rdot^E), without corners (Andersson, Soderberg and Bjorklund 2007)",
-        Stribeck = "stribeck":
-            "velocity-control with a static limit, from which the force falls to the kinetic limit as the velocity rises",
-        BoucWen = "bouc-wen": "hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
-        Dahl = "dahl": "hysteretic, its stiffness falls towards the friction limit (Dahl 1968)",
-        Lugre = "lugre":
-            "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-    }
-}
 
 choice! {
     /// Slip of the friction element at release ([F] does not specify it).
@@ -40,26 +25,25 @@ choice! {
     }
 }
 
+/// A number of laws.
+const fn of(number: &'static Number, laws: &'static [&'static str]) -> Parameter {
+    Parameter::of_laws(number, laws)
+}
+
 static PARAMETERS: [Parameter; 15] = [
     Parameter::new(
         ["law", "law", "1"],
-        LawName::KIND,
+        Kind::Choice(laws!(Oscillator, Which::All)),
         Default::Required,
         "friction model",
     ),
-    Parameter::only_for(
-        ["alpha", "*α*", "1"],
-        Kind::Number(Range::Positive),
-        Default::Required,
-        ("law", &["displacement-control", "bouc-wen", "dahl"]),
-        "elastic displacement before sliding, alpha = r^E/Delta [F (22)]; of bouc-wen and dahl that of the stiffness at S = 0",
+    of(
+        &number::ALPHA,
+        law_names!(Oscillator, Which::With(&number::ALPHA)),
     ),
-    Parameter::only_for(
-        ["beta", "*β*", "1"],
-        Kind::Number(Range::Positive),
-        Default::Required,
-        ("law", &["velocity-control", "tanh", "stribeck"]),
-        "velocity up to which the force is viscous, beta = (rdot^E/omega_n)/Delta [F (22)]; of tanh that of its slope at rdot = 0",
+    of(
+        &number::BETA,
+        law_names!(Oscillator, Which::With(&number::BETA)),
     ),
     Parameter::new(
         ["dT", "Δ*T*", "1"],
@@ -83,71 +67,47 @@ static PARAMETERS: [Parameter; 15] = [
         ["initial_slip", "initial slip", "1"],
         InitialSlip::KIND,
         Default::Is(Value::Name("unloaded")),
-        ("law", &["displacement-control", "bouc-wen", "dahl", "lugre"]),
+        ("law", law_names!(Oscillator, Which::Hysteretic)),
         "slip of the friction element at release",
     ),
-    Parameter::only_for(
-        ["exponent", "*n*", "1"],
-        Kind::Number(Range::AtLeastOne),
-        Default::Is(Value::Number(1.0)),
-        ("law", &["bouc-wen", "dahl"]),
-        "exponent of the hysteretic laws",
+    of(
+        &number::EXPONENT,
+        law_names!(Oscillator, Which::With(&number::EXPONENT)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["sigma0", "*σ*_0_", "1"],
-        Kind::Number(Range::Positive),
-        Default::Required,
-        ("law", &["lugre"]),
-        "stiffness of the bristles, over k; 1/alpha",
+    of(
+        &number::SIGMA0,
+        law_names!(Oscillator, Which::With(&number::SIGMA0)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["sigma1", "*σ*_1_", "1"],
-        Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(0.0)),
-        ("law", &["lugre"]),
-        "damping of the bristles, over k/omega_n",
+    of(
+        &number::SIGMA1,
+        law_names!(Oscillator, Which::With(&number::SIGMA1)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["sigma2", "*σ*_2_", "1"],
-        Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(0.0)),
-        ("law", &["lugre"]),
-        "viscous damping of the sliding contact, over k/omega_n",
+    of(
+        &number::SIGMA2,
+        law_names!(Oscillator, Which::With(&number::SIGMA2)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["static_ratio", "*ν*_s_/*ν*", "1"],
-        Kind::Number(Range::AtLeastOne),
-        Default::Is(Value::Number(1.0)),
-        ("law", &["stribeck", "lugre"]),
-        "static friction limit over the kinetic one",
+    of(
+        &number::STATIC_RATIO,
+        law_names!(Oscillator, Which::With(&number::STATIC_RATIO)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["stribeck_velocity", "*v*_S_/(*ω*_n_Δ)", "1"],
-        Kind::Number(Range::Positive),
-        Default::Is(Value::Number(1.0)),
-        ("law", &["stribeck", "lugre"]),
-        "velocity over which the limit falls from the static to the kinetic one, over omega_n Delta",
+    of(
+        &number::STRIBECK_VELOCITY,
+        law_names!(Oscillator, Which::With(&number::STRIBECK_VELOCITY)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["nu_ratio", "*ν*_min_/*ν*", "1"],
-        Kind::Number(Range::Fraction),
-        Default::Is(Value::Number(1.0)),
-        ("law", &["velocity-control", "tanh"]),
-        "coefficient of friction at rest over that at high velocity, nu = nu_max - (nu_max - nu_min) exp(-nu_rate abs(rdot)) (Constantinou et al. 1990)",
+    of(
+        &number::NU_RATIO,
+        law_names!(Oscillator, Which::With(&number::NU_RATIO)),
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["nu_rate", "*a* *ω*_n_Δ", "1"],
-        Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(1.0)),
-        ("law", &["velocity-control", "tanh"]),
-        "rate a of the coefficient of friction over velocity, times omega_n Delta",
+    of(
+        &number::NU_RATE,
+        law_names!(Oscillator, Which::With(&number::NU_RATE)),
     )
     .with_column_if_given(),
 ];
@@ -155,6 +115,8 @@ static PARAMETERS: [Parameter; 15] = [
 /// Rows of the parameters.
 pub(super) mod rows {
     use super::PARAMETERS;
+    use crate::contact::offer::Place;
+    use crate::problem::laws::count_others;
     use crate::problem::parameter::row_of;
 
     pub const LAW: usize = row_of(&PARAMETERS, "law");
@@ -164,16 +126,10 @@ pub(super) mod rows {
     pub const DURATION: usize = row_of(&PARAMETERS, "duration");
     pub const X0: usize = row_of(&PARAMETERS, "x0");
     pub const INITIAL_SLIP: usize = row_of(&PARAMETERS, "initial_slip");
-    pub const EXPONENT: usize = row_of(&PARAMETERS, "exponent");
-    pub const SIGMA0: usize = row_of(&PARAMETERS, "sigma0");
-    pub const SIGMA1: usize = row_of(&PARAMETERS, "sigma1");
-    pub const SIGMA2: usize = row_of(&PARAMETERS, "sigma2");
     pub const STATIC_RATIO: usize = row_of(&PARAMETERS, "static_ratio");
-    pub const STRIBECK_VELOCITY: usize = row_of(&PARAMETERS, "stribeck_velocity");
     pub const NU_RATIO: usize = row_of(&PARAMETERS, "nu_ratio");
-    pub const NU_RATE: usize = row_of(&PARAMETERS, "nu_rate");
-    /// First row of the parameters of the method.
-    pub const METHOD: usize = PARAMETERS.len();
+    /// First row of the parameters of the method, behind the numbers that only one law has.
+    pub const METHOD: usize = PARAMETERS.len() + count_others(Place::Oscillator, &PARAMETERS);
 }
 
 /// The scales of friction in [F].
@@ -298,8 +254,9 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         ),
         parameters: PARAMETERS
             .iter()
-            .chain(&method::PARAMETERS)
             .cloned()
+            .chain(others(Place::Oscillator, &PARAMETERS))
+            .chain(method::PARAMETERS.iter().cloned())
             .collect(),
         metrics: Borrowed(&METRICS),
         contact_metric: None,

@@ -1,7 +1,7 @@
 //! The motions between the exact impact and the computed one, for the error budget.
 
 use super::scaled::Scaled;
-use crate::contact::LawKind;
+use crate::contact::WhichLaw;
 use crate::exact::mesh::Mesh;
 use crate::exact::spring::Spring;
 use crate::history::History;
@@ -14,7 +14,7 @@ const MOST_ELEMENTS: u32 = 1000;
 /// `None` for another law than the impact spring, for a wall, for bars that differ, for gamma n < 0.404 (see [`Spring::new`]), for more than 1000 elements, for
 /// gamma n^2 > 10^20 (see [`Mesh::new`]), and for a contact with too many separations (see [`Mesh::at`]).
 pub fn references(scaled: &Scaled, times: &[f64]) -> Option<[History; 2]> {
-    let linear = scaled.law.kind() == LawKind::ImpactSpring;
+    let linear = scaled.law.which() == WhichLaw::ImpactSpring;
     if !linear || !scaled.pair.equal() || scaled.pair.left.elements > MOST_ELEMENTS {
         return None;
     }

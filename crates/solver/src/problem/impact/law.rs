@@ -1,96 +1,58 @@
 //! The contact laws of bars and their parameters.
 
 use super::tables::LAW;
-use crate::contact::{
-    ContactLaw, Hertz, HertzDamp, HuntCrossley, ImpactSpring, Jankowski, KelvinVoigt, Rigid, Ye,
-};
-use crate::methods::{MethodChoice, MethodKind};
+use crate::contact::number::Number;
+use crate::contact::numbers::bars;
+use crate::contact::offer::{Form, Offered, Place};
+use crate::contact::{ContactLaw, Described, Given, ImpactSpring, Rigid, WhichLaw};
+use crate::methods::Method;
 use crate::problem::Case;
-use crate::problem::choice::choice;
-use crate::problem::parameter::{Default, Kind, Parameter, Range, Value, row_of};
-use std::borrow::Cow::Borrowed;
+use crate::problem::laws::{law_names, laws};
+use crate::problem::parameter::{Default, Kind, Parameter, Value, row_of};
 
-choice! {
-    /// Contact law of the bars.
-    pub enum LawName {
-        ImpactSpring = "impact-spring": "linear spring [I (7)]",
-        KelvinVoigt = "kelvin-voigt":
-            "linear spring and dashpot that do not pull (Anagnostopoulos 1988)",
-        Hertz = "hertz": "spring with the force k_h delta^1.5 (Goldsmith 1960)",
-        HertzDamp = "hertz-damp":
-            "hertz with damping (Lankarani and Nikravesh 1990; Muthukumar and DesRoches 2006)",
-        HuntCrossley = "hunt-crossley": "hertz with damping (Hunt and Crossley 1975)",
-        Ye = "ye": "hertz with damping (Ye, Li and Zhu 2009)",
-        Jankowski = "jankowski": "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
-        Rigid = "rigid":
-            "without compliance: r >= 0 at the end of a step; with moreau-jean instead restitution of the ends, and an overlap may remain (Moreau 1988, Jean 1999)",
-    }
+/// The law of a case; `None` if it is not given.
+pub(super) fn law_of(case: &Case) -> Option<&'static Offered> {
+    Offered::named(Place::Bars, case.name_at(LAW))
 }
 
-impl LawName {
-    /// The law of a case; `None` if it is not given.
-    pub fn of(case: &Case) -> Option<LawName> {
-        LawName::parse(case.name_at(LAW))
-    }
+/// Whether a case has rigid contact.
+pub(super) fn is_rigid(case: &Case) -> bool {
+    law_of(case).is_some_and(|law| law.law == WhichLaw::Rigid)
+}
 
-    /// Whether the force rises as delta^1.5, so that `k_h` is a parameter.
-    pub fn curved(self) -> bool {
-        !matches!(
-            self,
-            LawName::ImpactSpring | LawName::KelvinVoigt | LawName::Rigid
-        )
-    }
+/// Whether a law has this number.
+pub(super) fn has(law: &Offered, number: &Number) -> bool {
+    law.offer.bars.is_some_and(|own| number.is_in(own.numbers))
 }
 
 /// Fills in the restitution of a law that has one.
 pub(super) fn fill_restitution(case: &mut Case) {
     let row = LAW + rows::RESTITUTION;
-    let default = match LawName::of(case) {
-        None | Some(LawName::ImpactSpring | LawName::Hertz) => return,
-        Some(LawName::Rigid) => 0.0,
-        Some(_) => 1.0,
+    let Some(law) = law_of(case).filter(|law| has(law, &bars::RESTITUTION)) else {
+        return;
+    };
+    let default = match law.law {
+        WhichLaw::Rigid => 0.0,
+        _ => 1.0,
     };
     case.values[row] = case.values[row].or(Some(Value::Number(default)));
 }
 
-/// Parameters of the laws, after those of the bars in the table; the stiffness of the linear spring is among the latter.
+/// Parameters of the laws, after those of the bars in the table; the stiffness of the linear spring is among the latter. The numbers
+/// that only one law has follow.
 pub(super) static PARAMETERS: [Parameter; 3] = [
     Parameter::new(
         ["law", "law", "1"],
-        LawName::KIND,
-        Default::Is(Value::Name("impact-spring")),
+        Kind::Choice(laws!(Bars, Which::All)),
+        Default::Is(Value::Name(ImpactSpring::NAME)),
         "contact law",
     )
     .with_column_if_given(),
-    Parameter::only_for(
-        ["k_h", "*k*_h_", "force/length^1.5"],
-        Kind::Number(Range::Positive),
-        Default::Follows(Borrowed(
-            "k_I^1.5/F0^0.5: the force F0 at the same overlap F0/k_I; exactly one of gamma, k_I, k_h is given",
-        )),
-        (
-            "law",
-            &["hertz", "hertz-damp", "hunt-crossley", "ye", "jankowski"],
-        ),
-        "stiffness of the laws with delta^1.5",
-    )
-    .with_column_if_given(),
-    Parameter::only_for(
-        ["restitution", "*e*", "1"],
-        Kind::Number(Range::UpToOne),
-        Default::Follows(Borrowed("1, or 0 for rigid")),
-        (
-            "law",
-            &[
-                "kelvin-voigt",
-                "hertz-damp",
-                "hunt-crossley",
-                "ye",
-                "jankowski",
-                "rigid",
-            ],
-        ),
-        "target of the coefficient of restitution of two rigid bodies, > 0; of rigid with moreau-jean that of the ends of the bars",
+    Parameter::of_laws(&bars::K_H, law_names!(Bars, Which::With(&bars::K_H)))
+        .with_column_if_given(),
+    Parameter::of_laws(
+        &bars::RESTITUTION,
+        law_names!(Bars, Which::With(&bars::RESTITUTION)),
     )
     .with_heading("target_restitution")
     .with_column_if_given(),
@@ -104,25 +66,43 @@ pub(super) mod rows {
     pub const RESTITUTION: usize = row_of(&PARAMETERS, "restitution");
 }
 
+/// Most numbers of a law.
+const MOST: usize = 8;
+
 /// The law of a case in its scales; `None` where a parameter is not given. A linear spring has this stiffness; `mass` is m1 m2/(m1 +
 /// m2) of the whole bars.
 ///
 /// The secant stiffness of a law with delta^1.5 is that of the linear spring at the overlap under the exact force F0, which is 1
 /// here, so that k_h = k_I^1.5.
-pub fn law(case: &Case, method: MethodChoice, stiffness: f64, mass: f64) -> Option<ContactLaw> {
-    let e = || case.at(LAW + rows::RESTITUTION);
-    let curved = stiffness * stiffness.sqrt();
-    Some(match LawName::of(case)? {
-        LawName::ImpactSpring => ContactLaw::ImpactSpring(ImpactSpring { stiffness }),
-        LawName::KelvinVoigt => ContactLaw::KelvinVoigt(KelvinVoigt::new(stiffness, e()?, mass)),
-        LawName::Hertz => ContactLaw::Hertz(Hertz { stiffness: curved }),
-        LawName::HertzDamp => ContactLaw::HertzDamp(HertzDamp::new(curved, e()?)),
-        LawName::HuntCrossley => ContactLaw::HuntCrossley(HuntCrossley::new(curved, e()?)),
-        LawName::Ye => ContactLaw::Ye(Ye::new(curved, e()?)),
-        LawName::Jankowski => ContactLaw::Jankowski(Jankowski::new(curved, e()?, mass)),
-        LawName::Rigid => ContactLaw::Rigid(Rigid {
-            restitution: e()?,
-            impulses: method.kind() == MethodKind::MoreauJean,
-        }),
-    })
+pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<ContactLaw> {
+    let offer = law_of(case)?.offer;
+    let own = offer.bars?;
+    let mut values = [None; MOST];
+    for (value, number) in values.iter_mut().zip(own.numbers) {
+        *value = match number.key {
+            "k_h" => Some(stiffness * stiffness.sqrt()),
+            "restitution" => case.at(LAW + rows::RESTITUTION),
+            key => case.number(key),
+        };
+    }
+    let given = Given {
+        law: offer.name,
+        numbers: own.numbers,
+        values: &values[..own.numbers.len().min(MOST)],
+        others: &[("k", stiffness), ("colliding_mass", mass)],
+    };
+    match (offer.form)(&given).ok()? {
+        Form::Spring { stiffness } => Some(ContactLaw::ImpactSpring(ImpactSpring { stiffness })),
+        Form::Stop { restitution } => Some(ContactLaw::Rigid(Rigid {
+            restitution,
+            impulses: method.has_impulses(),
+        })),
+        Form::Impact { law, .. } => Some(law),
+        // No impacts.
+        Form::Elastic { .. }
+        | Form::Viscous { .. }
+        | Form::Coulomb
+        | Form::Friction(_)
+        | Form::Link(_) => None,
+    }
 }

@@ -1,13 +1,13 @@
 //! Parameters that follow from others, and the rules across parameters.
 
 use super::case::ImpactCase;
-use super::law::{self, LawName};
+use super::law::{self, is_rigid};
 use super::scaled::Scaled;
 use super::scales::Scales;
 use super::tables::{LAW, METHOD, Opposite, rows};
 use crate::contact::StoredEnergy;
+use crate::contact::numbers::bars;
 use crate::exact::wave::Bars;
-use crate::methods::MethodKind;
 use crate::problem::method::{self, step_rules};
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::unit::Dimension;
@@ -63,7 +63,7 @@ fn no_condensation(scaled: &Scaled) -> Option<Violation> {
 /// A damped law needs a restitution above zero.
 fn no_restitution(case: &Case) -> Option<Violation> {
     let zero = case.at(LAW + law::rows::RESTITUTION) == Some(0.0);
-    (zero && LawName::of(case) != Some(LawName::Rigid)).then(|| Violation {
+    (zero && !is_rigid(case)).then(|| Violation {
         parameter: "restitution".into(),
         message: "must be > 0 for a law with damping, got 0".into(),
         at: None,
@@ -74,8 +74,7 @@ fn no_restitution(case: &Case) -> Option<Violation> {
 fn ignored_restitution(case: &Case) -> Option<Violation> {
     let given = case.at(LAW + law::rows::RESTITUTION)?;
     let method = method::of_case(case, METHOD)?;
-    let ignores =
-        LawName::of(case) == Some(LawName::Rigid) && method.kind() != MethodKind::MoreauJean;
+    let ignores = is_rigid(case) && !method.has_impulses();
     ignores.then(|| Violation {
         parameter: "restitution".into(),
         message: method::ignores_restitution(case.name_at(METHOD), given),
@@ -86,7 +85,7 @@ fn ignored_restitution(case: &Case) -> Option<Violation> {
 /// Impulses act on nodes with mass.
 fn no_impulse(scaled: &Scaled) -> Option<Violation> {
     let massless = scaled.pair.contact_compliance() > 0.0;
-    let refused = massless && scaled.method.kind() == MethodKind::MoreauJean;
+    let refused = massless && scaled.method.has_impulses();
     refused.then(|| Violation {
         parameter: "method".into(),
         message: "moreau-jean acts by impulses on contact nodes with mass; allowed: another mass matrix, or another method".into(),
@@ -112,10 +111,11 @@ fn follow_left(case: &mut Case) {
 
 /// gamma, k_I and k_h, each from the one that is given. Rigid contact has none.
 fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
-    let Some(law) = LawName::of(case) else {
+    let Some(law) = law::law_of(case) else {
         return;
     };
-    let all: &[(&'static str, usize)] = match law.curved() {
+    let (rigid, curved) = (is_rigid(case), law::has(law, &bars::K_H));
+    let all: &[(&'static str, usize)] = match curved {
         true => &[("gamma", rows::GAMMA), ("k_I", rows::K_I), ("k_h", K_H)],
         false => &[("gamma", rows::GAMMA), ("k_I", rows::K_I)],
     };
@@ -129,13 +129,13 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
     let names = || all.iter().map(|row| row.0).collect::<Vec<_>>().join(", ");
     let mut given = all.iter().filter(|row| case.at(row.1).is_some());
     let (name, row) = match (given.next(), given.next()) {
-        (Some(one), None) if law != LawName::Rigid => *one,
-        (None, _) if law == LawName::Rigid => return,
+        (Some(one), None) if !rigid => *one,
+        (None, _) if rigid => return,
         (None, _) => {
             let names = names();
             return violation("gamma", format!("missing: give exactly one of {names}"));
         }
-        (Some((name, _)), _) if law == LawName::Rigid => {
+        (Some((name, _)), _) if rigid => {
             return violation(
                 name,
                 "does not apply to law rigid, which has no stiffness".into(),
@@ -171,9 +171,9 @@ fn stiffness(case: &mut Case, violations: &mut Vec<Violation>) {
         "gamma" => value,
         _ => k_i / element,
     };
-    let curved = k_h().filter(|_| law.curved());
+    let k_h = k_h().filter(|_| curved);
     let filled = [("gamma", rows::GAMMA, gamma), ("k_I", rows::K_I, k_i)].into_iter();
-    let filled = filled.chain(curved.map(|k_h| ("k_h", K_H, k_h)));
+    let filled = filled.chain(k_h.map(|k_h| ("k_h", K_H, k_h)));
     for (other, row, value) in filled.filter(|other| other.0 != name) {
         if !(value.is_finite() && value > 0.0) {
             let message = format!("gives {other} = {value}, outside the range of double precision");
@@ -250,7 +250,7 @@ fn scales(case: &Case, scaled: &Scaled, violations: &mut Vec<Violation>) {
                        L sqrt(rho/E) is outside the range of double precision";
         return violation("right".into(), message.into());
     }
-    if !scaled.spring.is_finite() && LawName::of(case) != Some(LawName::Rigid) {
+    if !scaled.spring.is_finite() && !is_rigid(case) {
         let message = "the spring is too stiff: the ratio of its stiffness to that of the bars is outside the range of double precision";
         return violation("gamma".into(), message.into());
     }

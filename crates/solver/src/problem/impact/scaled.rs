@@ -5,11 +5,11 @@
 //! stiffness of the spring is gamma n (1 + z). For equal bars z = theta = 1 exactly, so that density and speed have no effect on
 //! scaled results.
 
-use super::law::{LawName, law};
+use super::law::{is_rigid, law};
 use super::tables::{METHOD, MassMatrix, Opposite, rows};
 use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
-use crate::methods::MethodChoice;
+use crate::methods::Method;
 use crate::problem::{Case, method};
 use crate::system::BarPair;
 use crate::system::bar::{Bar, Mass};
@@ -29,7 +29,7 @@ pub struct Scaled {
     /// The contact law.
     pub law: ContactLaw,
     /// The method of integration.
-    pub method: MethodChoice,
+    pub method: Method,
     /// L_R/L, for drawings; zero for a wall.
     pub length_ratio: f64,
 }
@@ -72,9 +72,9 @@ impl Scaled {
         } else {
             None
         };
-        let spring = match LawName::of(case)? {
-            LawName::Rigid => f64::INFINITY,
-            _ => case.at(rows::GAMMA)? * n * (1.0 + z),
+        let spring = match is_rigid(case) {
+            true => f64::INFINITY,
+            false => case.at(rows::GAMMA)? * n * (1.0 + z),
         };
         let method = method::of_case(case, METHOD)?;
         let masses = right.map_or(mass, |right| mass * right.mass / (mass + right.mass));

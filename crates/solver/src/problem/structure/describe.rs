@@ -107,47 +107,20 @@ fn law(law: &Relation) -> String {
             limit: own,
         } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
         Relation::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
-        Relation::CurvedImpact { law, .. } => impact(law),
+        Relation::CurvedImpact { law, .. } | Relation::Link { law } => curved(law),
         Relation::CurvedFriction { law, limit: own } => {
-            format!("{}, {}", friction(law), limit(own))
+            format!("{}, {}", curved(law), limit(own))
         }
     }
 }
 
-/// A law of impact that is not a clipped line.
-fn impact(law: &ContactLaw) -> String {
-    let hertz = |name: &str, k: f64| format!("{name} k_h = {}", short(k));
-    match law {
-        ContactLaw::KelvinVoigt(law) => format!(
-            "kelvin-voigt k = {}, c = {}",
-            short(law.stiffness),
-            short(law.damping)
-        ),
-        ContactLaw::Hertz(law) => hertz("hertz", law.stiffness),
-        ContactLaw::HertzDamp(law) => hertz("hertz-damp", law.stiffness),
-        ContactLaw::HuntCrossley(law) => hertz("hunt-crossley", law.stiffness),
-        ContactLaw::Ye(law) => hertz("ye", law.stiffness),
-        ContactLaw::Jankowski(law) => hertz("jankowski", law.stiffness),
-        _ => "impact".to_owned(),
-    }
-}
-
-/// A law of friction that is not a clipped line.
-fn friction(law: &ContactLaw) -> String {
-    let viscous = |name: &str, compliance: f64| format!("{name} c = {}", short(1.0 / compliance));
-    let elastic = |name: &str, compliance: f64, exponent: f64| {
-        let [k, n] = [1.0 / compliance, exponent].map(short);
-        format!("{name} k = {k}, exponent {n}")
-    };
-    match law {
-        ContactLaw::Bearing(law) => viscous("velocity-control", law.compliance),
-        ContactLaw::Tanh(law) => viscous("tanh", law.compliance),
-        ContactLaw::Stribeck(law) => viscous("stribeck", law.compliance),
-        ContactLaw::BoucWen(law) => elastic("bouc-wen", law.compliance, law.exponent),
-        ContactLaw::Dahl(law) => elastic("dahl", law.compliance, law.exponent),
-        ContactLaw::Lugre(law) => format!("lugre sigma0 = {}", short(law.sigma0)),
-        _ => "friction".to_owned(),
-    }
+/// A law that is not a clipped line, with its numbers.
+fn curved(law: &ContactLaw) -> String {
+    let numbers = law.properties().shown();
+    let numbers = numbers
+        .iter()
+        .map(|(name, x)| format!("{name} {}", short(*x)));
+    format!("{} {}", law.name(), numbers.collect::<Vec<_>>().join(", "))
 }
 
 /// How long the nodes of an impact touch, as two free masses, and whether the step resolves it; empty if only the motion says it.

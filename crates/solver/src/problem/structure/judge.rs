@@ -4,6 +4,7 @@ use super::channel::{Channel, Number, Quantity};
 use super::metric::{Reduction, StructureMetric};
 use super::motion::Energies;
 use super::node::Numbering;
+use crate::contact::ContactKind;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Relation, Structure};
 
@@ -146,7 +147,7 @@ pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<
             let perturbed = exact(&motions.perturbed)?;
             let end = reduce::divergence(&c, &perturbed, metric.threshold).unwrap_or(c.len());
             let contacts = of.structure.contacts.iter().enumerate();
-            let impacts = contacts.filter(|(_, contact)| contact.law.is_impact());
+            let impacts = contacts.filter(|(_, contact)| contact.law.kind() == ContactKind::Impact);
             let closings = impacts.map(|(place, _)| {
                 let force = motions.computed.of(Number::Contact(place, Quantity::Force));
                 reduce::closings(&force[..end.min(force.len())])
@@ -172,16 +173,19 @@ fn of_contact(
 ) -> Option<f64> {
     let series = |quantity| computed.of(Number::Contact(contact, quantity));
     let force = series(Quantity::Force);
-    let impact = of.structure.contacts.get(contact)?.law.is_impact();
+    let kind = of.structure.contacts.get(contact)?.law.kind();
     match reduction {
         Reduction::Impacts => Some(reduce::closings(force) as f64),
         Reduction::Impulse => Some(reduce::impulse(force, of.dt)),
         Reduction::ContactTime => Some(reduce::time_where(force, of.dt, |s| s != 0.0)),
-        Reduction::OpenTime if impact => Some(reduce::time_where(force, of.dt, |s| s == 0.0)),
-        Reduction::OpenTime => {
-            let limit = series(Quantity::Limit);
-            Some(reduce::time_where(limit, of.dt, |limit| limit <= 0.0))
-        }
+        Reduction::OpenTime => match kind {
+            ContactKind::Impact => Some(reduce::time_where(force, of.dt, |s| s == 0.0)),
+            ContactKind::Friction => {
+                let limit = series(Quantity::Limit);
+                Some(reduce::time_where(limit, of.dt, |limit| limit <= 0.0))
+            }
+            ContactKind::Link => Some(0.0),
+        },
         Reduction::Work => {
             let law = &of.structure.contacts[contact].law;
             let rigid = matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });

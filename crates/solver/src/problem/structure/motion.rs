@@ -4,7 +4,7 @@ use super::channel::{Number, Quantity};
 use super::judge::Recorded;
 use crate::exact::events;
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
+use crate::methods::Method;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run};
 use crate::system::structure::{Relation, Structure};
@@ -38,11 +38,7 @@ pub struct Energies {
 pub type Run = Result<(Recorded, Option<Energies>, Option<Watched>), Unsolvable>;
 
 /// The linear part of a structure with steps of `dt` by a method.
-pub fn prepare(
-    structure: &Structure,
-    method: &MethodChoice,
-    dt: f64,
-) -> Result<Prepared, Unsolvable> {
+pub fn prepare(structure: &Structure, method: &Method, dt: f64) -> Result<Prepared, Unsolvable> {
     Prepared::by(method, structure, dt)
 }
 
@@ -187,7 +183,7 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
 }
 
 /// The same structure with rigid laws: impacts without compliance, with the restitution of the law, which is 1 without damping, and
-/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one.
+/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one. Links stay.
 pub fn rigid(structure: &Structure) -> Structure {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
@@ -197,7 +193,9 @@ pub fn rigid(structure: &Structure) -> Structure {
             Relation::DisplacementControl { limit, .. }
             | Relation::CurvedFriction { limit, .. }
             | Relation::VelocityControl { limit, .. } => Relation::Coulomb { limit },
-            law @ (Relation::RigidStop { .. } | Relation::Coulomb { .. }) => law,
+            law @ (Relation::RigidStop { .. }
+            | Relation::Coulomb { .. }
+            | Relation::Link { .. }) => law,
         };
     }
     rigid

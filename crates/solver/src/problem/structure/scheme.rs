@@ -1,9 +1,10 @@
 //! The structure of a case as a scheme: what is connected to what, as plain data for a picture.
 
 use super::amount::Amount;
-use super::contacts::LawName;
+use super::contacts::law_named;
 use super::node::NodeRef;
 use super::template::{Spring, SpringNumbers, Template};
+use crate::contact::ContactKind;
 use crate::problem::Case;
 
 /// The structure of a case, for a picture.
@@ -118,9 +119,13 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         }
     }
     for contact in &template.contacts {
-        let kind = match LawName::parse(contact.law.name(case))? {
-            law if law.is_friction() => LinkKind::Friction,
-            _ => LinkKind::Impact,
+        let kind = match law_named(contact.law.name(case))?.kind {
+            ContactKind::Friction => LinkKind::Friction,
+            ContactKind::Impact => LinkKind::Impact,
+            ContactKind::Link => LinkKind::Spring {
+                elastic: false,
+                viscous: true,
+            },
         };
         links.push(Link {
             kind,

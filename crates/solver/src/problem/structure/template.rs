@@ -3,7 +3,7 @@
 use super::amount::Amount;
 use super::loads::Source;
 use super::node::NodeName;
-use crate::problem::Case;
+use crate::problem::{Case, Violation};
 
 /// The structure of all cases of a study.
 #[derive(Debug, Clone, Default)]
@@ -142,24 +142,28 @@ pub struct Contact {
     pub law: Chosen,
     /// r at rest; none for 0.
     pub gap: Option<Amount>,
-    /// Stiffness.
-    pub k: Option<Amount>,
-    /// Restitution of a rigid impact.
-    pub e: Option<Amount>,
-    /// Viscosity of velocity-control.
-    pub c: Option<Amount>,
-    /// Displacement r^E up to which displacement-control is elastic.
-    pub elastic: Option<Amount>,
-    /// Velocity rdot^E up to which velocity-control is viscous.
-    pub elastic_rate: Option<Amount>,
-    /// Friction limit.
-    pub limit: Option<Amount>,
-    /// Coefficient of friction.
-    pub nu: Option<Amount>,
     /// Force that presses.
     pub normal: Option<Normal>,
-    /// The other numbers by their keys.
-    pub others: Vec<(&'static str, Amount)>,
+    /// Its numbers but the normal force, by their keys ([`super::contacts::NUMBERS`]).
+    pub numbers: Vec<(&'static str, Amount)>,
+}
+
+impl Contact {
+    /// A number, if the contact has it.
+    pub fn number(&self, key: &str) -> Option<&Amount> {
+        let own = self.numbers.iter().find(|own| own.0 == key);
+        own.map(|(_, amount)| amount)
+    }
+
+    /// Its value in a case.
+    ///
+    /// # Errors
+    /// It is out of its range.
+    pub fn value(&self, key: &str, case: &Case) -> Result<Option<f64>, Violation> {
+        self.number(key)
+            .map(|amount| amount.value(case))
+            .transpose()
+    }
 }
 
 /// The normal force of a friction contact, positive when pressed.

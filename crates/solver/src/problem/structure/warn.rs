@@ -9,7 +9,7 @@ use super::sweep::Ready;
 use super::template::{Normal, Scaled};
 use super::touch;
 use super::{StructureProblem, solve::distinct};
-use crate::contact::ContactLaw;
+use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
@@ -41,12 +41,13 @@ impl StructureProblem {
         let contacts = watched.map_or(&[][..], |watched| &watched.contacts);
         let contacts = || structure.contacts.iter().zip(contacts);
         let short = |(contact, seen): (&Contact, &WatchedContact)| {
-            let touches = contact.law.is_impact() && seen.force < 0.0;
+            let touches = contact.law.kind() == ContactKind::Impact && seen.force < 0.0;
             let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
             let time = overlap.and_then(|_| touch::time(structure, contact, overlap));
             time.is_some_and(|time| time < FEWEST_STEPS * ready.dt)
         };
-        let mut impacts = contacts().filter(|(contact, _)| contact.law.is_impact());
+        let mut impacts =
+            contacts().filter(|(contact, _)| contact.law.kind() == ContactKind::Impact);
         let touches = |(_, seen): (&Contact, &WatchedContact)| seen.force < 0.0;
         let some = impacts.clone().next().is_some();
         Ok(Warnings::NONE
@@ -135,10 +136,7 @@ impl StructureProblem {
 fn resists_velocity(law: &Relation) -> bool {
     match law {
         Relation::Coulomb { .. } | Relation::VelocityControl { .. } => true,
-        Relation::CurvedFriction { law, .. } => matches!(
-            law,
-            ContactLaw::Bearing(_) | ContactLaw::Tanh(_) | ContactLaw::Stribeck(_)
-        ),
+        Relation::CurvedFriction { law, .. } => law.of_velocity(),
         _ => false,
     }
 }

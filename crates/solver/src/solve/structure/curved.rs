@@ -3,9 +3,10 @@
 //! Every law answers alone, r' = y - a S ([`CurvedForces`]). Within a step rdot' is affine in r' for every method, so an answer with
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact.
 
-use super::laws::{bounds, friction};
 use crate::contact::coupled::curved::{CurvedForces, Laws};
-use crate::contact::{Answer, AnyLaw, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved};
+use crate::contact::{
+    Answer, AnyLaw, ContactKind, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved,
+};
 use crate::lane::Lane;
 use crate::system::structure::{Relation, Structure};
 
@@ -87,7 +88,7 @@ impl Curved {
                 now: law,
                 own,
                 line: line(&relation, pace),
-                bounds: reach(&law, bounds(contact, 0.0)),
+                bounds: law.properties().bounds(),
                 relation,
                 motion: Motion::default(),
             }
@@ -108,7 +109,8 @@ impl Curved {
         let has_one = |contact: &Contact| {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
-            law.has_one_root(&self.scale.steps(contact.own)[0])
+            law.properties()
+                .has_one_root(&self.scale.steps(contact.own)[0])
         };
         !self.contacts.iter().all(has_one)
     }
@@ -119,7 +121,7 @@ impl Curved {
         let law = contact.relation.law(limit);
         contact.law.change(&law, &self.scale.steps(contact.own));
         contact.now = law;
-        contact.bounds = reach(&law, friction(limit));
+        contact.bounds = law.properties().bounds();
     }
 
     /// Takes over what the laws remember from the sub-step before.
@@ -188,7 +190,7 @@ impl Contact {
     /// overlap: then it is the present closing speed, or the mean one that closes the gap in the step. So it does not depend on the
     /// forces, and the law rises.
     fn begin(&mut self, scale: Scale) {
-        if !matches!(self.relation, Relation::CurvedImpact { .. }) {
+        if self.relation.kind() != ContactKind::Impact {
             return;
         }
         let motion = self.motion;
@@ -263,16 +265,9 @@ fn line(relation: &Relation, pace: f64) -> Option<f64> {
         }
         Relation::RigidStop { .. } | Relation::Coulomb { .. } => Some(0.0),
         Relation::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
-        Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => None,
-    }
-}
-
-/// The bounds of the force of a law with these limits.
-fn reach(law: &ContactLaw, [low, high]: [f64; 2]) -> [f64; 2] {
-    match law {
-        ContactLaw::Stribeck(law) => friction(law.static_limit),
-        ContactLaw::Lugre(_) => [f64::NEG_INFINITY, f64::INFINITY],
-        _ => [low, high],
+        Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } | Relation::Link { .. } => {
+            None
+        }
     }
 }
 
@@ -280,10 +275,8 @@ fn reach(law: &ContactLaw, [low, high]: [f64; 2]) -> [f64; 2] {
 pub(super) fn first_force(relation: &Relation, r: f64, rdot: f64) -> f64 {
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
-    match law {
-        ContactLaw::BoucWen(_) | ContactLaw::Dahl(_) => return 0.0,
-        ContactLaw::Lugre(law) => return law.unbent(rdot),
-        _ => (),
+    if let Some(force) = law.properties().unbent_force(rdot) {
+        return force;
     }
     let scale = Scale { pace: 0.0, dt: 1.0 };
     let mut law: AnyLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));

@@ -20,9 +20,9 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         forces[c] = match contact.law {
             Relation::ImpactSpring { stiffness } => stiffness * r.min(0.0),
             Relation::DisplacementControl { .. } => 0.0,
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => {
-                first_force(&contact.law, r, rdot)
-            }
+            Relation::CurvedImpact { .. }
+            | Relation::CurvedFriction { .. }
+            | Relation::Link { .. } => first_force(&contact.law, r, rdot),
             Relation::VelocityControl { viscosity, .. } => (viscosity * rdot).clamp(low, high),
             Relation::Coulomb { .. } if rdot > 0.0 => high,
             Relation::Coulomb { .. } if rdot < 0.0 => low,

@@ -1,5 +1,6 @@
 //! The laws of the contacts over a step.
 
+use crate::contact::ContactKind;
 use crate::system::structure::{Contact, Limit, Relation};
 
 /// A law as a clipped line S = clip((r - c)/g, low, high).
@@ -44,17 +45,18 @@ impl Line {
             Relation::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
             Relation::Coulomb { .. } => viscous(0.0),
             // The forces are found from the law's own answer.
-            Relation::CurvedFriction { .. } => viscous(0.0),
+            Relation::CurvedFriction { .. } | Relation::Link { .. } => viscous(0.0),
             Relation::CurvedImpact { .. } => impact(0.0),
         }
     }
 }
 
-/// The bounds of the force of a contact at time t.
+/// The bounds of the clipped line of a contact at time t. A link has none: its force is found from the law's own answer.
 pub(super) fn bounds(contact: &Contact, t: f64) -> [f64; 2] {
-    match contact.law.limit() {
-        Some(limit) => friction(limit.at(t)),
-        None => [f64::NEG_INFINITY, 0.0],
+    match (contact.law.kind(), contact.law.limit()) {
+        (ContactKind::Impact, _) => [f64::NEG_INFINITY, 0.0],
+        (ContactKind::Friction, limit) => friction(limit.map_or(0.0, |limit| limit.at(t))),
+        (ContactKind::Link, _) => [0.0; 2],
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Prepared;
 use super::laws::varying;
+use crate::contact::ContactKind;
 use crate::lane::Lane;
 use crate::system::structure::{Pressure, Signal, Structure};
 use std::sync::Arc;
@@ -245,7 +246,7 @@ fn limits<'a, const L: usize>(
         };
         let mut limit = Varying {
             contact,
-            slides: cases.map(|case| case.contacts[contact].law.limit().is_some()),
+            slides: cases.map(|case| case.contacts[contact].law.kind() == ContactKind::Friction),
             constant: Lane::splat(0.0),
             factor: Lane::splat(0.0),
             signal: Series::new([0; L]),

@@ -1,7 +1,6 @@
 //! The elastic contacts of a structure at rest, with their initial stiffness.
 
 use super::{Contact, Relation, Structure, Symmetric};
-use crate::contact::ContactLaw;
 
 impl Contact {
     /// Initial stiffness dS/dr at S = 0; 0 for a contact that is not elastic at t = 0.
@@ -11,32 +10,12 @@ impl Contact {
     /// there, gap < 0: then k, or (3/2) k_h (-gap)^(1/2) of k_h delta^(3/2). One that is open or only touches has no force at rest, and
     /// no stiffness against opening.
     pub fn initial_stiffness(&self) -> f64 {
-        let pressed = |k: f64| if self.gap < 0.0 { k } else { 0.0 };
-        let hertz = |k: f64| pressed(1.5 * k * (-self.gap).sqrt());
-        let loaded = |k: f64| {
-            let limit = self.law.limit().map_or(0.0, |limit| limit.at(0.0));
-            if limit > 0.0 { k } else { 0.0 }
-        };
+        let overlap = (-self.gap).max(0.0);
+        let limit = self.law.limit().map_or(0.0, |limit| limit.at(0.0));
         match &self.law {
-            Relation::ImpactSpring { stiffness } => pressed(*stiffness),
-            Relation::DisplacementControl { stiffness, .. } => loaded(*stiffness),
-            Relation::RigidStop { .. }
-            | Relation::VelocityControl { .. }
-            | Relation::Coulomb { .. } => 0.0,
-            Relation::CurvedImpact { law, .. } | Relation::CurvedFriction { law, .. } => {
-                match law {
-                    ContactLaw::KelvinVoigt(law) => pressed(law.stiffness),
-                    ContactLaw::Hertz(law) => hertz(law.stiffness),
-                    ContactLaw::HertzDamp(law) => hertz(law.stiffness),
-                    ContactLaw::HuntCrossley(law) => hertz(law.stiffness),
-                    ContactLaw::Ye(law) => hertz(law.stiffness),
-                    ContactLaw::Jankowski(law) => hertz(law.stiffness),
-                    ContactLaw::BoucWen(law) => loaded(1.0 / law.compliance),
-                    ContactLaw::Dahl(law) => loaded(1.0 / law.compliance),
-                    ContactLaw::Lugre(law) => loaded(law.sigma0),
-                    _ => 0.0,
-                }
-            }
+            // Without the round-off of 1/(1/k).
+            Relation::DisplacementControl { stiffness, .. } if limit > 0.0 => *stiffness,
+            law => law.law(limit).properties().initial_stiffness(overlap),
         }
     }
 
@@ -124,7 +103,7 @@ fn join(part: &mut [usize], i: usize, j: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{BoucWen, Hertz, KelvinVoigt, Lugre, Tanh};
+    use crate::contact::{BoucWen, ContactLaw, Hertz, KelvinVoigt, Lugre, Tanh};
     use crate::system::structure::{Limit, Node};
 
     fn contact(between: [Option<usize>; 2], gap: f64, law: Relation) -> Contact {

@@ -1,9 +1,9 @@
 //! The law of a contact of a structure.
 
 use super::Signal;
+use crate::contact::offer::Form;
 use crate::contact::{
-    Bearing, BoucWen, ContactLaw, Dahl, DisplacementControl, ImpactSpring, Lugre, Rigid, Stribeck,
-    Tanh, VelocityControl,
+    ContactKind, ContactLaw, DisplacementControl, ImpactSpring, Rigid, VelocityControl,
 };
 use std::sync::Arc;
 
@@ -53,15 +53,49 @@ pub enum Relation {
         /// Friction limit; of a coefficient that depends on velocity, the largest or the kinetic one.
         limit: Limit,
     },
+    /// A law of a link, whose force is always found from its own answer.
+    Link {
+        /// The law.
+        law: ContactLaw,
+    },
 }
 
 impl Relation {
-    /// The friction limit; `None` for an impact.
+    /// The law of a form; a law of friction has this limit.
+    pub fn new(form: Form, limit: Limit) -> Relation {
+        match form {
+            Form::Spring { stiffness } => Relation::ImpactSpring { stiffness },
+            Form::Stop { restitution } => Relation::RigidStop { restitution },
+            Form::Elastic { stiffness } => Relation::DisplacementControl { stiffness, limit },
+            Form::Viscous { viscosity } => Relation::VelocityControl { viscosity, limit },
+            Form::Coulomb => Relation::Coulomb { limit },
+            Form::Impact { law, restitution } => Relation::CurvedImpact { law, restitution },
+            Form::Friction(law) => Relation::CurvedFriction { law, limit },
+            Form::Link(law) => Relation::Link { law },
+        }
+    }
+
+    /// What the contact can do.
+    pub fn kind(&self) -> ContactKind {
+        match self {
+            Relation::ImpactSpring { .. }
+            | Relation::RigidStop { .. }
+            | Relation::CurvedImpact { .. } => ContactKind::Impact,
+            Relation::DisplacementControl { .. }
+            | Relation::VelocityControl { .. }
+            | Relation::CurvedFriction { .. }
+            | Relation::Coulomb { .. } => ContactKind::Friction,
+            Relation::Link { .. } => ContactKind::Link,
+        }
+    }
+
+    /// The friction limit; `None` for an impact and a link.
     pub fn limit(&self) -> Option<&Limit> {
         match self {
             Relation::ImpactSpring { .. }
             | Relation::RigidStop { .. }
-            | Relation::CurvedImpact { .. } => None,
+            | Relation::CurvedImpact { .. }
+            | Relation::Link { .. } => None,
             Relation::DisplacementControl { limit, .. }
             | Relation::VelocityControl { limit, .. }
             | Relation::CurvedFriction { limit, .. }
@@ -69,20 +103,15 @@ impl Relation {
         }
     }
 
-    /// Whether it is an impact, S <= 0.
-    pub fn is_impact(&self) -> bool {
-        self.limit().is_none()
-    }
-
     /// Whether the law is not a clipped line over a step.
     pub fn is_curved(&self) -> bool {
         matches!(
             self,
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. }
+            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } | Relation::Link { .. }
         )
     }
 
-    /// The law while the friction limit is this; an impact has none.
+    /// The law while the friction limit is this; only friction has one.
     pub fn law(&self, limit: f64) -> ContactLaw {
         match *self {
             Relation::ImpactSpring { stiffness } => {
@@ -104,34 +133,9 @@ impl Relation {
                 let compliance = 0.0;
                 ContactLaw::VelocityControl(VelocityControl { compliance, limit })
             }
-            Relation::CurvedImpact { law, .. } => law,
-            Relation::CurvedFriction { law, .. } => at_limit(law, limit),
+            Relation::CurvedImpact { law, .. } | Relation::Link { law } => law,
+            Relation::CurvedFriction { law, .. } => law.at_limit(limit),
         }
-    }
-}
-
-/// A law of friction with another limit; the static one stays in proportion.
-fn at_limit(law: ContactLaw, limit: f64) -> ContactLaw {
-    let in_proportion = |of: f64, to: f64| match to > 0.0 {
-        true => of / to * limit,
-        false => limit,
-    };
-    match law {
-        ContactLaw::Bearing(law) => ContactLaw::Bearing(Bearing { limit, ..law }),
-        ContactLaw::Tanh(law) => ContactLaw::Tanh(Tanh { limit, ..law }),
-        ContactLaw::BoucWen(law) => ContactLaw::BoucWen(BoucWen { limit, ..law }),
-        ContactLaw::Dahl(law) => ContactLaw::Dahl(Dahl { limit, ..law }),
-        ContactLaw::Stribeck(law) => ContactLaw::Stribeck(Stribeck {
-            limit,
-            static_limit: in_proportion(law.static_limit, law.limit),
-            ..law
-        }),
-        ContactLaw::Lugre(law) => ContactLaw::Lugre(Lugre {
-            limit,
-            static_limit: in_proportion(law.static_limit, law.limit),
-            ..law
-        }),
-        other => other,
     }
 }
 

@@ -3,6 +3,7 @@
 mod words;
 
 use crate::units::{NEEDS_UNITS, scaled};
+use slipgap_solver::contact::LAWS;
 use slipgap_solver::expression::length_of_number;
 use words::{OF_STRUCTURES, OUTSIDE, SCALED, SYNONYMS, UNITS};
 
@@ -63,9 +64,11 @@ pub(crate) fn nearest<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
 }
 
 fn synonym<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    let (_, names) = SYNONYMS.iter().find(|(words, _)| words.contains(&name))?;
-    let found = |right: &&str| allowed.iter().find(|known| *known == right).copied();
-    names.iter().find_map(found)
+    let own = SYNONYMS.iter().find(|(words, _)| words.contains(&name));
+    let law = LAWS.iter().find(|law| law.offer.also.contains(&name));
+    let names = own.map_or(&[][..], |own| own.1).iter().copied();
+    let mut names = names.chain(law.map(|law| law.offer.name));
+    names.find_map(|right| allowed.iter().find(|known| **known == right).copied())
 }
 
 /// The name with the fewest letters wrong, missing, added or exchanged: at most one for three to six letters, two for more,
@@ -231,7 +234,8 @@ mod tests {
 
     #[test]
     fn words_of_the_tables_are_written_as_names_are_compared() {
-        let words = SYNONYMS.iter().flat_map(|row| row.0);
+        let of_laws = LAWS.iter().flat_map(|law| law.offer.also);
+        let words = SYNONYMS.iter().flat_map(|row| row.0).chain(of_laws);
         let outside = OUTSIDE.iter().chain(OF_STRUCTURES).flat_map(|row| row.0);
         for word in words.chain(outside).chain(SCALED) {
             assert_eq!(plain(word), **word);

@@ -1,6 +1,6 @@
 //! Words of other programs. They are written as `super::plain` writes them: without capitals, `_`, `-`, `.` and blanks.
 
-/// Synonyms of names, each with the names that it may refer to. The first of them that is allowed is used.
+/// Synonyms of names, each with the names that it may refer to. The first of them that is allowed is used. The laws have their own.
 pub(crate) const SYNONYMS: &[(&[&str], &[&str])] = &[
     (
         &["logspace", "logrange", "geometric", "geom"],
@@ -66,9 +66,6 @@ pub(crate) const SYNONYMS: &[(&[&str], &[&str])] = &[
     (&["explicit", "verlet", "leapfrog"], &["central-difference"]),
     (&["spectralradius"], &["rho_inf"]),
     (&["coefficientofrestitution"], &["restitution"]),
-    (&["linearspring", "penaltyspring"], &["impact-spring"]),
-    (&["viscoelastic", "linearviscoelastic"], &["kelvin-voigt"]),
-    (&["lankaraninikravesh", "hertzdamped"], &["hertz-damp"]),
     (&["timehistory"], &["history"]),
     (&["contour", "heatmap"], &["map"]),
     (&["filter", "select"], &["where", "when"]),

@@ -161,7 +161,9 @@ fn violation(s: &Structure, t: f64, state: &State) -> f64 {
                 (force - (viscosity * rate).clamp(-limit, limit)).abs()
             }
             Relation::DisplacementControl { .. } => force.abs() - limit,
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+            Relation::CurvedImpact { .. }
+            | Relation::CurvedFriction { .. }
+            | Relation::Link { .. } => unreachable!(),
             Relation::Coulomb { .. } => {
                 let over = force.abs() - limit;
                 let slip = if rate.abs() > 1e-9 {

@@ -7,6 +7,8 @@ pub(super) use metrics::{BUDGET, REFERENCE, TAKEN};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use super::law;
+use crate::contact::offer::Place;
+use crate::problem::laws::{count_others, others};
 use crate::problem::method;
 use crate::problem::parameter::Parameter;
 use crate::problem::schema::{Text, TimeAxis};
@@ -86,15 +88,17 @@ static PROFILES: [Profile; 2] = [
 ];
 
 /// The parameters of the bars and of the contact laws.
-fn own() -> impl Iterator<Item = &'static Parameter> {
-    PARAMETERS.iter().chain(&law::PARAMETERS)
+fn own() -> impl Iterator<Item = Parameter> {
+    let tables = PARAMETERS.iter().chain(&law::PARAMETERS);
+    tables.cloned().chain(others(Place::Bars, &law::PARAMETERS))
 }
 
 /// First row of the parameters of the contact laws.
 pub(in crate::problem::impact) const LAW: usize = PARAMETERS.len();
 
 /// First row of the parameters of the method.
-pub(in crate::problem::impact) const METHOD: usize = LAW + law::PARAMETERS.len();
+pub(in crate::problem::impact) const METHOD: usize =
+    LAW + law::PARAMETERS.len() + count_others(Place::Bars, &law::PARAMETERS);
 
 pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {
@@ -102,7 +106,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
         ),
-        parameters: Owned(own().chain(&method::PARAMETERS).cloned().collect()),
+        parameters: Owned(own().chain(method::PARAMETERS.iter().cloned()).collect()),
         metrics: Borrowed(&METRICS),
         contact_metric: Some(MAX_OVERLAP),
         channels: Borrowed(&CHANNELS),

@@ -1,19 +1,24 @@
 //! The limit of friction.
 
-use super::{Numbers, violation};
-use crate::problem::Violation;
-use crate::problem::structure::template::Normal;
+use super::violation;
+use crate::problem::structure::template::{Contact, Normal};
+use crate::problem::{Case, Violation};
 use crate::system::loads::STANDARD_GRAVITY;
 use crate::system::structure::{Limit, Pressure};
 
 /// The friction limit, and its value at rest.
-pub(super) fn limit(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violation> {
-    let (limit, at_rest) = without_pressure(numbers, metre)?;
-    let Some(exponent) = numbers.other("pressure_exponent")?.filter(|p| *p > 0.0) else {
+pub(super) fn limit(
+    contact: &Contact,
+    case: &Case,
+    metre: f64,
+    with_samples: bool,
+) -> Result<(Limit, f64), Violation> {
+    let (limit, at_rest) = without_pressure(contact, case, metre, with_samples)?;
+    let exponent = contact.value("pressure_exponent", case)?;
+    let Some(exponent) = exponent.filter(|p| *p > 0.0) else {
         return Ok((limit, at_rest));
     };
-    let contact = numbers.contact;
-    if contact.nu.is_none() {
+    if contact.number("nu").is_none() {
         return Err(violation(contact, "pressure_exponent needs nu and N"));
     }
     if at_rest <= 0.0 {
@@ -24,17 +29,16 @@ pub(super) fn limit(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violat
     Ok((Limit { pressure, ..limit }, at_rest))
 }
 
-fn without_pressure(numbers: Numbers, metre: f64) -> Result<(Limit, f64), Violation> {
-    let Numbers {
-        contact,
-        case,
-        with_samples,
-    } = numbers;
-    if let Some(limit) = &contact.limit {
-        let limit = limit.value(case)?;
+fn without_pressure(
+    contact: &Contact,
+    case: &Case,
+    metre: f64,
+    with_samples: bool,
+) -> Result<(Limit, f64), Violation> {
+    if let Some(limit) = contact.value("limit", case)? {
         return Ok((Limit::constant(limit), limit));
     }
-    let (Some(nu), Some(normal)) = (&contact.nu, &contact.normal) else {
+    let (Some(nu), Some(normal)) = (contact.number("nu"), &contact.normal) else {
         let needs = "friction needs limit, or nu and N";
         return Err(violation(contact, needs));
     };

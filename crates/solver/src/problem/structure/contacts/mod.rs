@@ -1,159 +1,54 @@
 //! The law of a contact in a case.
 
-mod friction;
-mod impact;
 mod limit;
 
 use super::amount::Amount;
 use super::template::Contact;
-use crate::problem::choice::choice;
+use crate::contact::number::Number;
+use crate::contact::numbers::structure::TABLE;
+use crate::contact::offer::{Offered, Place};
+use crate::contact::{ContactKind, Given, LAWS};
+use crate::problem::laws::laws;
 use crate::problem::{Case, Violation};
-use crate::system::structure::Relation;
+use crate::system::structure::{Limit, Relation};
+use limit::limit;
+use std::sync::LazyLock;
 
-choice! {
-    /// Law of a contact of a structure.
-    pub enum LawName {
-        Impact = "impact":
-            "closes when r reaches 0; a spring k [I (7)], or rigid with restitution e",
-        ImpactSpring = "impact-spring": "impact with the spring k [I (7)]",
-        KelvinVoigt = "kelvin-voigt":
-            "impact with the spring k and a dashpot that do not pull (Anagnostopoulos 1988)",
-        Hertz = "hertz": "impact with the force k_h delta^1.5, delta = -r (Goldsmith 1960)",
-        HertzDamp = "hertz-damp":
-            "hertz with damping (Lankarani and Nikravesh 1990; Muthukumar and DesRoches 2006)",
-        HuntCrossley = "hunt-crossley": "hertz with damping (Hunt and Crossley 1975)",
-        Ye = "ye": "hertz with damping (Ye, Li and Zhu 2009)",
-        Jankowski = "jankowski": "hertz with a dashpot while approaching (Jankowski 2005, 2006)",
-        Rigid = "rigid": "impact without compliance, with restitution e (Moreau 1988, Jean 1999)",
-        DisplacementControl = "displacement-control":
-            "friction, elastic up to the displacement r^E, then sliding at the limit [F (9)]",
-        VelocityControl = "velocity-control":
-            "friction, viscous up to the velocity rdot^E, then at the limit [F (16)]",
-        Coulomb = "coulomb": "friction without compliance: sticks below the limit, slides at it",
-        Tanh = "tanh": "friction, limit times tanh(rdot/rdot^E)",
-        Stribeck = "stribeck":
-            "friction, viscous up to the static limit, which falls to the kinetic one with rdot (Stribeck 1902)",
-        BoucWen = "bouc-wen":
-            "friction, hysteretic; tends to displacement-control as the exponent rises (Wen 1976)",
-        Dahl = "dahl":
-            "friction, hysteretic, its stiffness falls towards the limit (Dahl 1968)",
-        Lugre = "lugre":
-            "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-    }
+/// The laws of contacts, each with its meaning.
+pub static NAMES: &[(&str, &str)] = laws!(Structure, Which::All);
+
+/// The law of this name.
+pub fn law_named(name: &str) -> Option<&'static Offered> {
+    Offered::named(Place::Structure, name)
 }
 
-impl LawName {
-    /// Whether it is friction.
-    pub fn is_friction(self) -> bool {
-        use LawName::*;
-        matches!(
-            self,
-            DisplacementControl
-                | VelocityControl
-                | Coulomb
-                | Tanh
-                | Stribeck
-                | BoucWen
-                | Dahl
-                | Lugre
-        )
+/// The numbers of contacts: those of several laws, then those that only one has.
+pub static NUMBERS: LazyLock<Vec<&'static Number>> = LazyLock::new(|| {
+    let mut all = TABLE.to_vec();
+    for number in LAWS.iter().flat_map(Offered::structure_numbers) {
+        if !number.is_in(&all) {
+            all.push(number);
+        }
     }
-}
+    all
+});
 
-/// Keys of a contact with each law, besides law, between and gap.
-pub const KEYS: [(&str, &[&str]); 17] = [
-    ("impact", &["k", "e"]),
-    ("impact-spring", &["k"]),
-    ("kelvin-voigt", &["k", "restitution", "colliding_mass"]),
-    ("hertz", &["k_h"]),
-    ("hertz-damp", &["k_h", "restitution"]),
-    ("hunt-crossley", &["k_h", "restitution"]),
-    ("ye", &["k_h", "restitution"]),
-    ("jankowski", &["k_h", "restitution", "colliding_mass"]),
-    ("rigid", &["e"]),
-    (
-        "displacement-control",
-        &["k", "rE", "limit", "nu", "N", "pressure_exponent"],
-    ),
-    (
-        "velocity-control",
-        &[
-            "c",
-            "rdotE",
-            "nu_min",
-            "nu_rate",
-            "limit",
-            "nu",
-            "N",
-            "pressure_exponent",
-        ],
-    ),
-    ("coulomb", &["limit", "nu", "N", "pressure_exponent"]),
-    (
-        "tanh",
-        &[
-            "c",
-            "rdotE",
-            "nu_min",
-            "nu_rate",
-            "limit",
-            "nu",
-            "N",
-            "pressure_exponent",
-        ],
-    ),
-    (
-        "stribeck",
-        &[
-            "c",
-            "rdotE",
-            "static_ratio",
-            "stribeck_velocity",
-            "limit",
-            "nu",
-            "N",
-            "pressure_exponent",
-        ],
-    ),
-    (
-        "bouc-wen",
-        &[
-            "k",
-            "rE",
-            "exponent",
-            "limit",
-            "nu",
-            "N",
-            "pressure_exponent",
-        ],
-    ),
-    (
-        "dahl",
-        &[
-            "k",
-            "rE",
-            "exponent",
-            "limit",
-            "nu",
-            "N",
-            "pressure_exponent",
-        ],
-    ),
-    (
-        "lugre",
-        &[
-            "sigma0",
-            "sigma1",
-            "sigma2",
-            "static_ratio",
-            "stribeck_velocity",
-            "limit",
-            "nu",
-            "N",
-            "pressure_exponent",
-        ],
-    ),
-];
+/// The meaning of a number, with the laws that have it.
+pub fn meaning(number: &Number) -> String {
+    let names = |friction: bool| {
+        let own = LAWS.iter().filter(|law| law.has(number.key));
+        let own = own.filter(|law| !friction || law.kind == ContactKind::Friction);
+        let names: Vec<&str> = own.map(|law| law.offer.name).collect();
+        match names[..] {
+            [ref first @ .., last] if !first.is_empty() => {
+                format!("{} and {last}", first.join(", "))
+            }
+            _ => names.concat(),
+        }
+    };
+    let text = number.meaning.replace("{laws}", &names(false));
+    text.replace("{friction}", &names(true))
+}
 
 /// The law of a contact in a case.
 ///
@@ -168,63 +63,38 @@ pub fn relation(
     with_samples: bool,
 ) -> Result<Relation, Violation> {
     let name = contact.law.name(case);
-    let Some(law) = LawName::parse(name) else {
+    let Some((law, own)) = law_named(name).and_then(|law| Some((law, law.offer.structure?))) else {
         return Err(violation(contact, format!("no law \"{name}\"")));
     };
-    let numbers = Numbers {
-        contact,
-        case,
-        with_samples,
+    let (limit, at_rest) = match law.kind {
+        ContactKind::Friction => limit(contact, case, metre, with_samples)?,
+        ContactKind::Impact | ContactKind::Link => (Limit::constant(0.0), 0.0),
     };
-    match law.is_friction() {
-        true => friction::relation(law, numbers, metre),
-        false => impact::relation(law, numbers),
+    let values = own
+        .numbers
+        .iter()
+        .map(|number| contact.value(number.key, case));
+    let values = values.collect::<Result<Vec<Option<f64>>, Violation>>()?;
+    let mut others = vec![("limit", at_rest)];
+    if law.kind == ContactKind::Friction {
+        others.extend(contact.value("nu", case)?.map(|nu| ("nu", nu)));
     }
+    let given = Given {
+        law: law.offer.name,
+        numbers: own.numbers,
+        values: &values,
+        others: &others,
+    };
+    let form = (law.offer.form)(&given).map_err(|message| violation(contact, message))?;
+    Ok(Relation::new(form, limit))
 }
 
 /// The restitution of a rigid impact in a case, with its place in the study; `None` for another law.
 pub fn restitution<'a>(contact: &'a Contact, case: &Case) -> Option<(&'a Amount, f64)> {
-    let given = contact.e.as_ref()?;
-    let rigid = match LawName::parse(contact.law.name(case))? {
-        LawName::Rigid => true,
-        LawName::Impact => contact.k.is_none(),
-        _ => false,
-    };
+    let given = contact.number("e")?;
+    let law = law_named(contact.law.name(case))?;
+    let rigid = law.has("e") && !(law.has("k") && contact.number("k").is_some());
     Some((given, given.value(case).ok()?)).filter(|_| rigid)
-}
-
-/// The numbers of a contact in a case.
-#[derive(Clone, Copy)]
-struct Numbers<'a> {
-    contact: &'a Contact,
-    case: &'a Case,
-    with_samples: bool,
-}
-
-impl Numbers<'_> {
-    /// A number, if the contact has it.
-    fn given(self, amount: &Option<Amount>) -> Result<Option<f64>, Violation> {
-        amount
-            .as_ref()
-            .map(|amount| amount.value(self.case))
-            .transpose()
-    }
-
-    /// A number of the list of others, if the contact has it.
-    fn other(self, key: &str) -> Result<Option<f64>, Violation> {
-        let others = &self.contact.others;
-        let amount = others.iter().find(|other| other.0 == key);
-        amount
-            .map(|(_, amount)| amount.value(self.case))
-            .transpose()
-    }
-
-    /// A number of the list of others that the law needs.
-    fn needed(self, key: &str) -> Result<f64, Violation> {
-        let name = self.contact.law.name(self.case);
-        let missing = || violation(self.contact, format!("{name} needs {key}"));
-        self.other(key)?.ok_or_else(missing)
-    }
 }
 
 /// A rule that a contact breaks.

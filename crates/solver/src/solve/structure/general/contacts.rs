@@ -1,7 +1,7 @@
 //! The contacts of a structure over a sub-step.
 
-use super::scheme::SubStep;
 use crate::lane::Lane;
+use crate::methods::SubStep;
 use crate::solve::structure::laws::bounds;
 use crate::system::structure::{Contact, Relation, Structure};
 
@@ -87,7 +87,9 @@ impl Line<f64> {
                 ..none
             },
             // Not a line; its lanes have forces of their own.
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => impact(1.0),
+            Relation::CurvedImpact { .. }
+            | Relation::CurvedFriction { .. }
+            | Relation::Link { .. } => impact(1.0),
         }
     }
 }

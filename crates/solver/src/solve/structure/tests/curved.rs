@@ -3,11 +3,11 @@
 use super::*;
 use crate::contact::impact::collision::{DampedHertz, HertzDashpot, Linear as Dashpot};
 use crate::contact::{
-    Bearing, BoucWen, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, ImpactSpring, Jankowski,
-    KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
+    Bearing, BoucWen, ContactKind, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, ImpactSpring,
+    Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
+use crate::methods::{AverageAcceleration, Method};
 use crate::solve::structure::{Books, Prepared, run};
 use crate::solve::{ContactTrack, Unsolvable, run as run_modes};
 use crate::system::{Linear, Mode, System};
@@ -107,7 +107,7 @@ fn a_mass_with_each_friction_law_moves_like_the_oscillator() {
             force: 0.0,
             step: dt,
             last,
-            method: MethodChoice::AverageAcceleration,
+            method: Method::AverageAcceleration(AverageAcceleration),
         };
         let expected = run_modes::<ContactTrack>(&system).unwrap().track.0;
         let (rows, error) = motion(&structure, dt, last as usize);
@@ -292,7 +292,7 @@ fn several_contacts_with_various_laws_obey_each_law() {
         for (i, row) in rows.iter().enumerate().skip(1) {
             for (c, [r, rdot, s]) in row.iter().enumerate() {
                 let law = &structure.contacts[c].law;
-                if law.is_impact() {
+                if law.kind() == ContactKind::Impact {
                     assert!(*s <= 0.0 && (*r < 1e-12 || *s == 0.0));
                     *touched += usize::from(*s < 0.0);
                 } else if !matches!(
@@ -309,7 +309,7 @@ fn several_contacts_with_various_laws_obey_each_law() {
                     continue;
                 };
                 // Round-off of displacements of 0.1 (rdot: of 1) through slopes of up to 1e7 (4e4 dt/2 of a step).
-                let slope = match law.is_impact() {
+                let slope = match law.kind() == ContactKind::Impact {
                     true => {
                         6e7 * r.abs().sqrt() + 1e6 * libm::pow(r.abs() + 1e-12, -0.75) * rdot.abs()
                     }

@@ -89,7 +89,9 @@ impl Dense<'_> {
                 }
                 Relation::VelocityControl { viscosity, .. } => (0.5 * dt / viscosity, viscous),
                 Relation::Coulomb { .. } => (0.0, viscous),
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
             };
         }
         self.s = all_patterns(

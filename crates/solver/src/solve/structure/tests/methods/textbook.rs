@@ -97,7 +97,9 @@ impl Dense<'_> {
             // rdot = by_u (r - gap) + rest.
             let still = gaps[i] - rest_of[i] / by_u;
             (g[i], center[i]) = match contact.law {
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
                 Relation::RigidStop { .. } => (0.0, 0.0),
                 Relation::DisplacementControl { stiffness, .. } => {
@@ -185,7 +187,9 @@ impl Dense<'_> {
         let (mut g, mut center) = (DVector::zeros(count), DVector::zeros(count));
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             (g[i], center[i]) = match contact.law {
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => (1.0 / (stiffness * theta * dt), -still[i]),
                 Relation::DisplacementControl { stiffness, .. } => {
                     let g = 1.0 / (stiffness * theta * dt);
@@ -226,7 +230,9 @@ impl Dense<'_> {
         let mut g = DVector::zeros(count);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             let known = match contact.law {
-                Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } => unreachable!(),
+                Relation::CurvedImpact { .. }
+                | Relation::CurvedFriction { .. }
+                | Relation::Link { .. } => unreachable!(),
                 Relation::ImpactSpring { stiffness } => stiffness * r[i],
                 Relation::DisplacementControl { stiffness, .. } => {
                     self.s[i] + stiffness * (r[i] - before[i])
@@ -387,14 +393,14 @@ fn the_textbook_forms_move_alike() {
                     return;
                 }
                 match &method {
-                    MethodChoice::Family(of) if of.beta == 0.0 => {
+                    Method::Family(of) if of.beta == 0.0 => {
                         last = std::mem::replace(&mut dense.u, next.clone());
                         next = dense.central(&last, t, dt);
                     }
-                    MethodChoice::Family(of) => dense.family(of, t, dt),
-                    MethodChoice::Bathe => dense.bathe(t, dt),
-                    MethodChoice::MoreauJean { theta } => dense.moreau_jean(*theta, t, dt),
-                    MethodChoice::AverageAcceleration => unreachable!(),
+                    Method::Family(of) => dense.family(of, t, dt),
+                    Method::Bathe(Bathe) => dense.bathe(t, dt),
+                    Method::MoreauJean(MoreauJean { theta }) => dense.moreau_jean(*theta, t, dt),
+                    Method::AverageAcceleration(AverageAcceleration) => unreachable!(),
                 }
                 comparison.add(state, [&dense.u, &dense.v, &dense.s]);
             });

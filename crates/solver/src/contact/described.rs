@@ -1,0 +1,71 @@
+//! What the rest of the program asks of a law besides its step: everything but the list of laws stands in the file of the law.
+
+use super::impact::RigidImpact;
+use super::offer::Offer;
+use super::{ContactKind, StepFlexibility, StoredEnergy};
+
+/// What is the same for all contacts with a law.
+pub trait Described: StoredEnergy {
+    /// What its contact can do.
+    const KIND: ContactKind;
+    /// Its name in text.
+    const NAME: &'static str;
+    /// Whether S follows from rdot alone.
+    const OF_VELOCITY: bool;
+    /// The names by which studies have it; none of a law that is a form of another one.
+    const OFFERS: &'static [Offer];
+    /// A motion whose force is known in closed form.
+    const CLOSED_FORM: ClosedForm<Self>;
+}
+
+/// A motion whose force is known in closed form, for tests.
+#[derive(Debug, Clone, Copy)]
+pub enum ClosedForm<W> {
+    /// Two rigid masses that collide: of m = m1 m2/(m1 + m2) and the closing speed.
+    Collision(fn(&W, f64, f64) -> RigidImpact),
+    /// S after a motion from rest with S = 0 at this rdot > 0 for this time; `None` for numbers without a closed form.
+    Driven(fn(&W, f64, f64) -> Option<f64>),
+}
+
+/// What the numbers of a contact tell.
+pub trait Properties {
+    /// Those that tell one contact from another, each after its name.
+    fn shown(&self) -> Vec<(&'static str, f64)>;
+
+    /// The largest dS/dr; of a law with delta^1.5 that at this overlap. A viscous law has none, rigid contact an infinite one.
+    fn largest_stiffness(&self, overlap: f64) -> f64;
+
+    /// dS/dr at rest: of an impact with this overlap, of friction with a limit at S = 0; 0 for a law that is not elastic there.
+    fn initial_stiffness(&self, overlap: f64) -> f64;
+
+    /// A displacement or velocity that shows the law in a figure: some widths of a friction law, the overlap of an impact law under
+    /// a force of 1.
+    fn reach(&self) -> f64;
+
+    /// The bounds of S.
+    fn bounds(&self) -> [f64; 2];
+
+    /// Whether figures draw the law over velocity: it depends on velocity alone, or its loop over velocity shows it better.
+    fn over_velocity(&self) -> bool;
+
+    /// Whether a step may have several roots.
+    fn falls(&self) -> bool {
+        false
+    }
+
+    /// Whether every step with these flexibilities has one root; false for a law that falls, where a step may have several.
+    fn has_one_root(&self, _on: &StepFlexibility<1>) -> bool {
+        true
+    }
+
+    /// S(0) at a velocity of a law with a state, which is unbent; `None` where S follows from r and rdot.
+    fn unbent_force(&self, _rdot: f64) -> Option<f64> {
+        None
+    }
+
+    /// Time for which two free masses touch, of 1/m = 1/m1 + 1/m2 and, where the time depends on it, the largest overlap; `None`
+    /// without compliance, without this overlap, and for what is no impact.
+    fn touching_time(&self, _inverse_mass: f64, _overlap: Option<f64>) -> Option<f64> {
+        None
+    }
+}

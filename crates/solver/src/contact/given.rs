@@ -1,0 +1,111 @@
+//! The numbers of a contact in a case, of which a law is made.
+
+use super::number::{Number, Usual};
+
+/// The numbers of a contact in a case.
+#[derive(Debug, Clone, Copy)]
+pub struct Given<'a> {
+    /// The name of the law.
+    pub law: &'static str,
+    /// Its numbers.
+    pub numbers: &'static [&'static Number],
+    /// The value of each; `None` if it is not given.
+    pub values: &'a [Option<f64>],
+    /// What the problem knows besides: the limit at rest and nu of friction, the stiffness and m of bars.
+    pub others: &'a [(&'static str, f64)],
+}
+
+impl Given<'_> {
+    /// The first numbers in their order; `None` where one is not given.
+    #[inline(always)]
+    pub fn all<const N: usize>(&self) -> Option<[f64; N]> {
+        let mut all = [0.0; N];
+        for (slot, value) in all.iter_mut().zip(self.values) {
+            *slot = (*value)?;
+        }
+        (self.values.len() >= N).then_some(all)
+    }
+
+    /// A number; `None` if it is not given.
+    pub fn given(&self, key: &str) -> Option<f64> {
+        let own = self.numbers.iter().zip(self.values);
+        let own = own.filter(|(number, _)| number.key == key);
+        let others = self.others.iter().filter(|other| other.0 == key);
+        own.filter_map(|(_, value)| *value)
+            .chain(others.map(|other| other.1))
+            .next()
+    }
+
+    /// A number or its usual value.
+    ///
+    /// # Errors
+    /// It has neither.
+    pub fn need(&self, key: &str) -> Result<f64, String> {
+        let usual = || {
+            let number = self.numbers.iter().find(|number| number.key == key)?;
+            match number.usual {
+                Usual::Is(value) => Some(value),
+                Usual::Needed | Usual::Follows(_) => None,
+            }
+        };
+        let value = self.given(key).or_else(usual);
+        value.ok_or_else(|| format!("{} needs {key}", self.law))
+    }
+
+    /// The friction limit at rest.
+    pub fn limit(&self) -> f64 {
+        self.given("limit").unwrap_or(0.0)
+    }
+
+    /// k, or the limit at rest over r^E.
+    ///
+    /// # Errors
+    /// Neither or both are given, or the limit at rest is 0.
+    pub fn stiffness(&self) -> Result<f64, String> {
+        match (self.given("k"), self.given("rE")) {
+            (Some(k), None) => Ok(k),
+            (None, Some(elastic)) => Ok(positive(self.limit(), "k")? / elastic),
+            _ => Err(format!("{} needs k or rE", self.law)),
+        }
+    }
+
+    /// c, or this limit at rest over rdot^E.
+    ///
+    /// # Errors
+    /// Neither or both are given, or the limit at rest is 0.
+    pub fn viscosity(&self, limit: f64) -> Result<f64, String> {
+        match (self.given("c"), self.given("rdotE")) {
+            (Some(c), None) => Ok(c),
+            (None, Some(rate)) => Ok(positive(limit, "c")? / rate),
+            _ => Err(format!("{} needs c or rdotE", self.law)),
+        }
+    }
+
+    /// nu_min/nu and a of nu - (nu - nu_min) exp(-a |rdot|).
+    ///
+    /// # Errors
+    /// Only one of both is given, or nu_min is above nu.
+    pub fn bearing(&self) -> Result<[f64; 2], String> {
+        match (self.given("nu_min"), self.given("nu_rate")) {
+            (None, None) => Ok([1.0, 0.0]),
+            (Some(least), Some(rate)) => {
+                let nu = self.given("nu").ok_or("nu_min needs nu and N")?;
+                match least <= nu {
+                    true => Ok([least / nu, rate]),
+                    false => Err(format!("nu_min must be at most nu = {nu}, got {least}")),
+                }
+            }
+            _ => Err("give nu_min and nu_rate together".into()),
+        }
+    }
+}
+
+/// The limit at rest, from which k or c follows.
+fn positive(limit: f64, instead: &str) -> Result<f64, String> {
+    match limit > 0.0 {
+        true => Ok(limit),
+        false => Err(format!(
+            "the limit at rest is {limit}; give {instead} instead"
+        )),
+    }
+}

@@ -1,0 +1,227 @@
+//! The laws by the names that studies give them.
+
+use super::number::Number;
+use super::numbers::structure;
+use super::{ContactKind, ContactLaw, Given, WhichLaw};
+
+/// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
+#[derive(Debug, Clone, Copy)]
+pub struct Offer {
+    /// Its name.
+    pub name: &'static str,
+    /// Words of other programs for it, without capitals and hyphens.
+    pub also: &'static [&'static str],
+    /// In the friction oscillator; `None` if it is not offered there.
+    pub oscillator: Option<InOscillator>,
+    /// Between bars.
+    pub bars: Option<In>,
+    /// In structures. Those of the limit of friction are not among its numbers.
+    pub structure: Option<In>,
+    /// The law of its numbers between bars or in structures, or the rule that they break.
+    pub form: fn(&Given) -> Result<Form, String>,
+}
+
+/// A law in a problem.
+#[derive(Debug, Clone, Copy)]
+pub struct In {
+    /// One sentence for schema, pages and messages.
+    pub meaning: &'static str,
+    /// Its numbers.
+    pub numbers: &'static [&'static Number],
+}
+
+/// A law in the friction oscillator, with the friction limit 1.
+#[derive(Debug, Clone, Copy)]
+pub struct InOscillator {
+    /// As in the other problems.
+    pub of: In,
+    /// The law of its numbers; `None` where one is missing.
+    pub law: fn(&Given) -> Option<ContactLaw>,
+}
+
+/// A law of bars or structures, in the numbers that studies give: the reciprocal of a stiffness has other bits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Form {
+    /// An impact on a linear spring.
+    Spring {
+        /// k.
+        stiffness: f64,
+    },
+    /// An impact without compliance.
+    Stop {
+        /// e.
+        restitution: f64,
+    },
+    /// Friction, elastic up to the limit.
+    Elastic {
+        /// k.
+        stiffness: f64,
+    },
+    /// Friction, viscous up to the limit.
+    Viscous {
+        /// c.
+        viscosity: f64,
+    },
+    /// Friction without compliance.
+    Coulomb,
+    /// Another law of impact.
+    Impact {
+        /// The law.
+        law: ContactLaw,
+        /// Its target of the coefficient of restitution; 1 without damping.
+        restitution: f64,
+    },
+    /// Another law of friction.
+    Friction(ContactLaw),
+    /// A link.
+    Link(ContactLaw),
+}
+
+/// An offer with what all names of a law share.
+#[derive(Debug, Clone, Copy)]
+pub struct Offered {
+    /// The law.
+    pub law: WhichLaw,
+    /// What its contact can do.
+    pub kind: ContactKind,
+    /// Whether S follows from rdot alone.
+    pub of_velocity: bool,
+    /// The offer.
+    pub offer: &'static Offer,
+}
+
+/// The problems that offer laws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The friction oscillator.
+    Oscillator,
+    /// Two bars.
+    Bars,
+    /// Structures.
+    Structure,
+}
+
+impl Offered {
+    /// The law in a problem; `None` if it is not offered there.
+    pub const fn at(&self, place: Place) -> Option<In> {
+        match place {
+            Place::Oscillator => match self.offer.oscillator {
+                Some(own) => Some(own.of),
+                None => None,
+            },
+            Place::Bars => self.offer.bars,
+            Place::Structure => self.offer.structure,
+        }
+    }
+
+    /// Its numbers in structures, those of the limit of friction included.
+    pub fn structure_numbers(&self) -> impl Iterator<Item = &'static Number> {
+        let own = self.offer.structure.map_or(&[][..], |own| own.numbers);
+        let limit = match self.kind {
+            ContactKind::Friction => &structure::OF_LIMIT[..],
+            ContactKind::Impact | ContactKind::Link => &[],
+        };
+        own.iter().chain(limit).copied()
+    }
+
+    /// Whether it has this number in structures.
+    pub fn has(&self, key: &str) -> bool {
+        self.structure_numbers().any(|number| number.key == key)
+    }
+}
+
+/// The offers of laws, one after the other.
+type Laws = [(WhichLaw, ContactKind, bool, &'static [Offer])];
+
+/// Number of all offers.
+pub(super) const fn count(laws: &Laws) -> usize {
+    let (mut i, mut sum) = (0, 0);
+    while i < laws.len() {
+        sum += laws[i].3.len();
+        i += 1;
+    }
+    sum
+}
+
+/// All offers: impacts, friction, links.
+pub(super) const fn collect<const N: usize>(laws: &Laws, none: Offered) -> [Offered; N] {
+    let mut all = [none; N];
+    let (mut next, mut kind) = (0, 0);
+    while kind < 3 {
+        let mut i = 0;
+        while i < laws.len() {
+            let (law, own, of_velocity, offers) = laws[i];
+            let mut j = 0;
+            while own as usize == kind && j < offers.len() {
+                all[next] = Offered {
+                    law,
+                    kind: own,
+                    of_velocity,
+                    offer: &offers[j],
+                };
+                next += 1;
+                j += 1;
+            }
+            i += 1;
+        }
+        kind += 1;
+    }
+    all
+}
+
+/// Which of the offers in a problem a list is of.
+#[derive(Debug, Clone, Copy)]
+pub enum Which {
+    /// All.
+    All,
+    /// Those with this number.
+    With(&'static Number),
+    /// Those of friction whose S does not follow from rdot alone.
+    Hysteretic,
+}
+
+impl Which {
+    const fn takes(self, offered: &Offered, own: &In) -> bool {
+        match self {
+            Which::All => true,
+            Which::With(number) => number.is_in(own.numbers),
+            Which::Hysteretic => {
+                matches!(offered.kind, ContactKind::Friction) && !offered.of_velocity
+            }
+        }
+    }
+}
+
+/// Number of offers in a problem.
+pub const fn number_of(offers: &[Offered], place: Place, which: Which) -> usize {
+    let (mut i, mut sum) = (0, 0);
+    while i < offers.len() {
+        if let Some(own) = offers[i].at(place)
+            && which.takes(&offers[i], &own)
+        {
+            sum += 1;
+        }
+        i += 1;
+    }
+    sum
+}
+
+/// Names and meanings of the offers in a problem.
+pub const fn names<const N: usize>(
+    offers: &[Offered],
+    place: Place,
+    which: Which,
+) -> [(&'static str, &'static str); N] {
+    let mut names = [("", ""); N];
+    let (mut i, mut next) = (0, 0);
+    while i < offers.len() {
+        if let Some(own) = offers[i].at(place)
+            && which.takes(&offers[i], &own)
+        {
+            names[next] = (offers[i].offer.name, own.meaning);
+            next += 1;
+        }
+        i += 1;
+    }
+    names
+}

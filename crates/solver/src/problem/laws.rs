@@ -1,0 +1,122 @@
+//! The laws that a problem offers, for its table of parameters.
+
+use super::parameter::Parameter;
+use super::text::text;
+use crate::contact::number::{Number, same};
+use crate::contact::offer::Place;
+use crate::contact::{ALL, LAWS};
+
+/// Names and meanings of the laws of a problem, as [`crate::contact::offer::Which`] says.
+macro_rules! laws {
+    ($place:ident, $which:expr) => {{
+        use $crate::contact::ALL;
+        use $crate::contact::offer::{Place, Which, names, number_of};
+        const WHICH: Which = $which;
+        const COUNT: usize = number_of(&ALL, Place::$place, WHICH);
+        static NAMES: [(&str, &str); COUNT] = names(&ALL, Place::$place, WHICH);
+        &NAMES
+    }};
+}
+
+/// The names alone.
+macro_rules! law_names {
+    ($place:ident, $which:expr) => {{
+        use $crate::contact::ALL;
+        use $crate::contact::offer::{Place, Which, names, number_of};
+        const WHICH: Which = $which;
+        const COUNT: usize = number_of(&ALL, Place::$place, WHICH);
+        static NAMES: [&str; COUNT] =
+            $crate::problem::laws::without_meanings(names(&ALL, Place::$place, WHICH));
+        &NAMES
+    }};
+}
+
+pub(super) use {law_names, laws};
+
+/// The names without their meanings.
+pub(super) const fn without_meanings<const N: usize>(
+    named: [(&'static str, &'static str); N],
+) -> [&'static str; N] {
+    let mut names = [""; N];
+    let mut i = 0;
+    while i < N {
+        names[i] = named[i].0;
+        i += 1;
+    }
+    names
+}
+
+/// Whether a number of a law has no row in a table, and none of a law before it is the same.
+const fn is_new(place: Place, table: &[Parameter], law: usize, number: &Number) -> bool {
+    let mut i = 0;
+    while i < table.len() {
+        if same(text(&table[i].name), number.key) {
+            return false;
+        }
+        i += 1;
+    }
+    let mut i = 0;
+    while i < law {
+        if let Some(own) = ALL[i].at(place)
+            && number.is_in(own.numbers)
+        {
+            return false;
+        }
+        i += 1;
+    }
+    true
+}
+
+/// Number of the numbers that laws have besides those of a table.
+pub(super) const fn count_others(place: Place, table: &[Parameter]) -> usize {
+    let (mut i, mut sum) = (0, 0);
+    while i < ALL.len() {
+        if let Some(own) = ALL[i].at(place) {
+            let mut j = 0;
+            while j < own.numbers.len() {
+                if is_new(place, table, i, own.numbers[j]) {
+                    sum += 1;
+                }
+                j += 1;
+            }
+        }
+        i += 1;
+    }
+    sum
+}
+
+/// The rows of these numbers; tables have columns of them if a study gives them.
+pub(super) fn others(place: Place, table: &'static [Parameter]) -> Vec<Parameter> {
+    let mut rows = Vec::new();
+    for (i, law) in LAWS.iter().enumerate() {
+        let numbers = law.at(place).map_or(&[][..], |own| own.numbers);
+        for number in numbers.iter().filter(|n| is_new(place, table, i, n)) {
+            let with = LAWS.iter().filter(|law| {
+                let own = law.at(place);
+                own.is_some_and(|own| number.is_in(own.numbers))
+            });
+            let names: Vec<&str> = with.map(|law| law.offer.name).collect();
+            rows.push(Parameter::of_laws(number, names.leak()).with_column_if_given());
+        }
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rows_of_other_numbers_are_as_many_as_counted() {
+        for place in [Place::Oscillator, Place::Bars] {
+            // Without a table these are all numbers, each once.
+            let all = others(place, &[]);
+            let mut names: Vec<_> = all.iter().map(|row| row.name.clone()).collect();
+            names.sort();
+            names.dedup();
+            assert_eq!(names.len(), all.len());
+            assert_eq!(all.len(), count_others(place, &[]));
+            assert!(all.len() > 1);
+        }
+    }
+}

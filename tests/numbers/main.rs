@@ -1,0 +1,26 @@
+//! The numbers of the solver: exact solutions, independent programs, identities, orders of convergence.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod budget;
+mod budget_impact;
+mod friction;
+mod friction_work;
+mod impact;
+mod impact_contact;
+mod impact_invariants;
+mod impact_mode;
+mod independent;
+mod lanes;
+mod massless;
+mod mesh;
+mod recommend_laws;
+mod regularised;
+mod spring;
+mod structures;
+mod structures_exact;
+mod structures_laws;
+mod sweep;
+mod two_forms;
+mod two_forms_impact;

@@ -1,0 +1,12 @@
+//! Studies and pages as a user has them: faults, the language, findings and advice tested by results.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod advice;
+mod bad_studies;
+mod every_case;
+mod findings;
+mod guide;
+mod study_language;
+mod units;
