@@ -2,7 +2,8 @@
 //!
 //! `cargo run --example figure FOLDER` writes both files to a folder.
 
-use slipgap::figures::{DrawnCase, png, sheet, svg};
+use slipgap::batch::{GroupResults, ShownCases};
+use slipgap::figures::{FigureData, png, sheet, svg};
 use slipgap::study::parse;
 use std::path::PathBuf;
 
@@ -13,22 +14,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
              "parameters": { "law": "displacement-control", "alpha": [0.1, 1, 5], "dT": "pi/20", "duration": "8*pi" },
              "figures": [{ "name": "history", "kind": "history", "y": ["X", "S"] }] }"#,
     )?;
-    let cases: Vec<_> = study.cases().collect();
-    let mut solutions = Vec::new();
-    for case in &cases {
-        solutions.push(study.problem.solve(case, &study.metrics)?);
+    let mut shown = ShownCases::new(study.problem.schema());
+    for case in study.cases() {
+        let solution = study.problem.solve(&case, &study.metrics)?;
+        shown.push(&case, &solution.metrics.clone(), Some(solution));
     }
-    let drawn: Vec<DrawnCase> = cases
-        .iter()
-        .zip(&solutions)
-        .map(|(case, solution)| DrawnCase {
-            case,
-            metrics: &solution.metrics,
-            solution: Some(solution),
-            snapshots: &[],
-        })
-        .collect();
-    let sheet = sheet(&study, &study.figures[0], &drawn);
+    let sheet = sheet(&FigureData {
+        study: &study,
+        figure: &study.figures[0],
+        cases: &shown.all(),
+        groups: &GroupResults::None,
+    });
     let dots_per_inch = 192;
     let (vector, pixels) = (svg(&sheet, dots_per_inch)?, png(&sheet, dots_per_inch)?);
 

@@ -27,6 +27,9 @@ use slipgap_study::Study;
 /// Largest dictionary of a column, in bytes.
 const DICTIONARY: usize = 1 << 14;
 
+/// The text of a case in a column, if it has one.
+type Text<'a> = &'a dyn Fn(usize) -> Option<ByteArray>;
+
 /// The bytes of a part. `first` is the number of its first case.
 pub fn encode(
     study: &Study,
@@ -41,12 +44,12 @@ pub fn encode(
     let columns = file.schema_descr().columns().to_vec();
     let mut rows = file.next_row_group()?;
     let len = cases.len();
-    let numbers = (0..len).map(|row| (first + cases.offset(row)) as i64);
-    let numbers: Vec<i64> = numbers.collect();
+    let number = |row| (first + cases.offset(row)) as i64;
+    let numbers: Vec<i64> = (0..len).map(number).collect();
     write_next(&mut rows, |writer| write_all::<Int64Type>(writer, &numbers))?;
     let table = study.problem.parameters();
-    let parameter_rows = study.parameter_columns().into_iter();
-    let given = parameter_rows.map(|row| (&cases.columns()[row], &table[row]));
+    let given = study.parameter_columns().into_iter();
+    let given = given.map(|row| (&cases.columns()[row], &table[row]));
     for (place, (column, parameter)) in (1..).zip(given) {
         match column {
             Column::Each(cells) => write_next(&mut rows, |writer| write_column(writer, cells))?,
@@ -68,11 +71,10 @@ pub fn encode(
     }
     // Most parts have no failures and no warnings.
     let why = |case| Some(ByteArray::from(metrics.failure(case)?.to_string().as_str()));
-    let texts: [(bool, &dyn Fn(usize) -> Option<ByteArray>); OWN_TEXTS] = [
+    let warned = |case| warnings(metrics, case);
+    let texts: [(bool, Text); OWN_TEXTS] = [
         (metrics.failures().next().is_some(), &why),
-        (metrics.warned().next().is_some(), &|case| {
-            warnings(metrics, case)
-        }),
+        (metrics.warned().next().is_some(), &warned),
     ];
     for (place, (some, text)) in (columns.len() - OWN_TEXTS..).zip(texts) {
         if some {

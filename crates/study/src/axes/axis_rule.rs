@@ -118,9 +118,7 @@ fn to_values(
     let mut values = Vec::new();
     for x in points {
         let value = match parameter.kind {
-            Kind::Number(range) => {
-                (x.is_finite() && range.contains(x)).then_some(Value::Number(x))
-            }
+            Kind::Number(range) => (x.is_finite() && range.contains(x)).then_some(Value::Number(x)),
             Kind::Whole { min, max } => {
                 let whole = x.round();
                 let inside = whole >= min as f64 && whole <= max as f64;
