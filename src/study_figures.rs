@@ -1,6 +1,8 @@
 //! The cases of a study that its figures show.
 
-use crate::batch::{self, DrawnCase, Needed, PartResult, ShownCases};
+use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
+use crate::figures::FigureData;
 use slipgap_solver::problem::Case;
 use slipgap_study::{Column, Figure, Study};
 
@@ -83,13 +85,24 @@ pub fn add_histories(study: &Study, shown: &mut ShownCases) {
     }
 }
 
-/// The result of `draw` for the cases that a figure shows; for one case of each group, if it shows reductions.
-pub fn with_cases<T>(
+/// The result of `draw` for what a figure shows: its cases, or one case of each group if it shows reductions, and the results
+/// over groups of them. Sobol' indices are those of `designs`.
+pub fn with_data<T>(
     study: &Study,
     figure: &Figure,
     shown: &ShownCases,
-    draw: impl FnOnce(&[DrawnCase]) -> T,
+    designs: &DesignMetrics,
+    draw: impl FnOnce(&FigureData) -> T,
 ) -> T {
+    let draw = |cases: &[DrawnCase]| {
+        let groups = GroupResults::new(study, figure, cases, designs);
+        draw(&FigureData {
+            study,
+            figure,
+            cases,
+            groups: &groups,
+        })
+    };
     let all = 0..shown.len() as u32;
     let rows: Vec<u32> = match figure.filter.0.is_empty() {
         true => all.collect(),
@@ -117,8 +130,7 @@ pub fn with_cases<T>(
         return draw(&with_snapshots(study, figure, shown.only(&rows)).all());
     }
     let cases = rows.into_iter().map(|row| shown.at(row as usize));
-    let cases: Vec<DrawnCase> = cases.collect();
-    draw(&cases)
+    draw(&cases.collect::<Vec<_>>())
 }
 
 /// The cases with the profiles that a figure shows; none of a case that could not be solved.
@@ -136,6 +148,7 @@ fn with_snapshots(study: &Study, figure: &Figure, mut shown: ShownCases) -> Show
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::batch::RunOptions;
     use crate::figures;
     use slipgap_study::parse;
 
@@ -171,9 +184,8 @@ mod tests {
     fn curves(study: &Study) -> Vec<Vec<(String, Vec<[f64; 2]>)>> {
         let outcomes = outcomes(study);
         let figure = &study.figures[0];
-        let sheet = with_cases(study, figure, &outcomes, |cases| {
-            figures::sheet(study, figure, cases)
-        });
+        let designs = DesignMetrics::new(study);
+        let sheet = with_data(study, figure, &outcomes, &designs, figures::sheet);
         let last = sheet.small_print.last().unwrap();
         assert!(format!("{:?}", last.text).contains("Each value is taken over"));
         assert!(sheet.description.contains("Each value is taken over"));
@@ -184,6 +196,63 @@ mod tests {
                 .collect()
         };
         sheet.panels.iter().map(panel).collect()
+    }
+
+    #[test]
+    fn figures_of_columns_are_drawn_from_these_alone() {
+        let figures = [
+            (
+                r#""kind": "map", "x": "alpha", "y": "dT", "z": "rms_error", "where": {"x0": 8}"#,
+                [3, 1],
+            ),
+            (
+                r#""kind": "scatter", "x": "x0", "y": "rms_error", "colour": "max_error""#,
+                [1, 2],
+            ),
+            (r#""kind": "samples", "y": "rms_error""#, [2, 1]),
+            (
+                r#""kind": "sobol", "y": ["rms_error", "max_error"]"#,
+                [0, 2],
+            ),
+        ];
+        let grid = r#""parameters": {"law": "displacement-control", "alpha": [0.1, 0.2, 1], "dT": [0.5, 0.25, 0.1],
+            "x0": [8, 12], "duration": 9}"#;
+        let design = r#""parameters": {"law": "displacement-control", "alpha": {"uniform": [0.1, 1]}, "dT": 0.25,
+            "x0": {"uniform": [8, 12]}, "duration": 9}, "design": {"kind": "saltelli", "n": 8}"#;
+        for (figure, [parameters, measures]) in figures {
+            let designed = figure.contains("samples") || figure.contains("sobol");
+            let cases = if designed { design } else { grid };
+            let text = format!(
+                r#"{{"problem": "friction-oscillator", {cases}, "figures": [{{"name": "f", {figure}}}]}}"#
+            );
+            let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+            let drawn = |needed: &Needed| {
+                let mut shown = ShownCases::new(study.problem.schema());
+                let mut designs = DesignMetrics::new(&study);
+                let bar = indicatif::ProgressBar::hidden();
+                batch::run(&study, &bar, &RunOptions::METRICS, |mut part| {
+                    designs.add(&part);
+                    add(&study, needed, &mut part, &mut shown);
+                    Ok(())
+                })
+                .unwrap();
+                let figure = &study.figures[0];
+                with_data(&study, figure, &shown, &designs, |data| {
+                    figures::svg(&figures::sheet(data), 192).unwrap()
+                })
+            };
+            let own = needed(&study);
+            let count = |needed: &[bool]| needed.iter().filter(|needed| **needed).count();
+            assert_eq!(
+                [count(&own.parameters), count(&own.measures)],
+                [parameters, measures]
+            );
+            let all = Needed {
+                parameters: vec![true; own.parameters.len()],
+                measures: vec![true; own.measures.len()],
+            };
+            assert_eq!(drawn(&own), drawn(&all));
+        }
     }
 
     #[test]
@@ -234,8 +303,9 @@ mod tests {
             r#""kind": "front", "x": "worst max_error over alpha, beta", "y": "least rms_error over beta, alpha", "by": "law""#,
         );
         let outcomes = outcomes(&study);
-        let cases = with_cases(&study, &study.figures[0], &outcomes, |cases| {
-            cases
+        let (figure, designs) = (&study.figures[0], DesignMetrics::new(&study));
+        let cases = with_data(&study, figure, &outcomes, &designs, |data| {
+            data.cases
                 .iter()
                 .map(|shown| {
                     let metrics = (0..study.measures.len()).map(|row| shown.metric(row));

@@ -3,6 +3,7 @@
 use crate::error::{raise, usage};
 use pyo3::prelude::*;
 use slipgap::batch::ShownCases;
+use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::error::Error;
 use slipgap::figures::{self, style};
 use slipgap::run::Source;
@@ -15,6 +16,8 @@ use std::sync::Arc;
 pub struct Shown {
     pub source: Source,
     pub cases: ShownCases,
+    /// The metrics of its saltelli designs.
+    pub designs: DesignMetrics,
 }
 
 /// Where the drawing comes from.
@@ -87,9 +90,8 @@ impl Figure {
 fn draw(shown: &Shown, index: usize, format: Format) -> Result<Vec<u8>, Error> {
     let study = &shown.source.study;
     let figure = &study.figures[index];
-    let sheet = study_figures::with_cases(study, figure, &shown.cases, |cases| {
-        figures::sheet(study, figure, cases)
-    });
+    let sheet =
+        study_figures::with_data(study, figure, &shown.cases, &shown.designs, figures::sheet);
     Ok(match format {
         Format::Svg => figures::svg(&sheet, style::DPI)?.into_bytes(),
         Format::Png => figures::png(&sheet, style::DPI)?,

@@ -11,6 +11,7 @@ use indicatif::ProgressBar;
 use pyo3::prelude::*;
 use slipgap::batch::WarnedCases;
 use slipgap::batch::output::Folder;
+use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::store::Store;
 use slipgap::batch::work_progress::WorkProgress;
 use slipgap::batch::{self, PartResult, RunOptions, ShownCases};
@@ -32,6 +33,8 @@ struct Collected {
     warnings: Vec<WarnedCases>,
     /// The cases that figures show; none if the run wrote the figures.
     shown: ShownCases,
+    /// The metrics of its saltelli designs.
+    designs: DesignMetrics,
 }
 
 /// Runs a study; `progress` is called with the numbers of finished and of all cases.
@@ -72,8 +75,12 @@ pub fn run(
         |_| report(bar.position()),
     )?;
     report(cases)?;
-    let cases = collected.shown;
-    let shown = Arc::new(Shown { source, cases });
+    let (cases, designs) = (collected.shown, collected.designs);
+    let shown = Arc::new(Shown {
+        source,
+        cases,
+        designs,
+    });
     let table = Table {
         schema: columns,
         batches: collected.batches,
@@ -153,6 +160,7 @@ impl<'a> Collector<'a> {
                 without_contact: 0,
                 warnings: Vec::new(),
                 shown: ShownCases::new(study.problem.schema()),
+                designs: DesignMetrics::new(study),
             },
             error: None,
         }
@@ -161,6 +169,7 @@ impl<'a> Collector<'a> {
     fn add(&mut self, part: &PartResult) -> Result<(), Error> {
         self.warnings.add(part);
         let (study, collected) = (self.study, &mut self.collected);
+        collected.designs.add(part);
         collected.batches.push(self.columns.of(study, part)?);
         let failures = part.metrics.failures();
         let numbered = failures.map(|(row, why)| (part.first + row as u64, why.to_string()));
@@ -207,6 +216,10 @@ impl Observer for Collector<'_> {
     fn end_cases(&mut self, _source: &Source, _bar: &ProgressBar, _summary: &str) {}
 
     fn begin_indices(&mut self, _source: &Source, _estimates: usize) -> ProgressBar {
+        ProgressBar::hidden()
+    }
+
+    fn begin_figures(&mut self, _source: &Source, _figures: usize) -> ProgressBar {
         ProgressBar::hidden()
     }
 

@@ -5,6 +5,7 @@ pub mod chunk;
 mod compute;
 pub mod cost;
 pub mod divergence;
+pub mod groups;
 pub mod key;
 mod locks;
 mod missing;
@@ -26,6 +27,7 @@ mod warned;
 pub mod work_progress;
 
 pub use compute::{keep_memory, solution};
+pub use groups::GroupResults;
 pub use missing::{MissingParts, missing_parts};
 pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};

@@ -1,14 +1,33 @@
 //! `slipgap check`: every check of every study, with the value tested.
 
+use super::arguments::{JobsArgs, StudiesArgs};
 use super::sources::Source;
 use super::terminal::{note, print_all, progress, table_lines};
 use super::{NOT_MET, UNSOLVED};
+use clap::Args;
 use slipgap::batch::{self, RunOptions};
 use slipgap::checks::{self, ReducedChecks, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 use slipgap::run::{UnsolvedCases, cases_run, without_value};
 use slipgap::warnings::StudyWarnings;
+
+/// The arguments of `slipgap check`.
+#[derive(Args)]
+pub struct CheckArgs {
+    #[command(flatten)]
+    studies: StudiesArgs,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl CheckArgs {
+    /// Tests the checks; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        let studies = self.studies.read()?;
+        self.jobs.run(|| check(&studies))
+    }
+}
 
 /// The cases and values that the checks of a study test, check by check; NaN if a value is undefined. The lines are made
 /// one by one, because a million lines take half a gigabyte.
@@ -18,7 +37,7 @@ struct CheckedValues<'a> {
 }
 
 /// Runs the studies without writing files and prints the verdicts; returns the exit code.
-pub fn check(sources: &[Source]) -> Result<u8, Error> {
+fn check(sources: &[Source]) -> Result<u8, Error> {
     let (mut all, mut all_solved) = (Vec::new(), true);
     for source in sources {
         let (checked, solved) = run_study(source)?;

@@ -1,7 +1,9 @@
 //! `slipgap claims`: the statements of the papers and of the literature with their verdicts, and the page about them.
 
 use super::NOT_MET;
+use super::arguments::JobsArgs;
 use super::terminal::{note, print, progress, table};
+use clap::Args;
 use slipgap::batch::output::Folder;
 use slipgap::claims::ledger::{self, Ledger};
 use slipgap::claims::{self, Judged, Verdict};
@@ -12,8 +14,28 @@ use std::path::{Path, PathBuf};
 /// Name of the page.
 const PAGE: &str = "claims.md";
 
+/// The arguments of `slipgap claims`.
+#[derive(Args)]
+pub struct ClaimsArgs {
+    /// Ledgers of claims, or folders of them
+    #[arg(value_name = "LEDGER|FOLDER", default_value = "claims")]
+    ledgers: Vec<PathBuf>,
+    /// Folder for claims.md; links in it lead to results of the studies in the same folder
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl ClaimsArgs {
+    /// Tests the claims; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        self.jobs.run(|| claims(&self.ledgers, &self.out))
+    }
+}
+
 /// Tests the claims of the ledgers, prints the verdicts and writes the page into `out`; returns the exit code.
-pub fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
+fn claims(paths: &[PathBuf], out: &Path) -> Result<u8, Error> {
     let ledgers = read(paths)?;
     let mut folder = Folder::open(out)?;
     let mut all = Vec::new();

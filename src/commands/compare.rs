@@ -1,18 +1,45 @@
 //! `slipgap compare`: the differences of two folders of results.
 
 use super::NOT_MET;
+use super::arguments::Expected;
 use super::terminal::{note, print, table};
+use clap::Args;
 use slipgap::compare::{Comparison, Finding, compare_folders};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 const HEADER: [&str; 7] = [
     "study", "metric", "cases", "largest", "at case", "first", "second",
 ];
 
+/// The arguments of `slipgap compare`.
+#[derive(Args)]
+pub struct CompareArgs {
+    /// Results of a study, or a folder of several
+    first: PathBuf,
+    /// Results to compare with
+    second: PathBuf,
+    /// Largest difference to ignore, relative to the larger of the two values
+    #[arg(long, value_name = "RELATIVE", default_value_t = 0.0, value_parser = tolerance)]
+    tolerance: f64,
+}
+
+impl CompareArgs {
+    /// Compares the results; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        compare(&self.first, &self.second, self.tolerance)
+    }
+}
+
+fn tolerance(text: &str) -> Result<f64, Expected> {
+    let number = text.parse::<f64>().ok();
+    let number = number.filter(|x| *x >= 0.0 && x.is_finite());
+    number.ok_or(Expected("a number >= 0".into()))
+}
+
 /// Compares the studies in the folders `a` and `b`, or these studies themselves; returns the exit code.
-pub fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
+fn compare(a: &Path, b: &Path, tolerance: f64) -> Result<u8, Error> {
     let sides = [a, b];
     let findings = compare_folders(a, b, tolerance)?;
     let mut rows = vec![HEADER.map(String::from).to_vec()];

@@ -1,9 +1,11 @@
 //! `slipgap explain`: one case of a study, its metrics and its cost.
 
 use super::UNSOLVED;
+use super::arguments::{SettingsArgs, whole};
 use super::list::cases;
-use super::sources::Source;
+use super::sources::{self, Source};
 use super::terminal::{print, progress, table};
+use clap::Args;
 use slipgap::batch::cost::{measure, sampling, total};
 use slipgap::batch::{RunOptions, chunk, divergence, solution};
 use slipgap::error::Error;
@@ -12,13 +14,39 @@ use slipgap::problem::{Case, Violation};
 use slipgap::solve::Warning;
 use slipgap::study::Study;
 use slipgap::study_figures;
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Time for computing some cases, from which the time of all cases is estimated.
 const MEASURING: Duration = Duration::from_millis(200);
 
+/// The arguments of `slipgap explain`.
+#[derive(Args)]
+pub struct ExplainArgs {
+    /// Study file; `-` is standard input
+    study: PathBuf,
+    /// Number of the case, from 0
+    #[arg(default_value_t = 0, value_parser = whole::<u64>(0, u64::MAX))]
+    case: u64,
+    #[command(flatten)]
+    settings: SettingsArgs,
+}
+
+impl ExplainArgs {
+    /// Shows the case; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        if self.study.is_dir() {
+            let what = format!("{} is a folder; name one study", self.study.display());
+            return Err(Error::Usage(what));
+        }
+        let sources = sources::read(&[self.study], &self.settings.set, u64::MAX)?;
+        let source = sources.first();
+        source.map_or(Ok(0), |source| explain(source, self.case))
+    }
+}
+
 /// Prints case `number` of a study; returns the exit code.
-pub fn explain(source: &Source, number: u64) -> Result<u8, Error> {
+fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     let study = &source.study;
     let Some(case) = study.case(number) else {
         let (name, last) = (&source.name, study.len() - 1);

@@ -1,6 +1,8 @@
 //! `slipgap init`: writes a small study as a start.
 
+use super::arguments::Expected;
 use super::terminal::print;
+use clap::Args;
 use slipgap::error::Error;
 use slipgap::problem;
 use slipgap::study;
@@ -11,18 +13,36 @@ use std::path::{Path, PathBuf};
 const STUDIES: &str = "studies";
 const SCHEMA: &str = "schema/study.json";
 
+/// The arguments of `slipgap init`.
+#[derive(Args)]
+pub struct InitArgs {
+    /// Name of the study, without .json
+    #[arg(value_parser = name)]
+    name: String,
+    /// Problem of the study
+    #[arg(long, value_parser = problem)]
+    problem: &'static str,
+}
+
+impl InitArgs {
+    /// Writes the study; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        init(&self.name, self.problem)
+    }
+}
+
 /// The problem of a name on the command line.
-pub fn problem(name: &str) -> Result<&'static str, String> {
+fn problem(name: &str) -> Result<&'static str, Expected> {
     problem::names()
         .find(|known| *known == name)
         .ok_or_else(|| {
             let names: Vec<&str> = problem::names().collect();
-            format!("must be one of {}", names.join(", "))
+            Expected(format!("one of {}", names.join(", ")).into())
         })
 }
 
 /// The name of a study without extension: a file name, also in sub-folders.
-pub fn name(text: &str) -> Result<String, String> {
+fn name(text: &str) -> Result<String, Expected> {
     let text = text.strip_suffix(".json").unwrap_or(text);
     let text = text.strip_prefix("studies/").unwrap_or(text);
     let good = |part: &str| {
@@ -32,11 +52,13 @@ pub fn name(text: &str) -> Result<String, String> {
     if text.split('/').all(good) {
         return Ok(text.to_owned());
     }
-    Err("must be letters, digits, _, - and . that do not begin with . or -".into())
+    Err(Expected(
+        "letters, digits, _, - and . that do not begin with . or -".into(),
+    ))
 }
 
 /// Writes the study, and the schema for editors unless it exists; returns the exit code.
-pub fn init(name: &str, problem: &str) -> Result<u8, Error> {
+fn init(name: &str, problem: &str) -> Result<u8, Error> {
     let path = Path::new(STUDIES).join(format!("{name}.json"));
     if path.exists() {
         let what = format!("{} exists already; choose another name", path.display());

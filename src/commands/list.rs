@@ -1,13 +1,29 @@
 //! `slipgap list`: the studies with their axes, cases and steps.
 
+use super::arguments::StudiesArgs;
 use super::sources::Source;
 use super::terminal::{GAP, print, table};
+use clap::Args;
 use console::Term;
 use slipgap::error::Error;
 use slipgap::study::{Axis, Block, Study};
 
+/// The arguments of `slipgap list`.
+#[derive(Args)]
+pub struct ListArgs {
+    #[command(flatten)]
+    studies: StudiesArgs,
+}
+
+impl ListArgs {
+    /// Lists the studies; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        list(&self.studies.read()?)
+    }
+}
+
 /// Prints one row for each study; returns the exit code.
-pub fn list(sources: &[Source]) -> Result<u8, Error> {
+fn list(sources: &[Source]) -> Result<u8, Error> {
     let mut rows = vec![
         [
             "study", "problem", "cases", "steps", "axes", "figures", "title",

@@ -1,21 +1,23 @@
-//! The verbs of the command line, one file or folder each.
+//! The verbs of the command line, one file or folder each, with their arguments.
 
-pub mod check;
-pub mod claims;
-pub mod compare;
-pub mod explain;
-pub mod init;
-pub mod list;
-pub mod merge;
-pub mod recommend;
-pub mod report;
-pub mod run;
-pub mod sbatch;
-pub mod shard;
-pub mod sources;
+mod arguments;
+mod check;
+mod claims;
+mod compare;
+mod explain;
+mod init;
+mod list;
+mod merge;
+mod recommend;
+mod report;
+mod run;
+mod sbatch;
+mod schema;
+mod shard;
+mod sources;
 pub mod terminal;
 
-use clap::Args;
+use clap::Subcommand;
 use slipgap::batch::output::atomic::stop_writing;
 use slipgap::error::Error;
 use terminal::note;
@@ -27,38 +29,53 @@ pub const NOT_MET: u8 = 5;
 /// Exit code after Ctrl-C.
 const INTERRUPTED: i32 = 130;
 
-/// Reads a whole number from `least` to `most`, or the reason why a text is none.
-pub fn whole<T: TryFrom<u64>>(
-    least: u64,
-    most: u64,
-) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
-    move |text| {
-        let number = text.parse::<u64>().ok();
-        let number = number.filter(|n| (least..=most).contains(n));
-        number
-            .and_then(|n| T::try_from(n).ok())
-            .ok_or_else(|| match most {
-                u64::MAX => format!("must be a whole number >= {least}"),
-                _ => format!("must be a whole number from {least} to {most}"),
-            })
-    }
+/// What the program does.
+#[derive(Subcommand)]
+pub enum Verb {
+    /// Write a small study with remarks to studies/NAME.json, as a start
+    Init(init::InitArgs),
+    /// Run studies; write results.csv and figures to one folder for each study
+    Run(run::RunArgs),
+    /// Write the results of studies whose cases `run --shard` has computed; compute none
+    Merge(merge::MergeArgs),
+    /// Print a script that submits the shards of a study to Slurm as an array, and then the merge
+    Sbatch(sbatch::SbatchArgs),
+    /// Run studies and test their checks; write no files
+    Check(check::CheckArgs),
+    /// Show studies with their axes, cases and steps; compute nothing
+    List(list::ListArgs),
+    /// Show one case of a study: parameters, steps, cost and estimated time
+    Explain(explain::ExplainArgs),
+    /// Compare two folders of results and show the differences of each metric, the largest first
+    Compare(compare::CompareArgs),
+    /// Write one page about studies, with figures, checks, claims, and tables to sort and filter; the page needs no other file
+    Report(report::ReportArgs),
+    /// Test the statements of the papers and of the literature by studies, print the verdicts and write claims.md
+    Claims(claims::ClaimsArgs),
+    /// Find the cheapest parameters that reach a target; show the errors and the alternatives
+    #[command(subcommand)]
+    Recommend(recommend::RecommendArgs),
+    /// Print the JSON schema of study files
+    Schema(schema::SchemaArgs),
 }
 
-/// The number of threads of a verb.
-#[derive(Args)]
-pub struct Jobs {
-    /// Number of threads, at most 1024; if left out, one for each core
-    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024))]
-    pub jobs: Option<u16>,
-}
-
-impl Jobs {
-    /// The threads of a run.
-    pub fn thread_pool(&self) -> Result<rayon::ThreadPool, Error> {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(self.jobs.map_or(0, usize::from))
-            .build()
-            .map_err(|e| Error::Internal(format!("cannot start threads: {e}")))
+impl Verb {
+    /// Does it and returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        match self {
+            Verb::Init(args) => args.execute(),
+            Verb::Run(args) => args.execute(),
+            Verb::Merge(args) => args.execute(),
+            Verb::Sbatch(args) => args.execute(),
+            Verb::Check(args) => args.execute(),
+            Verb::List(args) => args.execute(),
+            Verb::Explain(args) => args.execute(),
+            Verb::Compare(args) => args.execute(),
+            Verb::Report(args) => args.execute(),
+            Verb::Claims(args) => args.execute(),
+            Verb::Recommend(args) => args.execute(),
+            Verb::Schema(args) => args.execute(),
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 //! `slipgap report`: one page about studies that needs no other file.
 
+use super::arguments::{JobsArgs, StudiesArgs};
 use super::claims;
 use super::sources::Source;
-use super::terminal::{Terminal, note, print, progress};
+use super::terminal::{Terminal, note, print};
+use clap::Args;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use slipgap::batch::output::ensemble::EnsembleMetrics;
@@ -14,14 +16,16 @@ use slipgap::checks::ReducedChecks;
 use slipgap::claims::compute;
 use slipgap::claims::ledger::Ledger;
 use slipgap::error::Error;
+use slipgap::figures::FigureData;
 use slipgap::report::{
     self, Checks, Counts, Drawing, Indices, MOST_BYTES, Quantiles, Results, Section, TestedReading,
 };
-use slipgap::run::{self, OutputOptions, Tally};
+use slipgap::run::{self, Observer, OutputOptions, Tally};
 use slipgap::study::Study;
 use slipgap::study_figures;
 use slipgap::warnings::StudyWarnings;
 use std::path::{Path, PathBuf};
+use std::slice;
 
 /// Name of the page.
 const PAGE: &str = "report.html";
@@ -29,8 +33,28 @@ const PAGE: &str = "report.html";
 /// Folder of the ledgers of claims.
 const LEDGERS: &str = "claims";
 
+/// The arguments of `slipgap report`.
+#[derive(Args)]
+pub struct ReportArgs {
+    #[command(flatten)]
+    studies: StudiesArgs,
+    /// Folder for report.html and the results of the studies
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl ReportArgs {
+    /// Writes the page; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        let studies = self.studies.read()?;
+        self.jobs.run(|| report(&studies, &self.out))
+    }
+}
+
 /// Runs the studies with the stores in `out` and writes the page there; returns the exit code.
-pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
+fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     let folder = Folder::open(out)?;
     // Before anything is computed, because a ledger may have faults.
     let ledgers = match Path::new(LEDGERS).is_dir() {
@@ -39,8 +63,9 @@ pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     };
     let mut sections = Vec::new();
     let mut bytes_left = MOST_BYTES;
+    let mut terminal = Terminal::new(sources);
     for (i, source) in sources.iter().enumerate() {
-        let section = section(source, i, out, bytes_left)?;
+        let section = section(source, i, (out, bytes_left), &mut terminal)?;
         bytes_left = bytes_left.saturating_sub(section.results.bytes());
         sections.push(section);
     }
@@ -63,19 +88,19 @@ pub fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     print(&format!("{}\n", path.display()))
 }
 
-/// Runs a study. `index` is its place on the page, and `largest` the largest size of its results.
+/// Runs a study into its folder in `out`. `index` is its place on the page, and `largest` the largest size of its results.
 fn section<'a>(
     source: &'a Source,
     index: usize,
-    out: &Path,
-    largest: usize,
+    (out, largest): (&Path, usize),
+    terminal: &mut Terminal,
 ) -> Result<Section<'a>, Error> {
     let study = &source.study;
     let results = out.join(&source.name);
     update_results(source, &results)?;
     // Several reports of one study wait for each other.
     let store = Store::wait_and_open(&results)?;
-    let (bar, work) = progress::bar_with_store(&source.name, study);
+    let (bar, work) = terminal.begin_cases(source);
     let options = RunOptions {
         store: Some(&store),
         keep_history: &|case| study_figures::show_history(study, case),
@@ -107,18 +132,19 @@ fn section<'a>(
         }
         Ok(())
     })?;
-    progress::finish(&bar, &source.name, &tally.summary());
+    terminal.end_cases(source, &bar, &tally.summary());
     store.close()?;
     counts.warnings = warnings.list();
     checks.judge_reduced(study, &reduced);
-    let indices = run::indices(source, &designs, &mut Terminal)?;
+    let indices = run::indices(source, &designs, terminal)?;
     let mut drawings = Vec::new();
     study_figures::add_histories(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {
         let prefix = format!("s{index}f{k}-");
-        drawings.push(study_figures::with_cases(study, figure, &shown, |cases| {
-            Drawing::new(study, figure, cases, &prefix)
-        })?);
+        let draw = |data: &FigureData| Drawing::new(data, &prefix);
+        drawings.push(study_figures::with_data(
+            study, figure, &shown, &designs, draw,
+        )?);
     }
     Ok(Section {
         name: &source.name,
@@ -151,14 +177,13 @@ fn update_results(source: &Source, results: &Path) -> Result<(), Error> {
         source.name
     ));
     // Cases without a solution do not end the command; the page reports them.
-    let written = run::run_study(
+    run::run_study(
         source,
         folder,
         store,
         &OutputOptions::default(),
-        &mut Terminal,
+        &mut Terminal::new(slice::from_ref(source)),
     )?;
-    print(&written.list())?;
     Ok(())
 }
 

@@ -1,25 +1,17 @@
 //! The points of a figure that show their values in a report.
 
-use crate::figures::{DrawnCase, kind};
+use crate::figures::{FigureData, kind};
 use slipgap_drawing::draw::vector::escape;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, UNITS};
-use slipgap_study::{Figure, Study};
 use std::fmt::Write;
 
 /// Most points of a figure that show their values.
 const MOST: usize = 5000;
 
 /// The figure as SVG whose points show their values; `prefix` makes its names different from those of other figures.
-pub fn with_hover(
-    study: &Study,
-    figure: &Figure,
-    cases: &[DrawnCase],
-    sheet: &Sheet,
-    svg: &str,
-    prefix: &str,
-) -> String {
-    let points = kind::of(&figure.kind).points(study, cases, sheet);
+pub fn with_hover(data: &FigureData, sheet: &Sheet, svg: &str, prefix: &str) -> String {
+    let points = kind::of(&data.figure.kind).points(data, sheet);
     let mut group = String::from("<g class=\"hover\">\n");
     for point in points.iter().take(MOST) {
         let [x, y] = point.at.map(|u| (u * UNITS).round());

@@ -20,14 +20,29 @@ pub use slipgap_drawing::style;
 pub use slipgap_drawing::text::markup;
 pub use slipgap_drawing::{pdf, png, svg};
 
+use crate::batch::GroupResults;
 use sheet::Sheet;
 use slipgap_drawing::layout::{self, envelope};
 use slipgap_study::{Figure, Study};
 
-/// The sheet of `figure` over the cases that its filter chose.
-pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+/// What a figure draws.
+#[derive(Debug, Clone, Copy)]
+pub struct FigureData<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// The figure.
+    pub figure: &'a Figure,
+    /// The cases that its filter chose.
+    pub cases: &'a [DrawnCase<'a>],
+    /// The results over groups of these cases.
+    pub groups: &'a GroupResults<'a>,
+}
+
+/// The sheet of a figure.
+pub fn sheet(data: &FigureData) -> Sheet {
+    let FigureData { study, figure, .. } = *data;
     let kind = kind::of(&figure.kind);
-    let mut sheet = kind.sheet(study, figure, cases);
+    let mut sheet = kind.sheet(data);
     sheet.title = match &figure.title {
         Some(title) => markup::plain(title),
         None => study.title.clone(),

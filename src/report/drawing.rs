@@ -3,10 +3,10 @@
 use super::text::{escape, printable};
 use crate::figures::base64;
 use crate::figures::sheet::Sheet;
-use crate::figures::{self, DrawnCase};
+use crate::figures::{self, FigureData};
 use slipgap_drawing::style;
+use slipgap_study::Figure;
 use slipgap_study::error::Error;
-use slipgap_study::{Figure, Study};
 use std::io::{self, Write};
 
 /// Largest SVG in bytes; a figure with tens of thousands of points is larger.
@@ -29,25 +29,20 @@ enum Picture {
 }
 
 impl Drawing {
-    /// Draws a figure of its cases. `prefix` distinguishes its identifiers from those of other figures.
+    /// Draws a figure. `prefix` distinguishes its identifiers from those of other figures.
     ///
     /// # Errors
     /// Those of drawing.
-    pub fn new(
-        study: &Study,
-        figure: &Figure,
-        cases: &[DrawnCase],
-        prefix: &str,
-    ) -> Result<Drawing, Error> {
-        let sheet = figures::sheet(study, figure, cases);
+    pub fn new(data: &FigureData, prefix: &str) -> Result<Drawing, Error> {
+        let sheet = figures::sheet(data);
         let svg = figures::svg(&sheet, style::DPI)?;
         let picture = if svg.len() <= MOST_BYTES {
-            let svg = figures::with_hover(study, figure, cases, &sheet, &svg, prefix);
+            let svg = figures::with_hover(data, &sheet, &svg, prefix);
             Picture::Svg(svg)
         } else {
             Picture::Png(figures::png(&sheet, style::DPI)?)
         };
-        Ok(Drawing::with_texts(figure, &sheet, picture))
+        Ok(Drawing::with_texts(data.figure, &sheet, picture))
     }
 
     fn with_texts(figure: &Figure, sheet: &Sheet, picture: Picture) -> Drawing {

@@ -28,7 +28,7 @@ pub fn indices(
         return Ok(None);
     }
     let bar = observer.begin_indices(source, estimates);
-    let table = designs.table(|| bar.inc(1));
+    let table = designs.table(&source.study, || bar.inc(1));
     bar.finish_and_clear();
     let Some(table) = table? else {
         return Ok(None);

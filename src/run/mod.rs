@@ -37,6 +37,9 @@ use tables::Tables;
 /// Largest number of cases for which results.csv is written by default.
 const MOST_ROWS: u64 = 100_000;
 
+/// The note on a study without the table.
+const WITHOUT_TABLE: &str = "no results.csv, because there are more than 100000 cases; the store has them, and --format csv writes the table, too";
+
 /// What a run writes.
 #[derive(Debug, Clone, Copy)]
 pub struct OutputOptions {
@@ -68,23 +71,15 @@ pub struct Written {
     pub paths: Vec<PathBuf>,
     /// Whether every case was solved.
     pub solved: bool,
-    /// Whether results.csv is left out because there are too many cases.
-    pub without_table: bool,
     /// The warnings.
     pub warnings: Vec<WarnedCases>,
 }
 
 impl Written {
-    /// The paths, one in each line, and a line about results.csv if it is left out.
+    /// The paths, one in each line.
     pub fn list(&self) -> String {
         let paths = self.paths.iter();
-        let mut lines: String = paths.map(|path| format!("{}\n", path.display())).collect();
-        if self.without_table {
-            lines += &format!(
-                "no results.csv, because there are more than {MOST_ROWS} cases; the store has them, and --format csv writes the table, too\n"
-            );
-        }
-        lines
+        paths.map(|path| format!("{}\n", path.display())).collect()
     }
 }
 
@@ -177,7 +172,18 @@ pub fn run_study(
     if let Some(metrics) = &ensembles {
         ensembles::write(source, metrics, &mut folder, &mut paths, observer)?;
     }
-    figures::write(study, &mut shown, output.dpi, &mut folder, &mut paths)?;
+    if output.table.is_none() && cases > MOST_ROWS {
+        observer.note(&source.line(WITHOUT_TABLE));
+    }
+    figures::write(
+        source,
+        &mut shown,
+        &designs,
+        output,
+        &mut folder,
+        &mut paths,
+        observer,
+    )?;
     // An outdated part that cannot be removed is reported last, because the results are complete.
     let closed = store.close();
     folder.close(study, &source.file, without_contact, &warnings)?;
@@ -185,7 +191,6 @@ pub fn run_study(
     Ok(Written {
         paths,
         solved,
-        without_table: output.table.is_none() && cases > MOST_ROWS,
         warnings,
     })
 }

@@ -20,6 +20,9 @@ pub trait Observer: Send {
     /// The bar that counts the estimates of Sobol' indices.
     fn begin_indices(&mut self, source: &Source, estimates: usize) -> ProgressBar;
 
+    /// The bar that counts the figures.
+    fn begin_figures(&mut self, source: &Source, figures: usize) -> ProgressBar;
+
     /// A line about the results, as about cases without a solution.
     fn note(&mut self, line: &str);
 }

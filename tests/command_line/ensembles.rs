@@ -79,3 +79,54 @@ fn outdated_tables_are_removed() {
     bench.expect(0, &["run", "s.json"]);
     assert!(!exists("quantiles.csv") && exists("d.png"));
 }
+
+#[test]
+fn the_points_of_fragility_figures_are_a_table() {
+    let bench = Bench::new();
+    let figure = r#""kind": "fragility", "x": "x0", "y": "rms_error""#;
+    let study = format!(
+        r#"{{"problem": "friction-oscillator", "parameters": {{"law": "displacement-control", "alpha": [0.01, 0.02, 0.5, 0.6],
+            "dT": 0.1, "x0": [8, 12], "duration": "8*pi"}}, "ensemble": "alpha",
+            "figures": [{{"name": "none", {figure}, "limit": 1e9}}, {{"name": "half", {figure}, "limit": 0.05}},
+              {{"name": "one", {figure}, "limit": 0.05, "where": {{"x0": 8, "alpha": [0.01, 0.5, 0.6]}}}}]}}"#
+    );
+    bench.file("s.json", study);
+    bench.expect(0, &["run", "s.json"]);
+    let errors: Vec<f64> = {
+        let text = bench.text("figures/s/results.csv");
+        let table = rows(&text);
+        let place = table[0].iter().position(|name| *name == "rms_error");
+        let column = table[1..].iter().map(|row| row[place.unwrap()].parse());
+        column.map(Result::unwrap).collect()
+    };
+    // Narrow laws are near the exact motion, wide ones are not: two of four exceed at each x0.
+    assert_eq!(errors.iter().filter(|x| **x > 0.05).count(), 4);
+    let table = bench.text("figures/s/fragility.csv");
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(
+        lines[0],
+        "figure,metric,limit,x0,cases,empty,exceeded,probability,probability_low,probability_high,median,dispersion,no_fit"
+    );
+    let starts = [
+        "none,rms_error,1e9,8,4,0,0,0,0,0.602",
+        "none,rms_error,1e9,12,4,0,0,0,0,0.602",
+        "half,rms_error,0.05,8,4,0,2,0.5,0.067",
+        "half,rms_error,0.05,12,4,0,2,0.5,0.067",
+        "one,rms_error,0.05,8,3,0,2,0.6666666666666666,0.094",
+    ];
+    assert_eq!(lines.len(), 1 + starts.len(), "{table}");
+    // 0 of 4: 1 - 0.025^(1/4); 2 of 4 and 2 of 3: the tables of Clopper and Pearson.
+    for (line, start) in lines[1..].iter().zip(starts) {
+        assert!(line.starts_with(start), "{line}");
+    }
+    assert!(lines[1].ends_with(",,,no case exceeds the limit"));
+    assert!(lines[3].ends_with(",,,the probability does not rise"));
+    let manifest = bench.text("figures/s/manifest.json");
+    assert!(manifest.contains("\"fragility.csv\""));
+    // A study without such a figure has no table, and the old one goes.
+    let study = bench.text("s.json");
+    let without = study.split(", \"ensemble\"").next().unwrap();
+    bench.file("s.json", format!("{without}, \"ensemble\": \"alpha\"}}"));
+    bench.expect(0, &["run", "s.json"]);
+    assert!(!bench.path("figures/s/fragility.csv").exists());
+}

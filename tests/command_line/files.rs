@@ -9,7 +9,7 @@ fn results_have_a_row_for_each_case_with_all_parameters_and_metrics() {
     let study = format!("{{ \"problem\": \"friction-oscillator\", \"blocks\": [{blocks}] }}");
     bench.file("s.json", study);
     let done = bench.expect(0, &["run", "s.json"]);
-    assert_eq!(done.out.trim(), "figures/s/results.csv");
+    assert_eq!(done.out, "figures/s\n");
     assert_eq!(done.err, "s: 3 cases run\n");
     let text = bench.text("figures/s/results.csv");
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
@@ -205,7 +205,7 @@ fn a_repeated_study_runs_once_and_two_studies_of_one_name_are_an_error() {
         0,
         &["run", "a/s.json", "a", "./a/../a/s.json", "--out", "o"],
     );
-    assert_eq!(done.out, "o/s/results.csv\n");
+    assert_eq!(done.out, "o/s\n");
     let done = bench.expect(2, &["run", "a", "b", "--out", "p"]);
     assert!(
         done.err.contains("a/s.json") && done.err.contains("b/s.json"),
@@ -220,13 +220,41 @@ fn results_in_a_folder_of_studies_are_not_studies() {
     bench.file("s.json", friction(ONE, ""));
     for _ in 0..2 {
         let done = bench.expect(0, &["run", "."]);
-        assert_eq!(done.out, "figures/s/results.csv\n");
+        assert_eq!(done.out, "figures/s\n");
     }
     // A study may have this name, also next to files of results.
     bench.file("studies/manifest.json", friction(ONE, ""));
     for name in ["studies/store/part", "studies/results.csv"] {
         bench.file(name, "");
         let done = bench.expect(0, &["run", "studies"]);
-        assert_eq!(done.out, "figures/manifest/results.csv\n");
+        assert_eq!(done.out, "figures/manifest\n");
     }
+}
+
+#[test]
+fn several_studies_are_counted_and_their_files_listed_only_with_verbose() {
+    let bench = Bench::new();
+    bench.file("studies/a.json", friction(ONE, ""));
+    bench.file("studies/b/c.json", friction(TWO, ""));
+    bench.file(
+        "studies/d.json",
+        friction(ONE, r#", "figures": [{ "name": "f", "kind": "history" }]"#),
+    );
+    let done = bench.expect(0, &["run", "studies"]);
+    let counted = "1 of 3 studies, a: 1 case run\n2 of 3 studies, b/c: 2 cases run\n3 of 3 studies, d: 1 case run\n";
+    assert_eq!(
+        (done.out.as_str(), done.err.as_str()),
+        ("figures\n", counted)
+    );
+    // The same lines from the stores: the log of a short run has no times.
+    let done = bench.expect(0, &["run", "studies", "--verbose"]);
+    let stored = "1 of 3 studies, a: 1 of 1 cases from the store\n2 of 3 studies, b/c: 2 of 2 cases from the store\n\
+                  3 of 3 studies, d: 1 of 1 cases from the store\n";
+    assert_eq!(done.err, stored);
+    let files = "figures/a/results.csv\nfigures/b/c/results.csv\nfigures/d/results.csv\n\
+                 figures/d/f.png\nfigures/d/f.svg\nfigures/d/f.pdf\n";
+    assert_eq!(done.out, files);
+    // No colours, no control characters.
+    let mut all = done.err.chars().chain(done.out.chars());
+    assert!(!all.any(|c| c.is_control() && c != '\n'));
 }

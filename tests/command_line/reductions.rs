@@ -38,7 +38,7 @@ fn the_table_has_every_reduction_of_every_group() {
             "quantile 0.25 of rms_error over alpha, beta", "worst rest_error over alpha, beta"]}}"#
     );
     bench.file("s.json", &study);
-    let done = bench.expect(0, &["run", "s.json"]);
+    let done = bench.expect(0, &["run", "s.json", "--verbose"]);
     let note = "s.json: \"worst rest_error over alpha, beta\" leaves out 2 of 10 cases, which have no value";
     assert!(done.err.contains(note), "{}", done.err);
     assert!(done.out.contains("reductions.csv"));

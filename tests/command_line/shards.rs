@@ -67,7 +67,7 @@ fn a_merge_names_missing_parts_and_changes_nothing() {
     bench.expect(0, &["run", "s.json", "--shard", "2/3"]);
     bench.expect(0, &["run", "s.json", "--shard", "3/3"]);
     let done = bench.expect(0, &merge);
-    assert_eq!(done.out, "figures/s/results.csv\n");
+    assert_eq!(done.out, "figures/s\n");
     let bytes = |folder: &str, name: &String| fs::read(bench.path(folder).join(name)).unwrap();
     assert_eq!(bench.everything("figures"), bench.everything("whole"));
     for name in bench.everything("figures") {

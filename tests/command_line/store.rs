@@ -203,9 +203,9 @@ fn a_report_of_a_changed_study_waits_for_the_store() {
 fn formats_by_number_of_cases_and_by_option() {
     let bench = Bench::new();
     bench.file("s.json", sweep(100, "20"));
-    let done = bench.expect(0, &["run", "s.json", "--format", "parquet"]);
+    let done = bench.expect(0, &["run", "s.json", "--format", "parquet", "--verbose"]);
     assert!(done.out.starts_with("figures/s/store\n"), "{}", done.out);
-    assert!(!done.out.contains("no results.csv"), "{}", done.out);
+    assert!(!done.err.contains("no results.csv"), "{}", done.err);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.expect(0, &["run", "s.json"]);
     assert!(bench.path("figures/s/results.csv").exists());
@@ -213,10 +213,10 @@ fn formats_by_number_of_cases_and_by_option() {
     bench.expect(0, &["run", "s.json", "--format", "parquet"]);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.file("s.json", sweep(251, "20"));
-    let done = bench.expect(0, &["run", "s.json"]);
-    let why = "no results.csv, because there are more than 100000 cases; the store has them, and --format csv writes the table, too";
+    let done = bench.expect(0, &["run", "s.json", "--verbose"]);
+    let why = "s.json: no results.csv, because there are more than 100000 cases; the store has them, and --format csv writes the table, too";
     assert!(done.out.starts_with("figures/s/store\n"), "{}", done.out);
-    assert!(done.out.ends_with(&format!("\n{why}\n")), "{}", done.out);
+    assert!(done.err.ends_with(&format!("\n{why}\n")), "{}", done.err);
     assert!(!bench.path("figures/s/results.csv").exists());
     bench.expect(0, &["run", "s.json", "--format", "csv"]);
     assert_eq!(bench.text("figures/s/results.csv").lines().count(), 100_401);

@@ -5,6 +5,7 @@ use crate::random_choice::RandomChoice;
 use crate::xml;
 use indicatif::ProgressBar;
 use slipgap::batch::output::reductions::ReducedMetrics;
+use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::{self, RunOptions, ShownCases};
 use slipgap::error::{Error, Fault};
 use slipgap::figures;
@@ -150,8 +151,10 @@ fn drawn(study: &Study) {
         ..RunOptions::METRICS
     };
     let mut reductions = ReducedMetrics::new(study);
+    let mut designs = DesignMetrics::new(study);
     let run = batch::run(study, &ProgressBar::hidden(), &options, |mut part| {
         reductions.add(&part);
+        designs.add(&part);
         cases += part.len() as u64;
         study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
@@ -161,14 +164,12 @@ fn drawn(study: &Study) {
     assert_eq!(table.is_some(), study.reductions().next().is_some());
     assert_eq!(cases, study.len());
     for figure in &study.figures {
-        let svg = svg(study, figure, &shown);
+        let svg = svg(study, figure, &shown, &designs);
         assert_eq!(xml::fault(&svg), None, "figure {}: {svg}", figure.name);
     }
 }
 
-fn svg(study: &Study, figure: &Figure, shown: &ShownCases) -> String {
-    let sheet = study_figures::with_cases(study, figure, shown, |cases| {
-        figures::sheet(study, figure, cases)
-    });
+fn svg(study: &Study, figure: &Figure, shown: &ShownCases, designs: &DesignMetrics) -> String {
+    let sheet = study_figures::with_data(study, figure, shown, designs, figures::sheet);
     figures::svg(&sheet, figures::style::DPI).expect("a picture")
 }

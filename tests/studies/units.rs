@@ -3,9 +3,9 @@
 use indicatif::ProgressBar;
 use slipgap::batch::output::results::ResultTable;
 use slipgap::batch::output::tables::write_history;
-use slipgap::batch::{self, Outcome};
+use slipgap::batch::{self, GroupResults, Outcome};
 use slipgap::figures::sheet::Sheet;
-use slipgap::figures::{ShownCases, sheet};
+use slipgap::figures::{FigureData, ShownCases, sheet};
 use slipgap::problem::PROBLEMS;
 use slipgap::problem::unit::Dimension;
 use slipgap::study::{Study, parse};
@@ -306,7 +306,12 @@ fn drawn(study: &Study) -> Sheet {
     for (outcome, solution) in outcomes.iter().zip(solutions) {
         shown.push(&outcome.case, &outcome.metrics, Some(solution));
     }
-    sheet(study, &study.figures[0], &shown.all())
+    sheet(&FigureData {
+        study,
+        figure: &study.figures[0],
+        cases: &shown.all(),
+        groups: &GroupResults::None,
+    })
 }
 
 #[test]

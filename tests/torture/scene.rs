@@ -41,12 +41,12 @@ const LEDGER: &str = r#"{ "paper": "A paper", "studies": "studies", "claims": [
 impl Scene {
     /// A run over the results of the former study.
     pub(crate) fn run() -> Scene {
-        Scene::of(&["run", "--jobs", "1"])
+        Scene::of(&["run", "--jobs", "1", "--verbose"])
     }
 
     /// A run with histories.
     pub(crate) fn histories() -> Scene {
-        Scene::of(&["run", "--jobs", "1", "--histories"])
+        Scene::of(&["run", "--jobs", "1", "--histories", "--verbose"])
     }
 
     /// A page about the study.

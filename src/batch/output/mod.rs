@@ -2,6 +2,7 @@
 
 pub mod atomic;
 pub mod ensemble;
+pub mod fragility;
 mod manifest;
 mod names;
 pub mod reductions;
@@ -10,7 +11,9 @@ pub mod sobol;
 pub mod tables;
 
 pub use manifest::{is_manifest, is_outdated, manifest, problem_of};
-pub use names::{FAILURES, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name};
+pub use names::{
+    FAILURES, FRAGILITY, INDICES, QUANTILES, REDUCTIONS, RESULTS, TWO_SAMPLES, history_name,
+};
 
 use super::WarnedCases;
 use atomic::{AtomicFile, can_write, remove_leftovers, write_atomically};
@@ -61,6 +64,7 @@ impl Folder {
             REDUCTIONS,
             QUANTILES,
             TWO_SAMPLES,
+            FRAGILITY,
         ];
         let tables = tables.map(String::from);
         let names = tables.into_iter().chain(figures).collect();

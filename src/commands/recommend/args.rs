@@ -2,6 +2,7 @@
 
 use super::friction::FrictionArgs;
 use super::impact::ImpactArgs;
+use super::recommend;
 use super::task::SearchTask;
 use clap::Subcommand;
 use slipgap::error::Error;
@@ -15,8 +16,14 @@ pub enum RecommendArgs {
 }
 
 impl RecommendArgs {
+    /// Searches; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        let task = self.search_task()?;
+        task.common.jobs.run(|| recommend(&task))
+    }
+
     /// The search that the arguments define.
-    pub fn search_task(self) -> Result<SearchTask, Error> {
+    fn search_task(self) -> Result<SearchTask, Error> {
         match self {
             RecommendArgs::FrictionOscillator(args) => args.search_task(),
             RecommendArgs::BarImpact(args) => args.search_task(),

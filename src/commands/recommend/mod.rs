@@ -8,7 +8,6 @@ mod tables;
 mod task;
 
 pub use args::RecommendArgs;
-pub use task::SearchTask;
 
 use super::NOT_MET;
 use super::terminal::{note, print};
@@ -19,10 +18,11 @@ use slipgap::figures::{self, Front};
 use slipgap::recommend::{self, Answer, LEAST_HALVINGS, MOST_HALVINGS, SETTLED};
 use std::time::Instant;
 use tables::Row;
+use task::SearchTask;
 
 /// Searches, writes the table and the picture of the candidates into their folder, and prints the answer; returns the exit
 /// code.
-pub fn recommend(task: &SearchTask) -> Result<u8, Error> {
+fn recommend(task: &SearchTask) -> Result<u8, Error> {
     let (variants, request) = (&*task.search.space, &task.search.request);
     let space = variants.space();
     let mut folder = Folder::open(&task.common.out.join(&task.search.folder))?;

@@ -1,6 +1,6 @@
 //! A search with the arguments of every search.
 
-use crate::commands::Jobs;
+use crate::commands::arguments::{Expected, JobsArgs};
 use clap::Args;
 use slipgap::recommend::task::{Search, is_target};
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ pub struct CommonArgs {
     #[arg(long, value_name = "DIR", default_value = "figures")]
     pub out: PathBuf,
     #[command(flatten)]
-    pub jobs: Jobs,
+    pub jobs: JobsArgs,
 }
 
 /// A search, its folder and its threads.
@@ -21,7 +21,7 @@ pub struct SearchTask {
 }
 
 /// Parses a target: a finite number > 0.
-pub fn parse_target(text: &str) -> Result<f64, String> {
+pub fn parse_target(text: &str) -> Result<f64, Expected> {
     let number = text.parse::<f64>().ok().filter(|x| is_target(*x));
-    number.ok_or_else(|| "must be a number > 0".into())
+    number.ok_or(Expected("a number > 0".into()))
 }

@@ -4,13 +4,16 @@
 
 mod time;
 
-pub use time::TimeLimit;
-
+use super::arguments::{SettingsArgs, whole};
 use super::sources::{DASH, read};
 use super::terminal::print;
+use clap::Args;
+use clap::builder::NonEmptyStringValueParser;
 use slipgap::error::Error;
-use slipgap::study::{MOST_CASES, Setting, unprintable};
+use slipgap::study::{MOST_CASES, unprintable};
 use std::path::{Path, PathBuf, absolute};
+use std::slice;
+use time::TimeLimit;
 
 const SUBMIT: &str = include_str!("submit.sh");
 const ARRAY: &str = include_str!("array.sh");
@@ -21,26 +24,43 @@ const MERGE: &str = include_str!("merge.sh");
 /// the task must have some time to compute.
 const SHORTEST_REQUEUED: u64 = 180;
 
-/// What the script submits.
+/// The arguments of `slipgap sbatch`.
+#[derive(Args)]
 pub struct SbatchArgs {
-    /// The study file or folder.
-    pub study: PathBuf,
-    /// Folder of the results.
-    pub out: PathBuf,
-    /// Largest number of raw combinations.
-    pub limit: u64,
-    /// Number of shards.
-    pub shards: u32,
-    /// Time limit of a task and of the merge.
-    pub time: Option<TimeLimit>,
-    /// Partition of the cluster.
-    pub partition: Option<String>,
-    /// Whether a task requeues itself before its time is over.
-    pub requeue: bool,
+    /// Study file, or a folder with all sub-folders
+    #[arg(value_name = "STUDY|FOLDER")]
+    study: PathBuf,
+    /// Number of shards, each a task of the array
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1, u64::from(u32::MAX)))]
+    shards: u32,
+    /// Folder for the results, which all nodes must see
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    /// Time limit of a task and of the merge; if left out, that of the partition
+    #[arg(long, value_name = "HH:MM:SS")]
+    time: Option<TimeLimit>,
+    /// Partition of the cluster; if left out, its default
+    #[arg(long, value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
+    partition: Option<String>,
+    /// Let each task put itself into the queue again a minute before its time is over
+    #[arg(long)]
+    requeue: bool,
+    /// Largest number of raw combinations in a study
+    #[arg(long, value_name = "CASES", default_value_t = MOST_CASES, value_parser = whole::<u64>(0, u64::MAX))]
+    limit: u64,
+    #[command(flatten)]
+    settings: SettingsArgs,
 }
 
-/// Prints the script, after the studies were read with these settings; returns the exit code.
-pub fn sbatch(args: &SbatchArgs, settings: &[Setting]) -> Result<u8, Error> {
+impl SbatchArgs {
+    /// Prints the script; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        sbatch(&self)
+    }
+}
+
+/// Prints the script, after the studies were read; returns the exit code.
+fn sbatch(args: &SbatchArgs) -> Result<u8, Error> {
     if args.study == Path::new(DASH) {
         let what = "the tasks cannot read standard input; give a study file or a folder";
         return Err(Error::Usage(what.into()));
@@ -55,17 +75,17 @@ pub fn sbatch(args: &SbatchArgs, settings: &[Setting]) -> Result<u8, Error> {
         )));
     }
     // A mistake in a study is reported now, not by every task.
-    read(std::slice::from_ref(&args.study), settings, args.limit)?;
-    print(&script(args, settings)?)
+    read(slice::from_ref(&args.study), &args.settings.set, args.limit)?;
+    print(&script(args)?)
 }
 
-/// The script, with `--set` for each setting.
-fn script(args: &SbatchArgs, settings: &[Setting]) -> Result<String, Error> {
+/// The script.
+fn script(args: &SbatchArgs) -> Result<String, Error> {
     let stem = args.study.file_stem().unwrap_or_default();
     let name = format!("slipgap-{}", stem.to_string_lossy());
     let program = std::env::current_exe().map_err(Error::io("cannot find", "slipgap"))?;
     let mut arguments = vec![full(&args.study)?, "--out".into(), full(&args.out)?];
-    for setting in settings {
+    for setting in &args.settings.set {
         arguments.extend(["--set".into(), setting.text().to_owned()]);
     }
     if args.limit != MOST_CASES {

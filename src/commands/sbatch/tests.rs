@@ -1,4 +1,5 @@
 use super::*;
+use slipgap::study::Setting;
 use std::process::Command;
 
 /// What bash makes of a word.
@@ -44,14 +45,16 @@ fn args(requeue: bool) -> SbatchArgs {
         time: Some("01:00:00".parse().unwrap()),
         partition: Some("main".into()),
         requeue,
+        settings: SettingsArgs {
+            set: vec![Setting::new("alpha=[0.1, 1]").unwrap()],
+        },
     }
 }
 
 #[test]
 fn the_values_are_at_the_beginning_and_bash_accepts_the_script() {
-    let settings = [Setting::new("alpha=[0.1, 1]").unwrap()];
     for requeue in [false, true] {
-        let script = script(&args(requeue), &settings).unwrap();
+        let script = script(&args(requeue)).unwrap();
         let lines = [
             "name='slipgap-it'\\''s'",
             "arguments=('/home/me/my studies/it'\\''s.json' '--out' '/scratch/out' '--set' 'alpha=[0.1, 1]')",

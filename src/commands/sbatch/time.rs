@@ -1,5 +1,6 @@
 //! Time limits as Slurm reads them.
 
+use crate::commands::arguments::Expected;
 use std::fmt;
 use std::str::FromStr;
 
@@ -18,14 +19,14 @@ impl TimeLimit {
 }
 
 impl FromStr for TimeLimit {
-    type Err = String;
+    type Err = Expected;
 
     /// Reads minutes, minutes:seconds, hours:minutes:seconds, days-hours, days-hours:minutes or days-hours:minutes:seconds.
-    fn from_str(text: &str) -> Result<TimeLimit, String> {
+    fn from_str(text: &str) -> Result<TimeLimit, Expected> {
         let seconds = seconds(text).filter(|seconds| *seconds > 0);
-        let seconds = seconds.ok_or(
-            "must be a time > 0 as Slurm reads it: HH:MM:SS, D-HH:MM:SS, D-HH:MM, D-HH, MM:SS or MM",
-        )?;
+        let seconds = seconds.ok_or(Expected(
+            "a time > 0 as Slurm reads it: HH:MM:SS, D-HH:MM:SS, D-HH:MM, D-HH, MM:SS or MM".into(),
+        ))?;
         let text = text.to_owned();
         Ok(TimeLimit { text, seconds })
     }

@@ -2,6 +2,7 @@
 
 mod observer;
 pub mod progress;
+mod studies;
 
 pub use observer::Terminal;
 

@@ -1,6 +1,7 @@
 //! Progress bars, and lines about finished work.
 
 use super::note;
+use super::studies::Estimate;
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use slipgap::batch::cost;
 use slipgap::batch::work_progress::WorkProgress;
@@ -42,23 +43,57 @@ pub fn counter(name: &str) -> ProgressBar {
 }
 
 /// The progress bar of a run with a store, and the counter of its work. The time left is computed from the work of this
-/// run, without the cases from the store.
-pub fn bar_with_store(name: &str, study: &Study) -> (ProgressBar, Arc<WorkProgress>) {
+/// run, without the cases from the store; `all` is the estimate of all studies, and the outputs of this one.
+pub fn bar_with_store(
+    name: &str,
+    study: &Study,
+    all: Option<(Estimate, usize)>,
+) -> (ProgressBar, Arc<WorkProgress>) {
     let bar = bar(name, study.len());
     if bar.is_hidden() {
         return (bar, Arc::new(WorkProgress::new(0.0)));
     }
     let work = Arc::new(WorkProgress::new(cost::total(study)));
     let shown = work.clone();
+    let time_left = move |_: &ProgressState, out: &mut dyn Write| {
+        let left = shown.time_left();
+        let own = left.map_or("?".into(), |left| duration(left.as_secs_f64()));
+        let _ = match &all {
+            None => write!(out, "{own} left"),
+            Some((all, outputs)) => {
+                write!(out, "{own} left, all {}", all.text(left, *outputs))
+            }
+        };
+    };
     let style = ProgressStyle::with_template(
-        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {time} left",
+        "{prefix} {wide_bar} {human_pos}/{human_len} cases, {time_left}",
     )
     .unwrap_or_else(|_| ProgressStyle::default_bar())
-    .with_key("time", move |_: &ProgressState, out: &mut dyn Write| {
-        let left = shown.time_left();
-        let _ = out.write_str(&left.map_or("?".into(), |left| duration(left.as_secs_f64())));
-    });
+    .with_key("time_left", time_left);
     (bar.with_style(style), work)
+}
+
+/// The progress bar of the figures of a study; hidden without a terminal. `all` is the estimate of all studies.
+pub fn figures(name: &str, figures: usize, all: Option<Estimate>) -> ProgressBar {
+    if figures == 0 || !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let time_left = move |state: &ProgressState, out: &mut dyn Write| {
+        let drawn = usize::try_from(state.pos()).unwrap_or(figures);
+        let left = all.as_ref();
+        let left = left.map(|all| all.text(Some(Duration::ZERO), figures.saturating_sub(drawn)));
+        let _ = write!(
+            out,
+            "{}",
+            left.map_or(String::new(), |left| format!(", all {left}"))
+        );
+    };
+    let style = ProgressStyle::with_template("{prefix} {wide_bar} {pos}/{len} figures{time_left}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("time_left", time_left);
+    ProgressBar::new(figures as u64)
+        .with_style(style)
+        .with_prefix(name.to_owned())
 }
 
 /// A rounded duration with its unit.

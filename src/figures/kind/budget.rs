@@ -1,8 +1,8 @@
 //! The error and its parts over a parameter: a row of panels for each quantity.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::legend::Key;
@@ -12,14 +12,20 @@ use slipgap_drawing::layout::slope;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_solver::problem;
 use slipgap_solver::problem::parameter::Value;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Budget;
-use slipgap_study::{Figure, Scale, Study};
 
 /// Most panels side by side.
 const COLUMNS: usize = 3;
 
 impl Draw for Budget {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Budget { x, y, panels } = self;
         let parameters = study.problem.parameters();
         let groups: Vec<Option<Value>> = match panels {

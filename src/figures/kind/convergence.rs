@@ -2,13 +2,13 @@
 
 use super::Draw;
 use super::over_parameter::Curves;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Convergence;
-use slipgap_study::{Figure, Scale, Study};
 
 impl Draw for Convergence {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
         let curves = Curves {
             x: self.x,
             y: &self.y,
@@ -16,6 +16,6 @@ impl Draw for Convergence {
             scales: [Scale::Log; 2],
             orders: true,
         };
-        curves.sheet(study, figure, cases)
+        curves.sheet(data)
     }
 }

@@ -3,8 +3,8 @@
 use super::Draw;
 use super::history::arrangement::Arrangement;
 use super::history::curves::{keys, members, sizes};
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
@@ -14,7 +14,7 @@ use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_solver::history::History;
 use slipgap_solver::problem::{Quantity, Solution};
 use slipgap_study::kinds::Curve;
-use slipgap_study::{Figure, Scale, Study};
+use slipgap_study::{Scale, Study};
 
 /// Fewest and most points of an exact curve, and points for each step between them.
 const EXACT_POINTS: [usize; 2] = [800, 20_000];
@@ -25,7 +25,13 @@ const FOR_EACH_STEP: usize = 4;
 const MARKERS: f64 = 8.3;
 
 impl Draw for Curve {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let units = study.units.as_ref().filter(|_| self.in_units);
         let solved = cases.iter().copied().filter(|c| c.solution().is_some());
         let solved: Vec<DrawnCase> = solved.collect();

@@ -2,7 +2,7 @@
 
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use crate::figures::column::has_place;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -10,8 +10,8 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
 use slipgap_drawing::style;
 use slipgap_statistics::empirical;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Distribution;
-use slipgap_study::{Figure, Scale, Study};
 
 /// Most steps that are drawn of a function: a step is then lower than a line is wide.
 const MOST_STEPS: usize = 1000;
@@ -24,7 +24,13 @@ const BANDS: &str = "Bands: contain the distribution function of independent cas
                      (Dvoretzky, Kiefer and Wolfowitz; Massart).";
 
 impl Draw for Distribution {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (found, all) = ensembles(study, cases, self.by, None);
         let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
         let [x_range, y_range] = figure.ranges;

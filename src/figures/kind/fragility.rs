@@ -2,7 +2,9 @@
 
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, stroke, without_value};
-use crate::figures::DrawnCase;
+use crate::batch::GroupResults;
+use crate::batch::groups::fragility::{FragilityCurve, Probability};
+use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
@@ -11,10 +13,9 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Marker};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
-use slipgap_statistics::binomial;
-use slipgap_statistics::lognormal::{Fragility as Fit, NoFit, Trials};
+use slipgap_statistics::lognormal::{Fragility as Function, NoFit};
 use slipgap_study::kinds::Fragility;
-use slipgap_study::{Figure, Scale, Study};
+use slipgap_study::{Scale, Study};
 
 /// Points of a fitted curve.
 const POINTS: u32 = 200;
@@ -32,10 +33,15 @@ const CURVES_ARE: &str = "Curves: the lognormal function of the largest likeliho
 const BESIDE: &str = "Points at the same value are drawn side by side.";
 
 impl Draw for Fragility {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            groups,
+        } = *data;
         let (found, all) = ensembles(study, cases, self.by, Some(self.x));
-        let trials: Vec<Vec<Trials>> = found.iter().map(|of| trials(self, of)).collect();
-        let fits: Vec<Result<Fit, NoFit>> = trials.iter().map(|of| Fit::fit(of)).collect();
+        let curves = &curves(groups)[..];
         let height = 190.0;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
         let [x_range, y_range] = figure.ranges;
@@ -47,17 +53,18 @@ impl Draw for Fragility {
             height / 24.0,
         );
         let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), 4.0);
-        let places = trials.iter().flatten().map(|trials| trials.at);
+        let places = found.iter().zip(curves);
+        let places = places.flat_map(|(_, curve)| drawn(curve)).map(|(at, _)| at);
         let title = &study.problem.parameters()[self.x].symbol;
         let x_axis = limits::axis(title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
-        for (k, (trials, fit)) in trials.iter().zip(&fits).enumerate() {
-            if let Ok(fit) = fit {
-                let curve = curve(&panel, fit, k);
-                panel.series.push(curve);
+        for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
+            if let Ok(fit) = &curve.fit {
+                let line = line(&panel, fit, k);
+                panel.series.push(line);
             }
             let shift = shift(k, found.len());
-            points(&mut panel, trials, shift, k, &found[k].label);
+            points(&mut panel, curve, shift, k, &ensemble.label);
         }
         let mut sheet = Sheet {
             width,
@@ -65,17 +72,18 @@ impl Draw for Fragility {
             ..Sheet::default()
         };
         layout::left_out(&mut sheet, found.len(), all);
-        let key = |(k, (ensemble, fit)): (usize, (&Ensemble, &Result<Fit, NoFit>))| Key {
-            label: label(&ensemble.label, fit),
+        let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
+            label: label(&ensemble.label, &curve.fit),
             stroke: stroke(k),
-            width: fit.map_or(0.0, |_| style::CASE_LINE),
+            width: curve.fit.map_or(0.0, |_| style::CASE_LINE),
             marker: Some(Marker::of_case(k)),
         };
-        let keys = found.iter().zip(&fits).enumerate().map(key).collect();
+        let keys = found.iter().zip(curves).enumerate().map(key).collect();
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
+        let fitted = curves.iter().take(found.len()).any(|of| of.fit.is_ok());
         let parts = [
             Some(POINTS_ARE),
-            fits.iter().any(Result::is_ok).then_some(CURVES_ARE),
+            fitted.then_some(CURVES_ARE),
             (found.len() > 1).then_some(BESIDE),
         ];
         let parts: Vec<&str> = parts.into_iter().flatten().collect();
@@ -85,28 +93,34 @@ impl Draw for Fragility {
     }
 
     /// The numbers of cases at each point.
-    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+    fn points(&self, data: &FigureData, sheet: &Sheet) -> Vec<Point> {
+        let FigureData {
+            study,
+            cases,
+            groups,
+            ..
+        } = *data;
         let (found, _) = ensembles(study, cases, self.by, Some(self.x));
         let Some(panel) = sheet.panels.first() else {
             return Vec::new();
         };
         let symbol = plain(&study.problem.parameters()[self.x].symbol);
         let mut points = Vec::new();
-        for (k, ensemble) in found.iter().enumerate() {
+        for (k, (ensemble, curve)) in found.iter().zip(curves(groups)).enumerate() {
             let shift = shift(k, found.len());
-            for trials in &trials(self, ensemble) {
-                let [x, y] = panel.place([trials.at, part(trials)]);
-                let at = [x + shift, y];
-                let [low, high] = binomial::interval(trials.exceeded, trials.count);
-                let [low, high] = [low, high].map(number::short);
-                let label = match ensemble.label.as_str() {
-                    "" => String::new(),
-                    label => format!("{}: ", plain(label)),
+            let label = match ensemble.label.as_str() {
+                "" => String::new(),
+                label => format!("{}: ", plain(label)),
+            };
+            for point in &curve.points {
+                let Some(part) = point.probability else {
+                    continue;
                 };
-                let x = number::plain_text(trials.at);
-                let Trials {
-                    exceeded, count, ..
-                } = trials;
+                let [x, y] = panel.place([point.at, part.value]);
+                let at = [x + shift, y];
+                let [low, high] = [part.low, part.high].map(number::short);
+                let x = number::plain_text(point.at);
+                let (exceeded, count) = (point.exceeded, point.count());
                 let text = format!(
                     "{label}{symbol} = {x}, {exceeded} of {count} cases exceed, interval {low} to {high}"
                 );
@@ -124,19 +138,18 @@ fn title(figure: &Fragility, study: &Study) -> String {
     format!("P({above})")
 }
 
-/// The trials of an ensemble at each x, rising; of cases without a value none.
-fn trials(figure: &Fragility, ensemble: &Ensemble) -> Vec<Trials> {
-    let trials = |(at, cases): (f64, Vec<&DrawnCase>)| {
-        let values = cases.iter().filter_map(|shown| shown.metric(figure.y));
-        let values: Vec<f64> = values.collect();
-        Trials {
-            at,
-            exceeded: values.iter().filter(|value| **value > figure.limit).count() as u64,
-            count: values.len() as u64,
-        }
-    };
-    let all = ensemble.at_each(figure.x).into_iter().map(trials);
-    all.filter(|trials| trials.count > 0).collect()
+/// The curves that were computed for the figure.
+fn curves<'a>(groups: &'a GroupResults) -> &'a [FragilityCurve] {
+    match groups {
+        GroupResults::Fragility(curves) => curves,
+        GroupResults::None | GroupResults::Indices { .. } => &[],
+    }
+}
+
+/// The points of a curve that have a probability.
+fn drawn(curve: &FragilityCurve) -> impl Iterator<Item = (f64, Probability)> {
+    let points = curve.points.iter();
+    points.filter_map(|point| Some((point.at, point.probability?)))
 }
 
 /// How far the points of curve `k` of `count` are beside their place.
@@ -144,13 +157,8 @@ fn shift(k: usize, count: usize) -> f64 {
     APART * (k as f64 - 0.5 * (count as f64 - 1.0))
 }
 
-/// The part of the cases that exceeds.
-fn part(trials: &Trials) -> f64 {
-    trials.exceeded as f64 / trials.count as f64
-}
-
 /// The fitted function over the whole axis.
-fn curve(panel: &Panel, fit: &Fit, k: usize) -> Series {
+fn line(panel: &Panel, fit: &Function, k: usize) -> Series {
     let place = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
     let point = |i: u32| [place(i), fit.probability(place(i))];
     Series {
@@ -164,7 +172,7 @@ fn curve(panel: &Panel, fit: &Fit, k: usize) -> Series {
 }
 
 /// Adds the points of an ensemble with their intervals, `shift` beside their place.
-fn points(panel: &mut Panel, trials: &[Trials], shift: f64, k: usize, label: &str) {
+fn points(panel: &mut Panel, curve: &FragilityCurve, shift: f64, k: usize, label: &str) {
     let beside = |x: f64| {
         let moved = panel.x.fraction(x) + shift / panel.frame.width;
         if shift == 0.0 {
@@ -174,9 +182,9 @@ fn points(panel: &mut Panel, trials: &[Trials], shift: f64, k: usize, label: &st
         }
     };
     let mut new: Vec<Series> = Vec::new();
-    for trials in trials {
-        let x = beside(trials.at);
-        let ends = binomial::interval(trials.exceeded, trials.count);
+    for (at, part) in drawn(curve) {
+        let x = beside(at);
+        let ends = [part.low, part.high];
         new.push(Series {
             width: style::EXACT_LINE,
             ..Series::rule(ends.map(|p| [x, p]))
@@ -184,7 +192,7 @@ fn points(panel: &mut Panel, trials: &[Trials], shift: f64, k: usize, label: &st
         // A point alone, so that no line joins it with the next.
         new.push(Series {
             label: label.into(),
-            points: vec![[x, part(trials)]],
+            points: vec![[x, part.value]],
             stroke: stroke(k),
             width: style::CASE_LINE,
             marker: Some(Marker::of_case(k)),
@@ -195,7 +203,7 @@ fn points(panel: &mut Panel, trials: &[Trials], shift: f64, k: usize, label: &st
 }
 
 /// The label of an ensemble with its fit.
-fn label(name: &str, fit: &Result<Fit, NoFit>) -> String {
+fn label(name: &str, fit: &Result<Function, NoFit>) -> String {
     let fit = match fit {
         Ok(fit) => {
             let [median, dispersion] = [fit.median, fit.dispersion].map(|x| number::rounded(x, 3));

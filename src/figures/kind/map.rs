@@ -1,7 +1,7 @@
 //! A metric over two parameters with a colour bar: filled contours, or cells if there are too few places for contours.
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::colour_map::bands;
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::colour_map::ridge;
@@ -14,15 +14,21 @@ use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
 use slipgap_solver::problem::escape;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Map;
-use slipgap_study::{Figure, Scale, Study};
 use std::collections::HashSet;
 
 /// Fewest places along each axis that make a contour.
 const FEWEST: usize = 3;
 
 impl Draw for Map {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Map {
             x,
             y,
@@ -172,7 +178,8 @@ impl Draw for Map {
     }
 
     /// The cases at their places.
-    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+    fn points(&self, data: &FigureData, sheet: &Sheet) -> Vec<Point> {
+        let FigureData { study, cases, .. } = *data;
         let Some(panel) = sheet.panels.first() else {
             return Vec::new();
         };

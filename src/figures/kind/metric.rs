@@ -2,13 +2,12 @@
 
 use super::Draw;
 use super::over_parameter::Curves;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_study::kinds::Metric;
-use slipgap_study::{Figure, Study};
 
 impl Draw for Metric {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
         let curves = Curves {
             x: self.x,
             y: &self.y,
@@ -16,6 +15,6 @@ impl Draw for Metric {
             scales: [self.x_scale, self.y_scale],
             orders: false,
         };
-        curves.sheet(study, figure, cases)
+        curves.sheet(data)
     }
 }

@@ -21,16 +21,15 @@ mod sobol;
 mod spectrum;
 mod wave;
 
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::layout::points::{self, Point};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_study::kinds::FigureKind;
-use slipgap_study::{Figure, Study};
 
 /// A kind of figure that can be drawn.
 pub trait Draw {
-    /// The panels over the cases, with their legend.
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet;
+    /// The panels with their legend.
+    fn sheet(&self, data: &FigureData) -> Sheet;
 
     /// Whether its curves can be too dense to draw. Curves over a parameter are not: they have a marker at every point.
     fn has_dense_curves(&self) -> bool {
@@ -38,7 +37,7 @@ pub trait Draw {
     }
 
     /// The points of its sheet that show their values in a report.
-    fn points(&self, _: &Study, _: &[DrawnCase], sheet: &Sheet) -> Vec<Point> {
+    fn points(&self, _: &FigureData, sheet: &Sheet) -> Vec<Point> {
         points::of_panels(sheet)
     }
 }

@@ -2,8 +2,8 @@
 //! under the cases ([I] Fig. 6).
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
@@ -13,13 +13,19 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::number;
 use slipgap_study::kinds::Profile;
-use slipgap_study::{Figure, Scale, Study};
+use slipgap_study::{Scale, Study};
 
 /// Most markers along a part of the structure.
 const MARKERS: usize = 12;
 
 impl Draw for Profile {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Profile { y, times } = self;
         let problem = &*study.problem;
         let width = figure.width.unwrap_or(style::DOUBLE);

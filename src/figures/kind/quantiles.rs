@@ -2,7 +2,7 @@
 
 use super::Draw;
 use super::ensembles::{Ensemble, ensembles, keys, stroke, without_value};
-use crate::figures::DrawnCase;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
@@ -11,8 +11,8 @@ use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Marker};
 use slipgap_drawing::text::number;
 use slipgap_statistics::quantile::quantile;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Quantiles;
-use slipgap_study::{Figure, Scale, Study};
 
 /// Most points of a curve that each have a marker.
 const MOST_MARKED: usize = 40;
@@ -21,7 +21,13 @@ const MOST_MARKED: usize = 40;
 type Point = (f64, [f64; 3]);
 
 impl Draw for Quantiles {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (found, all) = ensembles(study, cases, self.by, Some(self.x));
         let points = |metric: &usize| -> Vec<Vec<Point>> {
             let of = |ensemble: &Ensemble| points_of(self, ensemble, *metric);

@@ -1,8 +1,8 @@
 //! The parameters that a design samples, in pairs, and one metric: the lower half of a matrix of panels.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::column::{has_place, title, value, without_dot};
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -11,10 +11,16 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{FilledMap, Panel, Sheet};
 use slipgap_drawing::style;
 use slipgap_study::kinds::Samples;
-use slipgap_study::{Column, Figure, Scale, Study};
+use slipgap_study::{Column, Scale};
 
 impl Draw for Samples {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Samples {
             parameters,
             y,

@@ -1,8 +1,8 @@
 //! One column of the results over another, a dot for each case.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::column::{has_place, title, value, without_dot};
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -12,10 +12,15 @@ use slipgap_drawing::layout::sheet::{FilledMap, Panel, Sheet};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
 use slipgap_study::kinds::Scatter;
-use slipgap_study::{Figure, Study};
 
 impl Draw for Scatter {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Scatter {
             x,
             y,

@@ -1,7 +1,8 @@
 //! Sobol' indices as bars with their intervals: a panel for each metric, a pair of bars for each parameter.
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::batch::GroupResults;
+use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::{Axis, Tick};
 use slipgap_drawing::layout::guides;
@@ -9,9 +10,9 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Marker, Stroke};
-use slipgap_statistics::sobol::{Index, indices};
+use slipgap_statistics::sobol::Index;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Sobol;
-use slipgap_study::{Figure, Scale, Study};
 
 /// Half the width of a bar, and of the cap of its interval, where parameters are 1 apart.
 const HALF: f64 = 0.17;
@@ -22,30 +23,24 @@ const WHISKERS: &str = "Intervals: middle 95 % of bootstrap samples. They assume
                         a Sobol\u{2019} sequence has smaller errors.";
 
 impl Draw for Sobol {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            groups,
+            ..
+        } = *data;
         let Sobol { y } = self;
-        let designs = study
-            .blocks
-            .iter()
-            .filter_map(|block| block.design.as_ref());
-        let Some(design) = designs
-            .into_iter()
-            .find(|d| d.points() == cases.len() as u64)
-        else {
+        let GroupResults::Indices { block, estimates } = groups else {
+            return Sheet::default();
+        };
+        let Some(design) = study.blocks.get(*block).and_then(|b| b.design.as_ref()) else {
             return Sheet::default();
         };
         let height = if y.len() == 1 { 190.0 } else { 130.0 };
-        let found: Vec<_> = y
-            .iter()
-            .map(|&metric| {
-                let values = cases.iter().map(|c| c.metric(metric));
-                let values: Vec<Option<f64>> = values.collect();
-                indices(&values, design.parameters.len(), design.seed)
-            })
-            .collect();
         let axes: Vec<Axis> = y
             .iter()
-            .zip(&found)
+            .zip(estimates)
             .map(|(&metric, found)| {
                 let both = found.iter().flatten().flat_map(|i| [i.first, i.total]);
                 let ends = both.flat_map(|i| [i.interval[0], i.interval[1], i.value]);
@@ -70,7 +65,7 @@ impl Draw for Sobol {
             width,
             ..Sheet::default()
         };
-        for (i, (found, y)) in found.iter().zip(axes).enumerate() {
+        for (i, (found, y)) in estimates.iter().zip(axes).enumerate() {
             let mut x = across.clone();
             x.numbered = i + 1 == grid.frames.len();
             let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);

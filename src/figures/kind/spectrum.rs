@@ -1,8 +1,8 @@
 //! Response spectra of the ground motions of the cases: a panel for each ordinate, a curve for each motion and damping ratio.
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use libm::pow;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -14,7 +14,7 @@ use slipgap_drawing::text::{markup, number};
 use slipgap_solver::problem::structure::GroundMotion;
 use slipgap_solver::system::loads::spectrum::{self, spectrum};
 use slipgap_study::kinds::{Ordinate, Spectrum};
-use slipgap_study::{Figure, Scale, Study};
+use slipgap_study::{Scale, Study};
 
 /// Points of a curve: about one typographic point apart.
 const POINTS: usize = 240;
@@ -23,7 +23,13 @@ const POINTS: usize = 240;
 const MARKED: usize = 30;
 
 impl Draw for Spectrum {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (motions, shown) = motions(study, cases);
         let named = label::labels(study.problem.parameters(), &shown, None, &[]);
         let ratios = number::digits(self.damping.iter().copied());

@@ -2,7 +2,7 @@
 //! between its fronts.
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::guides;
@@ -10,8 +10,8 @@ use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style;
 use slipgap_solver::problem::Lines;
+use slipgap_study::Scale;
 use slipgap_study::kinds::Wave;
-use slipgap_study::{Figure, Scale, Study};
 
 /// A value between two places.
 type Piece = ([f64; 2], f64);
@@ -19,7 +19,13 @@ type Piece = ([f64; 2], f64);
 const HEIGHT: f64 = 240.0;
 
 impl Draw for Wave {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Wave { y } = *self;
         let mut rows: Vec<(f64, &Lines)> = Vec::new();
         for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots()) {

@@ -1,6 +1,5 @@
 //! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
 
-use crate::figures::sheet;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Marker};
 use slipgap_solver::problem::Case;
@@ -22,7 +21,7 @@ fn drawn(study: &Study, value: impl Fn(&Case, &str) -> Option<f64>) -> Sheet {
         table.map(|metric| value(case, &metric.name)).collect()
     };
     let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
-    sheet(study, figure, &super::shown(study, &cases, &metrics).all())
+    super::sheet_of(study, figure, &super::shown(study, &cases, &metrics).all())
 }
 
 fn number(case: &Case, name: &str) -> f64 {

@@ -33,12 +33,13 @@ fn drawn(study: &Study, value: impl Fn(&Case) -> Option<f64>) -> (Sheet, String)
     };
     let metrics: Vec<Vec<Option<f64>>> = cases.iter().map(row).collect();
     let shown = super::shown(study, &cases, &metrics);
-    let shown = shown.all();
-    let sheet = sheet(study, figure, &shown);
-    let text = svg(&sheet, style::DPI).unwrap();
-    let hover = with_hover(study, figure, &shown, &sheet, &text, "f");
-    assert!(png(&sheet, style::DPI).is_ok() && pdf(&sheet, style::DPI).is_ok());
-    (sheet, hover)
+    super::with_data(study, figure, &shown.all(), |data| {
+        let sheet = sheet(data);
+        let text = svg(&sheet, style::DPI).unwrap();
+        let hover = with_hover(data, &sheet, &text, "f");
+        assert!(png(&sheet, style::DPI).is_ok() && pdf(&sheet, style::DPI).is_ok());
+        (sheet, hover)
+    })
 }
 
 fn small_print(sheet: &Sheet) -> String {

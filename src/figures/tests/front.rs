@@ -60,8 +60,11 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>, String) {
     let shown = super::shown(study, &cases, &metrics);
     let shown = shown.all();
     let figure = &study.figures[0];
-    let sheet = crate::figures::sheet(study, figure, &shown);
-    let hover = with_hover(study, figure, &shown, &sheet, "<svg></svg>", "p");
+    let (sheet, hover) = super::with_data(study, figure, &shown, |data| {
+        let sheet = crate::figures::sheet(data);
+        let hover = with_hover(data, &sheet, "<svg></svg>", "p");
+        (sheet, hover)
+    });
     (sheet, cases, hover)
 }
 

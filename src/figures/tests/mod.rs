@@ -9,7 +9,9 @@ mod limits;
 mod samples;
 mod structures;
 
-use crate::figures::{ShownCases, png, sheet, svg};
+use crate::batch::output::sobol::DesignMetrics;
+use crate::batch::{DrawnCase, GroupResults};
+use crate::figures::{FigureData, ShownCases, png, sheet, svg};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_solver::exact::coulomb::Coulomb;
@@ -38,7 +40,7 @@ fn drawn(study: &Study, figure: usize) -> (Sheet, Vec<Vec<Snapshot>>) {
         shown.push(case, &solution.metrics.clone(), Some(solution));
         shown.set_snapshots(i, snapshots[i].clone());
     }
-    let sheet = sheet(study, figure, &shown.all());
+    let sheet = sheet_of(study, figure, &shown.all());
     (sheet, snapshots)
 }
 
@@ -127,8 +129,30 @@ impl Run {
             filter: Filter::default(),
             kind,
         };
-        sheet(&self.study, &figure, &shown.all())
+        sheet_of(&self.study, &figure, &shown.all())
     }
+}
+
+/// The sheet of a figure over these cases.
+fn sheet_of(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    with_data(study, figure, cases, sheet)
+}
+
+/// The result of `draw` for these cases of a figure.
+fn with_data<T>(
+    study: &Study,
+    figure: &Figure,
+    cases: &[DrawnCase],
+    draw: impl FnOnce(&FigureData) -> T,
+) -> T {
+    let designs = DesignMetrics::of_cases(study, cases);
+    let groups = GroupResults::new(study, figure, cases, &designs);
+    draw(&FigureData {
+        study,
+        figure,
+        cases,
+        groups: &groups,
+    })
 }
 
 fn history(panels: Option<usize>) -> FigureKind {

@@ -1,6 +1,6 @@
 //! Scatters and matrices of samples: their dots against the columns of the cases, then the size of the SVG.
 
-use crate::figures::{png, sheet, svg};
+use crate::figures::{png, svg};
 use slipgap_drawing::layout::cloud::{Cloud, MOST_SHAPES};
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_drawing::style;
@@ -46,7 +46,7 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>) {
     let metrics: Vec<_> = cases.iter().map(row).collect();
     let shown = super::shown(study, &cases, &metrics);
     let shown = shown.all();
-    (sheet(study, &study.figures[0], &shown), cases)
+    (super::sheet_of(study, &study.figures[0], &shown), cases)
 }
 
 /// Places and values of the dots.

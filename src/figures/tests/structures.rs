@@ -1,7 +1,7 @@
 //! Curves, spectra and schemes of structures.
 
 use super::{drawn, fig5};
-use crate::figures::{pdf, png, sheet, svg};
+use crate::figures::{pdf, png, svg};
 use slipgap_drawing::layout::sheet::{Anchor, Rect, Shape, Sheet};
 use slipgap_drawing::style;
 use slipgap_drawing::text;
@@ -21,7 +21,7 @@ fn structure(parts: &str, figure: &str) -> Study {
 fn unsolved(study: &Study) -> Sheet {
     let cases: Vec<_> = study.cases().collect();
     let none = vec![Vec::new(); cases.len()];
-    sheet(
+    super::sheet_of(
         study,
         &study.figures[0],
         &super::shown(study, &cases, &none).all(),

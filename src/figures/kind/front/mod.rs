@@ -5,8 +5,8 @@ mod legend;
 mod lines;
 
 use super::Draw;
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use best::{Point, points};
 use lines::{Line, best_of, lines};
 use slipgap_drawing::layout;
@@ -19,13 +19,19 @@ use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
 use slipgap_solver::problem::parameter;
 use slipgap_study::kinds::Front;
-use slipgap_study::{Figure, Study, alike};
+use slipgap_study::{Study, alike};
 
 /// The label of the band under the best of all cases.
 const BEST: &str = "best of all";
 
 impl Draw for Front {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let (points, lacking) = points(self, study, cases);
         let band = best_of(&points, |_| true);
         let panels: Vec<Vec<Line>> = self
@@ -103,7 +109,8 @@ impl Draw for Front {
     }
 
     /// The best points of each line, also those without a marker, with the other parameters of their cases.
-    fn points(&self, study: &Study, cases: &[DrawnCase], sheet: &Sheet) -> Vec<Hover> {
+    fn points(&self, data: &FigureData, sheet: &Sheet) -> Vec<Hover> {
+        let FigureData { study, cases, .. } = *data;
         let (points, _) = points(self, study, cases);
         let over: Vec<usize> = self.mean_over.into_iter().collect();
         let shared = alike::unaffected(&*study.problem, &study.blocks, &over);

@@ -3,9 +3,9 @@
 pub(super) mod arrangement;
 pub(super) mod curves;
 
-use crate::figures::DrawnCase;
 use crate::figures::kind::Draw;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use arrangement::Arrangement;
 use curves::Curves;
 use slipgap_drawing::layout;
@@ -18,10 +18,16 @@ use slipgap_drawing::style;
 use slipgap_solver::problem::Quantity;
 use slipgap_solver::problem::unit::Dimension;
 use slipgap_study::kinds::History;
-use slipgap_study::{Figure, Scale, Study};
+use slipgap_study::{Scale, Study};
 
 impl Draw for History {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let History {
             y,
             by,

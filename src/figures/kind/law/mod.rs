@@ -4,14 +4,19 @@ mod loops;
 mod papers;
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_solver::contact::{ContactLaw, WhichLaw};
 use slipgap_study::kinds::Law;
-use slipgap_study::{Figure, Study};
 
 impl Draw for Law {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
             .map(|shown| study.problem.contact_law(&shown.case()))

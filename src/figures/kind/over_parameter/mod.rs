@@ -4,8 +4,8 @@
 mod orders;
 mod reference;
 
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use orders::{ORDERS, order_lines};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -17,7 +17,7 @@ use slipgap_drawing::layout::slope;
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::number;
-use slipgap_study::{Figure, Scale, Study};
+use slipgap_study::Scale;
 
 /// Metrics over a parameter.
 pub struct Curves<'a> {
@@ -35,7 +35,13 @@ pub struct Curves<'a> {
 
 impl Curves<'_> {
     /// The sheet of a `metric` or `convergence` figure.
-    pub fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    pub fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let Curves {
             x,
             y,

@@ -9,19 +9,24 @@ mod sizes;
 mod symbols;
 
 use super::Draw;
-use crate::figures::DrawnCase;
+use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::sheet::{Picture, Shape, Sheet};
 use slipgap_drawing::style;
 use slipgap_solver::problem::structure::Scheme as Structure;
 use slipgap_study::kinds::Scheme;
-use slipgap_study::{Figure, Study};
 
 /// Widest picture that keeps the size of its letters if the figure has no width.
 const WIDEST: f64 = style::DOUBLE;
 
 impl Draw for Scheme {
-    fn sheet(&self, study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+    fn sheet(&self, data: &FigureData) -> Sheet {
+        let FigureData {
+            study,
+            figure,
+            cases,
+            ..
+        } = *data;
         let first = cases.first();
         let scheme = first.and_then(|shown| study.problem.scheme(&shown.case()));
         let Some(scheme) = scheme else {

@@ -1,0 +1,128 @@
+//! The curves of a fragility figure: in how many cases a metric exceeds a limit, and the lognormal function of the largest
+//! likelihood.
+
+use crate::batch::DrawnCase;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_statistics::binomial;
+use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
+use slipgap_study::kinds::Fragility;
+use slipgap_study::{Study, alike};
+
+/// One curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FragilityCurve {
+    /// For each parameter of the problem the value that all cases of the curve have.
+    pub shared: Vec<Option<Value>>,
+    /// By rising value of the parameter along the axis.
+    pub points: Vec<FragilityPoint>,
+    /// The fitted function, or why there is none.
+    pub fit: Result<Function, NoFit>,
+}
+
+/// The cases of a curve at one value of the parameter along the axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FragilityPoint {
+    /// The value.
+    pub at: f64,
+    /// Number of cases.
+    pub cases: u64,
+    /// How many of them have no value of the metric; these are left out of all that follows.
+    pub empty: u64,
+    /// How many exceed the limit.
+    pub exceeded: u64,
+    /// The part that exceeds; `None` if no case has a value.
+    pub probability: Option<Probability>,
+}
+
+/// An estimated probability.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Probability {
+    /// The part of the cases.
+    pub value: f64,
+    /// Lower end of the 95 % interval (Clopper and Pearson).
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+}
+
+/// The curves of a figure: the cases of each value of its `by`, or else of each set of values of the parameters that vary and
+/// change neither with the ensemble nor along the axis; in the order of the first cases.
+pub fn curves(study: &Study, figure: &Fragility, cases: &[DrawnCase]) -> Vec<FragilityCurve> {
+    let rows = match figure.by {
+        Some(row) => vec![row],
+        None => study.outside_ensemble(&[figure.x]),
+    };
+    let groups = alike::grouped(cases, |shown| shown.identity(&rows));
+    let parameters = study.problem.parameters().len();
+    let groups = groups.iter();
+    groups
+        .map(|cases| curve(parameters, figure, cases))
+        .collect()
+}
+
+fn curve(parameters: usize, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCurve {
+    let along = |shown: &DrawnCase| shown.value(figure.x).filter(|x| x.as_f64().is_some());
+    let placed = cases.iter().filter(|shown| along(shown).is_some());
+    let groups = alike::grouped(placed, |shown| along(shown).map(Value::identity));
+    let point = |cases: Vec<&&DrawnCase>| {
+        let at = along(cases.first()?)?.as_f64()?;
+        Some(FragilityPoint::new(figure, at, &cases))
+    };
+    let mut points: Vec<FragilityPoint> = groups.into_iter().filter_map(point).collect();
+    points.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let trials = points.iter().filter(|point| point.probability.is_some());
+    let trials: Vec<Trials> = trials.map(FragilityPoint::trials).collect();
+    FragilityCurve {
+        shared: shared(parameters, cases),
+        fit: Function::fit(&trials),
+        points,
+    }
+}
+
+/// For each parameter the value that all cases have.
+fn shared(parameters: usize, cases: &[&DrawnCase]) -> Vec<Option<Value>> {
+    let value = |row: usize| {
+        let first = cases.first()?.value(row);
+        let mut others = cases.iter().map(|shown| shown.value(row));
+        first.filter(|_| others.all(|other| Value::identical(other, first)))
+    };
+    (0..parameters).map(value).collect()
+}
+
+impl FragilityPoint {
+    fn new(figure: &Fragility, at: f64, cases: &[&&DrawnCase]) -> FragilityPoint {
+        let value = |shown: &&&DrawnCase| shown.metric(figure.y);
+        let values: Vec<f64> = cases.iter().filter_map(value).collect();
+        let exceeded = values.iter().filter(|value| **value > figure.limit);
+        let (exceeded, count) = (exceeded.count() as u64, values.len() as u64);
+        let probability = || {
+            let [low, high] = binomial::interval(exceeded, count);
+            Probability {
+                value: exceeded as f64 / count as f64,
+                low,
+                high,
+            }
+        };
+        FragilityPoint {
+            at,
+            cases: cases.len() as u64,
+            empty: (cases.len() - values.len()) as u64,
+            exceeded,
+            probability: (count > 0).then(probability),
+        }
+    }
+
+    /// The cases with a value, as trials.
+    fn trials(&self) -> Trials {
+        Trials {
+            at: self.at,
+            exceeded: self.exceeded,
+            count: self.count(),
+        }
+    }
+
+    /// Number of cases with a value.
+    pub fn count(&self) -> u64 {
+        self.cases - self.empty
+    }
+}
