@@ -1,12 +1,9 @@
 //! The LuGre model of friction.
 
-use super::numbers::{oscillator, structure};
-use super::offer::{Form, In, InOscillator, Offer};
+mod described;
+
 use super::saturation::{self, rise};
-use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
-};
+use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
 use crate::lane::Lane;
 
 /// LuGre model [Canudas de Wit, Olsson, Astrom and Lischinsky 1995]: bristles with the mean deflection z,
@@ -22,7 +19,7 @@ use crate::lane::Lane;
 /// S(0) = (sigma1 + sigma2) rdot; with S(0) = 0 a method that uses S(0) would leave out half a step of this force, an impulse of
 /// dt S(0)/2, and the motion would be of first order. For g constant and sigma1 = sigma2 = 0 it is Dahl's model with n = 1.
 ///
-/// S rises with r(i+1) and rdot(i+1) if L_s = L_k. If g falls, a step has one root where [`Properties::has_one_root`] says so; problems
+/// S rises with r(i+1) and rdot(i+1) if L_s = L_k. If g falls, a step has one root where [`super::Properties::has_one_root`] says so; problems
 /// refuse other steps.
 ///
 /// The bristles store sigma0 z^2/2. The model then never gives energy if sigma2 >= sigma1 (L_s/L_k - 1) [Barabanov and Ortega
@@ -121,137 +118,6 @@ impl StoredEnergy for Lugre {
         } else {
             0.0
         }
-    }
-}
-
-impl Described for Lugre {
-    const KIND: ContactKind = ContactKind::Friction;
-    const NAME: &'static str = "lugre";
-    const OF_VELOCITY: bool = false;
-    const OFFERS: &'static [Offer] = &[Offer {
-        name: Self::NAME,
-        also: &[],
-        oscillator: Some(InOscillator {
-            of: In {
-                meaning: "bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-                numbers: &[
-                    &oscillator::SIGMA0,
-                    &oscillator::SIGMA1,
-                    &oscillator::SIGMA2,
-                    &oscillator::STATIC_RATIO,
-                    &oscillator::STRIBECK_VELOCITY,
-                ],
-            },
-            law: |given| {
-                let [sigma0, sigma1, sigma2, static_limit, stribeck_velocity] = given.all()?;
-                Some(ContactLaw::Lugre(Lugre {
-                    sigma0,
-                    sigma1,
-                    sigma2,
-                    limit: 1.0,
-                    static_limit,
-                    stribeck_velocity,
-                }))
-            },
-        }),
-        bars: None,
-        structure: Some(In {
-            meaning: "friction, bristles with stiffness sigma0, damping sigma1 and viscosity sigma2 (Canudas de Wit et al. 1995)",
-            numbers: &[
-                &structure::SIGMA0,
-                &structure::SIGMA1,
-                &structure::SIGMA2,
-                &structure::STATIC_RATIO,
-                &structure::STRIBECK_VELOCITY,
-            ],
-        }),
-        form: |given| {
-            let ratio = given.need("static_ratio")?;
-            // Without a fall of the limit v_S has no effect.
-            let stribeck_velocity = match (ratio > 1.0, given.given("stribeck_velocity")) {
-                (false, None) => 1.0,
-                _ => given.need("stribeck_velocity")?,
-            };
-            Ok(Form::Friction(ContactLaw::Lugre(Lugre {
-                sigma0: given.need("sigma0")?,
-                sigma1: given.need("sigma1")?,
-                sigma2: given.need("sigma2")?,
-                limit: given.limit(),
-                static_limit: ratio * given.limit(),
-                stribeck_velocity,
-            })))
-        },
-    }];
-    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
-        let [g, _] = law.strength(velocity);
-        let faded = libm::exp(-law.sigma0 * velocity * time / g);
-        let damping = (law.sigma1 * faded + law.sigma2) * velocity;
-        Some(g * (1.0 - faded) + damping)
-    });
-}
-
-impl Properties for Lugre {
-    fn shown(&self) -> Vec<(&'static str, f64)> {
-        vec![("sigma0 =", self.sigma0)]
-    }
-
-    fn largest_stiffness(&self, _: f64) -> f64 {
-        self.sigma0 * (1.0 + self.static_limit / self.limit)
-    }
-
-    fn initial_stiffness(&self, _: f64) -> f64 {
-        if self.limit > 0.0 { self.sigma0 } else { 0.0 }
-    }
-
-    fn reach(&self) -> f64 {
-        (4.0 * self.static_limit / self.sigma0).max(1.0)
-    }
-
-    /// Its viscosity knows no bounds.
-    fn bounds(&self) -> [f64; 2] {
-        [f64::NEG_INFINITY, f64::INFINITY]
-    }
-
-    fn over_velocity(&self) -> bool {
-        true
-    }
-
-    fn falls(&self) -> bool {
-        self.static_limit > self.limit
-    }
-
-    /// Whether every step with these flexibilities has one root; if not, some may have more.
-    ///
-    /// With m = L_s/L_k - 1, sigma0 z(i+1) falls with r(i+1) at most at the rate
-    ///
-    /// ```text
-    /// q = m sigma0 + min(0.8578 (L_s - L_k)/(v_S dt) (1 + m exp(-1 - 1/m)), 0.7358 m (1 + m) sigma0)
-    /// ```
-    ///
-    /// the first term from bristles beyond L_k, the second from the fall of g, whose slope is at most 0.8578 (L_s - L_k)/v_S and
-    /// whose slope times velocity is at most 0.7358 (L_s - L_k). So h (1 + 2 sigma1/(sigma0 dt)) q < 1 + sigma2 h_rate is enough.
-    fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
-        if self.static_limit == self.limit {
-            return true;
-        }
-        let [h, h_rate, dt] = [on.end.h.0[0], on.end.h_rate.0[0], on.dt.0[0]];
-        if h == 0.0 {
-            return true;
-        }
-        let m = self.static_limit / self.limit - 1.0;
-        let range = self.static_limit - self.limit;
-        let steep = 0.8578 * range / (self.stribeck_velocity * dt);
-        let steep = steep * (1.0 + m * libm::exp(-1.0 - 1.0 / m));
-        let fast = 0.7358 * m * (1.0 + m) * self.sigma0;
-        let q = m * self.sigma0 + if steep < fast { steep } else { fast };
-        h * (1.0 + 2.0 * self.sigma1 / (self.sigma0 * dt)) * q < 1.0 + self.sigma2 * h_rate
-    }
-
-    fn unbent_force(&self, rdot: f64) -> Option<f64> {
-        Some(match self.limit > 0.0 {
-            true => (self.sigma1 + self.sigma2) * rdot,
-            false => 0.0,
-        })
     }
 }
 
