@@ -6,7 +6,7 @@
 debug = $(or $(CARGO_TARGET_DIR),target)/debug
 released = SLIPGAP_PROGRAM=$(abspath $(or $(CARGO_TARGET_DIR),target))/release/slipgap
 
-.PHONY: help figures report test lint fresh licences schema bench guard peers maps mutants fuzz torture slurm-test python-test wheel
+.PHONY: help figures report test lint fresh licences schema bench guard peers speed maps mutants fuzz torture slurm-test python-test wheel
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1|/p' Makefile | awk -F'|' '{ printf "%-18s %s\n", $$1, $$2 }'
@@ -48,6 +48,10 @@ guard: ## compare the instruction counts of sweeps with recorded ones (needs val
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
 peers: ## the same sweeps and three girders with contacts by slipgap, numba, numpy and OpenSees, in tables
 	benches/peers/run
+
+# With PROGRAM=path, the times of another build beside it.
+speed: ## whole runs beside loops by numba, written to docs/speed.md and README.md with the name of the machine
+	benches/peers/run speed $(PROGRAM)
 
 maps: ## the sensitivity maps with a thousand cases along each axis, in docs/maps/
 	cargo run --release --locked -- run docs/maps/*.json --out target/maps

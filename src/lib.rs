@@ -26,7 +26,7 @@
 //!
 //! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`compare`], [`run`], [`warnings`],
 //! [`checks`], [`figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`],
-//! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`methods`], [`system`],
+//! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`],
 //! [`contact`], [`expression`], [`lane`] and [`history`], and [`statistics`]. [`textbook`] has the papers' matrices and iteration,
 //! which the fast form is tested against. Who needs the solver alone uses `slipgap-solver`.
 //!
@@ -41,7 +41,7 @@
 //! - [`system::System`]: what a problem makes of a case: the modes, the contact, the start, the step.
 //! - [`problem::Solution`]: a case's [`history::History`], the exact history, and the metrics.
 //! - [`solve::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each has by itself.
-//! - [`methods::Method`] with [`methods::average_acceleration::AverageAcceleration`] and others, and [`contact::Law`]: the method and
+//! - [`methods::Method`] with [`methods::AverageAcceleration`] and others, and [`contact::Law`]: the method and
 //!   the contact.
 //! - [`exact::coulomb::Coulomb`] and [`exact::wave::Wave`]: the exact solutions; they never use the method.
 //!

@@ -148,6 +148,7 @@ fn with_snapshots(study: &Study, figure: &Figure, mut shown: ShownCases) -> Show
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::batch::RunOptions;
     use crate::figures;
     use slipgap_study::parse;
 
@@ -195,6 +196,63 @@ mod tests {
                 .collect()
         };
         sheet.panels.iter().map(panel).collect()
+    }
+
+    #[test]
+    fn figures_of_columns_are_drawn_from_these_alone() {
+        let figures = [
+            (
+                r#""kind": "map", "x": "alpha", "y": "dT", "z": "rms_error", "where": {"x0": 8}"#,
+                [3, 1],
+            ),
+            (
+                r#""kind": "scatter", "x": "x0", "y": "rms_error", "colour": "max_error""#,
+                [1, 2],
+            ),
+            (r#""kind": "samples", "y": "rms_error""#, [2, 1]),
+            (
+                r#""kind": "sobol", "y": ["rms_error", "max_error"]"#,
+                [0, 2],
+            ),
+        ];
+        let grid = r#""parameters": {"law": "displacement-control", "alpha": [0.1, 0.2, 1], "dT": [0.5, 0.25, 0.1],
+            "x0": [8, 12], "duration": 9}"#;
+        let design = r#""parameters": {"law": "displacement-control", "alpha": {"uniform": [0.1, 1]}, "dT": 0.25,
+            "x0": {"uniform": [8, 12]}, "duration": 9}, "design": {"kind": "saltelli", "n": 8}"#;
+        for (figure, [parameters, measures]) in figures {
+            let designed = figure.contains("samples") || figure.contains("sobol");
+            let cases = if designed { design } else { grid };
+            let text = format!(
+                r#"{{"problem": "friction-oscillator", {cases}, "figures": [{{"name": "f", {figure}}}]}}"#
+            );
+            let study = parse("s", &text).unwrap_or_else(|e| panic!("{e}"));
+            let drawn = |needed: &Needed| {
+                let mut shown = ShownCases::new(study.problem.schema());
+                let mut designs = DesignMetrics::new(&study);
+                let bar = indicatif::ProgressBar::hidden();
+                batch::run(&study, &bar, &RunOptions::METRICS, |mut part| {
+                    designs.add(&part);
+                    add(&study, needed, &mut part, &mut shown);
+                    Ok(())
+                })
+                .unwrap();
+                let figure = &study.figures[0];
+                with_data(&study, figure, &shown, &designs, |data| {
+                    figures::svg(&figures::sheet(data), 192).unwrap()
+                })
+            };
+            let own = needed(&study);
+            let count = |needed: &[bool]| needed.iter().filter(|needed| **needed).count();
+            assert_eq!(
+                [count(&own.parameters), count(&own.measures)],
+                [parameters, measures]
+            );
+            let all = Needed {
+                parameters: vec![true; own.parameters.len()],
+                measures: vec![true; own.measures.len()],
+            };
+            assert_eq!(drawn(&own), drawn(&all));
+        }
     }
 
     #[test]

@@ -24,7 +24,7 @@ def gammas(count):
     return np.geomspace(0.1, 10.0, count)
 
 
-def study(problem, count):
+def study(problem, count, n=N):
     if problem == "oscillator":
         parameters = {
             "law": "displacement-control", "x0": X0, "dT": "pi/10", "duration": "8*pi",
@@ -32,7 +32,7 @@ def study(problem, count):
         }
         return {"problem": "friction-oscillator", "parameters": parameters}
     parameters = {
-        "n": N, "dt": BAR_DT, "duration": 1.5, "gamma": {"geomspace": [0.1, 10, count]},
+        "n": n, "dt": BAR_DT, "duration": 1.5, "gamma": {"geomspace": [0.1, 10, count]},
     }
     return {"problem": "bar-impact", "parameters": parameters}
 

@@ -74,9 +74,9 @@ def bars_numpy(gamma):
 
 
 def bars_modal(gamma, omega2, phi2, w, x, v):
-    """The same in modes: 22 of them, closed-form root."""
-    k_i = 2 * gamma * N
+    """The same in modes, n + 1 for each bar, closed-form root."""
     modes = len(omega2)
+    k_i = 2 * gamma * (modes // 2 - 1)
     h = 0.0
     for k in range(modes):
         d = 1 + omega2[k] * BAR_DT**2 / 4
@@ -102,11 +102,11 @@ def bars_modal(gamma, omega2, phi2, w, x, v):
     return peak
 
 
-def modes():
-    """omega^2, phi^2 and start velocities of both bars' modes."""
-    j = np.arange(N + 1)
-    omega2 = 4 * np.sin(j * math.pi / (2 * N)) ** 2 * (2 * N) ** 2
-    mass = np.where((j == 0) | (j == N), 0.5, 0.25)
+def modes(n=N):
+    """omega^2, phi^2 and start velocities of both bars' modes, with n elements each."""
+    j = np.arange(n + 1)
+    omega2 = 4 * np.sin(j * math.pi / (2 * n)) ** 2 * (2 * n) ** 2
+    mass = np.where((j == 0) | (j == n), 0.5, 0.25)
     start = np.where(j == 0, -1.0, 0.0)
     return np.tile(omega2, 2), np.tile(1 / mass, 2), np.tile(start, 2)
 
@@ -145,5 +145,5 @@ def numba_oscillator(alphas):
     return sweep_oscillator(alphas, exact_oscillator())
 
 
-def numba_bars(gammas):
-    return sweep_bars(gammas, *modes())
+def numba_bars(gammas, n=N):
+    return sweep_bars(gammas, *modes(n))

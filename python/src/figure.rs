@@ -1,5 +1,6 @@
 //! The figures of a study, drawn when they are asked for, or read from the folder of the run.
 
+use crate::error::{raise, usage};
 use pyo3::prelude::*;
 use slipgap::batch::ShownCases;
 use slipgap::batch::output::sobol::DesignMetrics;
@@ -7,7 +8,6 @@ use slipgap::error::Error;
 use slipgap::figures::{self, style};
 use slipgap::run::Source;
 use slipgap::study_figures;
-use slipgap_solver::error::{raise, usage};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -142,11 +142,18 @@ impl fmt::Display for Difference {
     }
 }
 
-/// A hash of the parameters of a case, bit by bit.
-pub fn case_hash(case: &[Option<Value>]) -> u128 {
-    let mut bytes = Vec::new();
-    case.iter().for_each(|value| push_value(&mut bytes, *value));
-    XxHash3_128::oneshot(&bytes)
+/// Hashes of the parameters of cases, bit by bit, in the same memory.
+#[derive(Debug, Default)]
+pub struct CaseHash(Vec<u8>);
+
+impl CaseHash {
+    /// The hash of a case.
+    pub fn of(&mut self, case: &[Option<Value>]) -> u128 {
+        self.0.clear();
+        case.iter()
+            .for_each(|value| push_value(&mut self.0, *value));
+        XxHash3_128::oneshot(&self.0)
+    }
 }
 
 /// Appends bytes that are different for every value.

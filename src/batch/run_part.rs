@@ -1,7 +1,7 @@
 //! Runs one part: reads it from the store, or computes and stores it.
 
 use super::chunk::Part;
-use super::key::{Key, case_hash};
+use super::key::{CaseHash, Key};
 use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
 use super::store::{EarlierCases, Miss, Store};
@@ -117,9 +117,9 @@ impl<'a> Missing<'a> {
                 reused,
             };
         }
-        let mut shown = cases.shown();
+        let (mut shown, mut hash) = (cases.shown(), CaseHash::default());
         for row in compute::solvable_rows(cases) {
-            match earlier.get(case_hash(&shown.at(row as usize).values)) {
+            match earlier.get(hash.of(&shown.at(row as usize).values)) {
                 Some((metrics, from)) => reused.push((row, metrics, from)),
                 None => rows.push(row),
             }

@@ -1,6 +1,6 @@
 //! A new parameter with a default: a copy of the friction oscillator with one more parameter.
 
-use super::key::{Key, case_hash};
+use super::key::{CaseHash, Key};
 use super::output::results::ResultTable;
 use super::output::tables::FailureTable;
 use super::store::Store;
@@ -161,8 +161,9 @@ fn results_stored_without_the_column_serve_at_its_default() {
     let store = Store::open(folder.path()).unwrap();
     let (first, cases) = after.columns(0, after.raw_len());
     let former = store.earlier_cases(&after, 0, &Key::new(&after, first, &cases));
+    let mut hash = CaseHash::default();
     let stored = after
         .cases()
-        .map(|case| former.get(case_hash(&case.values)).is_some());
+        .map(|case| former.get(hash.of(&case.values)).is_some());
     assert_eq!(stored.collect::<Vec<_>>(), [true, false, true, false]);
 }

@@ -7,7 +7,7 @@ use crate::common;
 use common::case;
 use serde_json::json;
 use slipgap::lane::Lane;
-use slipgap::methods::Method;
+use slipgap::methods::Recursion;
 use slipgap::problem::impact::case::system;
 use slipgap::problem::impact::scaled::Scaled;
 use slipgap::problem::{Solution, find};

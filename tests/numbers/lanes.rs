@@ -2,8 +2,9 @@
 
 use slipgap::contact::{Answer, DisplacementControl, ImpactSpring, RunningLaw, VelocityControl};
 use slipgap::lane::Lane;
-use slipgap::methods::average_acceleration::{AverageAcceleration, ModeState, Modes};
-use slipgap::methods::{ContactState, Method, MethodChoice, ModeStart, Start};
+use slipgap::methods::{
+    AverageAcceleration, ContactState, ManyModes, ModeStart, OneMode, Recursion, Scheme, Start,
+};
 use slipgap::system::Mode;
 use slipgap::system::bar::{Bar, Mass};
 use std::array;
@@ -22,9 +23,12 @@ const CASES: [[f64; 3]; 8] = [
 
 const STEPS: usize = 500;
 
+/// The method with this storage of modes.
+type Lanes<const L: usize, N> = <AverageAcceleration as Scheme>::Lanes<L, N>;
+
 /// The bits of r, rdot and S over the steps, one list a lane.
-fn bits<const L: usize, M: Modes<L>>(
-    mut stepper: AverageAcceleration<L, M>,
+fn bits<const L: usize>(
+    mut stepper: impl Recursion<L>,
     mut law: impl Answer<L>,
 ) -> [Vec<[u64; 3]>; L] {
     let mut lists = array::from_fn(|_| Vec::new());
@@ -53,14 +57,14 @@ fn numbers<const L: usize>(first: usize) -> [f64; L] {
 
 fn at<const L: usize>(dt: Lane<L>, gap: Lane<L>) -> Start<L> {
     Start {
-        choice: [MethodChoice::AverageAcceleration; L],
+        method: [AverageAcceleration.into(); L],
         dt,
         gap,
         force: Lane::splat(0.0),
     }
 }
 
-fn oscillators<const L: usize>(first: usize) -> AverageAcceleration<L, [ModeState<L>; 1]> {
+fn oscillators<const L: usize>(first: usize) -> Lanes<L, OneMode> {
     let unit = Mode::new(1.0, 1.0);
     let start = ModeStart {
         mode: [unit; L],
@@ -68,7 +72,7 @@ fn oscillators<const L: usize>(first: usize) -> AverageAcceleration<L, [ModeStat
         velocity: Lane::splat(0.0),
     };
     let at = at(lane(first, 0), Lane::splat(0.0));
-    AverageAcceleration::new(&at, [start].into_iter()).unwrap()
+    Lanes::<L, OneMode>::new(&at, [start].into_iter()).unwrap()
 }
 
 fn displacement<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
@@ -106,7 +110,7 @@ fn impact<const L: usize>(first: usize) -> [Vec<[u64; 3]>; L] {
         velocity: Lane::splat(if j == 0 { -2.0 } else { 0.0 }),
     });
     let (dt, gap) = (lane(first, 0) * 0.02, lane(first, 0) * 0.07);
-    let stepper = AverageAcceleration::<L>::new(&at(dt, gap), start).unwrap();
+    let stepper = Lanes::<L, ManyModes>::new(&at(dt, gap), start).unwrap();
     let laws = numbers(first).map(|compliance| ImpactSpring {
         stiffness: 1.0 / compliance,
     });

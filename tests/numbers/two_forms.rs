@@ -6,7 +6,7 @@ use slipgap::contact::{
     DisplacementControl, Law, RunningLaw, StepLaw, VelocityControl, friction_limit,
 };
 use slipgap::lane::Lane;
-use slipgap::methods::{Method, MethodChoice, ModeStart, Start};
+use slipgap::methods::{AverageAcceleration, ModeStart, Recursion, Start};
 use slipgap::solve::Stepper;
 use slipgap::system::Modal;
 use slipgap::textbook::{Assembly, Cycle, Iteration, Newmark};
@@ -73,7 +73,7 @@ impl Set {
                 velocity: Lane([v[k]]),
             });
         let at = Start {
-            choice: [MethodChoice::AverageAcceleration],
+            method: [AverageAcceleration.into()],
             dt: Lane([self.dt]),
             gap: Lane([0.0]),
             force: Lane([force]),

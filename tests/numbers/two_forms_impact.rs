@@ -5,7 +5,7 @@ use slipgap::contact::element::ImpactElement;
 use slipgap::contact::{ContactLaw, ImpactSpring};
 use slipgap::exact::wave::Bars;
 use slipgap::lane::Lane;
-use slipgap::methods::{Method, MethodChoice};
+use slipgap::methods::{AverageAcceleration, Recursion};
 use slipgap::problem::impact::case::system;
 use slipgap::problem::impact::scaled::{CLOSING, Scaled};
 use slipgap::solve::{Stepper, start};
@@ -36,7 +36,7 @@ fn equal(gamma: f64, n: u32, kind: Mass) -> Scaled {
         law: ContactLaw::ImpactSpring(ImpactSpring {
             stiffness: 2.0 * gamma * f64::from(n),
         }),
-        method: MethodChoice::AverageAcceleration,
+        method: AverageAcceleration.into(),
         length_ratio: 1.0,
     }
 }

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The modules from top to bottom; each uses only those below it: [`problem`] (parameters, metrics and systems of a case),
-//! [`metrics`], [`solve`], [`textbook`], [`exact`], [`methods`], [`system`], [`contact`], [`expression`], [`lane`], [`history`].
+//! [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`], [`contact`], [`expression`], [`range`], [`lane`], [`history`].
 //!
 //! Everything that determines a result is in this crate: [`VERSION_KEY`] is a hash of its code.
 
@@ -22,6 +22,7 @@ pub mod lane;
 pub mod methods;
 pub mod metrics;
 pub mod problem;
+pub mod range;
 pub mod solve;
 pub mod system;
 pub mod textbook;

@@ -116,14 +116,17 @@ fn follow(
     end: f64,
     steps: u32,
 ) -> Vec<[f64; 3]> {
-    let none = Flexibility {
+    // Without compliance a motion that is given leaves S open: the end yields a little.
+    let open = law.of_velocity() && law.properties().shown()[0].1 == f64::INFINITY;
+    let flexibility = |h_rate: f64| Flexibility {
         h: Lane([0.0]),
-        h_rate: Lane([0.0]),
+        h_rate: Lane([h_rate]),
     };
+    let (none, end_of_step) = (flexibility(0.0), flexibility(if open { 1e-9 } else { 0.0 }));
     let dt = end / f64::from(steps);
     let on = StepFlexibility {
         start: none,
-        end: none,
+        end: end_of_step,
         dt: Lane([dt]),
         by_impulse: false,
     };
@@ -262,16 +265,17 @@ fn a_friction_law_has_the_limit_that_it_is_given() {
             continue;
         }
         let last = |law: &ContactLaw| {
-            let states = follow(law, |t: f64| [50.0 * t, 50.0], 10.0, 2000);
+            let states = follow(law, |t: f64| [5e4 * t, 5e4], 10.0, 2000);
             states[1999][2]
         };
         // Without the viscosity of a law that has one.
         let viscous = match made {
-            ContactLaw::Lugre(law) => 50.0 * law.sigma2,
+            ContactLaw::Lugre(law) => 5e4 * law.sigma2,
             _ => 0.0,
         };
         let ratio = (last(&other) - viscous) / (last(&made) - viscous);
-        assert!((ratio - 0.25).abs() < 1e-6, "{made:?} {ratio}");
+        // With the exponent 2 Dahl's force is 1/(1 + z) below its limit, z > 3e5.
+        assert!((ratio - 0.25).abs() < 1e-5, "{made:?} {ratio}");
         assert_eq!(other.at_limit(2.0), made);
     }
 }

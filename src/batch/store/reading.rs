@@ -7,7 +7,7 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 
 use crate::batch::chunk::MOST_ROWS;
-use crate::batch::key::{Difference, Key, case_hash};
+use crate::batch::key::{CaseHash, Difference, Key};
 use crate::compare::Rows;
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::parameter::{ColumnRule, Kind, Parameter, Value, shortest};
@@ -87,15 +87,15 @@ pub fn read_hashed(
             false => Some(values(parameter, &file, count)?),
         });
     }
+    let (mut case, mut hash) = (Case::new(schema), CaseHash::default());
     let hash = |index: usize| {
-        let mut case = Case::new(schema);
         for (row, column) in columns.iter().enumerate() {
             case.values[row] = match column {
                 Some(values) => values[index],
                 None => case.default_at(row),
             };
         }
-        case_hash(&case.values)
+        hash.of(&case.values)
     };
     let hashes = (0..count).map(hash).collect();
     Ok(Some((hashes, metrics(study, &file, count)?)))

@@ -35,7 +35,7 @@ pub fn encode(
     metrics: &MetricTable,
     constant_columns: &ConstantColumns,
 ) -> Result<Vec<u8>> {
-    let mut bytes = Vec::new();
+    let mut bytes = Vec::with_capacity(8 * cases.len() * (study.metrics.len() + 2));
     let (schema, properties) = (Arc::new(schema(study)?), Arc::new(properties(study, key)));
     let mut file = SerializedFileWriter::new(&mut bytes, schema, properties.clone())?;
     let columns = file.schema_descr().columns().to_vec();

@@ -110,7 +110,7 @@ impl Friction {
     fn cost(&self, variant: &Variant, count: u32) -> u64 {
         let (case, _) = self.case(variant, WIDTHS[1], count, self.releases.longest());
         let system = FrictionOscillator.system(&case);
-        let parts = system.map_or(1, |system| system.method.sub_steps());
+        let parts = system.map_or(1, |system| system.method.count_of_sub_steps());
         FrictionOscillator.steps(&case) * parts
     }
 }

@@ -5,7 +5,7 @@ use crate::EnergyChange;
 use slipgap_solver::contact::StoredEnergy;
 use slipgap_solver::history::History;
 use slipgap_solver::lane::Lane;
-use slipgap_solver::methods::{ContactWork, MethodChoice};
+use slipgap_solver::methods::ContactWork;
 use slipgap_solver::metrics::impact::step_work;
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::impact::BarImpact;
@@ -20,7 +20,7 @@ pub fn energy_change(case: &Case, computed: &History) -> Option<EnergyChange> {
     let start = system.linear.energy();
     let (mut change, damping) = by_contact(&system, computed);
     // Constant average acceleration adds and takes nothing.
-    if system.method != MethodChoice::AverageAcceleration {
+    if !system.method.conserves() {
         for (change, added) in change.iter_mut().zip(by_method(&system)) {
             *change += added;
         }

@@ -5,7 +5,6 @@
 //! rho exp(+-i phi). The computed period is 2 pi dt/phi instead of 2 pi/omega, and the motion decays as that of an oscillator
 //! with the damping ratio -ln(rho)/phi (Hilber, Hughes and Taylor 1977).
 
-use super::{Coefficients, MethodChoice};
 use nalgebra::{Matrix2, Matrix3};
 
 /// What a step makes of a free mode.
@@ -28,82 +27,13 @@ pub struct Principal {
     pub damping_ratio: f64,
 }
 
-impl MethodChoice {
-    /// The amplification of a free mode with this `omega_dt` > 0.
-    ///
-    /// ```
-    /// use slipgap_solver::methods::MethodChoice;
-    ///
-    /// // The trapezoidal rule keeps the amplitude; at omega dt = 2 a step has the phase 2 atan(1).
-    /// let step = MethodChoice::AverageAcceleration.amplification(2.0);
-    /// let phase = step.principal.expect("an oscillation").phase;
-    /// assert!((phase - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
-    /// assert!((step.spectral_radius - 1.0).abs() < 1e-15);
-    /// ```
-    pub fn amplification(&self, omega_dt: f64) -> Amplification {
-        match self {
-            MethodChoice::AverageAcceleration => {
-                of_three(&Coefficients::newmark(0.25, 0.5).change(omega_dt), omega_dt)
-            }
-            MethodChoice::Family(own) => of_three(&own.change(omega_dt), omega_dt),
-            MethodChoice::Bathe => of_two(&bathe_change(omega_dt), omega_dt),
-            MethodChoice::MoreauJean { theta } => {
-                of_two(&moreau_jean_change(*theta, omega_dt), omega_dt)
-            }
-        }
-    }
-}
-
-impl Coefficients {
-    /// A - I for (u, dt v, dt^2 a), with D = 1 - alpha_m + (1 - alpha_f) beta (omega dt)^2 (Chung and Hulbert 1993, (10); for
-    /// alpha_m = 0 Hughes (9.3.12)).
-    pub fn change(&self, omega_dt: f64) -> Matrix3<f64> {
-        let Coefficients {
-            alpha_m,
-            alpha_f,
-            beta,
-            gamma,
-        } = *self;
-        let w2 = omega_dt * omega_dt;
-        let d = 1.0 - alpha_m + (1.0 - alpha_f) * beta * w2;
-        let u = -w2 / d;
-        let v = (1.0 - alpha_f) * u;
-        let a = (0.5 - beta) * v - alpha_m / d;
-        Matrix3::new(
-            beta * u,
-            1.0 + beta * v,
-            0.5 - beta + beta * a,
-            gamma * u,
-            gamma * v,
-            1.0 - gamma + gamma * a,
-            u,
-            v,
-            a - 1.0,
-        )
-    }
-}
-
-/// A - I for (u, dt v) of Bathe's method (Bathe and Baig 2005).
-pub fn bathe_change(omega_dt: f64) -> Matrix2<f64> {
-    let w2 = omega_dt * omega_dt;
-    let d = (9.0 + w2) * (16.0 + w2);
-    let same = -w2 * (72.0 + w2) / d;
-    let other = (144.0 - 5.0 * w2) / d;
-    Matrix2::new(same, other, -w2 * other, same)
-}
-
-/// A - I for (u, dt v) of Moreau and Jean's method without contact.
-pub fn moreau_jean_change(theta: f64, omega_dt: f64) -> Matrix2<f64> {
-    let w2 = omega_dt * omega_dt;
-    let k = w2 / (1.0 + theta * theta * w2);
-    Matrix2::new(-theta * k, 1.0 - theta * theta * k, -k, -theta * k)
-}
-
-fn of_two(change: &Matrix2<f64>, omega_dt: f64) -> Amplification {
+/// From A - I for (u, dt v).
+pub(super) fn of_two(change: &Matrix2<f64>, omega_dt: f64) -> Amplification {
     of_pair(-change.trace(), change.determinant(), 0.0, omega_dt)
 }
 
-fn of_three(change: &Matrix3<f64>, omega_dt: f64) -> Amplification {
+/// From A - I for (u, dt v, dt^2 a).
+pub(super) fn of_three(change: &Matrix3<f64>, omega_dt: f64) -> Amplification {
     // Eigenvalues d of A - I: d^3 - trace d^2 + minors d - determinant = 0. At d = 0 it is > 0, so one root is negative.
     let trace = change.trace();
     let minors = [(0, 1), (0, 2), (1, 2)]

@@ -1,6 +1,8 @@
-//! The constant average acceleration method for the modes of a structure with one contact.
+//! The constant average acceleration method: Newmark's with gamma = 1/2, beta = 1/4 [F section 4, I section 3].
 //!
-//! Newmark's method with gamma = 1/2, beta = 1/4 [F section 4, I section 3]. For a mode x'' + omega2 x = -phi2 S,
+//! # The recursion of lanes
+//!
+//! It is the form of a sub-step for speed and small round-off. For a mode x'' + omega2 x = -phi2 S,
 //! with D = 1 + omega2 dt^2/4, K = omega2 dt^2/D, G = phi2 dt^2/(2 D) and the increments P = x + dt v/2, W = dt v, the
 //! method is exactly
 //!
@@ -13,9 +15,55 @@
 //! each mode (`predictor`) and in their sum. The sum is the contact's motion without its forces. The law gives the root
 //! S(i+1). One pass then moves all modes: three additions for each mode and step.
 
-use super::{ContactState, Method, MethodKind, ModeStart, Start, Storage};
+use super::amplification::{Amplification, of_three};
+use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage};
+use super::{Coefficients, Description, Method, Scheme, SubStep};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
+
+/// Names and parameters.
+pub(super) const DESCRIPTION: Description = Description {
+    name: "average-acceleration",
+    meaning: "constant average acceleration, Newmark's method with beta = 1/4, gamma = 1/2 [F section 4, I section 3]",
+    parameters: &[],
+    method: |_| Some(Method::AverageAcceleration(AverageAcceleration)),
+};
+
+/// Constant average acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AverageAcceleration;
+
+impl AverageAcceleration {
+    /// Its coefficients in Newmark's family.
+    pub const COEFFICIENTS: Coefficients = Coefficients::newmark(0.25, 0.5);
+}
+
+impl From<AverageAcceleration> for Method {
+    #[inline(always)]
+    fn from(own: AverageAcceleration) -> Method {
+        Method::AverageAcceleration(own)
+    }
+}
+
+impl Scheme for AverageAcceleration {
+    const CONSERVES: bool = true;
+    type Lanes<const L: usize, N: ModeCount> = Lanes<L, N::Of<ModeState<L>>>;
+
+    fn sub_steps(&self, dt: f64) -> Vec<SubStep> {
+        vec![AverageAcceleration::COEFFICIENTS.sub_step(dt)]
+    }
+
+    fn order(&self) -> u32 {
+        2
+    }
+
+    fn amplification(&self, omega_dt: f64) -> Amplification {
+        of_three(
+            &AverageAcceleration::COEFFICIENTS.change(omega_dt),
+            omega_dt,
+        )
+    }
+}
 
 /// Modes of L structures with one contact each; `M` stores the modes, in an array if their number is known.
 ///
@@ -25,8 +73,7 @@ use crate::lane::Lane;
 /// ```
 /// use slipgap_solver::contact::{ImpactSpring, RunningLaw};
 /// use slipgap_solver::lane::Lane;
-/// use slipgap_solver::methods::{Method, MethodChoice, ModeStart, Start};
-/// use slipgap_solver::methods::average_acceleration::AverageAcceleration;
+/// use slipgap_solver::methods::{AverageAcceleration, ManyModes, ModeStart, Recursion, Scheme, Start};
 /// use slipgap_solver::system::Mode;
 ///
 /// let start = ModeStart {
@@ -35,12 +82,13 @@ use crate::lane::Lane;
 ///     velocity: Lane([0.0]),
 /// };
 /// let at = Start {
-///     choice: [MethodChoice::AverageAcceleration],
+///     method: [AverageAcceleration.into()],
 ///     dt: Lane([1.0]),
 ///     gap: Lane([10.0]),
 ///     force: Lane([0.0]),
 /// };
-/// let mut method = AverageAcceleration::<1>::new(&at, [start].into_iter()).expect("one mode");
+/// type Lanes = <AverageAcceleration as Scheme>::Lanes<1, ManyModes>;
+/// let mut method = Lanes::new(&at, [start].into_iter()).expect("one mode");
 /// // The gap keeps the contact open.
 /// let mut law = RunningLaw::of(&[ImpactSpring { stiffness: 1.0 }], &method.flexibilities());
 /// let r: Vec<f64> = (0..4).map(|_| method.step(&mut law).displacement.0[0] - 10.0).collect();
@@ -49,7 +97,7 @@ use crate::lane::Lane;
 /// }
 /// ```
 #[derive(Debug, Clone)]
-pub struct AverageAcceleration<const L: usize, M = Vec<ModeState<L>>> {
+pub struct Lanes<const L: usize, M = Vec<ModeState<L>>> {
     modes: M,
     /// 1/dt
     rate: Lane<L>,
@@ -74,44 +122,6 @@ pub struct ModeState<const L: usize> {
     p: Lane<L>,
     /// W - K P: the next W without the contact forces.
     predictor: Lane<L>,
-}
-
-/// Storage of modes: a list, or an array of one.
-pub trait Modes<const L: usize>: AsRef<[ModeState<L>]> + AsMut<[ModeState<L>]> + Clone {
-    /// The same storage for the modes of another method.
-    type Of<T: Copy>: Storage<T>;
-
-    /// Stores the modes, at least one.
-    fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self>;
-
-    /// Moves the modes out, without a copy of a list.
-    fn take(&mut self) -> Self;
-}
-
-impl<const L: usize> Modes<L> for Vec<ModeState<L>> {
-    type Of<T: Copy> = Vec<T>;
-
-    fn collect(modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
-        Some(Iterator::collect(modes))
-    }
-
-    fn take(&mut self) -> Self {
-        std::mem::take(self)
-    }
-}
-
-impl<const L: usize> Modes<L> for [ModeState<L>; 1] {
-    type Of<T: Copy> = [T; 1];
-
-    #[inline(always)]
-    fn collect(mut modes: impl Iterator<Item = ModeState<L>>) -> Option<Self> {
-        modes.next().map(|mode| [mode])
-    }
-
-    #[inline(always)]
-    fn take(&mut self) -> Self {
-        *self
-    }
 }
 
 impl<const L: usize> ModeState<L> {
@@ -162,9 +172,8 @@ fn sum<const L: usize>(modes: &[ModeState<L>], of: impl Fn(&ModeState<L>) -> Lan
     sum
 }
 
-impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
-    const KIND: MethodKind = MethodKind::AverageAcceleration;
-    const CONSERVES: bool = true;
+impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
+    type Scheme = AverageAcceleration;
 
     #[inline(always)]
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
@@ -173,7 +182,7 @@ impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
         let all = modes.as_ref();
         let rate = dt.map(|dt| 1.0 / dt);
         let increment = sum(all, |mode| mode.state()[0]);
-        Some(AverageAcceleration {
+        Some(Lanes {
             rate,
             compliance: sum(all, |mode| mode.compliance),
             predictor: sum(all, |mode| mode.predictor),
@@ -239,7 +248,7 @@ impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
 
     #[inline(always)]
     fn take(&mut self) -> Self {
-        AverageAcceleration {
+        Lanes {
             modes: self.modes.take(),
             rate: self.rate,
             compliance: self.compliance,
@@ -263,7 +272,6 @@ impl<const L: usize, M: Modes<L>> Method<L> for AverageAcceleration<L, M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::MethodChoice;
     use crate::system::{Modal, Mode};
     use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 
@@ -279,7 +287,7 @@ mod tests {
 
     fn at(dt: f64, gap: f64, force: f64) -> Start<1> {
         Start {
-            choice: [MethodChoice::AverageAcceleration],
+            method: [AverageAcceleration.into()],
             dt: Lane([dt]),
             gap: Lane([gap]),
             force: Lane([force]),
@@ -297,8 +305,8 @@ mod tests {
                 velocity: Lane([0.4 * omega]),
             };
             let at = at(w / omega, 0.0, 0.0);
-            let mut stepper = AverageAcceleration::<1>::new(&at, [start].into_iter()).unwrap();
-            let energy = |stepper: &AverageAcceleration<1>| {
+            let mut stepper = Lanes::<1>::new(&at, [start].into_iter()).unwrap();
+            let energy = |stepper: &Lanes<1>| {
                 let (x, v) = stepper.modes().next().unwrap();
                 start.mode[0].energy(x.0[0], v.0[0])
             };
@@ -344,7 +352,7 @@ mod tests {
                     displacement: Lane([x]),
                     velocity: Lane([v]),
                 });
-            let mut stepper = AverageAcceleration::<1>::new(&at(dt, gap, force), start).unwrap();
+            let mut stepper = Lanes::<1>::new(&at(dt, gap, force), start).unwrap();
             let solve = |f: DVector<f64>| m.clone().lu().solve(&f).unwrap();
             let mut a = solve(-(&k * &u + &b * force));
             let effective = (&m * (4.0 / (dt * dt)) + &k).lu();

@@ -1,7 +1,9 @@
-//! The composite method of Bathe for the modes of a structure with one contact.
+//! The composite method of Bathe: two sub-steps of h = dt/2, the trapezoidal rule, then the three-point backward difference (Bathe and
+//! Baig 2005, Bathe 2007). The contact has a force at the end of both.
 //!
-//! A step has two sub-steps of h = dt/2: the trapezoidal rule, then the three-point backward difference (Bathe and Baig 2005,
-//! Bathe 2007). The contact has a force at the end of both. For a mode x'' + omega2 x = -phi2 S, with W2 = (omega dt)^2,
+//! # The recursion of lanes
+//!
+//! It is the form of both sub-steps for speed and small round-off. For a mode x'' + omega2 x = -phi2 S, with W2 = (omega dt)^2,
 //! w = h v and p = x + w/2 as in the average acceleration method, K = 4 W2/(16 + W2), G = 2 phi2 dt^2/(16 + W2) and
 //! E = 9 + W2, the method is exactly
 //!
@@ -10,17 +12,79 @@
 //! w2 = w1 - n/4 - 3/2 e,   x2 = t - e,   p2 = x2 + w2/2
 //! ```
 //!
-//! with x1 = x + w - n/2. Only increments are added, which keeps the round-off small however small the step is. Each sub-step
-//! is one pass over the modes.
+//! with x1 = x + w - n/2. Only increments are added: the round-off stays small however small the step is. Each sub-step is one pass.
 
-use super::storage::{Storage, sums};
-use super::{ContactState, Method, MethodKind, ModeStart, Start};
+use super::amplification::{Amplification, of_two};
+use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage, sums};
+use super::{AverageAcceleration, Description, Method, Scheme, SubStep};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
+use nalgebra::Matrix2;
+
+/// Names and parameters.
+pub(super) const DESCRIPTION: Description = Description {
+    name: "bathe",
+    meaning: "two sub-steps: trapezoidal rule, then three-point backward difference (Bathe and Baig 2005)",
+    parameters: &[],
+    method: |_| Some(Method::Bathe(Bathe)),
+};
+
+/// Bathe's method of two sub-steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bathe;
+
+impl Bathe {
+    /// A - I for (u, dt v) of a free mode (Bathe and Baig 2005).
+    pub fn change(omega_dt: f64) -> Matrix2<f64> {
+        let w2 = omega_dt * omega_dt;
+        let d = (9.0 + w2) * (16.0 + w2);
+        let same = -w2 * (72.0 + w2) / d;
+        let other = (144.0 - 5.0 * w2) / d;
+        Matrix2::new(same, other, -w2 * other, same)
+    }
+}
+
+impl From<Bathe> for Method {
+    fn from(own: Bathe) -> Method {
+        Method::Bathe(own)
+    }
+}
+
+impl Scheme for Bathe {
+    const SUB_STEPS: u64 = 2;
+    type Lanes<const L: usize, N: ModeCount> = Lanes<L, N::Of<ModeState<L>>>;
+
+    fn sub_steps(&self, dt: f64) -> Vec<SubStep> {
+        let trapezoidal = AverageAcceleration::COEFFICIENTS.sub_step(0.5 * dt);
+        // v' = (u0 - 4 u + 3 u')/dt and a' = (v0 - 4 v + 3 v')/dt.
+        let backward_difference = SubStep {
+            length: 0.5 * dt,
+            inertia: [0.0, 1.0],
+            weights: [0.0, 1.0],
+            forces: [0.0, 1.0],
+            d1: dt / 3.0,
+            d2: dt * dt / 9.0,
+            u_v: dt / 3.0,
+            u_a: 0.0,
+            u_before: Some([1.0 / 3.0, dt / 9.0]),
+            v_a: 0.0,
+            v_d: 1.0 / 3.0,
+        };
+        vec![trapezoidal, backward_difference]
+    }
+
+    fn order(&self) -> u32 {
+        2
+    }
+
+    fn amplification(&self, omega_dt: f64) -> Amplification {
+        of_two(&Bathe::change(omega_dt), omega_dt)
+    }
+}
 
 /// Modes of L structures with one contact each; `M` stores the modes.
 #[derive(Debug, Clone)]
-pub struct Bathe<const L: usize, M = Vec<ModeState<L>>> {
+pub struct Lanes<const L: usize, M = Vec<ModeState<L>>> {
     modes: M,
     /// dt/2
     dt: Lane<L>,
@@ -109,7 +173,7 @@ impl<const L: usize> ModeState<L> {
     }
 }
 
-impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
+impl<const L: usize, M: Storage<ModeState<L>>> Lanes<L, M> {
     /// The first sub-step; returns the contact at its end, and the sums of w1 - n/4 and of e without S2.
     #[inline(always)]
     fn trapezoidal(&mut self, law: &mut impl Answer<L>) -> (ContactState<L>, [Lane<L>; 2]) {
@@ -141,9 +205,8 @@ impl<const L: usize, M: Storage<ModeState<L>>> Bathe<L, M> {
     }
 }
 
-impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
-    const KIND: MethodKind = MethodKind::Bathe;
-    const CONSERVES: bool = false;
+impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
+    type Scheme = Bathe;
 
     #[inline(always)]
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
@@ -154,7 +217,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
             [mode.stiffness * mode.p, mode.w, mode.displacement()]
         });
         let rate = dt.map(|dt| 2.0 / dt);
-        Some(Bathe {
+        Some(Lanes {
             modes,
             dt: dt * 0.5,
             rate,
@@ -219,7 +282,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Bathe<L, M> {
 
     #[inline(always)]
     fn take(&mut self) -> Self {
-        Bathe {
+        Lanes {
             modes: self.modes.take(),
             ..*self
         }

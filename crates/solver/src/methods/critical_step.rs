@@ -1,7 +1,6 @@
 //! The highest frequency of a structure with its contact closed, and the critical time step of a method.
 
-use super::Coefficients;
-use crate::system::Mode;
+use super::{Method, Mode};
 
 /// The highest circular frequency of a structure whose contact is closed by a spring of this `stiffness` k >= 0.
 ///
@@ -49,17 +48,18 @@ pub fn six_digits_below(step: f64) -> f64 {
     (step * scale).floor() / scale
 }
 
-impl Coefficients {
+impl Method {
     /// The largest stable time step for a structure whose contact may be closed by a spring of this `stiffness`, 2/omega for
     /// central differences with the highest frequency omega; infinite for a method that is always stable.
     ///
     /// ```
-    /// use slipgap_solver::methods::Coefficients;
+    /// use slipgap_solver::methods::{Coefficients, Method};
     /// use slipgap_solver::system::Mode;
     ///
     /// // A mass of 1 on a spring of 9, and 16 more in contact: omega = 5.
     /// let mode = [Mode::new(9.0, 1.0)];
-    /// assert_eq!(Coefficients::central_difference().critical_step(mode.into_iter(), 16.0), 2.0 / 5.0);
+    /// let method = Method::from(Coefficients::central_difference());
+    /// assert_eq!(method.critical_step(mode.into_iter(), 16.0), 2.0 / 5.0);
     /// ```
     pub fn critical_step(&self, modes: impl Iterator<Item = Mode> + Clone, stiffness: f64) -> f64 {
         let limit = self.stability_limit();

@@ -1,7 +1,11 @@
-//! The method of Moreau and Jean for the modes of a structure with one contact: the theta method with impulses.
+//! The method of Moreau and Jean: the theta method with impulses.
 //!
 //! M (v' - v) + dt K (u + theta dt v_theta) + dt B S' = 0, u' = u + dt v_theta, v_theta = theta v' + (1 - theta) v
-//! (Moreau 1988, Jean 1999): dt S' is the impulse of the step, and S' its mean force. For a mode x'' + omega2 x = -phi2 S, with
+//! (Moreau 1988, Jean 1999): dt S' is the impulse of the step, and S' its mean force.
+//!
+//! # The recursion of lanes
+//!
+//! It is the form of a sub-step for speed and small round-off. For a mode x'' + omega2 x = -phi2 S, with
 //! V = dt v, W2 = (omega dt)^2, D = 1 + theta^2 W2 and p = x + theta V, the method is exactly
 //!
 //! ```text
@@ -11,14 +15,89 @@
 //! The constraint of a rigid contact acts on velocities alone. Positions are not corrected, so r' can be below zero after an impact, by up
 //! to dt times the velocity before it. The contact does the work dt S' ((1 - theta) rdot + theta rdot') in a step.
 
-use super::storage::{Storage, sums};
-use super::{ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
+use super::amplification::{Amplification, of_two};
+use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage, sums};
+use super::{Description, Method, MethodParameter, Scheme, SubStep};
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
+use crate::range::Range;
+use nalgebra::Matrix2;
+
+/// Names and parameters.
+pub(super) const DESCRIPTION: Description = Description {
+    name: "moreau-jean",
+    meaning: "velocities and impulses with the theta rule; rigid impacts with restitution (Moreau 1988, Jean 1999)",
+    parameters: &[MethodParameter {
+        name: "theta",
+        symbol: "*θ*",
+        range: Range::FromHalfToOne,
+        default: 0.5,
+        meaning: "theta of the Moreau-Jean method; no numerical damping at 1/2",
+    }],
+    method: |numbers| match *numbers {
+        [theta] => Some(Method::MoreauJean(MoreauJean { theta })),
+        _ => None,
+    },
+};
+
+/// Moreau and Jean's method with impulses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MoreauJean {
+    /// theta, from 1/2 to 1.
+    pub theta: f64,
+}
+
+impl MoreauJean {
+    /// A - I for (u, dt v) of a free mode.
+    pub fn change(&self, omega_dt: f64) -> Matrix2<f64> {
+        let theta = self.theta;
+        let w2 = omega_dt * omega_dt;
+        let k = w2 / (1.0 + theta * theta * w2);
+        Matrix2::new(-theta * k, 1.0 - theta * theta * k, -k, -theta * k)
+    }
+}
+
+impl From<MoreauJean> for Method {
+    fn from(own: MoreauJean) -> Method {
+        Method::MoreauJean(own)
+    }
+}
+
+impl Scheme for MoreauJean {
+    const HAS_IMPULSES: bool = true;
+    type Lanes<const L: usize, N: ModeCount> = Lanes<L, N::Of<ModeState<L>>>;
+
+    /// a' = (v' - v)/dt. Jean (1999), section 5.
+    fn sub_steps(&self, dt: f64) -> Vec<SubStep> {
+        let theta = self.theta;
+        vec![SubStep {
+            length: dt,
+            inertia: [0.0, 1.0],
+            weights: [1.0 - theta, theta],
+            forces: [0.0, 1.0],
+            d1: dt,
+            d2: theta * dt * dt,
+            u_v: dt,
+            u_a: 0.0,
+            u_before: None,
+            v_a: 0.0,
+            v_d: 0.0,
+        }]
+    }
+
+    /// With a contact it is 1: the impulse acts at the end of the step.
+    fn order(&self) -> u32 {
+        if self.theta == 0.5 { 2 } else { 1 }
+    }
+
+    fn amplification(&self, omega_dt: f64) -> Amplification {
+        of_two(&self.change(omega_dt), omega_dt)
+    }
+}
 
 /// Modes of L structures with one contact each; `M` stores the modes.
 #[derive(Debug, Clone)]
-pub struct MoreauJean<const L: usize, M = Vec<ModeState<L>>> {
+pub struct Lanes<const L: usize, M = Vec<ModeState<L>>> {
     modes: M,
     theta: Lane<L>,
     /// 2 theta - 1
@@ -79,9 +158,8 @@ impl<const L: usize> ModeState<L> {
     }
 }
 
-impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
-    const KIND: MethodKind = MethodKind::MoreauJean;
-    const CONSERVES: bool = false;
+impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
+    type Scheme = MoreauJean;
 
     /// The method does not use S(0).
     // A loop: with more than 16 lanes, maps of arrays are not inlined.
@@ -89,10 +167,10 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
         let mut theta = Lane::splat(0.5);
         for l in 0..L {
-            let MethodChoice::MoreauJean { theta: own } = start.choice[l] else {
+            let Method::MoreauJean(own) = start.method[l] else {
                 return None;
             };
-            theta.0[l] = own;
+            theta.0[l] = own.theta;
         }
         let dt = start.dt;
         let mut modes = M::collect(modes.map(|mode| ModeState::new(theta, dt, &mode)))?;
@@ -101,7 +179,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
             [mode.stiffness * mode.p, mode.v, mode.p - theta * mode.v]
         });
         let rate = dt.map(|dt| 1.0 / dt);
-        Some(MoreauJean {
+        Some(Lanes {
             modes,
             theta,
             excess: theta * 2.0 - Lane::splat(1.0),
@@ -169,7 +247,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for MoreauJean<L, M> {
 
     #[inline(always)]
     fn take(&mut self) -> Self {
-        MoreauJean {
+        Lanes {
             modes: self.modes.take(),
             ..*self
         }

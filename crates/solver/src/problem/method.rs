@@ -1,86 +1,62 @@
 //! The parameters of the method of integration, which all problems have.
 
-use super::choice::choice;
-use super::parameter::{Default, Kind, Parameter, Range, Value, row_of, shortest};
+use super::parameter::{Default, Kind, Parameter, Value, shortest};
 use super::{Case, Violation};
-use crate::methods::{Coefficients, MethodChoice, six_digits_below};
+use crate::methods::{Description, METHODS, Method, MethodParameter, six_digits_below};
 use crate::solve;
 use crate::system::{Mode, System};
+use std::slice;
+use std::sync::LazyLock;
 
-choice! {
-    /// Method of integration.
-    pub enum MethodName {
-        AverageAcceleration = "average-acceleration":
-            "constant average acceleration, Newmark's method with beta = 1/4, gamma = 1/2 [F section 4, I section 3]",
-        LinearAcceleration = "linear-acceleration":
-            "linear acceleration, Newmark's method with beta = 1/6, gamma = 1/2",
-        Newmark = "newmark": "Newmark's method with newmark_beta and newmark_gamma (Newmark 1959)",
-        Hht = "hht":
-            "alpha method of Hilber, Hughes and Taylor (1977): equilibrium within the step, numerical damping by hht_alpha",
-        GeneralizedAlpha = "generalized-alpha":
-            "generalized-alpha method of Chung and Hulbert (1993), numerical damping by rho_inf",
-        Bathe = "bathe":
-            "two sub-steps: trapezoidal rule, then three-point backward difference (Bathe and Baig 2005)",
-        CentralDifference = "central-difference":
-            "central differences, explicit; stable up to the critical step 2/omega_max",
-        MoreauJean = "moreau-jean":
-            "velocities and impulses with the theta rule; rigid impacts with restitution (Moreau 1988, Jean 1999)",
+/// The names of the methods, each with its meaning.
+const NAMES: [(&str, &str); METHODS.len()] = {
+    let mut names = [("", ""); METHODS.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = (METHODS[i].name, METHODS[i].meaning);
+        i += 1;
     }
-}
+    names
+};
 
-/// Name of constant average acceleration.
-const DEFAULT: &str = "average-acceleration";
+/// Most parameters of a method.
+const MOST: usize = {
+    let mut most = 0;
+    let mut i = 0;
+    while i < METHODS.len() {
+        let count = METHODS[i].parameters.len();
+        most = if count > most { count } else { most };
+        i += 1;
+    }
+    most
+};
 
-/// Their parameters, for the table of each problem.
-pub static PARAMETERS: [Parameter; 6] = [
-    Parameter::new(
+/// The method of a study that names none.
+const DEFAULT: &str = METHODS[0].name;
+
+/// The parameters for the table of each problem: the method, and then those of each method.
+pub static PARAMETERS: LazyLock<Vec<Parameter>> = LazyLock::new(|| {
+    let method = Parameter::new(
         ["method", "method", "1"],
-        MethodName::KIND,
+        Kind::Choice(&NAMES),
         Default::Is(Value::Name(DEFAULT)),
         "method of integration",
-    )
-    .with_column_if_given(),
-    Parameter::only_for(
-        ["newmark_beta", "*β*_N_", "1"],
-        Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(0.3025)),
-        ("method", &["newmark"]),
-        "Newmark's beta; the method is stable at every step if 2 beta >= gamma >= 1/2",
-    )
-    .with_column_if_given(),
-    Parameter::only_for(
-        ["newmark_gamma", "*γ*_N_", "1"],
-        Kind::Number(Range::NotNegative),
-        Default::Is(Value::Number(0.6)),
-        ("method", &["newmark"]),
-        "Newmark's gamma; numerical damping above 1/2",
-    )
-    .with_column_if_given(),
-    Parameter::only_for(
-        ["hht_alpha", "*α*_H_", "1"],
-        Kind::Number(Range::HilberHughesTaylor),
-        Default::Is(Value::Number(-0.1)),
-        ("method", &["hht"]),
-        "alpha of Hilber, Hughes and Taylor; beta = (1 - alpha)^2/4, gamma = 1/2 - alpha; no numerical damping at 0",
-    )
-    .with_column_if_given(),
-    Parameter::only_for(
-        ["rho_inf", "*ρ*_∞_", "1"],
-        Kind::Number(Range::UpToOne),
-        Default::Is(Value::Number(0.8)),
-        ("method", &["generalized-alpha"]),
-        "spectral radius of a mode of infinite frequency; no numerical damping at 1",
-    )
-    .with_column_if_given(),
-    Parameter::only_for(
-        ["theta", "*θ*", "1"],
-        Kind::Number(Range::FromHalfToOne),
-        Default::Is(Value::Number(0.5)),
-        ("method", &["moreau-jean"]),
-        "theta of the Moreau-Jean method; no numerical damping at 1/2",
-    )
-    .with_column_if_given(),
-];
+    );
+    let own = |method: &'static Description| {
+        let row = |parameter: &MethodParameter| {
+            Parameter::only_for(
+                [parameter.name, parameter.symbol, "1"],
+                Kind::Number(parameter.range),
+                Default::Is(Value::Number(parameter.default)),
+                ("method", slice::from_ref(&method.name)),
+                parameter.meaning,
+            )
+        };
+        method.parameters.iter().map(row)
+    };
+    let all = [method].into_iter().chain(METHODS.iter().flat_map(own));
+    all.map(Parameter::with_column_if_given).collect()
+});
 
 /// Why a method other than moreau-jean cannot have this restitution of a rigid contact.
 pub(super) fn ignores_restitution(method: &str, restitution: f64) -> String {
@@ -92,31 +68,22 @@ pub(super) fn ignores_restitution(method: &str, restitution: f64) -> String {
 }
 
 /// The method of a completed case, whose parameters are in the table from row `first` on; `None` for a parameter that is not given.
-pub fn of_case(case: &Case, first: usize) -> Option<MethodChoice> {
-    let number = |name: usize| case.at(first + name);
-    Some(match MethodName::parse(case.name_at(first))? {
-        MethodName::AverageAcceleration => MethodChoice::AverageAcceleration,
-        MethodName::LinearAcceleration => MethodChoice::Family(Coefficients::linear_acceleration()),
-        MethodName::Newmark => {
-            MethodChoice::Family(Coefficients::newmark(number(BETA)?, number(GAMMA)?))
+pub fn of_case(case: &Case, first: usize) -> Option<Method> {
+    let name = case.name_at(first);
+    let mut row = first + 1;
+    for method in METHODS {
+        let count = method.parameters.len();
+        if method.name == name {
+            let mut numbers = [0.0; MOST];
+            for (number, row) in numbers.iter_mut().zip(row..row + count) {
+                *number = case.at(row)?;
+            }
+            return (method.method)(numbers.get(..count)?);
         }
-        MethodName::Hht => MethodChoice::Family(Coefficients::hht(number(HHT_ALPHA)?)),
-        MethodName::GeneralizedAlpha => {
-            MethodChoice::Family(Coefficients::generalized_alpha(number(RHO_INF)?))
-        }
-        MethodName::Bathe => MethodChoice::Bathe,
-        MethodName::CentralDifference => MethodChoice::Family(Coefficients::central_difference()),
-        MethodName::MoreauJean => MethodChoice::MoreauJean {
-            theta: number(THETA)?,
-        },
-    })
+        row += count;
+    }
+    None
 }
-
-const BETA: usize = row_of(&PARAMETERS, "newmark_beta");
-const GAMMA: usize = row_of(&PARAMETERS, "newmark_gamma");
-const HHT_ALPHA: usize = row_of(&PARAMETERS, "hht_alpha");
-const RHO_INF: usize = row_of(&PARAMETERS, "rho_inf");
-const THETA: usize = row_of(&PARAMETERS, "theta");
 
 /// Whether the method of a case may have rules for the step; the parameters of the method are in the table from row `first` on.
 pub fn has_rules(case: &Case, first: usize) -> bool {
@@ -133,9 +100,7 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
             at: None,
         }]
     };
-    if let MethodChoice::Family(own) = system.method
-        && own.stability_limit() < f64::INFINITY
-    {
+    if system.method.has_critical_step() {
         // A mode of a bar needs sines, and the search for the highest frequency takes the modes many times.
         let modes = (0..system.linear.len()).map(|j| system.linear.mode(j).mode);
         let modes: Vec<Mode> = modes.collect();
@@ -149,7 +114,9 @@ pub fn step_rules(name: &'static str, system: &System, overlap: f64) -> Vec<Viol
                 at: None,
             }];
         }
-        let critical = own.critical_step(modes.iter().copied(), stiffness);
+        let critical = system
+            .method
+            .critical_step(modes.iter().copied(), stiffness);
         if system.step > critical {
             return violation(format!(
                 "must be at most {}, the critical step of this method with the contact closed, got {}",

@@ -15,12 +15,9 @@ pub use warning::{FEWEST_STEPS, TOO_FEW_STEPS, WARNINGS, Warning, Warnings};
 
 use crate::contact::{Answer, AnyLaw, ContactLaw, StepFlexibility, Visitor};
 use crate::lane::Lane;
-use crate::methods::average_acceleration::{AverageAcceleration, Modes};
-use crate::methods::bathe::{self, Bathe};
-use crate::methods::family::{self, Family};
-use crate::methods::moreau_jean::{self, MoreauJean};
 use crate::methods::{
-    ContactState, ContactWork, Method, MethodChoice, MethodKind, ModeStart, Start,
+    AverageAcceleration, ContactState, ContactWork, ManyModes, Method, ModeCount, ModeStart,
+    Recursion, Scheme, Start, each,
 };
 use crate::system::System;
 use multiversion::multiversion;
@@ -71,11 +68,13 @@ impl ToSystem for System {
     }
 }
 
-/// L systems at t = 0 with equal numbers of modes, and their laws over the run; `None` without a mode. All laws and all methods have
-/// the kind of the first one.
+/// L systems at t = 0 with equal numbers of modes, and their laws over the run; `None` without a mode. All laws have the kind,
+/// and all methods the scheme of the first one.
 ///
 /// The motion is that of the modes. That of a contact without mass follows from it, see [`System::at_contact`].
-pub fn start<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<(N, AnyLaw<L>)> {
+pub fn start<const L: usize, N: Recursion<L>, S: ToSystem>(
+    cases: &[S; L],
+) -> Option<(N, AnyLaw<L>)> {
     let stepper: N = stepper(cases)?;
     let law = running_law(cases, &stepper);
     Some((stepper, law))
@@ -93,7 +92,7 @@ fn of<const L: usize, S: ToSystem>(cases: &[S; L], number: fn(&System) -> f64) -
 }
 
 /// The systems at t = 0; `None` without a mode.
-fn stepper<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<N> {
+fn stepper<const L: usize, N: Recursion<L>, S: ToSystem>(cases: &[S; L]) -> Option<N> {
     let first = cases[0].system();
     let mut same = [true; L];
     for (same, case) in same.iter_mut().zip(cases) {
@@ -117,14 +116,14 @@ fn stepper<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<
         }
         start
     });
-    let mut choice = [first.method; L];
-    if first.method != MethodChoice::AverageAcceleration {
+    let mut method = [first.method; L];
+    if !matches!(first.method, Method::AverageAcceleration(_)) {
         for (l, case) in cases.iter().enumerate() {
-            choice[l] = case.system().method;
+            method[l] = case.system().method;
         }
     }
     let start = Start {
-        choice,
+        method,
         dt: of(cases, |s| s.step),
         gap: of(cases, |s| s.gap),
         force: of(cases, |s| s.force),
@@ -134,7 +133,7 @@ fn stepper<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L]) -> Option<
 
 /// The laws of the systems over the run.
 // A function of its own: the law is large, and a tuple of it and the stepper would be copied.
-fn running_law<const L: usize, N: Method<L>, S: ToSystem>(
+fn running_law<const L: usize, N: Recursion<L>, S: ToSystem>(
     cases: &[S; L],
     stepper: &N,
 ) -> AnyLaw<L> {
@@ -150,30 +149,24 @@ fn running_law<const L: usize, N: Method<L>, S: ToSystem>(
     ContactLaw::running(&laws, &on)
 }
 
-/// Integrates L systems with equal numbers of modes, and laws and methods of one kind, to their last steps. Returns for each
+/// Integrates L systems with equal numbers of modes, laws of one kind and methods of one scheme, to their last steps. Returns for each
 /// whether its motion is finite.
-pub fn advance<const L: usize, M: Modes<L>, T: Track<L>, S: ToSystem>(
+pub fn advance<const L: usize, M: ModeCount, T: Track<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
-    match cases[0].system().method.kind() {
-        MethodKind::AverageAcceleration => {
-            advance_by::<L, AverageAcceleration<L, M>, T, S>(cases, motion)
-        }
-        MethodKind::Family => {
-            advance_by::<L, Family<L, M::Of<family::ModeState<L>>>, T, S>(cases, motion)
-        }
-        MethodKind::Bathe => {
-            advance_by::<L, Bathe<L, M::Of<bathe::ModeState<L>>>, T, S>(cases, motion)
-        }
-        MethodKind::MoreauJean => {
-            advance_by::<L, MoreauJean<L, M::Of<moreau_jean::ModeState<L>>>, T, S>(cases, motion)
-        }
+    fn of<const L: usize, M: ModeCount, T: Track<L>, S: ToSystem, D: Scheme>(
+        _: &D,
+        cases: &[S; L],
+        motion: &mut Motion<L, T>,
+    ) -> [bool; L] {
+        advance_by::<L, D::Lanes<L, M>, T, S>(cases, motion)
     }
+    each!(&cases[0].system().method, own => of::<L, M, T, S, _>(own, cases, motion))
 }
 
 /// The same with one method.
-fn advance_by<const L: usize, N: Method<L>, T: Track<L>, S: ToSystem>(
+fn advance_by<const L: usize, N: Recursion<L>, T: Track<L>, S: ToSystem>(
     cases: &[S; L],
     motion: &mut Motion<L, T>,
 ) -> [bool; L] {
@@ -212,7 +205,7 @@ fn advance_by<const L: usize, N: Method<L>, T: Track<L>, S: ToSystem>(
         |stepper, ending| {
             let velocity = stepper.first_velocity().unwrap_or(zero);
             first_mode = ending.select(velocity, first_mode);
-            if !N::CONSERVES {
+            if !N::Scheme::CONSERVES {
                 by_contact = ending.select(work.get(), by_contact);
                 energy = ending.select(modal_energy(cases, stepper), energy);
             }
@@ -220,7 +213,7 @@ fn advance_by<const L: usize, N: Method<L>, T: Track<L>, S: ToSystem>(
     );
     motion.first_mode = first_mode;
     motion.end = [end.displacement, end.velocity, end.force];
-    motion.taken = (!N::CONSERVES).then(|| {
+    motion.taken = (!N::Scheme::CONSERVES).then(|| {
         let mut by_method = -energy - by_contact;
         for (taken, case) in by_method.0.iter_mut().zip(cases) {
             *taken += case.system().linear.energy();
@@ -234,7 +227,10 @@ fn advance_by<const L: usize, N: Method<L>, T: Track<L>, S: ToSystem>(
 }
 
 /// Kinetic and strain energy of the modes.
-fn modal_energy<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L], stepper: &N) -> Lane<L> {
+fn modal_energy<const L: usize, N: Recursion<L>, S: ToSystem>(
+    cases: &[S; L],
+    stepper: &N,
+) -> Lane<L> {
     let mut energy = Lane::splat(0.0);
     for (j, (x, v)) in stepper.modes().enumerate() {
         for (l, case) in cases.iter().enumerate() {
@@ -251,14 +247,14 @@ fn modal_energy<const L: usize, N: Method<L>, S: ToSystem>(cases: &[S; L], stepp
 /// [`Unsolvable::OutOfRange`] if the motion does not remain finite.
 pub fn run<T: Track<1>>(system: &System) -> Result<Motion<1, T>, Unsolvable> {
     let mut motion = Motion::default();
-    match advance::<1, Vec<_>, T, _>(&[*system], &mut motion) {
+    match advance::<1, ManyModes, T, _>(&[*system], &mut motion) {
         [true] => Ok(motion),
         [false] => Err(Unsolvable::OutOfRange),
     }
 }
 
 /// The constant average acceleration method for one system.
-pub type Stepper = AverageAcceleration<1>;
+pub type Stepper = <AverageAcceleration as Scheme>::Lanes<1, ManyModes>;
 
 /// The state of a structure after a step.
 pub trait State {
@@ -268,41 +264,36 @@ pub trait State {
     fn modes(&self) -> Vec<[f64; 2]>;
 }
 
-impl<N: Method<1>> State for N {
+impl<N: Recursion<1>> State for N {
     fn contact(&self) -> ContactState<1> {
-        Method::contact(self)
+        Recursion::contact(self)
     }
 
     fn modes(&self) -> Vec<[f64; 2]> {
-        Method::modes(self).map(|(x, v)| [x.0[0], v.0[0]]).collect()
+        Recursion::modes(self)
+            .map(|(x, v)| [x.0[0], v.0[0]])
+            .collect()
     }
 }
 
 /// The flexibilities of a system for its contact in both sub-steps of its method; `None` without a mode.
 pub fn flexibilities(system: &System) -> Option<[StepFlexibility<1>; 2]> {
-    fn of<N: Method<1>>(system: &System) -> Option<[StepFlexibility<1>; 2]> {
-        Some(stepper::<1, N, _>(&[*system])?.flexibilities())
+    fn of<D: Scheme>(_: &D, system: &System) -> Option<[StepFlexibility<1>; 2]> {
+        Some(stepper::<1, D::Lanes<1, ManyModes>, _>(&[*system])?.flexibilities())
     }
-    match system.method.kind() {
-        MethodKind::AverageAcceleration => of::<Stepper>(system),
-        MethodKind::Family => of::<Family<1>>(system),
-        MethodKind::Bathe => of::<Bathe<1>>(system),
-        MethodKind::MoreauJean => of::<MoreauJean<1>>(system),
-    }
+    each!(&system.method, own => of(own, system))
 }
 
 /// Integrates one system to its last step; `visit` gets the number of each step, from 0 on, and the state of the structure.
 pub fn visit(system: &System, visit: impl FnMut(u64, &dyn State)) {
-    match system.method.kind() {
-        MethodKind::AverageAcceleration => visit_by::<Stepper>(system, visit),
-        MethodKind::Family => visit_by::<Family<1>>(system, visit),
-        MethodKind::Bathe => visit_by::<Bathe<1>>(system, visit),
-        MethodKind::MoreauJean => visit_by::<MoreauJean<1>>(system, visit),
+    fn of<D: Scheme>(_: &D, system: &System, visit: impl FnMut(u64, &dyn State)) {
+        visit_by::<D::Lanes<1, ManyModes>>(system, visit);
     }
+    each!(&system.method, own => of(own, system, visit));
 }
 
 /// The same with one method.
-fn visit_by<N: Method<1>>(system: &System, mut visit: impl FnMut(u64, &dyn State)) {
+fn visit_by<N: Recursion<1>>(system: &System, mut visit: impl FnMut(u64, &dyn State)) {
     let Some((mut stepper, mut law)) = start::<1, N, _>(&[*system]) else {
         return;
     };
@@ -322,7 +313,7 @@ struct Steps<'a, const L: usize, N, T> {
     steps: usize,
 }
 
-impl<const L: usize, N: Method<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N, T> {
+impl<const L: usize, N: Recursion<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N, T> {
     fn visit(self, law: &mut (impl Answer<L> + Copy)) {
         let sum = step_all::<L, N, T, _>(self.stepper, law, self.track, self.from, self.steps);
         *self.work = *self.work + sum;
@@ -332,7 +323,7 @@ impl<const L: usize, N: Method<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N, T
 // A separate small function: with other code around it, its loop compiles to slower instructions. Returns the work on the contact,
 // or zero in a method in which it is the energy that the modes lose.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn step_all<const L: usize, N: Method<L>, T: Track<L>, W: Answer<L> + Copy>(
+fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: Answer<L> + Copy>(
     stepper: &mut N,
     law: &mut W,
     track: &mut T,
@@ -341,12 +332,12 @@ fn step_all<const L: usize, N: Method<L>, T: Track<L>, W: Answer<L> + Copy>(
 ) -> Lane<L> {
     let (mut own, mut own_law) = (stepper.take(), *law);
     let mut work = Lane::splat(0.0);
-    let form = ContactWork::new(N::KIND, own.flexibilities()[0].dt);
+    let form = ContactWork::new(N::Scheme::HAS_IMPULSES, own.flexibilities()[0].dt);
     for row in track.rows(from, steps) {
         let before = own.contact();
         let after = own.step(&mut own_law);
         T::write(row, &after);
-        if !N::CONSERVES {
+        if !N::Scheme::CONSERVES {
             let force = form.force([before.force, after.force]);
             let r = [before.displacement, after.displacement];
             work = work + force * form.displacement(r, [before.velocity, after.velocity]);

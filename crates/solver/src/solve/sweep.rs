@@ -3,15 +3,15 @@
 use super::table::MetricTable;
 use super::{Motion, ToSystem, Track, Unsolvable, Warnings, advance};
 use crate::lane::Lane;
-use crate::methods::average_acceleration::Modes;
+use crate::methods::ModeCount;
 use std::ops::Range;
 
 /// A case in the form for lanes: L of them are solved together.
 pub trait LaneCase<const L: usize>: ToSystem {
     /// The exact solution at the steps of a case.
     type Reference;
-    /// Storage of the modes.
-    type Modes: Modes<L>;
+    /// How many modes the cases have.
+    type Modes: ModeCount;
     /// What is recorded of the steps.
     type Track: Track<L>;
     /// The default metrics of all lanes, one after the other.
@@ -83,7 +83,7 @@ fn rank<const L: usize, C: LaneCase<L>>(case: &C, index: u32) -> u128 {
     };
     let sum = case.reference_key().into_iter().fold(0, mixed) >> 32;
     let system = case.system();
-    let kinds = (system.method.kind() as u128) << 5 | system.law.which() as u128;
+    let kinds = u128::from(system.method.scheme()) << 5 | system.law.which() as u128;
     let kind = kinds << 40 | system.linear.len() as u128;
     kind << KIND | u128::from(system.last) << 64 | u128::from(sum) << 32 | u128::from(index)
 }

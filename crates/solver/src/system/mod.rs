@@ -5,15 +5,15 @@ pub mod bar;
 mod bar_pair;
 pub mod loads;
 pub mod massless;
-pub mod method;
 mod modes;
 pub mod structure;
 
+pub use crate::methods::Mode;
 pub use bar_pair::BarPair;
-pub use method::{Coefficients, MethodChoice, MethodKind};
-pub use modes::{Modal, Mode};
+pub use modes::Modal;
 
 use crate::contact::{ContactLaw, StoredEnergy, in_series};
+use crate::methods::Method;
 
 /// A structure with a contact, from t = 0 on.
 ///
@@ -22,7 +22,7 @@ use crate::contact::{ContactLaw, StoredEnergy, in_series};
 ///
 /// ```
 /// use slipgap_solver::contact::{ContactLaw, DisplacementControl};
-/// use slipgap_solver::methods::MethodChoice;
+/// use slipgap_solver::methods::AverageAcceleration;
 /// use slipgap_solver::solve::{self, ContactTrack};
 /// use slipgap_solver::system::{Linear, Mode, System};
 /// use std::f64::consts::PI;
@@ -34,7 +34,7 @@ use crate::contact::{ContactLaw, StoredEnergy, in_series};
 ///     force: 0.0,
 ///     step: PI / 1000.0,
 ///     last: 1000,
-///     method: MethodChoice::AverageAcceleration,
+///     method: AverageAcceleration.into(),
 /// };
 /// let motion = solve::run::<ContactTrack>(&system)?;
 /// let [x, v, _] = motion.track.0[1000];
@@ -56,7 +56,7 @@ pub struct System {
     /// Number of steps N.
     pub last: u64,
     /// The method of integration.
-    pub method: MethodChoice,
+    pub method: Method,
 }
 
 impl System {

@@ -89,7 +89,7 @@ fn parameters() -> Json {
         value["description"] = meaning.into();
         schema["properties"][name] = value;
     }
-    for parameter in &PARAMETERS {
+    for parameter in PARAMETERS.iter() {
         let mut value = axis_values();
         value["description"] = parameter.meaning.as_ref().into();
         schema["properties"][parameter.name.as_ref()] = value;

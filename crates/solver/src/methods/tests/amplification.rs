@@ -1,7 +1,6 @@
 //! Amplification factors of a free mode against closed forms, and the steppers against powers of the matrices.
 
 use super::*;
-use crate::methods::amplification::{bathe_change, moreau_jean_change};
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2, Vector4};
 
 /// omega dt from 0.01 to 100.
@@ -13,14 +12,14 @@ fn ladder() -> impl Iterator<Item = f64> {
 const ROUND_OFF: f64 = 1e-13;
 
 /// The three eigenvalues of a generalised-alpha method approach each other as 1/W, which multiplies round-off by W2.
-fn round_off(choice: MethodChoice, w: f64) -> f64 {
+fn round_off(choice: Method, w: f64) -> f64 {
     match choice {
-        MethodChoice::Family(own) if own.alpha_f > 0.0 => ROUND_OFF * (1.0 + w * w),
+        Method::Family(own) if own.alpha_f > 0.0 => ROUND_OFF * (1.0 + w * w),
         _ => ROUND_OFF,
     }
 }
 
-fn trapezoidal_phase(choice: MethodChoice) {
+fn trapezoidal_phase(choice: Method) {
     for w in ladder() {
         let tolerance = round_off(choice, w);
         let step = choice.amplification(w);
@@ -44,14 +43,14 @@ fn trapezoidal_phase(choice: MethodChoice) {
 fn trapezoidal_rules_keep_the_amplitude() {
     // Newmark's rule, the theta method with theta = 1/2, and generalised-alpha with rho_inf = 1, which has it between the
     // ends of a step: z = (1 + iW/2)/(1 - iW/2).
-    trapezoidal_phase(MethodChoice::AverageAcceleration);
-    trapezoidal_phase(MethodChoice::MoreauJean { theta: 0.5 });
-    trapezoidal_phase(MethodChoice::Family(Coefficients::generalized_alpha(1.0)));
+    trapezoidal_phase(Method::AverageAcceleration(AverageAcceleration));
+    trapezoidal_phase(Method::MoreauJean(MoreauJean { theta: 0.5 }));
+    trapezoidal_phase(Method::Family(Coefficients::generalized_alpha(1.0)));
 }
 
 #[test]
 fn central_differences_have_their_phase_and_their_limit() {
-    let choice = MethodChoice::Family(Coefficients::central_difference());
+    let choice = Method::Family(Coefficients::central_difference());
     for w in ladder() {
         let step = choice.amplification(w);
         // z^2 - 2 (1 - W2/2) z + 1 = 0
@@ -78,7 +77,7 @@ fn central_differences_have_their_phase_and_their_limit() {
 fn undamped_newmark_has_the_closed_form_of_the_textbook() {
     // Hughes: gamma = 1/2: |z| = 1 and cos(phase) = 1 - W2/(2 (1 + beta W2)), sin(phase/2)^2 = W2/(4 (1 + beta W2)).
     for beta in [0.0, 1.0 / 12.0, 1.0 / 6.0, 0.25, 0.5] {
-        let choice = MethodChoice::Family(Coefficients::newmark(beta, 0.5));
+        let choice = Method::Family(Coefficients::newmark(beta, 0.5));
         for w in ladder().filter(|w| 4.0 * (1.0 + beta * w * w) > 1.01 * w * w) {
             let sin = 0.5 * w / (1.0 + beta * w * w).sqrt();
             let principal = choice.amplification(w).principal.unwrap();
@@ -106,9 +105,7 @@ fn alpha_methods_have_their_radius_at_infinite_frequency() {
             "{rho}"
         );
         for w in [1e3, 1e5] {
-            let radius = MethodChoice::Family(method)
-                .amplification(w)
-                .spectral_radius;
+            let radius = Method::Family(method).amplification(w).spectral_radius;
             let tolerance = 10.0 * libm::pow(w, -2.0 / 3.0);
             assert!((radius - rho).abs() < tolerance, "{rho} {w}: {radius}");
         }
@@ -126,9 +123,7 @@ fn alpha_methods_have_their_radius_at_infinite_frequency() {
             "{alpha}"
         );
         for w in [1e3, 1e5] {
-            let radius = MethodChoice::Family(method)
-                .amplification(w)
-                .spectral_radius;
+            let radius = Method::Family(method).amplification(w).spectral_radius;
             // At alpha = -1/3 all three are of one size.
             let tolerance = 10.0 * libm::pow(w, -2.0 / 3.0);
             assert!((radius + two).abs() < tolerance, "{alpha} {w}: {radius}");
@@ -148,7 +143,7 @@ fn damped_methods_never_amplify_and_damp_high_frequencies_most() {
                 assert!(principal.damping_ratio > -tolerance, "{choice:?} {w}");
             }
             // The radius of Bathe's method and of Moreau and Jean's falls all the way.
-            if !matches!(choice, MethodChoice::Family(_)) {
+            if !matches!(choice, Method::Family(_)) {
                 assert!(step.spectral_radius < last + ROUND_OFF, "{choice:?} {w}");
                 last = step.spectral_radius;
             }
@@ -160,7 +155,7 @@ fn damped_methods_never_amplify_and_damp_high_frequencies_most() {
 fn backward_euler_has_its_closed_form() {
     // theta = 1: z = 1/(1 - iW).
     for w in ladder() {
-        let step = MethodChoice::MoreauJean { theta: 1.0 }.amplification(w);
+        let step = Method::MoreauJean(MoreauJean { theta: 1.0 }).amplification(w);
         let radius = 1.0 / (1.0 + w * w).sqrt();
         assert!(
             (step.spectral_radius / radius - 1.0).abs() < ROUND_OFF * (1.0 + w * w),
@@ -186,7 +181,7 @@ fn bathes_matrix_is_that_of_its_two_rules() {
         let left = Matrix2::new(3.0, -1.0, w2, 3.0);
         let old = Matrix2::identity() - middle * 4.0;
         let end = left.lu().solve(&-old).unwrap();
-        let matrix = bathe_change(w) + Matrix2::identity();
+        let matrix = Bathe::change(w) + Matrix2::identity();
         // Unknowns of size 1 and W.
         let error = (end - matrix).component_div(&Matrix2::new(1.0, 1.0 / w, w, 1.0));
         assert!(error.amax() < 1e-13, "{w}: {error}");
@@ -194,7 +189,7 @@ fn bathes_matrix_is_that_of_its_two_rules() {
         let (same, other) = (144.0 - 47.0 * w2, w * (144.0 - 5.0 * w2));
         let d = (9.0 + w2) * (16.0 + w2);
         let radius = (same * same + other * other).sqrt() / d;
-        let step = MethodChoice::Bathe.amplification(w);
+        let step = Method::Bathe(Bathe).amplification(w);
         assert!(
             (step.spectral_radius / radius - 1.0).abs() < 1e-12 * (1.0 + w),
             "{w}"
@@ -207,7 +202,7 @@ struct Steps(u32);
 
 impl WithMethod for Steps {
     type Output = Vec<Vector2<f64>>;
-    fn run<N: Method<1>>(self, mut method: N) -> Self::Output {
+    fn run<N: Recursion<1>>(self, mut method: N) -> Self::Output {
         let mut states = Vec::new();
         for _ in 0..self.0 {
             method.step(&mut Prescribed([0.0; 2]));
@@ -223,15 +218,13 @@ impl WithMethod for Steps {
 }
 
 /// A - I of a method.
-fn change(choice: MethodChoice, w: f64) -> DMatrix<f64> {
+fn change(choice: Method, w: f64) -> DMatrix<f64> {
     let three = |own: Coefficients| DMatrix::from_column_slice(3, 3, own.change(w).as_slice());
     match choice {
-        MethodChoice::Bathe => DMatrix::from_column_slice(2, 2, bathe_change(w).as_slice()),
-        MethodChoice::MoreauJean { theta } => {
-            DMatrix::from_column_slice(2, 2, moreau_jean_change(theta, w).as_slice())
-        }
-        MethodChoice::Family(own) => three(own),
-        MethodChoice::AverageAcceleration => three(Coefficients::newmark(0.25, 0.5)),
+        Method::Bathe(Bathe) => DMatrix::from_column_slice(2, 2, Bathe::change(w).as_slice()),
+        Method::MoreauJean(own) => DMatrix::from_column_slice(2, 2, own.change(w).as_slice()),
+        Method::Family(own) => three(own),
+        Method::AverageAcceleration(AverageAcceleration) => three(Coefficients::newmark(0.25, 0.5)),
     }
 }
 

@@ -22,10 +22,10 @@ fn nodes(elements: u32, velocity: &dyn Fn(u32) -> f64, force: f64, steps: u32) -
             mode(own.omega2, own.phi2, 0.0, momentum * own.phi2)
         })
         .collect();
-    let choice = MethodChoice::Family(Coefficients::central_difference());
+    let choice = Method::Family(Coefficients::central_difference());
     let at = start(choice, 1.0, 0.0, force);
-    let mut method = Family::<1>::new(&at, modes.into_iter()).unwrap();
-    let state = |method: &Family<1>| {
+    let mut method = Lanes::<Coefficients, 1>::new(&at, modes.into_iter()).unwrap();
+    let state = |method: &Lanes<Coefficients, 1>| {
         let mut u = vec![0.0; elements as usize + 1];
         for (j, (x, _)) in (0..).zip(method.modes()) {
             for (i, u) in (0..).zip(&mut u) {

@@ -7,7 +7,7 @@ struct Free(u32);
 
 impl WithMethod for Free {
     type Output = Vec<[f64; 2]>;
-    fn run<N: Method<1>>(self, mut method: N) -> Self::Output {
+    fn run<N: Recursion<1>>(self, mut method: N) -> Self::Output {
         let of = |method: &N| {
             let (x, v) = method.modes().next().unwrap();
             [x.0[0], v.0[0]]
@@ -21,7 +21,7 @@ impl WithMethod for Free {
     }
 }
 
-fn free(choice: MethodChoice, w: f64) -> Vec<[f64; 2]> {
+fn free(choice: Method, w: f64) -> Vec<[f64; 2]> {
     with(
         &start(choice, 1.0, 0.0, 0.0),
         &[mode(w * w, 1.0, 0.8, 0.6 * w)],
@@ -39,9 +39,9 @@ fn round_off(w: f64) -> f64 {
 #[test]
 fn methods_with_the_mean_of_both_ends_dissipate_nothing() {
     for choice in [
-        MethodChoice::Family(Coefficients::newmark(0.25, 0.5)),
-        MethodChoice::Family(Coefficients::generalized_alpha(1.0)),
-        MethodChoice::MoreauJean { theta: 0.5 },
+        Method::Family(Coefficients::newmark(0.25, 0.5)),
+        Method::Family(Coefficients::generalized_alpha(1.0)),
+        Method::MoreauJean(MoreauJean { theta: 0.5 }),
     ] {
         for w in SIZES {
             let energy = |[u, v]: [f64; 2]| v * v / (w * w) + u * u;
@@ -63,7 +63,7 @@ fn newmarks_methods_dissipate_by_their_identity() {
         (0.3025, 0.6, f64::INFINITY),
         (0.5, 0.75, f64::INFINITY),
     ] {
-        let choice = MethodChoice::Family(Coefficients::newmark(beta, gamma));
+        let choice = Method::Family(Coefficients::newmark(beta, gamma));
         for w in SIZES.into_iter().filter(|w| *w < limit) {
             let (w2, rest) = (w * w, beta - 0.5 * gamma);
             let energy = |[u, v]: [f64; 2]| (v * v / w2 + u * u + rest * w2 * u * u) * 0.5;
@@ -86,7 +86,7 @@ fn moreau_and_jeans_method_dissipates_by_its_identity() {
     for theta in [0.5, 0.6, 1.0] {
         for w in SIZES {
             let energy = |[u, v]: [f64; 2]| (v * v / (w * w) + u * u) * 0.5;
-            for pair in free(MethodChoice::MoreauJean { theta }, w).windows(2) {
+            for pair in free(Method::MoreauJean(MoreauJean { theta }), w).windows(2) {
                 let [du, dv] = [pair[1][0] - pair[0][0], (pair[1][1] - pair[0][1]) / w];
                 let error = energy(pair[0]) - energy(pair[1]) - (theta - 0.5) * (du * du + dv * dv);
                 assert!(error.abs() < round_off(w), "{theta} {w}: {error}");
@@ -126,14 +126,17 @@ struct Work<'a>(&'a [ModeStart<1>]);
 
 impl WithMethod for Work<'_> {
     type Output = ();
-    fn run<N: Method<1>>(self, mut method: N) {
+    fn run<N: Recursion<1>>(self, mut method: N) {
         let energy = |method: &N| -> f64 {
             let states = method.modes().zip(self.0);
             states
                 .map(|((x, v), own)| own.mode[0].energy(x.0[0], v.0[0]))
                 .sum()
         };
-        let (first, form) = (energy(&method), ContactWork::new(N::KIND, Lane([0.1])));
+        let (first, form) = (
+            energy(&method),
+            ContactWork::new(N::Scheme::HAS_IMPULSES, Lane([0.1])),
+        );
         let (mut work, mut most) = (0.0, 0.0_f64);
         for i in 0..1000 {
             let was = method.contact();
@@ -153,9 +156,9 @@ impl WithMethod for Work<'_> {
 fn without_dissipation_the_modes_lose_the_work_of_the_contact() {
     let modes = [mode(4.0, 0.7, 0.3, 1.0), mode(0.0, 0.2, 0.5, -0.4)];
     for choice in [
-        MethodChoice::Family(Coefficients::newmark(0.25, 0.5)),
-        MethodChoice::Family(Coefficients::generalized_alpha(1.0)),
-        MethodChoice::MoreauJean { theta: 0.5 },
+        Method::Family(Coefficients::newmark(0.25, 0.5)),
+        Method::Family(Coefficients::generalized_alpha(1.0)),
+        Method::MoreauJean(MoreauJean { theta: 0.5 }),
     ] {
         with(&start(choice, 0.1, 0.0, 0.0), &modes, Work(&modes));
     }

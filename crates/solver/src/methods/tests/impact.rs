@@ -27,9 +27,9 @@ fn rigid(
     gap: f64,
     modes: &[ModeStart<1>],
     restitution: f64,
-) -> (MoreauJean<1>, Stop) {
-    let at = start(MethodChoice::MoreauJean { theta }, dt, gap, 0.0);
-    let method = MoreauJean::<1>::new(&at, modes.iter().copied()).unwrap();
+) -> (Lanes<MoreauJean, 1>, Stop) {
+    let at = start(Method::MoreauJean(MoreauJean { theta }), dt, gap, 0.0);
+    let method = Lanes::<MoreauJean, 1>::new(&at, modes.iter().copied()).unwrap();
     let on = method.flexibilities()[0];
     (method, Stop { on, restitution })
 }
@@ -85,7 +85,7 @@ fn a_ball_bounces_with_its_restitution_and_comes_to_rest() {
             // The mean force of the load: weight/phi2 with the acceleration 1 at r = 0.
             let load = 2.0 * (1.0 + SOFT * end.displacement.0[0]);
             assert!((end.force.0[0] + load).abs() < 1e-9, "{:?}", end.force);
-            let (x, _) = Method::modes(&method).next().unwrap();
+            let (x, _) = Recursion::modes(&method).next().unwrap();
             // Without restitution it keeps the overlap of the first impact. With it, later impacts are slow.
             let height = end.displacement.0[0];
             let deep = if restitution == 0.0 {
@@ -128,7 +128,7 @@ fn energies(theta: f64, e: f64, dt: f64, gap: f64, bar: &[ModeStart<1>]) -> (Vec
     for _ in 0..(2.5 / dt) as u32 {
         let after = method.step(&mut stop);
         least = least.min(after.displacement.0[0]);
-        let states = Method::modes(&method).zip(bar);
+        let states = Recursion::modes(&method).zip(bar);
         let own = |((x, v), start): ((Lane<1>, Lane<1>), &ModeStart<1>)| {
             (start.mode[0].energy(x.0[0], v.0[0]), x.0[0])
         };

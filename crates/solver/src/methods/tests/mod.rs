@@ -2,19 +2,19 @@
 
 mod amplification;
 mod bar;
+mod descriptions;
 mod energy;
 mod impact;
 mod order;
 mod recursion;
 mod step;
 
-use super::bathe::Bathe;
-use super::family::Family;
-use super::moreau_jean::MoreauJean;
-use super::{Coefficients, ContactWork, Method, MethodChoice, ModeStart, Start};
+use super::{
+    AverageAcceleration, Bathe, Coefficients, ContactWork, ManyModes, Method, Mode, ModeStart,
+    MoreauJean, Recursion, Scheme, Start, each,
+};
 use crate::contact::{Answer, StepFlexibility, Trial};
 use crate::lane::Lane;
-use crate::system::Mode;
 
 /// Methods of the family, each with its largest omega dt.
 fn family() -> Vec<(Coefficients, f64)> {
@@ -34,14 +34,14 @@ fn family() -> Vec<(Coefficients, f64)> {
 }
 
 /// All methods with a file here, each with its largest omega dt.
-fn all() -> Vec<(MethodChoice, f64)> {
+fn all() -> Vec<(Method, f64)> {
     let family = family().into_iter();
     let mut all: Vec<_> = family
-        .map(|(own, limit)| (MethodChoice::Family(own), limit))
+        .map(|(own, limit)| (Method::Family(own), limit))
         .collect();
-    all.push((MethodChoice::Bathe, f64::INFINITY));
+    all.push((Method::Bathe(Bathe), f64::INFINITY));
     for theta in [0.5, 0.7, 1.0] {
-        all.push((MethodChoice::MoreauJean { theta }, f64::INFINITY));
+        all.push((Method::MoreauJean(MoreauJean { theta }), f64::INFINITY));
     }
     all
 }
@@ -55,9 +55,9 @@ fn mode(omega2: f64, phi2: f64, x: f64, v: f64) -> ModeStart<1> {
     }
 }
 
-fn start(choice: MethodChoice, dt: f64, gap: f64, force: f64) -> Start<1> {
+fn start(choice: Method, dt: f64, gap: f64, force: f64) -> Start<1> {
     Start {
-        choice: [choice],
+        method: [choice],
         dt: Lane([dt]),
         gap: Lane([gap]),
         force: Lane([force]),
@@ -67,19 +67,23 @@ fn start(choice: MethodChoice, dt: f64, gap: f64, force: f64) -> Start<1> {
 /// Runs code with a method whatever its type is.
 trait WithMethod {
     type Output;
-    fn run<N: Method<1>>(self, method: N) -> Self::Output;
+    fn run<N: Recursion<1>>(self, method: N) -> Self::Output;
 }
 
 fn with<W: WithMethod>(start: &Start<1>, modes: &[ModeStart<1>], work: W) -> W::Output {
-    let modes = modes.iter().copied();
-    match start.choice[0] {
-        MethodChoice::Family(_) | MethodChoice::AverageAcceleration => {
-            work.run(Family::<1>::new(start, modes).unwrap())
-        }
-        MethodChoice::Bathe => work.run(Bathe::<1>::new(start, modes).unwrap()),
-        MethodChoice::MoreauJean { .. } => work.run(MoreauJean::<1>::new(start, modes).unwrap()),
+    fn of<W: WithMethod, S: Scheme>(
+        _: S,
+        start: &Start<1>,
+        modes: &[ModeStart<1>],
+        work: W,
+    ) -> W::Output {
+        work.run(Lanes::<S, 1>::new(start, modes.iter().copied()).unwrap())
     }
+    each!(start.method[0], own => of(own, start, modes, work))
 }
+
+/// The recursion of a scheme for L structures.
+type Lanes<S, const L: usize> = <S as Scheme>::Lanes<L, ManyModes>;
 
 /// A force that is known beforehand, at the ends of both sub-steps.
 #[derive(Clone, Copy)]
@@ -145,20 +149,20 @@ fn lanes_are_the_same_alone_and_together() {
             lane
         }
     }
-    fn check<A: Method<1>, B: Method<4>>(
-        choice: [MethodChoice; 4],
+    fn check<A: Recursion<1>, B: Recursion<4>>(
+        choice: [Method; 4],
         dt: [f64; 4],
         starts: &[Vec<ModeStart<1>>],
         force: &dyn Fn(usize, u32) -> f64,
     ) {
         let of = |l: usize| Start::<1> {
-            choice: [choice[l]],
+            method: [choice[l]],
             dt: Lane([dt[l]]),
             gap: Lane([0.05]),
             force: Lane([0.2]),
         };
         let together = Start::<4> {
-            choice,
+            method: choice,
             dt: Lane(dt),
             gap: Lane::splat(0.05),
             force: Lane::splat(0.2),
@@ -185,25 +189,27 @@ fn lanes_are_the_same_alone_and_together() {
             }
         }
     }
-    let family = std::array::from_fn(|l| MethodChoice::Family(choices[l + 3].0));
-    check::<Family<1>, Family<4>>(family, dt, &starts, &force);
-    check::<Bathe<1>, Bathe<4>>([MethodChoice::Bathe; 4], dt, &starts, &force);
-    let theta = std::array::from_fn(|l| MethodChoice::MoreauJean {
-        theta: 0.5 + 0.1 * l as f64,
+    let family = std::array::from_fn(|l| Method::Family(choices[l + 3].0));
+    check::<Lanes<Coefficients, 1>, Lanes<Coefficients, 4>>(family, dt, &starts, &force);
+    check::<Lanes<Bathe, 1>, Lanes<Bathe, 4>>([Method::Bathe(Bathe); 4], dt, &starts, &force);
+    let theta = std::array::from_fn(|l| {
+        Method::MoreauJean(MoreauJean {
+            theta: 0.5 + 0.1 * l as f64,
+        })
     });
-    check::<MoreauJean<1>, MoreauJean<4>>(theta, dt, &starts, &force);
+    check::<Lanes<MoreauJean, 1>, Lanes<MoreauJean, 4>>(theta, dt, &starts, &force);
 }
 
 #[test]
 fn methods_need_a_mode_and_their_own_choice() {
     let none = || std::iter::empty::<ModeStart<1>>();
-    let family = MethodChoice::Family(Coefficients::hht(-0.1));
-    let theta = MethodChoice::MoreauJean { theta: 0.5 };
+    let family = Method::Family(Coefficients::hht(-0.1));
+    let theta = Method::MoreauJean(MoreauJean { theta: 0.5 });
     let at = |choice| start(choice, 0.1, 0.0, 0.0);
-    assert!(Family::<1>::new(&at(family), none()).is_none());
-    assert!(Bathe::<1>::new(&at(MethodChoice::Bathe), none()).is_none());
-    assert!(MoreauJean::<1>::new(&at(theta), none()).is_none());
+    assert!(Lanes::<Coefficients, 1>::new(&at(family), none()).is_none());
+    assert!(Lanes::<Bathe, 1>::new(&at(Method::Bathe(Bathe)), none()).is_none());
+    assert!(Lanes::<MoreauJean, 1>::new(&at(theta), none()).is_none());
     let one = || [mode(1.0, 1.0, 0.0, 0.0)].into_iter();
-    assert!(Family::<1>::new(&at(theta), one()).is_none());
-    assert!(MoreauJean::<1>::new(&at(family), one()).is_none());
+    assert!(Lanes::<Coefficients, 1>::new(&at(theta), one()).is_none());
+    assert!(Lanes::<MoreauJean, 1>::new(&at(family), one()).is_none());
 }

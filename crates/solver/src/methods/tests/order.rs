@@ -13,7 +13,7 @@ struct Errors<'a, F> {
 
 impl<F: Fn(f64) -> f64> WithMethod for Errors<'_, F> {
     type Output = f64;
-    fn run<N: Method<1>>(self, mut method: N) -> f64 {
+    fn run<N: Recursion<1>>(self, mut method: N) -> f64 {
         let mut law = Elastic {
             on: method.flexibilities(),
             law: self.law,
@@ -38,7 +38,7 @@ struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    fn error(&self, choice: MethodChoice, steps: u32) -> f64 {
+    fn error(&self, choice: Method, steps: u32) -> f64 {
         let dt = self.end / f64::from(steps);
         let r: f64 = self.modes.iter().map(|m| m.displacement.0[0]).sum();
         let errors = Errors {
@@ -51,17 +51,16 @@ impl Problem<'_> {
     }
 
     /// Slope of the errors from `steps` to 16 times as many.
-    fn order(&self, choice: MethodChoice, steps: u32) -> f64 {
+    fn order(&self, choice: Method, steps: u32) -> f64 {
         0.25 * libm::log2(self.error(choice, steps) / self.error(choice, 16 * steps))
     }
 
     /// Checks the order of each method; impulses make Moreau and Jean's method first order once the contact acts.
     fn check(&self, steps: u32, tolerance: f64, impulses: bool) {
         for (choice, _) in all() {
-            let expected = match choice {
-                MethodChoice::Family(own) if own == Coefficients::newmark(0.3025, 0.6) => 1.0,
-                MethodChoice::MoreauJean { theta } if theta > 0.5 || impulses => 1.0,
-                _ => 2.0,
+            let expected = match impulses && choice.has_impulses() {
+                true => 1.0,
+                false => f64::from(choice.order()),
             };
             let order = self.order(choice, steps);
             // Errors of first order are large, and so are their terms of second order.

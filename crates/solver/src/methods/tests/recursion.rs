@@ -83,7 +83,7 @@ impl Structure {
 struct Compare<'a> {
     structure: &'a Structure,
     modal: &'a Modal,
-    choice: MethodChoice,
+    choice: Method,
     dt: f64,
     gap: f64,
     state: State,
@@ -94,25 +94,25 @@ impl Compare<'_> {
     fn next(&self, forces: [f64; 2]) -> State {
         let [first, second] = forces;
         match &self.choice {
-            MethodChoice::Family(own) => {
+            Method::Family(own) => {
                 self.structure
                     .family(own, self.dt, &self.state, [self.force, first])
             }
-            MethodChoice::Bathe => self.structure.bathe(self.dt, &self.state, [first, second]),
-            MethodChoice::MoreauJean { theta } => {
+            Method::Bathe(Bathe) => self.structure.bathe(self.dt, &self.state, [first, second]),
+            Method::MoreauJean(MoreauJean { theta }) => {
                 self.structure
                     .moreau_jean(*theta, self.dt, &self.state, first)
             }
-            MethodChoice::AverageAcceleration => unreachable!(),
+            Method::AverageAcceleration(AverageAcceleration) => unreachable!(),
         }
     }
 }
 
 impl WithMethod for Compare<'_> {
     type Output = ();
-    fn run<N: Method<1>>(mut self, mut method: N) {
+    fn run<N: Recursion<1>>(mut self, mut method: N) {
         let (choice, dt, b) = (self.choice, self.dt, self.structure.b.clone());
-        let bathe = choice == MethodChoice::Bathe;
+        let bathe = choice == Method::Bathe(Bathe);
         for i in 0..100 {
             let forces = [0.37, 0.61].map(|rate| libm::sin(rate * f64::from(i)));
             let next = self.next(forces);

@@ -49,7 +49,7 @@ struct Growth(f64);
 
 impl WithMethod for Growth {
     type Output = f64;
-    fn run<N: Method<1>>(self, mut method: N) -> f64 {
+    fn run<N: Recursion<1>>(self, mut method: N) -> f64 {
         let k = self.0;
         let mut law = Elastic {
             on: method.flexibilities(),
@@ -79,20 +79,20 @@ fn motions_grow_just_above_the_critical_step_only() {
             Coefficients::newmark(0.1, 0.55),
             Coefficients::hht(-0.6),
         ] {
-            let critical = own.critical_step(modes.iter().copied(), k);
+            let critical = Method::from(own).critical_step(modes.iter().copied(), k);
             let growth = |dt: f64| {
                 let modes: Vec<_> = modes
                     .iter()
                     .enumerate()
                     .map(|(j, m)| mode(m.omega2, m.phi2, if j > 0 { 0.01 } else { 0.0 }, 0.0))
                     .collect();
-                let at = start(MethodChoice::Family(own), dt, 0.0, k * 0.06);
+                let at = start(Method::Family(own), dt, 0.0, k * 0.06);
                 with(&at, &modes, Growth(k))
             };
             assert!(growth(0.999 * critical) < 10.0, "{own:?} {k}");
             assert!(growth(1.01 * critical) > 1e3, "{own:?} {k}");
         }
-        let always = Coefficients::hht(-0.1);
+        let always = Method::from(Coefficients::hht(-0.1));
         assert_eq!(
             always.critical_step(modes.iter().copied(), k),
             f64::INFINITY

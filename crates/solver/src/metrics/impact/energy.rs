@@ -3,7 +3,7 @@
 use super::Track;
 use crate::contact::StoredEnergy;
 use crate::lane::Lane;
-use crate::methods::{ContactWork, MethodKind};
+use crate::methods::ContactWork;
 use crate::solve::ToSystem;
 use crate::system::System;
 
@@ -115,17 +115,17 @@ fn rates<const L: usize>(rdot: [Lane<L>; 2]) -> [Lane<L>; 2] {
     [rdot[0] * 2.0, rdot[1] * 2.0]
 }
 
-/// The form of the contact's work in a step of systems with methods of one kind.
+/// The form of the contact's work in a step of systems with methods of one scheme.
 pub fn step_work<const L: usize>(systems: &[impl ToSystem; L]) -> ContactWork<L> {
-    let kind = systems[0].system().method.kind();
+    let by_impulse = systems[0].system().method.has_impulses();
     let mut dt = Lane::splat(0.0);
     // Most runs are by trapezoids, which need no time step.
-    if kind == MethodKind::MoreauJean {
+    if by_impulse {
         for (dt, system) in dt.0.iter_mut().zip(systems) {
             *dt = system.system().step;
         }
     }
-    ContactWork::new(kind, dt)
+    ContactWork::new(by_impulse, dt)
 }
 
 /// Energy that the damping of the contact of a case takes: the work of the part of S that does none on the stored energy.

@@ -4,8 +4,7 @@ use super::law::{PlainLawName, law, plain_law};
 use super::tables::rows;
 use crate::contact::{ContactLaw, DisplacementControl, VelocityControl};
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
-use crate::methods::average_acceleration::ModeState;
+use crate::methods::{AverageAcceleration, Method, OneMode};
 use crate::metrics::friction::{COUNT, Sampled, evaluate, work_by_energy};
 use crate::metrics::steps;
 use crate::problem::{Case, method};
@@ -22,7 +21,7 @@ pub const LANES: usize = 16;
 
 /// The parameters of a case.
 #[derive(Debug, Clone, Copy)]
-pub struct OscillatorCase<W = ContactLaw, M = MethodChoice> {
+pub struct OscillatorCase<W = ContactLaw, M = Method> {
     pub law: W,
     pub method: M,
     /// S(0).
@@ -34,7 +33,7 @@ pub struct OscillatorCase<W = ContactLaw, M = MethodChoice> {
 }
 
 /// A case with a law of `[F]` and constant average acceleration: the one that sweeps of millions have, and small.
-pub type PlainCase = OscillatorCase<PlainLaw, Average>;
+pub type PlainCase = OscillatorCase<PlainLaw, AverageAcceleration>;
 
 /// A law of `[F]`.
 #[derive(Debug, Clone, Copy)]
@@ -43,10 +42,6 @@ pub enum PlainLaw {
     Velocity(VelocityControl),
 }
 
-/// Constant average acceleration.
-#[derive(Debug, Clone, Copy)]
-pub struct Average;
-
 impl From<PlainLaw> for ContactLaw {
     #[inline(always)]
     fn from(law: PlainLaw) -> ContactLaw {
@@ -54,13 +49,6 @@ impl From<PlainLaw> for ContactLaw {
             PlainLaw::Displacement(law) => ContactLaw::DisplacementControl(law),
             PlainLaw::Velocity(law) => ContactLaw::VelocityControl(law),
         }
-    }
-}
-
-impl From<Average> for MethodChoice {
-    #[inline(always)]
-    fn from(_: Average) -> MethodChoice {
-        MethodChoice::AverageAcceleration
     }
 }
 
@@ -91,7 +79,7 @@ impl PlainCase {
     #[inline(always)]
     pub fn plain(case: &Case, name: PlainLawName) -> Option<PlainCase> {
         let (law, force) = plain_law(name, case)?;
-        OscillatorCase::with(case, law, Average, force)
+        OscillatorCase::with(case, law, AverageAcceleration, force)
     }
 }
 
@@ -128,7 +116,7 @@ impl<W, M> OscillatorCase<W, M> {
     }
 }
 
-impl<W: Copy + Into<ContactLaw>, M: Copy + Into<MethodChoice>> ToSystem for OscillatorCase<W, M> {
+impl<W: Copy + Into<ContactLaw>, M: Copy + Into<Method>> ToSystem for OscillatorCase<W, M> {
     #[inline(always)]
     fn system(&self) -> System {
         System {
@@ -146,11 +134,9 @@ impl<W: Copy + Into<ContactLaw>, M: Copy + Into<MethodChoice>> ToSystem for Osci
     }
 }
 
-impl<W: Copy + Into<ContactLaw>, M: Copy + Into<MethodChoice>> LaneCase<LANES>
-    for OscillatorCase<W, M>
-{
+impl<W: Copy + Into<ContactLaw>, M: Copy + Into<Method>> LaneCase<LANES> for OscillatorCase<W, M> {
     type Reference = Sampled;
-    type Modes = [ModeState<LANES>; 1];
+    type Modes = OneMode;
     type Track = Displacements<LANES>;
     type Metrics = [Lane<LANES>; COUNT];
     type OneMetrics = [Lane<1>; COUNT];

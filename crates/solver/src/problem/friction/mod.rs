@@ -146,14 +146,14 @@ impl FrictionOscillator {
 /// Numerical dissipation over the energy at t = 0, the cost, and the amplification of the method.
 fn taken(case: &OscillatorCase, track: &ContactTrack) -> [Option<f64>; 5] {
     let end = track.0.last().map(|[x, v, _]| [*x, *v]);
-    let form = ContactWork::new(case.method.kind(), Lane([case.step]));
+    let form = ContactWork::new(case.method.has_impulses(), Lane([case.step]));
     let work = work_by_steps(&track.0, case.x0, &form);
     let step = case.method.amplification(case.step);
     let principal = step.principal.as_ref();
     let by_method = end.map(|end| work_by_energy(case.x0, end) - work);
     [
         by_method.map(|energy| 2.0 * energy / case.x0.abs()),
-        Some((case.last * case.method.sub_steps()) as f64),
+        Some((case.last * case.method.count_of_sub_steps()) as f64),
         Some(step.spectral_radius),
         principal.map(|own| own.period_elongation),
         principal.map(|own| own.damping_ratio),

@@ -5,8 +5,7 @@ use super::tables::{CONTACT_STEPS, ENERGY_DRIFT_FINAL, ENERGY_DRIFT_MAX, MAX_OVE
 use crate::contact::{ContactLaw, LawsVisitor, StoredEnergy, energies};
 use crate::exact::wave::Wave;
 use crate::lane::Lane;
-use crate::methods::ContactWork;
-use crate::methods::average_acceleration::ModeState;
+use crate::methods::{ContactWork, ManyModes};
 use crate::metrics::impact::{COUNT, Energy, Sampled, Track, energy_of_books, evaluate, step_work};
 use crate::metrics::steps;
 use crate::problem::Case;
@@ -73,7 +72,7 @@ impl ToSystem for ImpactCase {
 
 impl LaneCase<LANES> for ImpactCase {
     type Reference = Sampled;
-    type Modes = Vec<ModeState<LANES>>;
+    type Modes = ManyModes;
     type Track = Track<LANES>;
     type Metrics = [Lane<LANES>; COUNT];
     type OneMetrics = [Lane<1>; COUNT];

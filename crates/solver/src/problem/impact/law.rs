@@ -5,7 +5,7 @@ use crate::contact::number::Number;
 use crate::contact::numbers::bars;
 use crate::contact::offer::{Form, Offered, Place};
 use crate::contact::{ContactLaw, Described, Given, ImpactSpring, Rigid, WhichLaw};
-use crate::methods::{MethodChoice, MethodKind};
+use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::laws::{law_names, laws};
 use crate::problem::parameter::{Default, Kind, Parameter, Value, row_of};
@@ -74,7 +74,7 @@ const MOST: usize = 8;
 ///
 /// The secant stiffness of a law with delta^1.5 is that of the linear spring at the overlap under the exact force F0, which is 1
 /// here, so that k_h = k_I^1.5.
-pub fn law(case: &Case, method: MethodChoice, stiffness: f64, mass: f64) -> Option<ContactLaw> {
+pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<ContactLaw> {
     let offer = law_of(case)?.offer;
     let own = offer.bars?;
     let mut values = [None; MOST];
@@ -95,7 +95,7 @@ pub fn law(case: &Case, method: MethodChoice, stiffness: f64, mass: f64) -> Opti
         Form::Spring { stiffness } => Some(ContactLaw::ImpactSpring(ImpactSpring { stiffness })),
         Form::Stop { restitution } => Some(ContactLaw::Rigid(Rigid {
             restitution,
-            impulses: method.kind() == MethodKind::MoreauJean,
+            impulses: method.has_impulses(),
         })),
         Form::Impact { law, .. } => Some(law),
         // No impacts.

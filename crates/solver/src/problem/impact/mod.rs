@@ -60,7 +60,7 @@ impl Problem for BarImpact {
         let own = u64::from(MassMatrix::of(case) != Some(MassMatrix::MasslessContact));
         let modes = |row| case.at(row).map_or(0, |n| n as u64 + own);
         let all = modes(rows::N) + modes(rows::RIGHT_N);
-        let parts = method::of_case(case, METHOD).map_or(1, |method| method.sub_steps());
+        let parts = method::of_case(case, METHOD).map_or(1, |method| method.count_of_sub_steps());
         self.steps(case).saturating_mul(all * parts)
     }
 
@@ -200,7 +200,7 @@ fn taken(case: &ImpactCase, run: &Judged) -> [Option<f64>; TAKEN.end - TAKEN.sta
     let system = case.system();
     let Lane([start]) = run.energy.start;
     let by_contact = metrics::impact::damping_work(run.track, &system);
-    let work = case.last * system.linear.len() as u64 * system.method.sub_steps();
+    let work = case.last * system.linear.len() as u64 * system.method.count_of_sub_steps();
     let by_method = run.by_method.unwrap_or(0.0);
     let drift = run.energy.last.0[0] - start;
     [

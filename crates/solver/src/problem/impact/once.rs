@@ -73,7 +73,7 @@ mod tests {
     use super::*;
     use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
-    use crate::methods::MethodChoice;
+    use crate::methods::AverageAcceleration;
     use crate::problem::impact::case::system;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
@@ -103,7 +103,7 @@ mod tests {
             law: ContactLaw::ImpactSpring(ImpactSpring {
                 stiffness: 4.0 * (1.0 + z),
             }),
-            method: MethodChoice::AverageAcceleration,
+            method: AverageAcceleration.into(),
             length_ratio: theta,
         }
     }

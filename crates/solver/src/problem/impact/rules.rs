@@ -8,7 +8,6 @@ use super::tables::{LAW, METHOD, Opposite, rows};
 use crate::contact::StoredEnergy;
 use crate::contact::numbers::bars;
 use crate::exact::wave::Bars;
-use crate::methods::MethodKind;
 use crate::problem::method::{self, step_rules};
 use crate::problem::parameter::{Default, Value, shortest};
 use crate::problem::unit::Dimension;
@@ -75,7 +74,7 @@ fn no_restitution(case: &Case) -> Option<Violation> {
 fn ignored_restitution(case: &Case) -> Option<Violation> {
     let given = case.at(LAW + law::rows::RESTITUTION)?;
     let method = method::of_case(case, METHOD)?;
-    let ignores = is_rigid(case) && method.kind() != MethodKind::MoreauJean;
+    let ignores = is_rigid(case) && !method.has_impulses();
     ignores.then(|| Violation {
         parameter: "restitution".into(),
         message: method::ignores_restitution(case.name_at(METHOD), given),
@@ -86,7 +85,7 @@ fn ignored_restitution(case: &Case) -> Option<Violation> {
 /// Impulses act on nodes with mass.
 fn no_impulse(scaled: &Scaled) -> Option<Violation> {
     let massless = scaled.pair.contact_compliance() > 0.0;
-    let refused = massless && scaled.method.kind() == MethodKind::MoreauJean;
+    let refused = massless && scaled.method.has_impulses();
     refused.then(|| Violation {
         parameter: "method".into(),
         message: "moreau-jean acts by impulses on contact nodes with mass; allowed: another mass matrix, or another method".into(),

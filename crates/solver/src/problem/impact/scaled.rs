@@ -9,7 +9,7 @@ use super::law::{is_rigid, law};
 use super::tables::{METHOD, MassMatrix, Opposite, rows};
 use crate::contact::ContactLaw;
 use crate::exact::wave::Bars;
-use crate::methods::MethodChoice;
+use crate::methods::Method;
 use crate::problem::{Case, method};
 use crate::system::BarPair;
 use crate::system::bar::{Bar, Mass};
@@ -29,7 +29,7 @@ pub struct Scaled {
     /// The contact law.
     pub law: ContactLaw,
     /// The method of integration.
-    pub method: MethodChoice,
+    pub method: Method,
     /// L_R/L, for drawings; zero for a wall.
     pub length_ratio: f64,
 }

@@ -8,7 +8,7 @@
 use super::case::system;
 use super::scaled::Scaled;
 use crate::lane::Lane;
-use crate::methods::{Method, MethodKind, ModeStart, Start};
+use crate::methods::{Method, ModeStart, Recursion, Start};
 use crate::solve::{self, Stepper};
 use crate::system::bar::Mass;
 
@@ -25,7 +25,7 @@ const REST: f64 = 0.25;
 /// closed, or touch at the end. Also undefined if contact nodes have no mass, because then both ends of a bar differ.
 pub fn second(scaled: &Scaled, dt: f64, flight: f64) -> [Option<f64>; 2] {
     if scaled.pair.right.is_some() && !scaled.pair.equal()
-        || scaled.method.kind() != MethodKind::AverageAcceleration
+        || !matches!(scaled.method, Method::AverageAcceleration(_))
     {
         return [None; 2];
     }
@@ -86,7 +86,7 @@ fn far_ends(scaled: &Scaled, dt: f64, flight: f64, stepper: &Stepper) -> Option<
         rigid.displacement.0[0] -= scaled.bars.gap;
     }
     let at = Start {
-        choice: [scaled.method],
+        method: [scaled.method],
         dt: Lane([dt]),
         gap: Lane([2.0 * flight]),
         force: Lane([0.0]),
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
     use crate::contact::{ContactLaw, ImpactSpring};
     use crate::exact::wave::Bars;
-    use crate::methods::MethodChoice;
+    use crate::methods::AverageAcceleration;
     use crate::problem::impact::scaled::CLOSING;
     use crate::system::BarPair;
     use crate::system::bar::Bar;
@@ -138,7 +138,7 @@ mod tests {
             law: ContactLaw::ImpactSpring(ImpactSpring {
                 stiffness: gamma * f64::from(n) * 4.0 * mass,
             }),
-            method: MethodChoice::AverageAcceleration,
+            method: AverageAcceleration.into(),
             length_ratio: 1.0,
         }
     }

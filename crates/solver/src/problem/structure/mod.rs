@@ -33,8 +33,8 @@ use super::cases::Cases;
 use super::method;
 use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
 use crate::history::History;
-use crate::methods::{MethodChoice, MethodKind};
-use crate::solve::structure::{critical_fault, has_critical_step};
+use crate::methods::Method;
+use crate::solve::structure::critical_fault;
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::assemble;
@@ -113,7 +113,7 @@ impl StructureProblem {
     }
 
     /// The method of a completed case.
-    fn method(&self, case: &Case) -> Option<MethodChoice> {
+    fn method(&self, case: &Case) -> Option<Method> {
         let name = method::PARAMETERS[0].name.as_ref();
         let mut parameters = self.schema.parameters.iter();
         let row = parameters.position(|parameter| parameter.name == name)?;
@@ -122,7 +122,7 @@ impl StructureProblem {
 
     /// Rigid impacts whose restitution the method of the case ignores.
     fn ignored_restitutions(&self, case: &Case) -> Vec<Violation> {
-        let ignores = |method: &MethodChoice| method.kind() != MethodKind::MoreauJean;
+        let ignores = |method: &Method| !method.has_impulses();
         if !self.method(case).as_ref().is_some_and(ignores) {
             return Vec::new();
         }
@@ -139,7 +139,7 @@ impl StructureProblem {
     /// The rules of a method with a critical step.
     fn step_rules(&self, case: &Case, dt: f64) -> Option<Violation> {
         let method = self.method(case)?;
-        if !has_critical_step(&method) {
+        if !method.has_critical_step() {
             return None;
         }
         let (structure, _) = self.structure(case, 1).ok()?;
@@ -268,7 +268,9 @@ impl Problem for StructureProblem {
         let contacts = self.template.contacts.len();
         let size = assemble::check(&self.template, case);
         let size = size.map_or(1, |numbering| numbering.nodes() + 5 * contacts);
-        let parts = self.method(case).map_or(1, |method| method.sub_steps());
+        let parts = self
+            .method(case)
+            .map_or(1, |method| method.count_of_sub_steps());
         self.steps(case).saturating_mul(size as u64 * parts)
     }
 

@@ -4,7 +4,7 @@ use super::channel::{Number, Quantity};
 use super::judge::Recorded;
 use crate::exact::events;
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
+use crate::methods::Method;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run};
 use crate::system::structure::{Relation, Structure};
@@ -38,11 +38,7 @@ pub struct Energies {
 pub type Run = Result<(Recorded, Option<Energies>, Option<Watched>), Unsolvable>;
 
 /// The linear part of a structure with steps of `dt` by a method.
-pub fn prepare(
-    structure: &Structure,
-    method: &MethodChoice,
-    dt: f64,
-) -> Result<Prepared, Unsolvable> {
+pub fn prepare(structure: &Structure, method: &Method, dt: f64) -> Result<Prepared, Unsolvable> {
     Prepared::by(method, structure, dt)
 }
 

@@ -11,7 +11,6 @@ use super::sweep::Ready;
 use super::template::Reference;
 use super::warn;
 use crate::exact::events;
-use crate::methods::MethodKind;
 use crate::problem::{Case, Problem};
 use crate::solve::structure::Prepared;
 use crate::solve::{Unsolvable, Warnings};
@@ -214,7 +213,7 @@ impl StructureProblem {
             numbering,
             dt: *dt,
             against_rigid: rigid,
-            impulses: method.kind() == MethodKind::MoreauJean,
+            impulses: method.has_impulses(),
         };
         let metrics = self.metrics.iter();
         let values = metrics

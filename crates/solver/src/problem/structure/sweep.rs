@@ -3,7 +3,7 @@
 use super::StructureProblem;
 use super::motion::{self, LANES};
 use super::node::Numbering;
-use crate::methods::MethodChoice;
+use crate::methods::Method;
 use crate::problem::Case;
 use crate::solve::structure::Prepared;
 use crate::solve::{MetricTable, Unsolvable};
@@ -21,7 +21,7 @@ pub struct Ready {
     /// Numbers of its nodes.
     pub numbering: Numbering,
     /// Method of integration.
-    pub method: MethodChoice,
+    pub method: Method,
     /// Time step.
     pub dt: f64,
     /// Number of steps N.

@@ -68,7 +68,7 @@ mod visited;
 mod watch;
 
 pub use books::Books;
-pub use general::{CriticalFault, critical_fault, critical_step, has_critical_step};
+pub use general::{CriticalFault, critical_fault, critical_step};
 pub use prepared::Prepared;
 pub use run::run;
 pub use visited::{ContactStep, State};

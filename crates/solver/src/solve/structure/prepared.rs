@@ -1,8 +1,8 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
-use super::general::{Linear, sub_steps};
+use super::general::Linear;
 use super::links::{Link, Row, links, rows};
-use crate::methods::MethodChoice;
+use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::{Entry, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
@@ -15,7 +15,7 @@ use crate::system::structure::{Load, Structure, Symmetric};
 #[derive(Debug, Clone)]
 pub struct Prepared {
     pub(super) dt: f64,
-    pub(super) method: MethodChoice,
+    pub(super) method: Method,
     /// The sub-steps of a method other than constant average acceleration.
     pub(super) sub_steps: Vec<Linear>,
     /// m by place, for these methods.
@@ -83,7 +83,7 @@ impl Prepared {
         let reduced: Vec<_> = places.iter().map(|ends| reduce(&factor, *ends)).collect();
         Ok(Prepared {
             dt,
-            method: MethodChoice::AverageAcceleration,
+            method: AverageAcceleration.into(),
             sub_steps: Vec::new(),
             mass: Vec::new(),
             rows,
@@ -103,18 +103,14 @@ impl Prepared {
     ///
     /// # Errors
     /// As [`Prepared::new`]; for other methods in the words of their own matrix.
-    pub fn by(
-        method: &MethodChoice,
-        structure: &Structure,
-        dt: f64,
-    ) -> Result<Prepared, Unsolvable> {
-        if *method == MethodChoice::AverageAcceleration {
+    pub fn by(method: &Method, structure: &Structure, dt: f64) -> Result<Prepared, Unsolvable> {
+        if matches!(method, Method::AverageAcceleration(_)) {
             return Prepared::new(structure, dt);
         }
         let touches = touches(structure);
         let mut place = Vec::new();
         let mut linear = Vec::new();
-        for sub_step in sub_steps(method, dt) {
+        for sub_step in method.sub_steps(dt) {
             let (next, order) = Linear::new(structure, &touches, sub_step)?;
             linear.push(next);
             place = order;
@@ -141,7 +137,7 @@ impl Prepared {
     }
 
     /// Whether a structure with steps of `dt` by a method has the same linear part, and loads on the same nodes.
-    pub fn fits(&self, method: &MethodChoice, structure: &Structure, dt: f64) -> bool {
+    pub fn fits(&self, method: &Method, structure: &Structure, dt: f64) -> bool {
         let nodes = structure.nodes.iter().map(|node| &node.mass);
         let between = structure.contacts.iter().map(|contact| &contact.between);
         let same_nodes = |(a, b): (&Vec<usize>, _)| a.iter().copied().eq(loaded(b));
@@ -161,8 +157,13 @@ impl Prepared {
     }
 
     /// The method.
-    pub fn method(&self) -> &MethodChoice {
+    pub fn method(&self) -> &Method {
         &self.method
+    }
+
+    /// Whether the steps are those of constant average acceleration in increments, which have a form of their own.
+    pub(super) fn has_increments(&self) -> bool {
+        self.sub_steps.is_empty()
     }
 
     /// Number of nodes.

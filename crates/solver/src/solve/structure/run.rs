@@ -9,7 +9,6 @@ use super::state::{Average, ContactState};
 use super::visited::Kind;
 use super::{Prepared, State};
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
 use crate::solve::Unsolvable;
 use crate::system::structure::Structure;
 use multiversion::multiversion;
@@ -29,23 +28,21 @@ pub fn run<const L: usize>(
     steps: usize,
     mut visit: impl FnMut(usize, &State<L>),
 ) -> [Result<(), Unsolvable>; L] {
-    let mut state = State(match prepared.method {
-        MethodChoice::AverageAcceleration => {
-            let inputs = Inputs::new(cases, prepared, steps);
-            Kind::Average(Average::new(cases, prepared, inputs))
-        }
-        _ => Kind::General(General::new(cases, prepared, steps)),
+    let mut state = State(if prepared.has_increments() {
+        let inputs = Inputs::new(cases, prepared, steps);
+        Kind::Average(Average::new(cases, prepared, inputs))
+    } else {
+        Kind::General(General::new(cases, prepared, steps))
     });
     visit(0, &state);
-    match prepared.method {
-        MethodChoice::AverageAcceleration => step_all(&mut state, steps, &mut visit),
-        _ => {
-            for step in 1..=steps {
-                if let Kind::General(general) = &mut state.0 {
-                    step_generally(general, step);
-                }
-                visit(step, &state);
+    if prepared.has_increments() {
+        step_all(&mut state, steps, &mut visit);
+    } else {
+        for step in 1..=steps {
+            if let Kind::General(general) = &mut state.0 {
+                step_generally(general, step);
             }
+            visit(step, &state);
         }
     }
     let (finite, failures) = match &state.0 {

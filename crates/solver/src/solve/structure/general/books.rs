@@ -2,6 +2,7 @@
 
 use super::stepper::{General, predict};
 use crate::lane::Lane;
+use crate::methods::ContactWork;
 
 /// What a step did.
 #[derive(Debug, Clone, Copy)]
@@ -78,8 +79,11 @@ impl<const L: usize> General<'_, L> {
         let length = self.prepared.sub_steps[part].sub_step.length;
         let [[r, rdot, s], [r_end, rdot_end, s_end]] =
             [part, part + 1].map(|stage| self.stages[stage].contacts[c]);
-        let mut step = (s + s_end) * 0.5 * (r_end - r);
-        let impulse = s_end * ((rdot + rdot_end) * (0.5 * length));
+        let by = |form: ContactWork<L>| {
+            form.force([s, s_end]) * form.displacement([r, r_end], [rdot, rdot_end])
+        };
+        let mut step = by(ContactWork::Trapezoids);
+        let impulse = by(ContactWork::Impulses(Lane::splat(length)));
         for (l, by_impulse) in self.contacts[c].by_impulse.iter().enumerate() {
             step.0[l] = if *by_impulse { impulse.0[l] } else { step.0[l] };
         }

@@ -1,7 +1,7 @@
 //! The contacts of a structure over a sub-step.
 
-use super::scheme::SubStep;
 use crate::lane::Lane;
+use crate::methods::SubStep;
 use crate::solve::structure::laws::bounds;
 use crate::system::structure::{Contact, Relation, Structure};
 

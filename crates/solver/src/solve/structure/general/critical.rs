@@ -1,6 +1,6 @@
 //! The critical step of methods that have one.
 
-use crate::methods::{Coefficients, MethodChoice, six_digits_below};
+use crate::methods::{Method, six_digits_below};
 use crate::system::structure::factor::Factor;
 use crate::system::structure::{Relation, Structure, Symmetric};
 use std::fmt;
@@ -51,17 +51,12 @@ impl fmt::Display for CriticalFault {
     }
 }
 
-/// Whether a method is unstable above a step.
-pub fn has_critical_step(method: &MethodChoice) -> bool {
-    matches!(method, MethodChoice::Family(own) if own.stability_limit() < f64::INFINITY)
-}
-
 /// The critical step of a method: its limit of omega dt over the largest omega of the structure with the springs of all contacts.
 /// `None` if every step is stable.
 ///
 /// Damping does not count. It never makes the step shorter (Hughes, The Finite Element Method, section 9.1).
-pub fn critical_step(structure: &Structure, coefficients: &Coefficients) -> Option<f64> {
-    let limit = coefficients.stability_limit();
+pub fn critical_step(structure: &Structure, method: &Method) -> Option<f64> {
+    let limit = method.stability_limit();
     if limit == f64::INFINITY {
         return None;
     }
@@ -93,15 +88,8 @@ pub fn critical_step(structure: &Structure, coefficients: &Coefficients) -> Opti
 }
 
 /// Why a structure cannot be stepped by a method; `None` if it can.
-pub fn critical_fault(
-    structure: &Structure,
-    method: &MethodChoice,
-    dt: f64,
-) -> Option<CriticalFault> {
-    let MethodChoice::Family(coefficients) = method else {
-        return None;
-    };
-    let limit = coefficients.stability_limit();
+pub fn critical_fault(structure: &Structure, method: &Method, dt: f64) -> Option<CriticalFault> {
+    let limit = method.stability_limit();
     if limit == f64::INFINITY {
         return None;
     }
@@ -114,7 +102,7 @@ pub fn critical_fault(
     if is_above(structure, &with_contacts(structure), omega2) {
         return None;
     }
-    let critical = critical_step(structure, coefficients)?;
+    let critical = critical_step(structure, method)?;
     Some(CriticalFault::Above { critical, dt })
 }
 

@@ -3,7 +3,6 @@
 use super::linear::Linear;
 use super::stepper::General;
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::{Curved, Motion};
 use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
@@ -40,7 +39,7 @@ pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
             curved.name
         ));
     }
-    let impulses = matches!(prepared.method, MethodChoice::MoreauJean { .. });
+    let impulses = prepared.method.has_impulses();
     let rigid =
         |law: &Relation| matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
     let mut contacts = case.contacts.iter();

@@ -1,6 +1,6 @@
 //! The linear part of a sub-step.
 
-use super::scheme::SubStep;
+use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::links::{Link, Row, links, rows};
 use crate::solve::structure::prepared::{Reduced, flexibility, place_of, reduce};

@@ -1,6 +1,6 @@
 //! Time stepping of structures by every method but constant average acceleration.
 //!
-//! A step has one or two sub-steps of one form (`scheme`). The unknown of each is one acceleration vector a', and the matrix in
+//! A step has one or two sub-steps of one form ([`crate::methods::SubStep`]). The unknown of each is one acceleration vector a', and the matrix in
 //! front of it is L D L^T, as sparse as the structure. No displacement is divided by dt^2, so round-off stays small for short
 //! steps. At its end a contact has r' = r* - (d2 s1) G S' and rdot' = rdot* - (d1 s1) G S' with G = B^T (..)^-1 B, so that every
 //! law is a clipped line as in the constant average acceleration method, and the forces are the same small convex problem
@@ -18,12 +18,10 @@ mod curved;
 mod impact;
 mod linear;
 mod rest;
-mod scheme;
 mod start;
 mod state;
 mod stepper;
 
-pub use critical::{CriticalFault, critical_fault, critical_step, has_critical_step};
+pub use critical::{CriticalFault, critical_fault, critical_step};
 pub(super) use linear::Linear;
-pub(super) use scheme::sub_steps;
 pub(super) use stepper::General;

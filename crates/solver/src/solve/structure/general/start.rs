@@ -6,7 +6,6 @@ use super::curved;
 use super::impact::Impacts;
 use super::stepper::{General, Stage};
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
 use crate::solve::Unsolvable;
 use crate::solve::structure::forces::Forces;
 use crate::solve::structure::loads::Inputs;
@@ -22,7 +21,7 @@ impl<'a, const L: usize> General<'a, L> {
     ) -> Self {
         let (n, m, zero) = (prepared.nodes(), prepared.contacts(), Lane::splat(0.0));
         let parts = &prepared.sub_steps;
-        let impulses = matches!(prepared.method, MethodChoice::MoreauJean { .. });
+        let impulses = prepared.method.has_impulses();
         let explicit = parts.iter().any(|linear| linear.sub_step.is_explicit());
         let contact = |c| LaneContact::new(cases, c, explicit, impulses);
         let contacts: Vec<_> = (0..m).map(contact).collect();

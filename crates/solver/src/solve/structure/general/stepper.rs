@@ -3,8 +3,8 @@
 use super::contacts::{LaneContact, LaneLine};
 use super::impact::Impacts;
 use super::linear::Linear;
-use super::scheme::SubStep;
 use crate::lane::Lane;
+use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::Curved;

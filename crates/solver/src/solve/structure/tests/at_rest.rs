@@ -5,7 +5,7 @@ use crate::contact::{
     Bearing, BoucWen, ContactLaw, Dahl, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt,
     Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Prepared, run};
 
@@ -134,17 +134,17 @@ fn friction(number: usize, random: &mut Random) -> Relation {
     Relation::CurvedFriction { law, limit: own }
 }
 
-fn method(number: usize) -> MethodChoice {
-    let family = MethodChoice::Family;
+fn method(number: usize) -> Method {
+    let family = Method::Family;
     match number {
-        0 => MethodChoice::AverageAcceleration,
+        0 => Method::AverageAcceleration(AverageAcceleration),
         1 => family(Coefficients::linear_acceleration()),
         2 => family(Coefficients::newmark(0.3025, 0.6)),
         3 => family(Coefficients::hht(-0.2)),
         4 => family(Coefficients::generalized_alpha(0.7)),
-        5 => MethodChoice::Bathe,
-        6 => MethodChoice::MoreauJean { theta: 0.5 },
-        7 => MethodChoice::MoreauJean { theta: 0.8 },
+        5 => Method::Bathe(Bathe),
+        6 => Method::MoreauJean(MoreauJean { theta: 0.5 }),
+        7 => Method::MoreauJean(MoreauJean { theta: 0.8 }),
         _ => family(Coefficients::central_difference()),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::contact::{self, ContactLaw};
-use crate::methods::MethodChoice;
+use crate::methods::{AverageAcceleration, Method};
 use crate::solve::structure::{Prepared, run};
 use crate::solve::{ContactTrack, run as run_modes};
 use crate::system::bar::{Bar, Mass};
@@ -65,7 +65,7 @@ fn a_mass_with_friction_moves_like_the_oscillator() {
                 force: 0.0,
                 step: dt,
                 last,
-                method: MethodChoice::AverageAcceleration,
+                method: Method::AverageAcceleration(AverageAcceleration),
             };
             let expected = run_modes::<ContactTrack>(&system).unwrap().track.0;
             let difference = difference(&track(&structure, dt, last as usize), &expected);
@@ -102,7 +102,7 @@ fn bars_move_like_the_modes_of_the_bars() {
             force: 0.0,
             step: dt,
             last,
-            method: MethodChoice::AverageAcceleration,
+            method: Method::AverageAcceleration(AverageAcceleration),
         };
         let (assembly, _, v) = assemble(&system.linear, gap);
         let mass: Vec<f64> = assembly.mass.diagonal().iter().copied().collect();

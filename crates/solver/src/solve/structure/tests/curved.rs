@@ -7,7 +7,7 @@ use crate::contact::{
     Jankowski, KelvinVoigt, Lugre, Stribeck, Tanh, Unsolved, Ye,
 };
 use crate::lane::Lane;
-use crate::methods::MethodChoice;
+use crate::methods::{AverageAcceleration, Method};
 use crate::solve::structure::{Books, Prepared, run};
 use crate::solve::{ContactTrack, Unsolvable, run as run_modes};
 use crate::system::{Linear, Mode, System};
@@ -107,7 +107,7 @@ fn a_mass_with_each_friction_law_moves_like_the_oscillator() {
             force: 0.0,
             step: dt,
             last,
-            method: MethodChoice::AverageAcceleration,
+            method: Method::AverageAcceleration(AverageAcceleration),
         };
         let expected = run_modes::<ContactTrack>(&system).unwrap().track.0;
         let (rows, error) = motion(&structure, dt, last as usize);

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::lane::Lane;
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, run};
 
@@ -10,11 +10,15 @@ const STEPS: usize = 1500;
 
 /// Bits of every node and contact at each step, and of the books, for each lane.
 fn bits<const L: usize>(cases: &[&Structure; L]) -> [Vec<u64>; L] {
-    bits_by(&MethodChoice::AverageAcceleration, STEPS, cases)
+    bits_by(
+        &Method::AverageAcceleration(AverageAcceleration),
+        STEPS,
+        cases,
+    )
 }
 
 fn bits_by<const L: usize>(
-    method: &MethodChoice,
+    method: &Method,
     steps: usize,
     cases: &[&Structure; L],
 ) -> [Vec<u64>; L] {
@@ -94,9 +98,9 @@ fn a_case_has_the_same_bits_in_every_lane_by_every_method() {
     ];
     cases[1].contacts.truncate(5);
     for method in [
-        MethodChoice::Family(Coefficients::hht(-0.1)),
-        MethodChoice::Bathe,
-        MethodChoice::MoreauJean { theta: 0.5 },
+        Method::Family(Coefficients::hht(-0.1)),
+        Method::Bathe(Bathe),
+        Method::MoreauJean(MoreauJean { theta: 0.5 }),
     ] {
         cases[2].contacts[2].gap = 0.01;
         for c in 0..3 {

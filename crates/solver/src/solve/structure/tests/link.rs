@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::contact::{ContactKind, ContactLaw, VelocityControl};
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method};
 use crate::solve::structure::{Books, Prepared, Watch, run};
 
 const VISCOSITY: f64 = 0.7;
@@ -34,7 +34,7 @@ fn decks(as_contact: bool) -> Structure {
 }
 
 /// u and v of both nodes after each step, the forces of the contact, its work, and the energy error.
-fn motion(structure: &Structure, method: &MethodChoice) -> (Vec<[f64; 4]>, Vec<f64>, f64, f64) {
+fn motion(structure: &Structure, method: &Method) -> (Vec<[f64; 4]>, Vec<f64>, f64, f64) {
     let prepared = Prepared::by(method, structure, 0.01).unwrap();
     let (mut rows, mut forces) = (Vec::new(), Vec::new());
     let mut books: Option<Books<1>> = None;
@@ -72,9 +72,9 @@ fn motion(structure: &Structure, method: &MethodChoice) -> (Vec<[f64; 4]>, Vec<f
 #[test]
 fn a_dashpot_as_a_contact_moves_the_masses_like_a_dashpot_of_the_structure() {
     for method in [
-        MethodChoice::AverageAcceleration,
-        MethodChoice::Family(Coefficients::hht(-0.1)),
-        MethodChoice::Bathe,
+        Method::AverageAcceleration(AverageAcceleration),
+        Method::Family(Coefficients::hht(-0.1)),
+        Method::Bathe(Bathe),
     ] {
         let (expected, _, _, _) = motion(&decks(false), &method);
         let (rows, forces, work, error) = motion(&decks(true), &method);
@@ -96,7 +96,7 @@ fn a_dashpot_as_a_contact_moves_the_masses_like_a_dashpot_of_the_structure() {
         };
         let lost = energy(&rows[0]) - energy(&rows[rows.len() - 1]);
         assert!(lost > 1.0, "{lost}");
-        if method == MethodChoice::AverageAcceleration {
+        if method == Method::AverageAcceleration(AverageAcceleration) {
             assert!((work - lost).abs() < 1e-11 * lost, "{work} {lost}");
         }
     }

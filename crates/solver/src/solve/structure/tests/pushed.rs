@@ -2,13 +2,13 @@
 
 use super::*;
 use crate::contact::{BoucWen, ContactLaw, Dahl, HertzDamp};
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::structure::{Books, Prepared, run};
 
 /// r, rdot, S and slip of all contacts at the steps, and the books.
 fn motion(
     structure: &Structure,
-    method: &MethodChoice,
+    method: &Method,
     dt: f64,
     steps: usize,
 ) -> (Vec<Vec<[f64; 4]>>, Books<1>) {
@@ -56,7 +56,12 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
         ),
     ];
     let dt = 0.01;
-    let (rows, _) = motion(&structure, &MethodChoice::AverageAcceleration, dt, 1);
+    let (rows, _) = motion(
+        &structure,
+        &Method::AverageAcceleration(AverageAcceleration),
+        dt,
+        1,
+    );
     let state = rows[1][0];
     assert!(state[0] < -1e-3 && state[2] < 0.0, "{state:?}");
     let v0 = closing_speed(&law, state);
@@ -70,7 +75,12 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
         pattern: vec![(1, -1.0)],
         signal: Arc::new(Signal::Table(Table::new(times, vec![50.0; 2]).unwrap())),
     }];
-    let (rows, _) = motion(&structure, &MethodChoice::AverageAcceleration, dt, 1);
+    let (rows, _) = motion(
+        &structure,
+        &Method::AverageAcceleration(AverageAcceleration),
+        dt,
+        1,
+    );
     let state = rows[1][0];
     assert!(state[0] < -1e-3 && state[2] < 0.0, "{state:?}");
     let v0 = closing_speed(&law, state);
@@ -81,7 +91,7 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
 fn energies_are_relative_to_the_largest_one_with_that_of_the_contacts() {
     // Without sliding a friction spring is a spring, and so is an impact spring that stays shut: the same motion, and the same
     // numerical dissipation over the largest energy. A constant load of 1 from rest on k = 4, and a start with u = -1.
-    let method = MethodChoice::Family(Coefficients::hht(-0.2));
+    let method = Method::Family(Coefficients::hht(-0.2));
     let load = |force: f64| Load {
         pattern: vec![(0, 1.0)],
         signal: Arc::new(Signal::Table(
@@ -131,10 +141,10 @@ fn slip_is_r_but_for_displacement_control_by_every_method() {
         }),
     ];
     for method in [
-        MethodChoice::AverageAcceleration,
-        MethodChoice::Family(Coefficients::hht(-0.2)),
-        MethodChoice::MoreauJean { theta: 0.5 },
-        MethodChoice::Bathe,
+        Method::AverageAcceleration(AverageAcceleration),
+        Method::Family(Coefficients::hht(-0.2)),
+        Method::MoreauJean(MoreauJean { theta: 0.5 }),
+        Method::Bathe(Bathe),
     ] {
         let mut structure = masses(&[1.0]);
         structure.velocity[0] = 1.0;

@@ -19,7 +19,7 @@ fn bar(n: usize) -> Structure {
 }
 
 fn runs(structure: &Structure, dt: f64) -> Result<(), Unsolvable> {
-    let prepared = Prepared::by(&MethodChoice::Family(CENTRAL), structure, dt).unwrap();
+    let prepared = Prepared::by(&Method::Family(CENTRAL), structure, dt).unwrap();
     let [done] = run::<1>(&[structure], &prepared, 50, |_, _| ());
     done
 }
@@ -28,7 +28,7 @@ fn runs(structure: &Structure, dt: f64) -> Result<(), Unsolvable> {
 fn a_bar_has_the_step_of_one_element() {
     let mut bar = bar(20);
     bar.velocity[0] = 1.0;
-    let critical = critical_step(&bar, &CENTRAL).unwrap();
+    let critical = critical_step(&bar, &CENTRAL.into()).unwrap();
     // The number is on the safe side of the bisection, 60 halvings of [0, 4].
     assert!((critical - 1.0).abs() < 1e-11, "{critical}");
     assert_eq!(runs(&bar, 1.0), Ok(()));
@@ -49,19 +49,13 @@ fn at_this_step_a_wave_moves_by_one_element_exactly() {
         pattern: vec![(0, 1.0)],
         signal: Arc::new(Signal::Table(table)),
     }];
-    books(
-        &MethodChoice::Family(CENTRAL),
-        &bar,
-        1.0,
-        n,
-        |step, state| {
-            for i in 0..=n {
-                let way = step as f64 - i as f64;
-                let u = state.displacement(i).0[0];
-                assert!((u - way.max(0.0)).abs() < 1e-12, "{step} {i} {u}");
-            }
-        },
-    );
+    books(&Method::Family(CENTRAL), &bar, 1.0, n, |step, state| {
+        for i in 0..=n {
+            let way = step as f64 - i as f64;
+            let u = state.displacement(i).0[0];
+            assert!((u - way.max(0.0)).abs() < 1e-12, "{step} {i} {u}");
+        }
+    });
 }
 
 #[test]
@@ -93,15 +87,15 @@ fn contacts_shorten_it() {
         }
     }
     let omega = k.symmetric_eigenvalues().max().sqrt();
-    let critical = critical_step(&structure, &CENTRAL).unwrap();
+    let critical = critical_step(&structure, &CENTRAL.into()).unwrap();
     assert!((critical * omega / 2.0 - 1.0).abs() < 1e-11);
     assert_eq!(runs(&structure, 0.999 * critical), Ok(()));
     assert!(runs(&structure, 1.001 * critical).is_err());
     // Linear acceleration: omega dt = 2 sqrt 3.
-    let linear = critical_step(&structure, &Coefficients::linear_acceleration()).unwrap();
+    let linear = critical_step(&structure, &Coefficients::linear_acceleration().into()).unwrap();
     assert!((linear / critical - 3.0_f64.sqrt()).abs() < 1e-11);
     assert_eq!(
-        critical_step(&structure, &Coefficients::newmark(0.25, 0.5)),
+        critical_step(&structure, &Coefficients::newmark(0.25, 0.5).into()),
         None
     );
 }
@@ -124,7 +118,7 @@ fn curved_laws_shorten_it_by_their_largest_stiffness() {
     let critical = |law: Relation| {
         let mut structure = masses(&[1.0]);
         structure.contacts = vec![contact([None, Some(0)], 1.0, law)];
-        critical_step(&structure, &Coefficients::linear_acceleration())
+        critical_step(&structure, &Coefficients::linear_acceleration().into())
     };
     let step = |k: f64| 2.0 * (3.0 / k).sqrt();
     let (stiffness, restitution) = (64.0, 0.5);

@@ -4,7 +4,7 @@ use super::*;
 use crate::exact::events::{self, EventKind};
 use proptest::prelude::*;
 
-const THETA: MethodChoice = MethodChoice::MoreauJean { theta: 0.5 };
+const THETA: Method = Method::MoreauJean(MoreauJean { theta: 0.5 });
 
 fn stop(between: [Option<usize>; 2], gap: f64, restitution: f64) -> Contact {
     contact(between, gap, Relation::RigidStop { restitution })
@@ -258,7 +258,7 @@ proptest! {
             pattern: mass.iter().enumerate().map(|(i, m)| (i, -m * 5.0)).collect(),
             signal: ground(),
         }];
-        let method = MethodChoice::MoreauJean { theta };
+        let method = Method::MoreauJean(MoreauJean { theta });
         let stops: Vec<(usize, f64)> = row.contacts.iter().enumerate().filter_map(|(c, contact)| match contact.law {
             Relation::RigidStop { restitution } => Some((c, restitution)),
             _ => None,

@@ -5,15 +5,16 @@ mod energy;
 mod impulses;
 mod order;
 mod textbook;
+mod two_forms;
 mod vibration;
 
 use super::*;
-use crate::methods::{Coefficients, MethodChoice};
+use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
 use crate::solve::structure::{Books, Prepared, State, run};
 
 /// Every method but constant average acceleration, with its name.
-fn methods() -> [(&'static str, MethodChoice); 8] {
-    let family = MethodChoice::Family;
+fn methods() -> [(&'static str, Method); 8] {
+    let family = Method::Family;
     [
         (
             "linear-acceleration",
@@ -25,19 +26,22 @@ fn methods() -> [(&'static str, MethodChoice); 8] {
             "generalized-alpha",
             family(Coefficients::generalized_alpha(0.7)),
         ),
-        ("bathe", MethodChoice::Bathe),
+        ("bathe", Method::Bathe(Bathe)),
         (
             "central-difference",
             family(Coefficients::central_difference()),
         ),
-        ("moreau-jean", MethodChoice::MoreauJean { theta: 0.5 }),
-        ("moreau-jean 0.7", MethodChoice::MoreauJean { theta: 0.7 }),
+        ("moreau-jean", Method::MoreauJean(MoreauJean { theta: 0.5 })),
+        (
+            "moreau-jean 0.7",
+            Method::MoreauJean(MoreauJean { theta: 0.7 }),
+        ),
     ]
 }
 
 /// Steps a structure; returns its books.
 fn books(
-    method: &MethodChoice,
+    method: &Method,
     structure: &Structure,
     dt: f64,
     steps: usize,

@@ -4,7 +4,7 @@ use super::*;
 use crate::exact::events;
 
 /// Largest error of node 0 against the exact motion.
-fn error(method: &MethodChoice, structure: &Structure, duration: f64, steps: usize) -> f64 {
+fn error(method: &Method, structure: &Structure, duration: f64, steps: usize) -> f64 {
     let dt = duration / steps as f64;
     let times: Vec<f64> = (0..=steps).map(|i| i as f64 * dt).collect();
     let mut exact = Vec::new();
@@ -161,9 +161,9 @@ fn lugre_has_the_second_order_from_a_start_in_motion() {
     let law = Relation::CurvedFriction { law, limit };
     structure.contacts = vec![contact([None, Some(0)], 0.0, law)];
     for method in [
-        MethodChoice::AverageAcceleration,
-        MethodChoice::Family(Coefficients::hht(-0.2)),
-        MethodChoice::Bathe,
+        Method::AverageAcceleration(AverageAcceleration),
+        Method::Family(Coefficients::hht(-0.2)),
+        Method::Bathe(Bathe),
     ] {
         // Steps of 0.01, 0.005 .. 0.000625.
         let errors = [400, 800, 1600, 3200, 6400].map(|steps| {

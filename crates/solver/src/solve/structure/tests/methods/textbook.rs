@@ -393,14 +393,14 @@ fn the_textbook_forms_move_alike() {
                     return;
                 }
                 match &method {
-                    MethodChoice::Family(of) if of.beta == 0.0 => {
+                    Method::Family(of) if of.beta == 0.0 => {
                         last = std::mem::replace(&mut dense.u, next.clone());
                         next = dense.central(&last, t, dt);
                     }
-                    MethodChoice::Family(of) => dense.family(of, t, dt),
-                    MethodChoice::Bathe => dense.bathe(t, dt),
-                    MethodChoice::MoreauJean { theta } => dense.moreau_jean(*theta, t, dt),
-                    MethodChoice::AverageAcceleration => unreachable!(),
+                    Method::Family(of) => dense.family(of, t, dt),
+                    Method::Bathe(Bathe) => dense.bathe(t, dt),
+                    Method::MoreauJean(MoreauJean { theta }) => dense.moreau_jean(*theta, t, dt),
+                    Method::AverageAcceleration(AverageAcceleration) => unreachable!(),
                 }
                 comparison.add(state, [&dense.u, &dense.v, &dense.s]);
             });

@@ -4,7 +4,7 @@ use super::*;
 use nalgebra::{Matrix3, Vector3};
 
 /// u and v of a mass on a spring of omega^2 and a dashpot 2 xi omega, from u = 1, v = 0.
-fn vibration(method: &MethodChoice, omega: f64, xi: f64, dt: f64, steps: usize) -> Vec<[f64; 2]> {
+fn vibration(method: &Method, omega: f64, xi: f64, dt: f64, steps: usize) -> Vec<[f64; 2]> {
     let mut structure = masses(&[2.0]);
     structure.stiffness.add(0, 0, 2.0 * omega * omega);
     structure.damping.add(0, 0, 4.0 * xi * omega);
@@ -21,7 +21,7 @@ fn vibration(method: &MethodChoice, omega: f64, xi: f64, dt: f64, steps: usize) 
 #[test]
 fn newmark_with_gamma_one_half_turns_by_its_angle() {
     for beta in [0.0, 1.0 / 12.0, 1.0 / 6.0, 0.25, 0.4] {
-        let method = MethodChoice::Family(Coefficients::newmark(beta, 0.5));
+        let method = Method::Family(Coefficients::newmark(beta, 0.5));
         for x in [0.01, 0.3, 1.2, 1.9] {
             let angle = libm::acos(1.0 - 0.5 * x * x / (1.0 + beta * x * x));
             let track = vibration(&method, x / 0.1, 0.0, 0.1, 200);
@@ -60,7 +60,7 @@ fn alpha_methods_follow_their_amplification_matrix() {
             let before = Matrix3::new(mk, mc, mm, 1.0, 1.0, 0.5 - beta, 0.0, 1.0, 1.0 - gamma);
             let step = after.try_inverse().unwrap() * before;
             let mut y = Vector3::new(1.0, 0.0, -k);
-            let track = vibration(&MethodChoice::Family(of), x / 0.1, xi, 0.1, 100);
+            let track = vibration(&Method::Family(of), x / 0.1, xi, 0.1, 100);
             let largest = track.iter().fold(0.0_f64, |a, b| a.max(b[0].abs()));
             for [u, v] in track {
                 // dt^2 a is up to x^2 times u, so that the inverse loses that much.
@@ -85,7 +85,7 @@ fn bathe_follows_its_amplification_factor() {
         let factor = (z * 4.0 - 1.0) / Complex::new(3.0, -x);
         let mut y = Complex::new(1.0, 0.0);
         let omega = x / 0.1;
-        for [u, v] in vibration(&MethodChoice::Bathe, omega, 0.0, 0.1, 100) {
+        for [u, v] in vibration(&Method::Bathe(Bathe), omega, 0.0, 0.1, 100) {
             assert!((u - y.re).abs() < 1e-13 && (-v / omega - y.im).abs() < 1e-13);
             y *= factor;
         }
@@ -101,7 +101,7 @@ fn moreau_jean_follows_the_theta_rule() {
             let factor = Complex::new(1.0, (1.0 - theta) * x) / Complex::new(1.0, -theta * x);
             let mut y = Complex::new(1.0, 0.0);
             let omega = x / 0.1;
-            let method = MethodChoice::MoreauJean { theta };
+            let method = Method::MoreauJean(MoreauJean { theta });
             for [u, v] in vibration(&method, omega, 0.0, 0.1, 100) {
                 assert!((u - y.re).abs() < 1e-12 && (-v / omega - y.im).abs() < 1e-12);
                 y *= factor;

@@ -1,4 +1,4 @@
-//! Storage of the modes of a method.
+//! Storage of the modes of a structure.
 
 use crate::lane::Lane;
 
@@ -34,10 +34,32 @@ impl<T: Copy> Storage<T> for [T; 1] {
     }
 }
 
+/// How many modes structures have, which decides how they are stored.
+pub trait ModeCount {
+    /// Storage of the modes.
+    type Of<T: Copy>: Storage<T>;
+}
+
+/// Any number of modes.
+#[derive(Debug, Clone, Copy)]
+pub struct ManyModes;
+
+impl ModeCount for ManyModes {
+    type Of<T: Copy> = Vec<T>;
+}
+
+/// One mode.
+#[derive(Debug, Clone, Copy)]
+pub struct OneMode;
+
+impl ModeCount for OneMode {
+    type Of<T: Copy> = [T; 1];
+}
+
 /// N sums over all modes, of the numbers that `of` gives for a mode. From the first term on, so that the sum over one mode is
 /// that mode.
 #[inline(always)]
-pub(super) fn sums<T, const L: usize, const N: usize>(
+pub(in crate::methods) fn sums<T, const L: usize, const N: usize>(
     modes: &mut [T],
     mut of: impl FnMut(&mut T) -> [Lane<L>; N],
 ) -> [Lane<L>; N] {

@@ -1,7 +1,6 @@
 //! The work of a contact over a step, from its states at both ends.
 
 use crate::lane::Lane;
-use crate::system::MethodKind;
 
 /// How the work of a step follows from its ends: a force times a displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,13 +13,12 @@ pub enum ContactWork<const L: usize> {
 }
 
 impl<const L: usize> ContactWork<L> {
-    /// That of a method with this time step.
-    pub fn new(kind: MethodKind, dt: Lane<L>) -> Self {
-        match kind {
-            MethodKind::AverageAcceleration | MethodKind::Family | MethodKind::Bathe => {
-                ContactWork::Trapezoids
-            }
-            MethodKind::MoreauJean => ContactWork::Impulses(dt),
+    /// That of a method with this time step. `by_impulse`: whether dt S(i+1) is an impulse.
+    pub fn new(by_impulse: bool, dt: Lane<L>) -> Self {
+        if by_impulse {
+            ContactWork::Impulses(dt)
+        } else {
+            ContactWork::Trapezoids
         }
     }
 

@@ -1,4 +1,10 @@
-//! The coefficients of Newmark's family of methods.
+//! The coefficients of Newmark's family of methods, and what follows from them.
+
+use super::lanes::{Lanes, ModeState};
+use crate::methods::amplification::{Amplification, of_three};
+use crate::methods::lanes::ModeCount;
+use crate::methods::{Method, Scheme, SubStep};
+use nalgebra::Matrix3;
 
 /// Coefficients of Newmark's family in the generalised-alpha form (Chung and Hulbert 1993).
 ///
@@ -10,7 +16,7 @@
 /// ```
 ///
 /// ```
-/// use slipgap_solver::methods::Coefficients;
+/// use slipgap_solver::methods::{Coefficients, Scheme};
 ///
 /// // Without dissipation at high frequencies, rho_inf = 1, the mean of both ends; Newmark's method is at the end.
 /// let Coefficients { alpha_m, alpha_f, beta, gamma } = Coefficients::generalized_alpha(1.0);
@@ -32,60 +38,83 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    /// Newmark's method (1959). Second order for gamma = 1/2; stable for every step if 2 beta >= gamma >= 1/2.
-    pub const fn newmark(beta: f64, gamma: f64) -> Self {
-        Coefficients {
-            alpha_m: 0.0,
-            alpha_f: 0.0,
-            beta,
-            gamma,
-        }
-    }
-
-    /// The linear acceleration method (Newmark 1959): beta = 1/6, gamma = 1/2, stable up to omega dt = sqrt(12).
-    pub const fn linear_acceleration() -> Self {
-        Self::newmark(1.0 / 6.0, 0.5)
-    }
-
-    /// The central difference method in Newmark's form: beta = 0, gamma = 1/2. r at the end of a step does not depend on the
-    /// contact's force there.
-    pub const fn central_difference() -> Self {
-        Self::newmark(0.0, 0.5)
-    }
-
-    /// The method of Hilber, Hughes and Taylor (1977), for alpha from -1/3 (most dissipation) to 0 (none): alpha_f = -alpha,
-    /// beta = (1 - alpha)^2/4, gamma = 1/2 - alpha.
-    pub const fn hht(alpha: f64) -> Self {
-        Coefficients {
-            alpha_m: 0.0,
-            alpha_f: -alpha,
-            beta: 0.25 * (1.0 - alpha) * (1.0 - alpha),
-            gamma: 0.5 - alpha,
-        }
-    }
-
-    /// The generalised-alpha method of Chung and Hulbert (1993), with the spectral radius `rho_inf` in [0, 1] at infinite
-    /// frequency: alpha_m = (2 rho - 1)/(rho + 1), alpha_f = rho/(rho + 1), beta = (1 - alpha_m + alpha_f)^2/4,
-    /// gamma = 1/2 - alpha_m + alpha_f.
-    pub const fn generalized_alpha(rho_inf: f64) -> Self {
-        let alpha_m = (2.0 * rho_inf - 1.0) / (rho_inf + 1.0);
-        let alpha_f = rho_inf / (rho_inf + 1.0);
-        let shift = 1.0 - alpha_m + alpha_f;
-        Coefficients {
+    /// A step of `dt` (Chung and Hulbert 1993).
+    pub fn sub_step(&self, dt: f64) -> SubStep {
+        let Coefficients {
             alpha_m,
             alpha_f,
-            beta: 0.25 * shift * shift,
-            gamma: shift - 0.5,
+            beta,
+            gamma,
+        } = *self;
+        SubStep {
+            length: dt,
+            inertia: [alpha_m, 1.0 - alpha_m],
+            weights: [alpha_f, 1.0 - alpha_f],
+            forces: [alpha_f, 1.0 - alpha_f],
+            d1: gamma * dt,
+            d2: beta * dt * dt,
+            u_v: dt,
+            u_a: (0.5 - beta) * dt * dt,
+            u_before: None,
+            v_a: (1.0 - gamma) * dt,
+            v_d: 0.0,
         }
     }
 
-    /// Largest omega dt for which a free mode does not grow: infinite for methods that are always stable, zero for methods that
-    /// never are (gamma < 1/2 of Newmark's).
+    /// A - I for (u, dt v, dt^2 a) of a free mode, with D = 1 - alpha_m + (1 - alpha_f) beta (omega dt)^2 (Chung and Hulbert 1993, (10);
+    /// for alpha_m = 0 Hughes (9.3.12)).
+    pub fn change(&self, omega_dt: f64) -> Matrix3<f64> {
+        let Coefficients {
+            alpha_m,
+            alpha_f,
+            beta,
+            gamma,
+        } = *self;
+        let w2 = omega_dt * omega_dt;
+        let d = 1.0 - alpha_m + (1.0 - alpha_f) * beta * w2;
+        let u = -w2 / d;
+        let v = (1.0 - alpha_f) * u;
+        let a = (0.5 - beta) * v - alpha_m / d;
+        Matrix3::new(
+            beta * u,
+            1.0 + beta * v,
+            0.5 - beta + beta * a,
+            gamma * u,
+            gamma * v,
+            1.0 - gamma + gamma * a,
+            u,
+            v,
+            a - 1.0,
+        )
+    }
+}
+
+impl From<Coefficients> for Method {
+    #[inline(always)]
+    fn from(own: Coefficients) -> Method {
+        Method::Family(own)
+    }
+}
+
+impl Scheme for Coefficients {
+    type Lanes<const L: usize, N: ModeCount> = Lanes<L, N::Of<ModeState<L>>>;
+
+    fn sub_steps(&self, dt: f64) -> Vec<SubStep> {
+        vec![self.sub_step(dt)]
+    }
+
+    /// Second order for gamma = 1/2 - alpha_m + alpha_f (Chung and Hulbert 1993, (17)), but for round-off of the coefficients.
+    fn order(&self) -> u32 {
+        let off = 0.5 - self.alpha_m + self.alpha_f - self.gamma;
+        if off.abs() < 1e-15 { 2 } else { 1 }
+    }
+
+    /// Zero for methods that never are stable: gamma < 1/2 of Newmark's.
     ///
     /// With z = (1 + s)/(1 - s), W2 = (omega dt)^2 and kappa = 3/2 + gamma - alpha_f the characteristic polynomial of a step is
     /// c3 s^3 + c2 s^2 + W2 (2 kappa - 3) s + W2, c3 and c2 being linear in W2. Routh and Hurwitz ask for
     /// 2 kappa - 3 >= 0, c3 >= 0 and c2 (2 kappa - 3) >= c3: each is linear in W2.
-    pub fn stability_limit(&self) -> f64 {
+    fn stability_limit(&self) -> f64 {
         let Coefficients {
             alpha_m,
             alpha_f,
@@ -122,11 +151,14 @@ impl Coefficients {
         });
         limits.into_iter().fold(f64::INFINITY, f64::min).sqrt()
     }
+
+    fn amplification(&self, omega_dt: f64) -> Amplification {
+        of_three(&self.change(omega_dt), omega_dt)
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::MethodChoice;
     use super::*;
 
     #[test]
@@ -183,7 +215,7 @@ mod tests {
                             beta,
                             gamma,
                         };
-                        let radius = |w| MethodChoice::Family(own).amplification(w).spectral_radius;
+                        let radius = |w| own.amplification(w).spectral_radius;
                         let limit = own.stability_limit();
                         let largest = limit.min(1e3);
                         // Near the limit roots can be double: round-off of 1e-8.

@@ -1,5 +1,4 @@
-//! Newmark's family of methods for the modes of a structure with one contact: linear acceleration, Newmark, HHT,
-//! generalised-alpha and central differences.
+//! The recursion of lanes of Newmark's family: the form of its sub-step for speed and small round-off.
 //!
 //! For a mode x'' + omega2 x = -phi2 S, with V = dt v, A = dt^2 a, W2 = omega2 dt^2 and D = 1 - am + (1 - af) beta W2, a step of
 //! [`Coefficients`] gives A' from x, V and A. V - gamma A and x - beta A change by A and V alone, so that in
@@ -18,14 +17,15 @@
 //! Only increments are added to Q and P, which keeps the round-off small however small the step is. A' without the forces is
 //! known one step ahead, for each mode and in their sum. That sum and the sum of Q give the contact's motion without forces.
 
-use super::storage::{Storage, sums};
-use super::{Coefficients, ContactState, Method, MethodChoice, MethodKind, ModeStart, Start};
+use super::Coefficients;
 use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
+use crate::methods::Method;
+use crate::methods::lanes::{ContactState, ModeStart, Recursion, Start, Storage, sums};
 
 /// Modes of L structures with one contact each; `M` stores the modes.
 #[derive(Debug, Clone)]
-pub struct Family<const L: usize, M = Vec<ModeState<L>>> {
+pub struct Lanes<const L: usize, M = Vec<ModeState<L>>> {
     modes: M,
     weights: Weights<L>,
     dt: Lane<L>,
@@ -74,10 +74,10 @@ struct Weights<const L: usize> {
 }
 
 impl<const L: usize> Weights<L> {
-    /// `None` for a choice that has no such coefficients.
+    /// `None` for a method that has no such coefficients.
     // A loop: with more than 16 lanes, maps of arrays are not inlined.
     #[inline(always)]
-    fn new(choice: &[MethodChoice; L]) -> Option<Self> {
+    fn new(methods: &[Method; L]) -> Option<Self> {
         let zero = Lane::splat(0.0);
         let mut weights = Weights {
             alpha_m: zero,
@@ -86,11 +86,9 @@ impl<const L: usize> Weights<L> {
             gamma: zero,
             shift: zero,
         };
-        for (l, choice) in choice.iter().enumerate() {
-            let own = match choice {
-                MethodChoice::Family(own) => *own,
-                MethodChoice::AverageAcceleration => Coefficients::newmark(0.25, 0.5),
-                MethodChoice::Bathe | MethodChoice::MoreauJean { .. } => return None,
+        for (l, method) in methods.iter().enumerate() {
+            let Method::Family(own) = *method else {
+                return None;
             };
             weights.alpha_m.0[l] = own.alpha_m;
             weights.alpha_f.0[l] = own.alpha_f;
@@ -176,13 +174,12 @@ impl<const L: usize> ModeState<L> {
     }
 }
 
-impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
-    const KIND: MethodKind = MethodKind::Family;
-    const CONSERVES: bool = false;
+impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
+    type Scheme = Coefficients;
 
     #[inline(always)]
     fn new(start: &Start<L>, modes: impl Iterator<Item = ModeStart<L>>) -> Option<Self> {
-        let weights = Weights::new(&start.choice)?;
+        let weights = Weights::new(&start.method)?;
         let (dt, force) = (start.dt, start.force);
         let mut modes = M::collect(modes.map(|mode| ModeState::new(&weights, dt, &mode, force)))?;
         let [compliance, predictor, increment] = sums(modes.as_mut(), |mode| {
@@ -193,7 +190,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
             [x, v, mode.acceleration]
         });
         let rate = dt.map(|dt| 1.0 / dt);
-        Some(Family {
+        Some(Lanes {
             modes,
             weights,
             dt,
@@ -265,7 +262,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Method<L> for Family<L, M> {
 
     #[inline(always)]
     fn take(&mut self) -> Self {
-        Family {
+        Lanes {
             modes: self.modes.take(),
             ..*self
         }

@@ -1,13 +1,9 @@
-//! Checks that the solver does not become slower: the instructions of fixed sweeps by callgrind, and the speed of lanes on
-//! AVX-512.
-//!
-//! `guard` makes the checks. `guard NAME TIMES` only runs a sweep so many times, for callgrind.
+//! The instructions of sweeps without what is around them, and their speed beside cases one at a time.
 
+use crate::count::{instructions, is_near};
 use slipgap::problem::Case;
 use slipgap::study::{Study, parse};
-use std::env::args;
 use std::hint::black_box;
-use std::process::{Command, ExitCode};
 use std::time::{Duration, Instant};
 
 /// Sweeps, and the recorded number of instructions for each case (AVX2, the widest instructions of valgrind).
@@ -84,9 +80,6 @@ const OTHERS: [(&str, &str, u64); 7] = [
     ),
 ];
 
-/// Largest relative difference from the recorded counts. Compilers differ by a few per cent.
-const TOLERANCE: f64 = 0.1;
-
 /// Smallest quotient of the speeds of lanes and of single cases on AVX-512, much below the measured one.
 const RATIO: f64 = 3.0;
 
@@ -94,67 +87,36 @@ fn study(text: &str) -> Study {
     parse("guard.json", &format!("{{{text}}}")).expect("a study without faults")
 }
 
-fn main() -> ExitCode {
-    let args: Vec<String> = args().skip(1).filter(|arg| arg != "--bench").collect();
-    if let [name, times] = &args[..] {
-        let sweep = SWEEPS
-            .iter()
-            .chain(&OTHERS)
-            .find(|sweep| sweep.0 == name)
-            .expect("a sweep");
-        let study = study(sweep.1);
-        let (_, cases) = study.columns(0, study.raw_len());
-        let rows: Vec<u32> = (0..cases.len() as u32).collect();
-        for _ in 0..times.parse().expect("a number") {
-            black_box(study.problem.sweep(&cases, &rows));
-        }
-        return ExitCode::SUCCESS;
-    }
-    let counted = counts();
-    if ratios() && counted {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
+/// Runs a sweep so many times.
+pub fn sweep(name: &str, times: u64) {
+    let sweep = SWEEPS
+        .iter()
+        .chain(&OTHERS)
+        .find(|sweep| sweep.0 == name)
+        .expect("a sweep");
+    let study = study(sweep.1);
+    let (_, cases) = study.columns(0, study.raw_len());
+    let rows: Vec<u32> = (0..cases.len() as u32).collect();
+    for _ in 0..times {
+        black_box(study.problem.sweep(&cases, &rows));
     }
 }
 
-/// Whether the instructions of all sweeps are near the recorded ones. Without callgrind they are not counted.
-fn counts() -> bool {
-    let version = Command::new("valgrind").arg("--version").output();
-    if !version.is_ok_and(|output| output.status.success()) {
-        println!("no valgrind: instructions are not counted");
-        return true;
-    }
-    let mut good = true;
+/// Whether the instructions of all sweeps are near the recorded ones.
+pub fn are_near() -> bool {
+    let own = std::env::current_exe().expect("this program has a path");
+    let mut near = true;
     for (name, text, recorded) in SWEEPS.into_iter().chain(OTHERS) {
         // Both counts contain the work before the sweeps.
-        let more = count(name, 3) - count(name, 1);
-        let each = more as f64 / 2.0 / study(text).len() as f64;
-        let near = (each / recorded as f64 - 1.0).abs() < TOLERANCE;
-        let verdict = if near { "near" } else { "NOT NEAR" };
-        println!("{name}: {each:.0} instructions a case, {verdict} the recorded {recorded}");
-        good &= near;
+        let [one, three] = ["1", "3"].map(|times| instructions(&own, [name, times]));
+        let each = (three - one) as f64 / 2.0 / study(text).len() as f64;
+        near &= is_near(name, each, recorded);
     }
-    good
-}
-
-/// Number of instructions of this program with so many sweeps.
-fn count(name: &str, times: u64) -> i64 {
-    let own = std::env::current_exe().expect("this program has a path");
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(own)
-        .args([name, &times.to_string()])
-        .output()
-        .expect("valgrind runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    let line = errors.lines().find(|line| line.contains("Collected :"));
-    let number = line.and_then(|line| line.split(':').nth(1)?.trim().parse().ok());
-    number.unwrap_or_else(|| panic!("no count in: {errors}"))
+    near
 }
 
 /// Whether lanes are faster than single cases by the ratio, if the processor has AVX-512.
-fn ratios() -> bool {
+pub fn ratios() -> bool {
     #[cfg(target_arch = "x86_64")]
     let wide = is_x86_feature_detected!("avx512f");
     #[cfg(not(target_arch = "x86_64"))]
