@@ -1,6 +1,6 @@
 //! The checks of a study: limits of metrics, tested for every case that they apply to.
 
-use crate::batch::Outcome;
+use crate::batch::{Outcome, PartResult};
 use slipgap_solver::problem::Case;
 use slipgap_solver::problem::parameter::shortest;
 use slipgap_study::{Groups, Study};
@@ -69,6 +69,72 @@ pub fn verdict(study: &Study, check: usize, case: u64, value: Option<f64>) -> Ve
 pub fn judge(study: &Study, number: u64, outcome: &Outcome, verdicts: &mut Vec<(usize, Verdict)>) {
     let values = applicable(study, &outcome.case, |metric| outcome.metrics[metric]);
     verdicts.extend(values.map(|(check, value)| (check, verdict(study, check, number, value))));
+}
+
+/// The values that the checks of a study test, check by check, each with its case; NaN if it is undefined. The verdicts are made
+/// one by one, because a million of them take half a gigabyte.
+#[derive(Debug, Clone, Default)]
+pub struct TestedValues(Vec<Vec<(u64, f64)>>);
+
+impl TestedValues {
+    /// The verdicts, sorted by check and case.
+    pub fn verdicts(&self, study: &Study) -> impl Iterator<Item = Verdict> {
+        let checks = self.0.iter().enumerate();
+        checks.flat_map(move |(check, values)| {
+            let values = values.iter();
+            values.map(move |(case, x)| {
+                verdict(study, check, *case, Some(*x).filter(|x| !x.is_nan()))
+            })
+        })
+    }
+}
+
+/// Collects the values that checks test, part by part.
+#[derive(Debug)]
+pub struct CheckCollector<'a> {
+    study: &'a Study,
+    values: Vec<Vec<(u64, f64)>>,
+    reduced: ReducedChecks<'a>,
+}
+
+impl<'a> CheckCollector<'a> {
+    /// No cases yet.
+    pub fn new(study: &'a Study) -> CheckCollector<'a> {
+        CheckCollector {
+            study,
+            values: vec![Vec::new(); study.checks.len()],
+            reduced: ReducedChecks::new(study),
+        }
+    }
+
+    /// Adds a part.
+    pub fn add(&mut self, part: &PartResult) {
+        if self.study.checks.is_empty() {
+            return;
+        }
+        let mut shown = part.cases.shown();
+        for place in 0..part.len() {
+            let (number, case) = (part.number(place), shown.at(place));
+            let value = |metric| part.metrics.value(place, metric);
+            for (check, value) in applicable(self.study, case, value) {
+                self.values[check].push((number, value.unwrap_or(f64::NAN)));
+            }
+            self.reduced.add(number, case, value);
+        }
+    }
+
+    /// The reductions of cases without a value, as [`ReducedChecks::empty`] gives them.
+    pub fn empty(&self) -> impl Iterator<Item = (&'a str, u64, u64)> {
+        self.reduced.empty()
+    }
+
+    /// The values of all checks, after all parts.
+    pub fn finish(mut self) -> TestedValues {
+        for (check, case, value) in self.reduced.values() {
+            self.values[check].push((case, value.unwrap_or(f64::NAN)));
+        }
+        TestedValues(self.values)
+    }
 }
 
 /// The values that the checks of reductions test, collected case by case.

@@ -8,7 +8,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
 use slipgap::batch::WarnedCases;
 use slipgap::batch::output::manifest;
-use slipgap::checks;
+use slipgap::checks::{self, TestedValues};
 use slipgap::error::Error;
 use slipgap::problem::parameter::Value;
 use std::path::PathBuf;
@@ -34,7 +34,7 @@ pub struct Results {
     pub shown: Arc<Shown>,
     pub failures: Vec<(u64, String)>,
     /// By check of the study: the cases and the values; NaN if a value is undefined.
-    pub checked: Vec<Vec<(u64, f64)>>,
+    pub checked: TestedValues,
     pub without_contact: u64,
     pub warnings: Vec<WarnedCases>,
 }
@@ -62,12 +62,7 @@ impl Results {
     fn checks<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let class = CHECK.import(py, "slipgap._records", "Check")?;
         let study = &self.shown.source.study;
-        let checks = self.checked.iter().enumerate();
-        let verdicts = checks.flat_map(|(check, values)| {
-            let defined = |x: f64| Some(x).filter(|x| !x.is_nan());
-            let values = values.iter();
-            values.map(move |(case, x)| checks::verdict(study, check, *case, defined(*x)))
-        });
+        let verdicts = self.checked.verdicts(study);
         let record = |verdict: checks::Verdict| {
             let met = verdict.holds();
             let checks::Verdict {

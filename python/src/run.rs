@@ -15,7 +15,7 @@ use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::store::Store;
 use slipgap::batch::work_progress::WorkProgress;
 use slipgap::batch::{self, PartResult, RunOptions, ShownCases};
-use slipgap::checks::{self, ReducedChecks};
+use slipgap::checks::{CheckCollector, TestedValues};
 use slipgap::error::Error;
 use slipgap::problem::cases_without_contact;
 use slipgap::run::{Observer, OutputOptions, Source, run_study};
@@ -28,7 +28,7 @@ use std::sync::Arc;
 struct Collected {
     batches: Vec<RecordBatch>,
     failures: Vec<(u64, String)>,
-    checked: Vec<Vec<(u64, f64)>>,
+    checked: TestedValues,
     without_contact: u64,
     warnings: Vec<WarnedCases>,
     /// The cases that figures show; none if the run wrote the figures.
@@ -110,6 +110,7 @@ fn in_memory(source: &Source, mut collector: Collector<'_>) -> Result<Collected,
     let mut shown = ShownCases::new(study.problem.schema());
     batch::run(study, &bar, &options, |mut part| {
         collector.add(&part)?;
+        collector.collected.designs.add(&part);
         study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     })?;
@@ -136,7 +137,7 @@ struct Collector<'a> {
     study: &'a slipgap::study::Study,
     shared: (ProgressBar, Arc<WorkProgress>),
     columns: Columns,
-    reduced: ReducedChecks<'a>,
+    checks: CheckCollector<'a>,
     warnings: StudyWarnings<'a>,
     collected: Collected,
     error: Option<Error>,
@@ -151,12 +152,12 @@ impl<'a> Collector<'a> {
             study,
             shared,
             columns: Columns::new(study),
-            reduced: ReducedChecks::new(study),
+            checks: CheckCollector::new(study),
             warnings: StudyWarnings::new(study),
             collected: Collected {
                 batches: Vec::new(),
                 failures: Vec::new(),
-                checked: vec![Vec::new(); study.checks.len()],
+                checked: TestedValues::default(),
                 without_contact: 0,
                 warnings: Vec::new(),
                 shown: ShownCases::new(study.problem.schema()),
@@ -169,23 +170,12 @@ impl<'a> Collector<'a> {
     fn add(&mut self, part: &PartResult) -> Result<(), Error> {
         self.warnings.add(part);
         let (study, collected) = (self.study, &mut self.collected);
-        collected.designs.add(part);
         collected.batches.push(self.columns.of(study, part)?);
         let failures = part.metrics.failures();
         let numbered = failures.map(|(row, why)| (part.first + row as u64, why.to_string()));
         collected.failures.extend(numbered);
         collected.without_contact += cases_without_contact(&*study.problem, &part.metrics);
-        if study.checks.is_empty() {
-            return Ok(());
-        }
-        let mut shown = part.cases.shown();
-        for (place, number) in (0..part.len()).zip(part.first..) {
-            let value = |metric| part.metrics.value(place, metric);
-            for (check, value) in checks::applicable(study, shown.at(place), value) {
-                collected.checked[check].push((number, value.unwrap_or(f64::NAN)));
-            }
-            self.reduced.add(number, shown.at(place), value);
-        }
+        self.checks.add(part);
         Ok(())
     }
 
@@ -193,9 +183,7 @@ impl<'a> Collector<'a> {
         if let Some(error) = self.error {
             return Err(error);
         }
-        for (check, case, value) in self.reduced.values() {
-            self.collected.checked[check].push((case, value.unwrap_or(f64::NAN)));
-        }
+        self.collected.checked = self.checks.finish();
         self.collected.warnings = self.warnings.list();
         self.collected.shown = shown;
         Ok(self.collected)

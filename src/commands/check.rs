@@ -6,7 +6,7 @@ use super::terminal::{note, print_all, progress, table_lines};
 use super::{NOT_MET, UNSOLVED};
 use clap::Args;
 use slipgap::batch::{self, RunOptions};
-use slipgap::checks::{self, ReducedChecks, Verdict};
+use slipgap::checks::{CheckCollector, TestedValues, Verdict};
 use slipgap::error::Error;
 use slipgap::problem::parameter::shortest;
 use slipgap::run::{UnsolvedCases, cases_run, without_value};
@@ -29,11 +29,10 @@ impl CheckArgs {
     }
 }
 
-/// The cases and values that the checks of a study test, check by check; NaN if a value is undefined. The lines are made
-/// one by one, because a million lines take half a gigabyte.
-struct CheckedValues<'a> {
+/// A study and the values that its checks test.
+struct Tested<'a> {
     source: &'a Source,
-    values: Vec<Vec<(u64, f64)>>,
+    values: TestedValues,
 }
 
 /// Runs the studies without writing files and prints the verdicts; returns the exit code.
@@ -52,7 +51,7 @@ fn check(sources: &[Source]) -> Result<u8, Error> {
         });
         std::iter::once(header.map(String::from).to_vec()).chain(rows)
     }))?;
-    let verdicts = || all.iter().flat_map(CheckedValues::verdicts);
+    let verdicts = || all.iter().flat_map(Tested::verdicts);
     let failed = verdicts().filter(|verdict| !verdict.holds()).count();
     let checks = match verdicts().count() {
         1 => "1 check".to_owned(),
@@ -68,28 +67,19 @@ fn check(sources: &[Source]) -> Result<u8, Error> {
 }
 
 /// Runs one study; returns the checked values, and whether every case was solved.
-fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
+fn run_study(source: &Source) -> Result<(Tested<'_>, bool), Error> {
     let study = &source.study;
     let bar = progress::bar(&source.name, study.len());
-    let mut values = vec![Vec::new(); study.checks.len()];
-    let mut reduced = ReducedChecks::new(study);
+    let mut checks = CheckCollector::new(study);
     let mut unsolved = UnsolvedCases::new(source);
     let mut warnings = StudyWarnings::new(study);
     let mut cases = 0;
     batch::run(study, &bar, &RunOptions::METRICS, |part| {
         cases += part.len() as u64;
         warnings.add(&part);
-        let mut shown = part.cases.shown();
-        for place in 0..part.len() {
-            let number = part.number(place);
-            let value = |metric| part.metrics.value(place, metric);
-            for (check, value) in checks::applicable(study, shown.at(place), value) {
-                values[check].push((number, value.unwrap_or(f64::NAN)));
-            }
-            reduced.add(number, shown.at(place), value);
-            if let Some(why) = part.metrics.failure(place) {
-                unsolved.add(number, why);
-            }
+        checks.add(&part);
+        for (row, why) in part.metrics.failures() {
+            unsolved.add(part.number(row), why);
         }
         Ok(())
     })?;
@@ -98,27 +88,17 @@ fn run_study(source: &Source) -> Result<(CheckedValues<'_>, bool), Error> {
     for warning in warnings.list() {
         note(&source.line(&warning.to_string()));
     }
-    for (name, empty, cases) in reduced.empty() {
+    for (name, empty, cases) in checks.empty() {
         note(&without_value(source, name, empty, cases));
     }
-    for (check, case, value) in reduced.values() {
-        values[check].push((case, value.unwrap_or(f64::NAN)));
-    }
-    Ok((CheckedValues { source, values }, unsolved.is_empty()))
+    let values = checks.finish();
+    Ok((Tested { source, values }, unsolved.is_empty()))
 }
 
-impl CheckedValues<'_> {
+impl Tested<'_> {
     /// The verdicts, sorted by check and case.
     fn verdicts(&self) -> impl Iterator<Item = Verdict> {
-        let study = &self.source.study;
-        self.values
-            .iter()
-            .enumerate()
-            .flat_map(move |(check, values)| {
-                values.iter().map(move |(case, x)| {
-                    checks::verdict(study, check, *case, Some(*x).filter(|x| !x.is_nan()))
-                })
-            })
+        self.values.verdicts(&self.source.study)
     }
 }
 

@@ -33,6 +33,8 @@ impl fmt::Display for Fault {
     }
 }
 
+impl std::error::Error for Fault {}
+
 /// Why a command failed.
 #[derive(Debug)]
 pub enum Error {
@@ -119,7 +121,20 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {}
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Error::Io { source, .. } => Some(source),
+            Error::Faults(_)
+            | Error::Usage(_)
+            | Error::Unsolved(_)
+            | Error::PartsMissing(_)
+            | Error::Busy(_)
+            | Error::Interrupted
+            | Error::Internal(_) => None,
+        }
+    }
+}
 
 impl From<DrawingError> for Error {
     fn from(error: DrawingError) -> Error {

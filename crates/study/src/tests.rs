@@ -62,6 +62,7 @@ static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
     Arc::new(Schema {
         name: Borrowed("bars"),
         meaning: Borrowed("a test"),
+        described: false,
         parameters: Borrowed(&TABLE),
         metrics: Cow::default(),
         contact_metric: None,

@@ -29,6 +29,9 @@ pub struct Schema {
     pub name: Text,
     /// What it is, in one sentence.
     pub meaning: Text,
+    /// Whether the study describes the system, with contacts of its own. If not, there is one contact, whose law is among the
+    /// parameters, and the steps have the un-iterated form of the papers.
+    pub described: bool,
     /// The parameters of a case.
     pub parameters: Table<Parameter>,
     /// The metrics; the default ones first.

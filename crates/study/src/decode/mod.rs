@@ -142,7 +142,7 @@ pub(crate) fn study(
         .get("iteration")
         .and_then(|node| name(node, "iteration", "iteration", &ITERATIONS, faults))
         == Some(1);
-    if let (true, Some(node)) = (once && problem.name() == NAME, object.get("iteration")) {
+    if let (true, Some(node)) = (once && problem.schema().described, object.get("iteration")) {
         let message = "a structure has no un-iterated form; allowed: converged";
         faults.add(node.at, "iteration", message);
     }

@@ -6,7 +6,6 @@ use crate::source::tree::Node;
 use crate::units::Units;
 use crate::value::text;
 use slipgap_solver::problem::Problem;
-use slipgap_solver::problem::structure::schema::NAME;
 
 /// The keys of `units`.
 pub(crate) const KEYS: [(&str, &str); 3] = [
@@ -31,10 +30,10 @@ impl Units {
         let path = "units";
         if let Some(problem) = problem.filter(|problem| problem.schema().units.is_empty()) {
             let name = problem.name();
-            let message = match name {
-                NAME => "a structure names its units in \"structure\": \"units\": \"t, kN, m, s\""
+            let message = match problem.schema().described {
+                true => "a structure names its units in \"structure\": \"units\": \"t, kN, m, s\""
                     .to_owned(),
-                _ => {
+                false => {
                     format!("{name} has no units: all its parameters and results are dimensionless")
                 }
             };

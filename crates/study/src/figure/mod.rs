@@ -105,9 +105,8 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
 
 /// Why a problem without laws or budgets of its own has no figures of a kind; `None` if it has.
 fn lacking(kind: &Kind, scope: &Scope) -> Option<&'static str> {
-    let of_structure = scope.problem.name() == slipgap_solver::problem::structure::schema::NAME;
     match kind.name {
-        "law" if of_structure => {
+        "law" if scope.problem.schema().described => {
             Some("a structure has no law figure; a curve of a contact's r and S draws its loop")
         }
         "budget" if scope.problem.schema().budgets.is_empty() => Some(

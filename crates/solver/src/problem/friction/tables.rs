@@ -252,6 +252,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "free vibration of a mass on a spring with Coulomb friction, released at rest from x0 [F]",
         ),
+        described: false,
         parameters: PARAMETERS
             .iter()
             .cloned()

@@ -87,6 +87,7 @@ pub fn schema(
         meaning: Borrowed(MEANING),
         step: row(FIXED[0].0),
         duration: row(FIXED[1].0),
+        described: true,
         parameters: parameters.into(),
         metrics: metrics.iter().map(metric).collect::<Vec<_>>().into(),
         contact_metric: None,

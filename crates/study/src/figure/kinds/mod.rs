@@ -25,7 +25,7 @@ use super::keys::{COMMON, Key};
 use super::taken::Values;
 use crate::scope::Scope;
 use crate::{Column, Scale};
-use slipgap_solver::problem::{Case, Problem, structure};
+use slipgap_solver::problem::{Case, Problem};
 
 /// One kind of figure.
 pub(crate) struct Kind {
@@ -172,8 +172,8 @@ impl Kind {
         match self.needs {
             Needs::Nothing | Needs::Ensemble => true,
             Needs::Profiles => !problem.schema().profiles.is_empty(),
-            Needs::Structure => problem.name() == structure::schema::NAME,
-            Needs::OneContact => problem.name() != structure::schema::NAME,
+            Needs::Structure => problem.schema().described,
+            Needs::OneContact => !problem.schema().described,
         }
     }
 

@@ -106,6 +106,7 @@ pub(super) static SCHEMA: LazyLock<Arc<Schema>> = LazyLock::new(|| {
         meaning: Borrowed(
             "longitudinal impact of two uniform bars, or of a bar on a wall, with an impact spring [I]",
         ),
+        described: false,
         parameters: Owned(own().chain(method::PARAMETERS.iter().cloned()).collect()),
         metrics: Borrowed(&METRICS),
         contact_metric: Some(MAX_OVERLAP),
