@@ -41,7 +41,7 @@ impl Draw for Fragility {
             groups,
         } = *data;
         let (found, all) = ensembles(study, cases, self.by, Some(self.x));
-        let curves = &curves(groups)[..];
+        let curves = curves(groups);
         let height = 190.0;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
         let [x_range, y_range] = figure.ranges;

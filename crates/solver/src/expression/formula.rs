@@ -12,7 +12,7 @@ pub struct ExpressionFault {
     /// What is wrong and what is allowed.
     pub message: String,
     /// The name, if it is one that is not known here.
-    pub unknown: Option<UnknownName>,
+    pub unknown: Option<Box<UnknownName>>,
 }
 
 /// A name that is none of those allowed.

@@ -38,7 +38,7 @@ impl Tabulated {
         &mut self,
         block: &Block,
         schema: &Arc<Schema>,
-    ) -> Result<(), (Case, ExpressionFault)> {
+    ) -> Result<(), (Box<Case>, ExpressionFault)> {
         let entries = self.entries(&block.groups);
         if entries > MOST_ENTRIES {
             return Ok(());
@@ -48,7 +48,7 @@ impl Tabulated {
             let case = self.case(block, entry, schema);
             match self.formula.value(&|row| case.values[row]) {
                 Ok(value) => values.push(value),
-                Err(fault) => return Err((case, fault)),
+                Err(fault) => return Err((Box::new(case), fault)),
             }
         }
         self.table = Some(values);

@@ -115,7 +115,7 @@ fn add_condition(
 ) -> Result<(), Unmet> {
     let mut tabulated = Tabulated::new(formula.clone(), block);
     if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
-        return Err(Unmet::NoValue(Box::new(case), fault));
+        return Err(Unmet::NoValue(case, fault));
     }
     block.when = Some(Condition {
         text: text.to_owned(),
@@ -150,7 +150,7 @@ fn derive(
     let mut tabulated = Tabulated::new(formula.clone(), block);
     let parameter = &schema.parameters[given.parameter];
     let invalid = match tabulated.tabulate(block, schema) {
-        Err((case, _)) => Some(case),
+        Err((case, _)) => Some(*case),
         Ok(()) => {
             let mut values = tabulated.table.iter().flatten();
             let invalid = values.position(|x| value_of(*x, parameter).is_err());

@@ -117,7 +117,7 @@ pub fn unknown(what: &str, name: &str, allowed: &[&str]) -> String {
 
 /// The message of a fault of an expression, with the nearest name for an unknown one.
 pub fn in_words(fault: &ExpressionFault) -> String {
-    match &fault.unknown {
+    match fault.unknown.as_deref() {
         Some(UnknownName {
             what,
             name,
@@ -141,6 +141,25 @@ pub fn any_of(names: &[&str]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_unknown_name_in_an_expression_has_the_nearest_one() {
+        use slipgap_solver::expression::Formula;
+        let table = slipgap_solver::problem::PROBLEMS[0].parameters();
+        let words = |fault| in_words(&fault);
+        let sqrt = words(Formula::number("sqr(2)", table).unwrap_err());
+        assert!(
+            sqrt.contains("did you mean \"sqrt\"?; allowed: pi, e"),
+            "{sqrt}"
+        );
+        let law = words(Formula::condition("law == 'coulom'", table).unwrap_err());
+        assert!(
+            law.contains("did you mean \"coulomb\"?; allowed: "),
+            "{law}"
+        );
+        let other = words(Formula::number("1 +", table).unwrap_err());
+        assert!(!other.contains("allowed") && !other.is_empty(), "{other}");
+    }
 
     #[test]
     fn a_message_stays_on_one_line() {

@@ -91,11 +91,11 @@ fn unknown(offset: usize, what: &str, name: &str, allowed: Vec<Text>) -> Express
     ExpressionFault {
         offset,
         message: format!("unknown {what} \"{name}\"; allowed: {}", allowed.join(", ")),
-        unknown: Some(UnknownName {
+        unknown: Some(Box::new(UnknownName {
             what,
             name,
             allowed,
-        }),
+        })),
     }
 }
 
