@@ -43,7 +43,8 @@ bench: ## measure sweeps, expansion and store; not part of CI, since no test mea
 	cargo bench --locked --bench kernel --bench expansion --bench store
 
 guard: ## compare the instruction counts of sweeps with recorded ones (needs valgrind), and test the gain of lanes
-	cargo bench --locked --bench guard
+	cargo build --release --locked
+	cargo run --release --locked --quiet --package slipgap-guard
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
 peers: ## the same sweeps and three girders with contacts by slipgap, numba, numpy and OpenSees, in tables

@@ -66,7 +66,7 @@ fn an_expression_fits_where_one_of_its_choices_does() {
 
 #[test]
 fn the_fonts_carry_their_licence() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/fonts");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/drawing/assets/fonts");
     let licence = std::fs::read_to_string(folder.join("OFL.txt")).unwrap();
     assert!(licence.contains("SIL OPEN FONT LICENSE Version 1.1"));
     assert!(licence.starts_with("Copyright"));

@@ -11,7 +11,7 @@ use std::env::args;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let args: Vec<String> = args().skip(1).filter(|arg| arg != "--bench").collect();
+    let args: Vec<String> = args().skip(1).collect();
     if let [name, times] = &args[..] {
         kernels::sweep(name, times.parse().expect("a number"));
         return ExitCode::SUCCESS;

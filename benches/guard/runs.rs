@@ -90,6 +90,9 @@ impl Run {
         fs::write(&file, format!("{{{study}}}")).expect("a file for the study");
         let args = ["run", "--jobs", "1", "--format", self.format, "--out"].map(Path::new);
         let args = args.into_iter().chain([folder.path(), &file]);
-        instructions(Path::new(env!("CARGO_BIN_EXE_slipgap")), args)
+        // The release build of the program stands beside this one.
+        let own = std::env::current_exe().expect("this program has a path");
+        let program = own.with_file_name("slipgap");
+        instructions(&program, args)
     }
 }

@@ -184,6 +184,7 @@ pages! {
     performance "docs/performance.md",
     results "docs/results.md",
     scope "docs/scope.md",
+    speed "docs/speed.md",
     structures "docs/structures.md",
     study_files "docs/study-files.md",
 }
