@@ -4,7 +4,7 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use slipgap::solve::structure::{Books, Prepared, State, run};
 use slipgap::system::structure::{
-    Contact, Limit, Load, Node, Relation, Signal, Structure, Symmetric, Table,
+    Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
 };
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -47,7 +47,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
     };
     let impact = |i| {
         let stiffness = gamma * element;
-        let law = Relation::ImpactSpring { stiffness };
+        let law = StructureLaw::ImpactSpring { stiffness };
         contact([right(i), left(i + 1)], 0.02, law)
     };
     let bearing = |i, j| {
@@ -56,7 +56,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         contact(
             [i, j],
             0.0,
-            Relation::DisplacementControl { stiffness, limit },
+            StructureLaw::DisplacementControl { stiffness, limit },
         )
     };
     let masses = nodes.iter().map(|node| node.mass).enumerate();

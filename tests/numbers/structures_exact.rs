@@ -5,7 +5,7 @@ use serde_json::Value as Json;
 use slipgap::exact::events;
 use slipgap::solve::structure::{Prepared, run};
 use slipgap::system::structure::{
-    Contact, Limit, Load, Node, Relation, Signal, Structure, Symmetric, Table,
+    Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
 };
 use std::sync::Arc;
 
@@ -53,16 +53,16 @@ fn limit(json: &Json) -> Limit {
     }
 }
 
-fn relation(json: &Json) -> Relation {
+fn relation(json: &Json) -> StructureLaw {
     match json["law"].as_str().unwrap() {
-        "impact" => Relation::ImpactSpring {
+        "impact" => StructureLaw::ImpactSpring {
             stiffness: number(&json["k"]),
         },
-        "displacement-control" => Relation::DisplacementControl {
+        "displacement-control" => StructureLaw::DisplacementControl {
             stiffness: number(&json["k"]),
             limit: limit(&json["limit"]),
         },
-        "velocity-control" => Relation::VelocityControl {
+        "velocity-control" => StructureLaw::VelocityControl {
             viscosity: number(&json["c"]),
             limit: limit(&json["limit"]),
         },

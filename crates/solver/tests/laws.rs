@@ -4,10 +4,11 @@ use slipgap_solver::contact::number::{Number, Range, Usual};
 use slipgap_solver::contact::numbers::structure;
 use slipgap_solver::contact::offer::{Offered, Place};
 use slipgap_solver::contact::{
-    Answer, ContactKind, ContactLaw, Flexibility, Given, LAWS, StepFlexibility, StoredEnergy, Trial,
+    Answer, ContactKind, ContactLaw, Flexibility, GivenNumbers, LAWS, StepFlexibility,
+    StoredEnergy, Trial,
 };
 use slipgap_solver::lane::Lane;
-use slipgap_solver::system::structure::{Limit, Relation};
+use slipgap_solver::system::structure::{Limit, StructureLaw};
 
 /// A value of a number that no law treats specially.
 fn sample(number: &Number) -> f64 {
@@ -29,7 +30,7 @@ fn made(law: &Offered) -> Option<ContactLaw> {
         first.then(|| sample(number))
     };
     let values: Vec<Option<f64>> = own.numbers.iter().map(given).collect();
-    let given = Given {
+    let given = GivenNumbers {
         law: law.offer.name,
         numbers: own.numbers,
         values: &values,
@@ -37,7 +38,7 @@ fn made(law: &Offered) -> Option<ContactLaw> {
     };
     let form = (law.offer.form)(&given);
     let form = form.unwrap_or_else(|why| panic!("{}: {why}", law.offer.name));
-    let relation = Relation::new(form, Limit::constant(2.0));
+    let relation = StructureLaw::new(form, Limit::constant(2.0));
     assert_eq!(relation.kind(), law.kind, "{}", law.offer.name);
     Some(relation.law(2.0))
 }

@@ -25,7 +25,7 @@ pub fn digits(numbers: impl Iterator<Item = f64>) -> usize {
 /// Significant digits that distinguish any two doubles.
 const MOST: usize = 17;
 
-/// A number in markup, rounded to `digits` if it has more than [`WRITTEN`]; multiples of pi as such.
+/// A number in markup, rounded to `digits` if it has more than `WRITTEN`; multiples of pi as such.
 pub fn rounded(x: f64, digits: usize) -> String {
     let written = shortest(x);
     let mantissa = written.split('e').next().unwrap_or_default();

@@ -25,11 +25,11 @@ macro_rules! laws {
             }
         }
 
-        impl<const L: usize> AnyLaw<L> {
+        impl<const L: usize> AnyRunningLaw<L> {
             /// Runs the visitor with the law itself.
             pub fn accept(&mut self, visitor: impl Visitor<L>) {
                 match self {
-                    $(AnyLaw::$direct(law) => visitor.visit(law),)+
+                    $(AnyRunningLaw::$direct(law) => visitor.visit(law),)+
                     _ => visitor.visit(self),
                 }
             }
@@ -61,7 +61,7 @@ macro_rules! laws {
 
         /// A law over the steps of a run, for L cases.
         #[derive(Debug, Clone, Copy)]
-        pub enum AnyLaw<const L: usize> {
+        pub enum AnyRunningLaw<const L: usize> {
             $(#[doc = concat!("Of [`", stringify!($law), "`].")] $law(RunningLaw<<$law as Law>::Step<L>, L>)),+
         }
 
@@ -138,10 +138,10 @@ macro_rules! laws {
             }
 
             /// The law over the steps of a run with a method of these flexibilities; all cases have a law of the first one's kind.
-            pub fn running<const L: usize>(laws: &[ContactLaw; L], on: &[StepFlexibility<L>; 2]) -> AnyLaw<L> {
+            pub fn running<const L: usize>(laws: &[ContactLaw; L], on: &[StepFlexibility<L>; 2]) -> AnyRunningLaw<L> {
                 match laws[0] {
                     $(ContactLaw::$law(first) => {
-                        AnyLaw::$law(RunningLaw::of(&own_laws(laws, first, $law::of), on))
+                        AnyRunningLaw::$law(RunningLaw::of(&own_laws(laws, first, $law::of), on))
                     }),+
                 }
             }
@@ -166,11 +166,11 @@ macro_rules! laws {
             $((WhichLaw::$law, $law::KIND, $law::OF_VELOCITY, $law::OFFERS)),+
         ];
 
-        impl<const L: usize> AnyLaw<L> {
+        impl<const L: usize> AnyRunningLaw<L> {
             /// Other numbers of a law of the same kind in all lanes; the memory stays.
             pub fn change(&mut self, law: &ContactLaw, on: &[StepFlexibility<L>; 2]) {
                 match (self, law) {
-                    $((AnyLaw::$law(running), ContactLaw::$law(law)) => {
+                    $((AnyRunningLaw::$law(running), ContactLaw::$law(law)) => {
                         running.parts = RunningLaw::of(&[*law; L], on).parts;
                     })+
                     // Of another kind it would have no memory.
@@ -201,9 +201,9 @@ macro_rules! laws {
 
         // A function of its own: it is compiled once, and not in every loop over steps.
         #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-        fn answer<const L: usize>(law: &mut AnyLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
+        fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
             match law {
-                $(AnyLaw::$law(law) => law.force(part, trial)),+
+                $(AnyRunningLaw::$law(law) => law.force(part, trial)),+
             }
         }
     };
@@ -247,7 +247,7 @@ impl ContactLaw {
     }
 }
 
-impl<const L: usize> Answer<L> for AnyLaw<L> {
+impl<const L: usize> Answer<L> for AnyRunningLaw<L> {
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
         answer(self, part, trial)
     }

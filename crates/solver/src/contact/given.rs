@@ -4,7 +4,7 @@ use super::number::{Number, Usual};
 
 /// The numbers of a contact in a case.
 #[derive(Debug, Clone, Copy)]
-pub struct Given<'a> {
+pub struct GivenNumbers<'a> {
     /// The name of the law.
     pub law: &'static str,
     /// Its numbers.
@@ -15,7 +15,7 @@ pub struct Given<'a> {
     pub others: &'a [(&'static str, f64)],
 }
 
-impl Given<'_> {
+impl GivenNumbers<'_> {
     /// The first numbers in their order; `None` where one is not given.
     #[inline(always)]
     pub fn all<const N: usize>(&self) -> Option<[f64; N]> {

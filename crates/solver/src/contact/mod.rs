@@ -40,14 +40,14 @@ mod stribeck;
 mod tanh;
 mod velocity_control;
 
-pub use any::{ALL, AnyLaw, ContactLaw, LAWS, WhichLaw};
+pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
 pub use bearing::Bearing;
 pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
 pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
-pub use given::Given;
+pub use given::GivenNumbers;
 pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 pub use impact_spring::ImpactSpring;
 pub use kind::ContactKind;

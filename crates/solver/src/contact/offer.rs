@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::numbers::structure;
-use super::{ContactKind, ContactLaw, Given, WhichLaw};
+use super::{ContactKind, ContactLaw, GivenNumbers, WhichLaw};
 
 /// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct Offer {
     /// In structures. Those of the limit of friction are not among its numbers.
     pub structure: Option<In>,
     /// The law of its numbers between bars or in structures, or the rule that they break.
-    pub form: fn(&Given) -> Result<Form, String>,
+    pub form: fn(&GivenNumbers) -> Result<Form, String>,
 }
 
 /// A law in a problem.
@@ -36,7 +36,7 @@ pub struct InOscillator {
     /// As in the other problems.
     pub of: In,
     /// The law of its numbers; `None` where one is missing.
-    pub law: fn(&Given) -> Option<ContactLaw>,
+    pub law: fn(&GivenNumbers) -> Option<ContactLaw>,
 }
 
 /// A law of bars or structures, in the numbers that studies give: the reciprocal of a stiffness has other bits.

@@ -1,6 +1,6 @@
 //! Solving: integration of systems in time, one at a time or several together. ParameterExpression once for all problems.
 
-pub mod once;
+pub mod single_pass;
 pub mod structure;
 pub mod sweep;
 mod table;
@@ -13,7 +13,7 @@ pub use track::{ContactTrack, Displacements, Track};
 pub use unsolvable::Unsolvable;
 pub use warning::{FEWEST_STEPS, TOO_FEW_STEPS, WARNINGS, Warning, Warnings};
 
-use crate::contact::{Answer, AnyLaw, ContactLaw, StepFlexibility, Visitor};
+use crate::contact::{Answer, AnyRunningLaw, ContactLaw, StepFlexibility, Visitor};
 use crate::lane::Lane;
 use crate::methods::{
     AverageAcceleration, ContactState, ContactWork, ManyModes, Method, ModeCount, ModeStart,
@@ -33,12 +33,12 @@ pub struct Motion<const L: usize, T> {
     /// Velocity of the first mode at the last step of each case.
     pub first_mode: Lane<L>,
     /// What the contact and the method took from the energy of the modes; `None` for a method in which the contact takes all.
-    pub taken: Option<Taken<L>>,
+    pub taken: Option<EnergyLosses<L>>,
 }
 
 /// What a run took from the energy of the modes, up to the last step of each case.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Taken<const L: usize> {
+pub struct EnergyLosses<const L: usize> {
     /// Work on the contact.
     pub by_contact: Lane<L>,
     /// Numerical dissipation of the method; below 0 where it adds energy.
@@ -74,7 +74,7 @@ impl ToSystem for System {
 /// The motion is that of the modes. That of a contact without mass follows from it, see [`System::at_contact`].
 pub fn start<const L: usize, N: Recursion<L>, S: ToSystem>(
     cases: &[S; L],
-) -> Option<(N, AnyLaw<L>)> {
+) -> Option<(N, AnyRunningLaw<L>)> {
     let stepper: N = stepper(cases)?;
     let law = running_law(cases, &stepper);
     Some((stepper, law))
@@ -136,7 +136,7 @@ fn stepper<const L: usize, N: Recursion<L>, S: ToSystem>(cases: &[S; L]) -> Opti
 fn running_law<const L: usize, N: Recursion<L>, S: ToSystem>(
     cases: &[S; L],
     stepper: &N,
-) -> AnyLaw<L> {
+) -> AnyRunningLaw<L> {
     let mut laws = [cases[0].system().law; L];
     for (law, case) in laws.iter_mut().zip(cases) {
         *law = case.system().law;
@@ -218,7 +218,7 @@ fn advance_by<const L: usize, N: Recursion<L>, T: Track<L>, S: ToSystem>(
         for (taken, case) in by_method.0.iter_mut().zip(cases) {
             *taken += case.system().linear.energy();
         }
-        Taken {
+        EnergyLosses {
             by_contact,
             by_method,
         }

@@ -12,10 +12,10 @@ use super::values::{
 use crate::axes::design;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
+use crate::figure::decoded_value::MARKS;
 use crate::figure::extent::WIDTHS;
 use crate::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{self, KINDS};
-use crate::figure::taken::MARKS;
 use crate::reduction::WORDS;
 use crate::units::IN;
 use slipgap_solver::problem::parameter::{Kind, Parameter, Range};

@@ -1,6 +1,7 @@
 //! The `figures` of a study.
 
 mod checker;
+pub(super) mod decoded_value;
 mod ensembles;
 pub(super) mod extent;
 pub(super) mod keys;
@@ -8,7 +9,6 @@ pub mod kinds;
 mod limits;
 pub mod reduced;
 mod sampled;
-pub(super) mod taken;
 mod vary;
 
 use std::collections::HashSet;
@@ -20,9 +20,9 @@ use crate::scope::Scope;
 use crate::tree::Node;
 use crate::value::name;
 use checker::Checker;
+use decoded_value::{DecodedValue, Values, take};
 use keys::{COMMON, Key, Takes};
 use kinds::{KINDS, Kind, Needs};
-use taken::{Taken, Values, take};
 
 /// Decodes all figures, leaving out those with a fault; names must differ by more than case, which some file systems
 /// ignore.
@@ -58,7 +58,7 @@ fn figure(node: &Node, path: &str, scope: &Scope, faults: &mut Faults) -> Option
     let keys = COMMON.iter().chain(kind.map_or(&[][..], |kind| kind.keys));
     let mut taken = Vec::new();
     if let (Some(kind), Some(node)) = (kind, object.get("kind")) {
-        taken.push(("kind", node, Taken::Text(kind.name.to_owned())));
+        taken.push(("kind", node, DecodedValue::Text(kind.name.to_owned())));
     }
     for key in keys.filter(|key| key.takes != Takes::Kind) {
         let found = match key.required {

@@ -1,8 +1,8 @@
 //! Reductions in a figure: all of its metrics, over the same parameters, or none.
 
 use super::checker::Checker;
+use super::decoded_value::Values;
 use super::keys::{Key, Takes};
-use super::taken::Values;
 use crate::Column;
 use crate::Reduction;
 use crate::faults::quoted;

@@ -4,13 +4,13 @@ mod contacts;
 pub(super) mod keys;
 mod labels;
 mod loads;
+mod named_metrics;
 mod names;
 mod parts;
 mod reader;
 mod records;
 #[cfg(test)]
 mod tests;
-mod wanted;
 
 use super::source::faults::{Faults, quoted};
 use super::source::object::Object;
@@ -21,9 +21,9 @@ use reader::{Reader, named, open};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::structure::StructureProblem;
 use slipgap_solver::problem::structure::channel::Names;
-use slipgap_solver::problem::structure::consistent;
 use slipgap_solver::problem::structure::schema::{self, Named};
 use slipgap_solver::problem::structure::template::{DampingStiffness, Reference, Template};
+use slipgap_solver::problem::structure::unit_consistency;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -107,9 +107,14 @@ pub(super) fn problem(
         bars: &bars,
         contacts: &contacts,
     };
-    let metrics = wanted::metrics(root, &known, faults);
-    let drawn = wanted::drawn(root, &known, faults);
-    wanted::report_errors_without_reference(root, &drawn, template.reference.is_some(), faults);
+    let metrics = named_metrics::metrics(root, &known, faults);
+    let drawn = named_metrics::drawn(root, &known, faults);
+    named_metrics::report_errors_without_reference(
+        root,
+        &drawn,
+        template.reference.is_some(),
+        faults,
+    );
     let used = reader.used.borrow();
     let parameters: Vec<Named> = parameters
         .into_iter()
@@ -142,7 +147,7 @@ fn units(object: &Object, structure: &Node, faults: &mut Faults) -> (String, f64
     let Some(text) = value::text(node, &path, faults) else {
         return (String::new(), 1.0);
     };
-    if let Some(message) = consistent::fault(&text) {
+    if let Some(message) = unit_consistency::fault(&text) {
         faults.add(node.at, &path, message);
         return (String::new(), 1.0);
     }

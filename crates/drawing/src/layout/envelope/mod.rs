@@ -1,7 +1,7 @@
 //! Bands instead of curves that oscillate too fast to draw: their places and edges.
 //!
 //! Turns are those of the curve on the sheet. A turn counts if the curve swings farther than strokes
-//! are apart. Where [`PERIODS`] periods in a row are shorter than their strokes are wide, a band replaces the curve, as far as
+//! are apart. Where `PERIODS` periods in a row are shorter than their strokes are wide, a band replaces the curve, as far as
 //! periods are hardly longer. Its edges are hulls of the points, so the band contains every point and touches every peak.
 
 #[cfg(test)]

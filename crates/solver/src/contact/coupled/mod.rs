@@ -9,16 +9,16 @@
 //! the wrong contacts change their places: all of them while they become fewer, else one at a time. This is the block principal
 //! pivoting of Judice and Pires (1992), with the rule of Murty, which ends for every positive definite A.
 
+mod active_set;
 pub mod curved;
 mod factor;
 mod matrix;
-mod pattern;
 mod pivoting;
 #[cfg(test)]
 mod tests;
 
+use active_set::{ActiveSet, At, Step};
 use matrix::Matrix;
-use pattern::{At, Pattern, Step};
 use std::fmt;
 
 /// Part of A_ii that is added to it where A is singular; see `solve_singular`.
@@ -74,9 +74,9 @@ impl std::error::Error for Unsolved {}
 pub struct CoupledForces {
     /// A of the one contact, if there is one.
     single: Option<f64>,
-    pattern: Pattern,
+    pattern: ActiveSet,
     /// If A is singular: for A + SOFTENING diag(A).
-    softened: Option<Box<Pattern>>,
+    softened: Option<Box<ActiveSet>>,
     rounds: usize,
 }
 
@@ -85,8 +85,8 @@ impl CoupledForces {
     pub fn new(matrix: Vec<f64>, contacts: usize) -> CoupledForces {
         let single = (contacts == 1).then(|| matrix[0]);
         let matrix = Matrix::new(matrix, contacts);
-        let pattern = Pattern::new(matrix.clone());
-        let softened = || Box::new(Pattern::new(matrix.softened(SOFTENING)));
+        let pattern = ActiveSet::new(matrix.clone());
+        let softened = || Box::new(ActiveSet::new(matrix.softened(SOFTENING)));
         CoupledForces {
             single,
             softened: pattern.is_singular().then(softened),

@@ -1,12 +1,12 @@
 //! Search for the right pattern.
 
 use super::Unsolved;
-use super::pattern::{Pattern, Step};
+use super::active_set::{ActiveSet, Step};
 
 /// Rounds that change all wrong contacts although these have not become fewer.
 const TRIES: usize = 3;
 
-impl Pattern {
+impl ActiveSet {
     /// Changes the pattern until it is right, and gives its forces. Returns the number of patterns.
     pub fn pivot(&mut self, step: Step, force: &mut [f64]) -> Result<usize, Unsolved> {
         // The same code with a known number of contacts is up to twice as fast.

@@ -97,7 +97,11 @@ fn flexibility([h, h_rate]: [f64; 2]) -> StepFlexibility<1> {
 }
 
 /// A law in contact since it closed at the speed v0.
-fn in_contact(law: &ContactLaw, on: &StepFlexibility<1>, v0: f64) -> crate::contact::AnyLaw<1> {
+fn in_contact(
+    law: &ContactLaw,
+    on: &StepFlexibility<1>,
+    v0: f64,
+) -> crate::contact::AnyRunningLaw<1> {
     let mut running = ContactLaw::running(&[*law], &[*on; 2]);
     running.force(0, &trial([0.0, -v0, 0.0, -1e-3 * v0, -v0]));
     running

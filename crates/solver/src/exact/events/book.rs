@@ -4,7 +4,7 @@ use super::bernstein::{slope, value};
 use super::model::Model;
 use super::phase::{ContactState, Force};
 use super::series::Series;
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// Points and weights of Gauss's rule with ten points on -1..=1, for the positive points.
 const TEN: &[[f64; 2]] = &[
@@ -95,7 +95,7 @@ fn contact_work(
 ) -> f64 {
     let law = &model.structure.contacts[i].law;
     let elastic = match (state.law(law), law) {
-        (Force::Limit(_), Relation::DisplacementControl { stiffness, .. }) => 1.0 / stiffness,
+        (Force::Limit(_), StructureLaw::DisplacementControl { stiffness, .. }) => 1.0 / stiffness,
         (Force::Limit(_) | Force::Dashpot { .. }, _) => 0.0,
         _ => return 0.0,
     };
@@ -112,8 +112,8 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
     let kinetic = v.iter().zip(&model.inverse_masses).map(|(v, w)| v * v / w);
     let contacts = model.structure.contacts.iter().zip(states);
     let stored = contacts.map(|(contact, state)| match contact.law {
-        Relation::ImpactSpring { stiffness: k }
-        | Relation::DisplacementControl { stiffness: k, .. } => state.force * state.force / k,
+        StructureLaw::ImpactSpring { stiffness: k }
+        | StructureLaw::DisplacementControl { stiffness: k, .. } => state.force * state.force / k,
         _ => 0.0,
     });
     0.5 * (kinetic.sum::<f64>() + model.stiffness.form(u, u) + stored.sum::<f64>())

@@ -3,27 +3,27 @@
 //! Between events the motion is linear, with loads that are polynomials or sines in time. Its Taylor series are exact to
 //! round-off on pieces that are short against the shortest period (`series`), for any C and without eigenvalues. Event functions
 //! are polynomials of a piece; their Bernstein coefficients prove that no event is missed (`bernstein`, `watch`). Forces of
-//! softened laws are continuous, so that simultaneous events need no order (`review`). Which rigid contacts stick or stay shut,
-//! and impulses, are the problem that a step has, too (`decide`, `rigid`, [`crate::contact::CoupledForces`]).
+//! softened laws are continuous, so that simultaneous events need no order (`softened_phases`). Which rigid contacts stick or stay shut,
+//! and impulses, are the problem that a step has, too (`rigid_phases`, `rigid`, [`crate::contact::CoupledForces`]).
 
 mod bernstein;
 mod book;
-mod candidate;
 mod cholesky;
-mod decide;
 mod fault;
 mod least;
 mod model;
 mod motion;
 mod phase;
-mod review;
+mod resting_contact;
 mod rigid;
-mod room;
+mod rigid_phases;
 mod scales;
 mod series;
 mod settle;
 mod signals;
+mod softened_phases;
 mod sparse;
+mod state_buffers;
 #[cfg(test)]
 mod tests;
 mod watch;
@@ -34,11 +34,11 @@ pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
 use crate::contact::ContactKind;
-use crate::system::structure::{Limit, Relation, Structure};
+use crate::system::structure::{Limit, Structure, StructureLaw};
 use model::Model;
 use motion::Motion;
 use phase::ContactState;
-use room::Room;
+use state_buffers::StateBuffers;
 
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +99,7 @@ pub struct Summary {
 ///
 /// ```
 /// use slipgap_solver::exact::events::run;
-/// use slipgap_solver::system::structure::{Contact, Limit, Node, Relation, Structure, Symmetric};
+/// use slipgap_solver::system::structure::{Contact, Limit, Node, StructureLaw, Structure, Symmetric};
 ///
 /// let mass = Structure {
 ///     nodes: vec![Node { name: "mass".into(), mass: 1.0 }],
@@ -109,7 +109,7 @@ pub struct Summary {
 ///         name: "floor".into(),
 ///         between: [None, Some(0)],
 ///         gap: 0.0,
-///         law: Relation::Coulomb { limit: Limit::constant(1.0) },
+///         law: StructureLaw::Coulomb { limit: Limit::constant(1.0) },
 ///     }],
 ///     loads: Vec::new(),
 ///     displacement: vec![0.0],
@@ -129,7 +129,7 @@ pub fn run(
     refuse_laws(structure)?;
     let end = times.last().copied().unwrap_or(0.0);
     let mut motion = Motion::start(structure, end)?;
-    let mut room = Room::new(structure);
+    let mut room = StateBuffers::new(structure);
     let mut times = times.iter().enumerate().peekable();
     loop {
         motion.advance()?;
@@ -171,7 +171,7 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
 
 /// Between events every law has to be linear, and every limit the sum of a constant and a signal.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
-    let unknown = |law: &Relation| {
+    let unknown = |law: &StructureLaw| {
         let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
         law.is_curved() || law.limit().is_some_and(falls)
     };

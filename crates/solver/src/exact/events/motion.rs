@@ -4,12 +4,12 @@ use super::book::{Book, energy};
 use super::model::{LONGEST, Model};
 use super::phase::{ContactState, Phase};
 use super::rigid::Constraints;
-use super::room::Room;
 use super::scales::Scales;
 use super::series::Series;
+use super::state_buffers::StateBuffers;
 use super::watch::{Found, first_event};
 use super::{Event, EventsFault, bernstein};
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// Most events of a motion.
 pub const MOST_EVENTS: usize = 1_000_000;
@@ -121,7 +121,7 @@ impl<'a> Motion<'a> {
 
     fn refuse_overlaps(&self) -> Result<(), EventsFault> {
         for (i, contact) in self.model.structure.contacts.iter().enumerate() {
-            let rigid = matches!(contact.law, Relation::RigidStop { .. });
+            let rigid = matches!(contact.law, StructureLaw::RigidStop { .. });
             let r = self.series.contacts[i].r[0];
             if rigid && r < -self.scales.r(&self.model, i, self.series.length) {
                 return Err(EventsFault::Overlap {
@@ -194,7 +194,7 @@ impl<'a> Motion<'a> {
     }
 
     /// The state at a time of the present piece.
-    pub fn at(&self, time: f64, room: &mut Room) {
+    pub fn at(&self, time: f64, room: &mut StateBuffers) {
         let s = ((time - self.t) / self.series.length).clamp(0.0, self.reached.0);
         self.series.motion_at(s, &mut room.u, &mut room.v);
         for (i, contact) in self.model.structure.contacts.iter().enumerate() {
@@ -204,7 +204,7 @@ impl<'a> Motion<'a> {
             room.r[i] = r;
             room.rate[i] = self.model.relative(i, &room.v);
             room.slip[i] = match contact.law {
-                Relation::DisplacementControl { stiffness, .. } => r - force / stiffness,
+                StructureLaw::DisplacementControl { stiffness, .. } => r - force / stiffness,
                 _ => r,
             };
         }

@@ -1,6 +1,6 @@
 //! The phases of a contact: in each one its force is linear in the motion, and event functions are positive.
 
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// The phase of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,36 +50,39 @@ impl ContactState {
     }
 
     /// The force that the law has in the present phase.
-    pub fn law(&self, law: &Relation) -> Force {
+    pub fn law(&self, law: &StructureLaw) -> Force {
         match (self.phase, law) {
             (Phase::Open, _) => Force::None,
             (Phase::Sliding(direction), _) => Force::Limit(direction),
-            (Phase::Closed, Relation::ImpactSpring { stiffness }) => Force::Spring {
+            (Phase::Closed, StructureLaw::ImpactSpring { stiffness }) => Force::Spring {
                 k: *stiffness,
                 origin: 0.0,
             },
-            (Phase::Closed, Relation::DisplacementControl { stiffness, .. }) => Force::Spring {
+            (Phase::Closed, StructureLaw::DisplacementControl { stiffness, .. }) => Force::Spring {
                 k: *stiffness,
                 origin: self.origin,
             },
-            (Phase::Closed, Relation::VelocityControl { viscosity, .. }) => {
+            (Phase::Closed, StructureLaw::VelocityControl { viscosity, .. }) => {
                 Force::Dashpot { c: *viscosity }
             }
-            (Phase::Closed, Relation::RigidStop { .. } | Relation::Coulomb { .. }) => {
+            (Phase::Closed, StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }) => {
                 Force::Constraint
             }
             // Such laws are refused.
             (
                 Phase::Closed,
-                Relation::CurvedImpact { .. }
-                | Relation::CurvedFriction { .. }
-                | Relation::Link { .. },
+                StructureLaw::CurvedImpact { .. }
+                | StructureLaw::CurvedFriction { .. }
+                | StructureLaw::Link { .. },
             ) => Force::None,
         }
     }
 }
 
 /// Whether the law has no compliance.
-pub fn is_rigid(law: &Relation) -> bool {
-    matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. })
+pub fn is_rigid(law: &StructureLaw) -> bool {
+    matches!(
+        law,
+        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
+    )
 }

@@ -10,7 +10,7 @@ use super::model::Model;
 use super::phase::{ContactState, Phase, is_rigid};
 use super::scales::Scales;
 use super::series::Series;
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// Impacts with a smaller |rdot|, over the largest velocity, accumulate: the contact shuts.
 const SHUT: f64 = 1e-9;
@@ -54,7 +54,7 @@ pub fn impacts(
     let mut touching = Vec::new();
     let (mut d, mut before) = (Vec::new(), Vec::new());
     for (i, contact) in model.structure.contacts.iter().enumerate() {
-        let Relation::RigidStop { restitution } = contact.law else {
+        let StructureLaw::RigidStop { restitution } = contact.law else {
             continue;
         };
         if series.contacts[i].r[0] <= scales.r(model, i, series.length) {

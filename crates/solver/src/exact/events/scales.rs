@@ -2,7 +2,7 @@
 
 use super::model::Model;
 use super::series::Series;
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// Tolerance over the largest value.
 const TOLERANCE: f64 = 1e-12;
@@ -90,16 +90,16 @@ impl Scales {
     /// Tolerance of S of a contact on a piece of this length.
     pub fn contact_force(&self, model: &Model, contact: usize, length: f64) -> f64 {
         let motion = match &model.structure.contacts[contact].law {
-            Relation::ImpactSpring { stiffness: k }
-            | Relation::DisplacementControl { stiffness: k, .. } => {
+            StructureLaw::ImpactSpring { stiffness: k }
+            | StructureLaw::DisplacementControl { stiffness: k, .. } => {
                 k * self.r(model, contact, length)
             }
-            Relation::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
-            Relation::RigidStop { .. }
-            | Relation::Coulomb { .. }
-            | Relation::CurvedImpact { .. }
-            | Relation::CurvedFriction { .. }
-            | Relation::Link { .. } => TOLERANCE * self.force,
+            StructureLaw::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
+            StructureLaw::RigidStop { .. }
+            | StructureLaw::Coulomb { .. }
+            | StructureLaw::CurvedImpact { .. }
+            | StructureLaw::CurvedFriction { .. }
+            | StructureLaw::Link { .. } => TOLERANCE * self.force,
         };
         motion + self.limit(contact)
     }

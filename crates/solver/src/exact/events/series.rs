@@ -61,7 +61,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// Room for the motion of a structure.
+    /// StateBuffers for the motion of a structure.
     pub fn new(model: &Model) -> Series {
         let nodes = model.structure.len();
         let contact = ContactSeries {

@@ -1,18 +1,18 @@
 //! The phases after an event or a point of a table.
 
-use super::decide::decide;
 use super::least::Singular;
 use super::motion::Motion;
 use super::phase::{ContactState, Phase, is_rigid};
-use super::review::Review;
 use super::rigid::{Constraints, impacts};
+use super::rigid_phases::determine_rigid_phases;
+use super::softened_phases::SoftenedPhases;
 use super::watch::{Crossing, Found};
 use super::{Event, EventKind, EventsFault};
 
 impl Motion<'_> {
     /// What changes the phases of softened contacts.
-    pub fn review(&mut self) -> (Review<'_>, &mut [ContactState]) {
-        let review = Review {
+    pub fn review(&mut self) -> (SoftenedPhases<'_>, &mut [ContactState]) {
+        let review = SoftenedPhases {
             model: &self.model,
             series: &self.series,
             scales: &self.scales,
@@ -65,7 +65,7 @@ impl Motion<'_> {
             v,
             ..
         } = self;
-        decide(model, series, &self.scales, &mut self.states, [u, v])?;
+        determine_rigid_phases(model, series, &self.scales, &mut self.states, [u, v])?;
         self.constraints = Constraints::new(&self.model, &self.states)?;
         Ok(())
     }

@@ -6,7 +6,7 @@ use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
 use crate::contact::ContactKind;
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// What happens at an event.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,12 +110,12 @@ impl Watched<'_> {
     }
 
     /// r of an open impact contact; for a rigid stop that just bounced at r = 0, r over s.
-    fn touch(&self, law: &Relation, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
+    fn touch(&self, law: &StructureLaw, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
         let r = &self.series.contacts[self.contact].r;
         let length = self.series.length;
         let tolerance = self.scales.r(self.model, self.contact, length);
         let rate_tolerance = self.scales.rate(length);
-        let rigid = matches!(law, Relation::RigidStop { .. });
+        let rigid = matches!(law, StructureLaw::RigidStop { .. });
         if rigid && r[0].abs() <= tolerance && r[1] > rate_tolerance * length {
             let over_s = std::array::from_fn(|k| r[k + 1]);
             test(Crossing::Touch, &over_s, rate_tolerance * length);
@@ -125,7 +125,7 @@ impl Watched<'_> {
     }
 
     /// The event function of sliding, and its tolerance: the rate of the slip, or the viscous force beyond the limit.
-    fn slip(&self, law: &Relation, direction: f64) -> (Polynomial, f64) {
+    fn slip(&self, law: &StructureLaw, direction: f64) -> (Polynomial, f64) {
         let (limit, length) = (
             &self.series.contacts[self.contact].limit,
             self.series.length,
@@ -134,12 +134,12 @@ impl Watched<'_> {
         let mut slip = self.series.rate(self.contact).map(|rate| direction * rate);
         match law {
             // The spring follows the limit, so that the slip has the rate rdot - direction (nu N)'/k^C.
-            Relation::DisplacementControl { stiffness, .. } => {
+            StructureLaw::DisplacementControl { stiffness, .. } => {
                 for k in 0..TERMS - 1 {
                     slip[k] -= (k + 1) as f64 * limit[k + 1] / (length * stiffness);
                 }
             }
-            Relation::VelocityControl { viscosity, .. } => {
+            StructureLaw::VelocityControl { viscosity, .. } => {
                 for (slip, limit) in slip.iter_mut().zip(limit) {
                     *slip -= limit / viscosity;
                 }

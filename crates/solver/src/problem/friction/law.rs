@@ -3,7 +3,9 @@
 use super::case::PlainLaw;
 use super::tables::{InitialSlip, SCHEMA, rows};
 use crate::contact::number::Number;
-use crate::contact::{ContactLaw, Described, DisplacementControl, Given, LAWS, VelocityControl};
+use crate::contact::{
+    ContactLaw, Described, DisplacementControl, GivenNumbers, LAWS, VelocityControl,
+};
 use crate::problem::Case;
 use std::sync::LazyLock;
 
@@ -13,7 +15,7 @@ const LIMIT: f64 = 1.0;
 /// A law of the oscillator.
 struct Own {
     name: &'static str,
-    law: fn(&Given) -> Option<ContactLaw>,
+    law: fn(&GivenNumbers) -> Option<ContactLaw>,
     numbers: &'static [&'static Number],
     /// The row of each.
     rows: Vec<usize>,
@@ -52,7 +54,7 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
     for (value, row) in values.iter_mut().zip(&own.rows) {
         *value = case.at(*row);
     }
-    let given = Given {
+    let given = GivenNumbers {
         law: own.name,
         numbers: own.numbers,
         values: &values[..own.rows.len().min(MOST)],

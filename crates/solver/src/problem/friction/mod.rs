@@ -19,7 +19,7 @@ use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warnin
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
 use std::sync::Arc;
-use tables::{BUDGET, SCHEMA, TAKEN, rows};
+use tables::{BUDGET, LOSSES_AND_COST, SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -79,7 +79,7 @@ impl Problem for FrictionOscillator {
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = self.lane_case(case)?;
         let mut track = ContactTrack::default();
-        solve::once::run(&own.system(), |structure| track.0.push(structure.contact()))?;
+        solve::single_pass::run(&own.system(), |structure| track.0.push(structure.contact()))?;
         let work = work_by_steps(&track.0, own.x0, &ContactWork::Trapezoids);
         self.judge(&own, &track, work, wanted)
     }
@@ -132,7 +132,7 @@ impl FrictionOscillator {
         let metrics = cells(own)
             .into_iter()
             .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
-            .chain(selected(TAKEN, taken(case, track), wanted))
+            .chain(selected(LOSSES_AND_COST, taken(case, track), wanted))
             .collect();
         Ok(Solution {
             computed,

@@ -222,7 +222,7 @@ pub(super) const BUDGET: Rows<usize> =
     metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
 
 /// Rows of what the method takes and costs, and of its amplification.
-pub(super) const TAKEN: Rows<usize> =
+pub(super) const LOSSES_AND_COST: Rows<usize> =
     metric_of(&METRICS, "numerical_dissipation")..metric_of(&METRICS, "numerical_damping") + 1;
 
 static CHANNELS: [Channel; 3] = [

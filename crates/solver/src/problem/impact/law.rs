@@ -4,7 +4,7 @@ use super::tables::LAW;
 use crate::contact::number::Number;
 use crate::contact::numbers::bars;
 use crate::contact::offer::{Form, Offered, Place};
-use crate::contact::{ContactLaw, Described, Given, ImpactSpring, Rigid, WhichLaw};
+use crate::contact::{ContactLaw, Described, GivenNumbers, ImpactSpring, Rigid, WhichLaw};
 use crate::methods::Method;
 use crate::problem::Case;
 use crate::problem::laws::{law_names, laws};
@@ -85,7 +85,7 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
             key => case.number(key),
         };
     }
-    let given = Given {
+    let given = GivenNumbers {
         law: offer.name,
         numbers: own.numbers,
         values: &values[..own.numbers.len().min(MOST)],

@@ -3,11 +3,11 @@
 mod budget;
 pub mod case;
 mod law;
-mod once;
 mod rules;
 pub mod scaled;
 mod scales;
-mod second;
+mod second_impact;
+mod single_pass;
 mod snapshot;
 mod tables;
 
@@ -28,7 +28,7 @@ use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
 use std::sync::Arc;
-use tables::{BUDGET, METHOD, MassMatrix, REFERENCE, SCHEMA, TAKEN, rows};
+use tables::{BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, SCHEMA, rows};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -113,11 +113,11 @@ impl Problem for BarImpact {
 
     fn solve_once(&self, case: &Case, wanted: &[usize]) -> Result<Solution, Unsolvable> {
         let own = ImpactCase::new(case).ok_or(Unsolvable::ParameterMissing)?;
-        let once::Once {
+        let single_pass::Once {
             track,
             energy,
             restitution,
-        } = once::run(&own.system(), &own.scaled)?;
+        } = single_pass::run(&own.system(), &own.scaled)?;
         let run = Judged {
             track: &track,
             energy: &energy,
@@ -139,7 +139,7 @@ impl Problem for BarImpact {
 
     fn after(&self, case: &Case, flight: f64) -> Vec<Option<f64>> {
         match (Scaled::new(case), case.at(rows::DT)) {
-            (Some(scaled), Some(dt)) => second::second(&scaled, dt, flight).to_vec(),
+            (Some(scaled), Some(dt)) => second_impact::second(&scaled, dt, flight).to_vec(),
             (None, _) | (_, None) => Vec::new(),
         }
     }
@@ -185,7 +185,7 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
         .into_iter()
         .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
         .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
-        .chain(selected(TAKEN, taken(case, run), wanted))
+        .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
         .collect();
     Ok(Solution {
         computed,
@@ -196,7 +196,10 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
 }
 
 /// What damping of the contact and of the method took, over the energy at t = 0, and the cost.
-fn taken(case: &ImpactCase, run: &Judged) -> [Option<f64>; TAKEN.end - TAKEN.start] {
+fn taken(
+    case: &ImpactCase,
+    run: &Judged,
+) -> [Option<f64>; LOSSES_AND_COST.end - LOSSES_AND_COST.start] {
     let system = case.system();
     let Lane([start]) = run.energy.start;
     let by_contact = metrics::impact::damping_work(run.track, &system);

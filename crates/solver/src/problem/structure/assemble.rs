@@ -6,7 +6,7 @@ use super::damping::MOST_MODES;
 use super::node::{NodeName, Numbering};
 use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template};
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Load, Node, Relation, Structure, Symmetric};
+use crate::system::structure::{Load, Node, Structure, StructureLaw, Symmetric};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -350,7 +350,7 @@ impl Draft<'_> {
         for (c, contact) in self.template.contacts.iter().enumerate() {
             let own = &self.structure.contacts[c];
             let r = self.structure.relative(c, &self.structure.displacement) + own.gap;
-            if matches!(own.law, Relation::RigidStop { .. }) && r < 0.0 {
+            if matches!(own.law, StructureLaw::RigidStop { .. }) && r < 0.0 {
                 let message = format!("a rigid contact must start with r >= 0, got {r}");
                 self.violations.push(contacts::violation(contact, message));
             }

@@ -1,11 +1,11 @@
 //! The assembled structure as text, for `explain`.
 
+use super::contact_duration;
 use super::damping::modes;
-use super::touch;
 use crate::contact::ContactLaw;
 use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
-use crate::system::structure::{Contact, Limit, Relation, Structure};
+use crate::system::structure::{Contact, Limit, Structure, StructureLaw};
 use std::f64::consts::PI;
 
 /// Most lines of a list.
@@ -81,20 +81,22 @@ fn periods(which: &str, omega2: Vec<f64>) -> String {
     text
 }
 
-fn law(law: &Relation) -> String {
+fn law(law: &StructureLaw) -> String {
     let limit = |limit: &Limit| match limit.varying {
         None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };
     match law {
-        Relation::ImpactSpring { stiffness } => format!("impact spring k = {}", short(*stiffness)),
-        Relation::RigidStop { restitution } => {
+        StructureLaw::ImpactSpring { stiffness } => {
+            format!("impact spring k = {}", short(*stiffness))
+        }
+        StructureLaw::RigidStop { restitution } => {
             format!(
                 "rigid impact, restitution {} in the exact motion; the time steps ignore it",
                 short(*restitution)
             )
         }
-        Relation::DisplacementControl {
+        StructureLaw::DisplacementControl {
             stiffness,
             limit: own,
         } => format!(
@@ -102,13 +104,13 @@ fn law(law: &Relation) -> String {
             short(*stiffness),
             limit(own)
         ),
-        Relation::VelocityControl {
+        StructureLaw::VelocityControl {
             viscosity,
             limit: own,
         } => format!("velocity-control c = {}, {}", short(*viscosity), limit(own)),
-        Relation::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
-        Relation::CurvedImpact { law, .. } | Relation::Link { law } => curved(law),
-        Relation::CurvedFriction { law, limit: own } => {
+        StructureLaw::Coulomb { limit: own } => format!("Coulomb friction, {}", limit(own)),
+        StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => curved(law),
+        StructureLaw::CurvedFriction { law, limit: own } => {
             format!("{}, {}", curved(law), limit(own))
         }
     }
@@ -125,7 +127,7 @@ fn curved(law: &ContactLaw) -> String {
 
 /// How long the nodes of an impact touch, as two free masses, and whether the step resolves it; empty if only the motion says it.
 fn touch(structure: &Structure, contact: &Contact, dt: f64) -> String {
-    let Some(time) = touch::time(structure, contact, None) else {
+    let Some(time) = contact_duration::time(structure, contact, None) else {
         return String::new();
     };
     let steps = time / dt;

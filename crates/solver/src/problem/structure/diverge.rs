@@ -2,8 +2,8 @@
 
 use super::StructureProblem;
 use super::channel::{Number, Quantity};
-use super::judge::{Motions, Recorded};
 use super::metric::{Reduction, StructureMetric};
+use super::metric_values::{Motions, Recorded};
 use super::motion::{self, Recording};
 use super::node::Numbering;
 use super::solve::distinct;

@@ -1,7 +1,7 @@
 //! Functions of time in a study, as signals.
 
 use super::amount::Amount;
-use super::made::Made;
+use super::signal_cache::SignalCache;
 use super::template::{Chosen, Scaled};
 use crate::problem::parameter::shortest;
 use crate::problem::{Case, Violation};
@@ -15,7 +15,7 @@ pub struct Source {
     kind: Kind,
     /// Byte offset and path in the study.
     place: (usize, String),
-    made: Arc<Mutex<Made>>,
+    made: Arc<Mutex<SignalCache>>,
 }
 
 /// The kinds of functions.
@@ -147,7 +147,7 @@ impl Source {
         self.made().count
     }
 
-    fn made(&self) -> MutexGuard<'_, Made> {
+    fn made(&self) -> MutexGuard<'_, SignalCache> {
         self.made.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

@@ -4,30 +4,30 @@ pub mod amount;
 mod assemble;
 pub mod channel;
 mod columns;
-pub mod consistent;
+pub mod contact_duration;
 pub mod contacts;
 mod damping;
 mod describe;
 mod diverge;
 mod ground;
-mod judge;
 pub mod loads;
-mod made;
 pub mod metric;
+mod metric_values;
 mod motion;
 pub mod node;
 pub mod schema;
 pub mod scheme;
+mod signal_cache;
 mod solve;
 mod sweep;
 pub mod template;
-pub mod touch;
+pub mod unit_consistency;
 mod units;
 mod warn;
 
 pub use ground::GroundMotion;
-pub use made::MOST_NUMBERS as MOST_SAMPLED;
 pub use scheme::Scheme;
+pub use signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 
 use super::cases::Cases;
 use super::method;
@@ -40,8 +40,8 @@ use crate::system::structure::Structure;
 use assemble::assemble;
 use channel::Number;
 use columns::all_numbers;
-use judge::Recorded;
 use metric::StructureMetric;
+use metric_values::Recorded;
 use node::Numbering;
 use schema::Drawn;
 use solve::distinct;
@@ -216,7 +216,7 @@ impl Problem for StructureProblem {
             };
             samples.key.extend(key);
             samples.work += source.sampling_work(points);
-            samples.numbers = samples.numbers.max(made::numbers(points));
+            samples.numbers = samples.numbers.max(signal_cache::numbers(points));
         }
         samples
     }

@@ -1,13 +1,13 @@
 //! Motions of structures as recorded quantities: by time steps, many side by side, and exact.
 
 use super::channel::{Number, Quantity};
-use super::judge::Recorded;
+use super::metric_values::Recorded;
 use crate::exact::events;
 use crate::lane::Lane;
 use crate::methods::Method;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run};
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// Cases side by side.
 pub const LANES: usize = 16;
@@ -188,14 +188,16 @@ pub fn rigid(structure: &Structure) -> Structure {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
         contact.law = match contact.law.clone() {
-            Relation::ImpactSpring { .. } => Relation::RigidStop { restitution: 1.0 },
-            Relation::CurvedImpact { restitution, .. } => Relation::RigidStop { restitution },
-            Relation::DisplacementControl { limit, .. }
-            | Relation::CurvedFriction { limit, .. }
-            | Relation::VelocityControl { limit, .. } => Relation::Coulomb { limit },
-            law @ (Relation::RigidStop { .. }
-            | Relation::Coulomb { .. }
-            | Relation::Link { .. }) => law,
+            StructureLaw::ImpactSpring { .. } => StructureLaw::RigidStop { restitution: 1.0 },
+            StructureLaw::CurvedImpact { restitution, .. } => {
+                StructureLaw::RigidStop { restitution }
+            }
+            StructureLaw::DisplacementControl { limit, .. }
+            | StructureLaw::CurvedFriction { limit, .. }
+            | StructureLaw::VelocityControl { limit, .. } => StructureLaw::Coulomb { limit },
+            law @ (StructureLaw::RigidStop { .. }
+            | StructureLaw::Coulomb { .. }
+            | StructureLaw::Link { .. }) => law,
         };
     }
     rigid

@@ -3,8 +3,8 @@
 use super::StructureProblem;
 use super::assemble;
 use super::channel::Number;
-use super::judge::{self, Judged, Motions};
 use super::metric::{Reduction, StructureMetric};
+use super::metric_values::{self, MetricContext, Motions};
 use super::motion::{self, Recording, Run};
 use super::node::Numbering;
 use super::sweep::Ready;
@@ -107,7 +107,7 @@ impl StructureProblem {
     ) -> Vec<Number> {
         let metrics = self.metrics.iter().filter(|metric| chosen(metric));
         let contacts = self.template.contacts.len();
-        distinct(metrics.flat_map(|metric| judge::needed(metric, numbering, contacts)))
+        distinct(metrics.flat_map(|metric| metric_values::needed(metric, numbering, contacts)))
     }
 
     /// Whether errors are against the motion of the rigid laws.
@@ -208,7 +208,7 @@ impl StructureProblem {
             });
             motions.finer = Some((motion::exact(&finer, &times, &numbers)?, numbering));
         }
-        let of = Judged {
+        let of = MetricContext {
             structure,
             numbering,
             dt: *dt,
@@ -217,7 +217,7 @@ impl StructureProblem {
         };
         let metrics = self.metrics.iter();
         let values = metrics
-            .map(|metric| judge::value(metric, of, &motions).filter(|x| x.is_finite()))
+            .map(|metric| metric_values::value(metric, of, &motions).filter(|x| x.is_finite()))
             .collect();
         let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
         Ok((motions, values, warnings))

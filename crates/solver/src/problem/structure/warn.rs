@@ -1,20 +1,20 @@
 //! The warnings of a case of structures.
 
 use super::channel::{Number, Quantity};
-use super::judge::{self, Recorded};
+use super::contact_duration;
 use super::loads::Kind;
 use super::metric::{Reduction, StructureMetric};
+use super::metric_values::{self, Recorded};
 use super::motion::{self, Recording};
 use super::sweep::Ready;
 use super::template::{Normal, Scaled};
-use super::touch;
 use super::{StructureProblem, solve::distinct};
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::solve::structure::{Watched, WatchedContact};
 use crate::solve::{FEWEST_STEPS, Unsolvable, Warning, Warnings};
 use crate::system::loads::STANDARD_GRAVITY;
-use crate::system::structure::{Contact, Relation, Signal};
+use crate::system::structure::{Contact, Signal, StructureLaw};
 
 /// Steps from one look at the energy to the next: it takes about as long as a step.
 pub const EVERY: usize = 16;
@@ -43,7 +43,7 @@ impl StructureProblem {
         let short = |(contact, seen): (&Contact, &WatchedContact)| {
             let touches = contact.law.kind() == ContactKind::Impact && seen.force < 0.0;
             let overlap = Some(-seen.displacement).filter(|overlap| touches && *overlap > 0.0);
-            let time = overlap.and_then(|_| touch::time(structure, contact, overlap));
+            let time = overlap.and_then(|_| contact_duration::time(structure, contact, overlap));
             time.is_some_and(|time| time < FEWEST_STEPS * ready.dt)
         };
         let mut impacts =
@@ -94,7 +94,8 @@ impl StructureProblem {
             )
         };
         let metrics = self.metrics.iter().filter(of_force);
-        let numbers = metrics.flat_map(|m| judge::needed(m, &ready.numbering, contacts.len()));
+        let numbers =
+            metrics.flat_map(|m| metric_values::needed(m, &ready.numbering, contacts.len()));
         let mut forces = distinct(numbers).into_iter().filter(|number| match number {
             Number::Contact(contact, Quantity::Force) => resists_velocity(&contacts[*contact].law),
             _ => false,
@@ -133,10 +134,10 @@ impl StructureProblem {
 }
 
 /// Whether a friction law without elastic displacement: its force may jump from step to step.
-fn resists_velocity(law: &Relation) -> bool {
+fn resists_velocity(law: &StructureLaw) -> bool {
     match law {
-        Relation::Coulomb { .. } | Relation::VelocityControl { .. } => true,
-        Relation::CurvedFriction { law, .. } => law.of_velocity(),
+        StructureLaw::Coulomb { .. } | StructureLaw::VelocityControl { .. } => true,
+        StructureLaw::CurvedFriction { law, .. } => law.of_velocity(),
         _ => false,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::State;
 use super::state::Average;
-use super::visited::Kind;
+use super::step_view::Kind;
 use crate::lane::Lane;
 
 /// Energy books of L structures. For the kinetic and strain energy E without the contacts

@@ -5,10 +5,10 @@
 
 use crate::contact::coupled::curved::{CurvedForces, Laws};
 use crate::contact::{
-    Answer, AnyLaw, ContactKind, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved,
+    Answer, AnyRunningLaw, ContactKind, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved,
 };
 use crate::lane::Lane;
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// The contacts of one structure.
 #[derive(Debug)]
@@ -32,9 +32,9 @@ struct Scale {
 /// A contact.
 #[derive(Debug)]
 struct Contact {
-    relation: Relation,
+    relation: StructureLaw,
     /// The law with its memory: the answer with the flexibility a, and the law itself, without flexibility.
-    law: AnyLaw<1>,
+    law: AnyRunningLaw<1>,
     /// Its numbers, with the present limit.
     now: ContactLaw,
     /// a.
@@ -258,28 +258,27 @@ impl Laws for Contacts<'_> {
 }
 
 /// 1/f' of a law that is a clipped line.
-fn line(relation: &Relation, pace: f64) -> Option<f64> {
+fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
     match relation {
-        Relation::ImpactSpring { stiffness } | Relation::DisplacementControl { stiffness, .. } => {
-            Some(1.0 / stiffness)
-        }
-        Relation::RigidStop { .. } | Relation::Coulomb { .. } => Some(0.0),
-        Relation::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
-        Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } | Relation::Link { .. } => {
-            None
-        }
+        StructureLaw::ImpactSpring { stiffness }
+        | StructureLaw::DisplacementControl { stiffness, .. } => Some(1.0 / stiffness),
+        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => Some(0.0),
+        StructureLaw::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
+        StructureLaw::CurvedImpact { .. }
+        | StructureLaw::CurvedFriction { .. }
+        | StructureLaw::Link { .. } => None,
     }
 }
 
 /// S(0) of a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent.
-pub(super) fn first_force(relation: &Relation, r: f64, rdot: f64) -> f64 {
+pub(super) fn first_force(relation: &StructureLaw, r: f64, rdot: f64) -> f64 {
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
     if let Some(force) = law.properties().unbent_force(rdot) {
         return force;
     }
     let scale = Scale { pace: 0.0, dt: 1.0 };
-    let mut law: AnyLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));
+    let mut law: AnyRunningLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));
     let motion = Motion {
         displacement: r,
         velocity: rdot,

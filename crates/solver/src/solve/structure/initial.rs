@@ -3,7 +3,7 @@
 use super::curved::first_force;
 use super::laws::bounds;
 use crate::contact::{CoupledForces, Unsolved};
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// S(0) of every contact.
 ///
@@ -18,16 +18,16 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         let rdot = structure.relative(c, v);
         let [low, high] = bounds(contact, 0.0);
         forces[c] = match contact.law {
-            Relation::ImpactSpring { stiffness } => stiffness * r.min(0.0),
-            Relation::DisplacementControl { .. } => 0.0,
-            Relation::CurvedImpact { .. }
-            | Relation::CurvedFriction { .. }
-            | Relation::Link { .. } => first_force(&contact.law, r, rdot),
-            Relation::VelocityControl { viscosity, .. } => (viscosity * rdot).clamp(low, high),
-            Relation::Coulomb { .. } if rdot > 0.0 => high,
-            Relation::Coulomb { .. } if rdot < 0.0 => low,
-            Relation::RigidStop { .. } if r > 0.0 || rdot != 0.0 => 0.0,
-            Relation::Coulomb { .. } | Relation::RigidStop { .. } => {
+            StructureLaw::ImpactSpring { stiffness } => stiffness * r.min(0.0),
+            StructureLaw::DisplacementControl { .. } => 0.0,
+            StructureLaw::CurvedImpact { .. }
+            | StructureLaw::CurvedFriction { .. }
+            | StructureLaw::Link { .. } => first_force(&contact.law, r, rdot),
+            StructureLaw::VelocityControl { viscosity, .. } => (viscosity * rdot).clamp(low, high),
+            StructureLaw::Coulomb { .. } if rdot > 0.0 => high,
+            StructureLaw::Coulomb { .. } if rdot < 0.0 => low,
+            StructureLaw::RigidStop { .. } if r > 0.0 || rdot != 0.0 => 0.0,
+            StructureLaw::Coulomb { .. } | StructureLaw::RigidStop { .. } => {
                 active.push(c);
                 0.0
             }

@@ -1,7 +1,7 @@
 //! The laws of the contacts over a step.
 
 use crate::contact::ContactKind;
-use crate::system::structure::{Contact, Limit, Relation};
+use crate::system::structure::{Contact, Limit, StructureLaw};
 
 /// A law as a clipped line S = clip((r - c)/g, low, high).
 ///
@@ -18,7 +18,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub(super) fn new(law: &Relation, dt: f64) -> Line {
+    pub(super) fn new(law: &StructureLaw, dt: f64) -> Line {
         let impact = |compliance| Line {
             compliance,
             by_increment: 0.5,
@@ -33,20 +33,20 @@ impl Line {
             by_force: 0.0,
         };
         match law {
-            Relation::ImpactSpring { stiffness } => impact(1.0 / stiffness),
-            Relation::RigidStop { .. } => impact(0.0),
+            StructureLaw::ImpactSpring { stiffness } => impact(1.0 / stiffness),
+            StructureLaw::RigidStop { .. } => impact(0.0),
             // c = r(i) - S(i)/k^C.
-            Relation::DisplacementControl { stiffness, .. } => Line {
+            StructureLaw::DisplacementControl { stiffness, .. } => Line {
                 compliance: 1.0 / stiffness,
                 by_increment: 1.0,
                 by_displacement: 0.0,
                 by_force: 1.0 / stiffness,
             },
-            Relation::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
-            Relation::Coulomb { .. } => viscous(0.0),
+            StructureLaw::VelocityControl { viscosity, .. } => viscous(0.5 * dt / viscosity),
+            StructureLaw::Coulomb { .. } => viscous(0.0),
             // The forces are found from the law's own answer.
-            Relation::CurvedFriction { .. } | Relation::Link { .. } => viscous(0.0),
-            Relation::CurvedImpact { .. } => impact(0.0),
+            StructureLaw::CurvedFriction { .. } | StructureLaw::Link { .. } => viscous(0.0),
+            StructureLaw::CurvedImpact { .. } => impact(0.0),
         }
     }
 }

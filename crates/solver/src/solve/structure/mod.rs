@@ -24,14 +24,14 @@
 //!
 //! ```
 //! use slipgap_solver::solve::structure::{Prepared, run};
-//! use slipgap_solver::system::structure::{Contact, Limit, Node, Relation, Structure, Symmetric};
+//! use slipgap_solver::system::structure::{Contact, Limit, Node, StructureLaw, Structure, Symmetric};
 //!
 //! let limit = Limit::constant(1.0);
 //! let floor = Contact {
 //!     name: "floor".to_string(),
 //!     between: [None, Some(0)],
 //!     gap: 0.0,
-//!     law: Relation::Coulomb { limit },
+//!     law: StructureLaw::Coulomb { limit },
 //! };
 //! let block = Structure {
 //!     nodes: vec![Node { name: "block".to_string(), mass: 1.0 }],
@@ -64,14 +64,14 @@ mod loads;
 mod prepared;
 mod run;
 mod state;
-mod visited;
+mod step_view;
 mod watch;
 
 pub use books::Books;
 pub use general::{CriticalFault, critical_fault, critical_step};
 pub use prepared::Prepared;
 pub use run::run;
-pub use visited::{ContactStep, State};
+pub use step_view::{ContactStep, State};
 pub use watch::{Watch, Watched, WatchedContact};
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::laws::friction;
 use super::links::Link;
 use super::loads::Inputs;
 use super::state::{Average, ContactState};
-use super::visited::Kind;
+use super::step_view::Kind;
 use super::{Prepared, State};
 use crate::lane::Lane;
 use crate::solve::Unsolvable;

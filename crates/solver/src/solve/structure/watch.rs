@@ -1,9 +1,9 @@
 //! What warnings need of a run: how far each contact was closed, its force and its work, and the largest energy.
 
 use super::State;
-use super::visited::Kind;
+use super::step_view::Kind;
 use crate::lane::Lane;
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// The contacts of L structures over a run.
 #[derive(Debug, Clone)]
@@ -131,12 +131,12 @@ impl<const L: usize> Watch<L> {
 /// Whether no step of constant average acceleration has negative dissipation. For a force f(rdot) that rises and is odd,
 /// (f(a) + f(b))(a + b) >= 0. For an elastic force up to a constant limit the slip of a step has the sign of the limit that it reaches, and
 /// then the mean of both forces has it, too.
-fn is_passive(law: &Relation) -> bool {
+fn is_passive(law: &StructureLaw) -> bool {
     let friction = matches!(
         law,
-        Relation::DisplacementControl { .. }
-            | Relation::VelocityControl { .. }
-            | Relation::Coulomb { .. }
+        StructureLaw::DisplacementControl { .. }
+            | StructureLaw::VelocityControl { .. }
+            | StructureLaw::Coulomb { .. }
     );
     friction && law.limit().is_some_and(|limit| limit.varying.is_none())
 }

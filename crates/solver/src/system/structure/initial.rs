@@ -1,6 +1,6 @@
 //! The elastic contacts of a structure at rest, with their initial stiffness.
 
-use super::{Contact, Relation, Structure, Symmetric};
+use super::{Contact, Structure, StructureLaw, Symmetric};
 
 impl Contact {
     /// Initial stiffness dS/dr at S = 0; 0 for a contact that is not elastic at t = 0.
@@ -14,7 +14,7 @@ impl Contact {
         let limit = self.law.limit().map_or(0.0, |limit| limit.at(0.0));
         match &self.law {
             // Without the round-off of 1/(1/k).
-            Relation::DisplacementControl { stiffness, .. } if limit > 0.0 => *stiffness,
+            StructureLaw::DisplacementControl { stiffness, .. } if limit > 0.0 => *stiffness,
             law => law.law(limit).properties().initial_stiffness(overlap),
         }
     }
@@ -23,7 +23,7 @@ impl Contact {
     fn holds(&self) -> bool {
         let sticks = |limit: &super::Limit| limit.at(0.0) > 0.0;
         self.initial_stiffness() > 0.0
-            || matches!(&self.law, Relation::Coulomb { limit } if sticks(limit))
+            || matches!(&self.law, StructureLaw::Coulomb { limit } if sticks(limit))
     }
 }
 
@@ -106,7 +106,7 @@ mod tests {
     use crate::contact::{BoucWen, ContactLaw, Hertz, KelvinVoigt, Lugre, Tanh};
     use crate::system::structure::{Limit, Node};
 
-    fn contact(between: [Option<usize>; 2], gap: f64, law: Relation) -> Contact {
+    fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact {
         Contact {
             name: "c".into(),
             between,
@@ -121,15 +121,15 @@ mod tests {
 
     #[test]
     fn the_initial_stiffness_is_the_slope_of_the_law() {
-        let elastic = |k: f64, force: f64| Relation::DisplacementControl {
+        let elastic = |k: f64, force: f64| StructureLaw::DisplacementControl {
             stiffness: k,
             limit: limit(force),
         };
-        let friction = |law: ContactLaw| Relation::CurvedFriction {
+        let friction = |law: ContactLaw| StructureLaw::CurvedFriction {
             law,
             limit: limit(2.0),
         };
-        let impact = |law: ContactLaw| Relation::CurvedImpact {
+        let impact = |law: ContactLaw| StructureLaw::CurvedImpact {
             law,
             restitution: 1.0,
         };
@@ -153,7 +153,7 @@ mod tests {
             ratio: 1.0,
             rate: 0.0,
         };
-        let spring = Relation::ImpactSpring { stiffness: 90.0 };
+        let spring = StructureLaw::ImpactSpring { stiffness: 90.0 };
         let hertz = impact(ContactLaw::Hertz(Hertz { stiffness: 100.0 }));
         let kelvin = impact(ContactLaw::KelvinVoigt(KelvinVoigt::new(70.0, 0.5, 1.0)));
         for (law, gap, k) in [
@@ -163,7 +163,7 @@ mod tests {
             (friction(ContactLaw::BoucWen(boucwen)), 0.0, 64.0),
             (friction(ContactLaw::Lugre(lugre)), 0.0, 80.0),
             (friction(ContactLaw::Tanh(tanh)), 0.0, 0.0),
-            (Relation::Coulomb { limit: limit(2.0) }, 0.0, 0.0),
+            (StructureLaw::Coulomb { limit: limit(2.0) }, 0.0, 0.0),
             (spring.clone(), 0.01, 0.0),
             (spring.clone(), 0.0, 0.0),
             (spring, -0.01, 90.0),
@@ -179,12 +179,12 @@ mod tests {
 
     #[test]
     fn elastic_contacts_and_coulomb_friction_hold_and_open_gaps_do_not() {
-        let elastic = Relation::DisplacementControl {
+        let elastic = StructureLaw::DisplacementControl {
             stiffness: 50.0,
             limit: limit(2.0),
         };
-        let coulomb = Relation::Coulomb { limit: limit(2.0) };
-        let gap = Relation::ImpactSpring { stiffness: 1e4 };
+        let coulomb = StructureLaw::Coulomb { limit: limit(2.0) };
+        let gap = StructureLaw::ImpactSpring { stiffness: 1e4 };
         let structure = |contacts: Vec<Contact>| {
             let mut stiffness = Symmetric::zeros(4);
             stiffness.add_spring([Some(1), Some(2)], 10.0);

@@ -7,12 +7,12 @@ pub mod factor;
 mod initial;
 pub mod lists;
 mod matrix;
-mod relation;
 mod signal;
+mod structure_law;
 
 pub use matrix::Symmetric;
-pub use relation::{Limit, Pressure, Relation};
 pub use signal::{Signal, Table};
+pub use structure_law::{Limit, Pressure, StructureLaw};
 
 use std::sync::Arc;
 
@@ -63,7 +63,7 @@ pub struct Contact {
     /// r at rest.
     pub gap: f64,
     /// Its law.
-    pub law: Relation,
+    pub law: StructureLaw,
 }
 
 impl Structure {

@@ -21,8 +21,8 @@ mod spectrum;
 mod wave;
 
 use super::checker::Checker;
+use super::decoded_value::Values;
 use super::keys::{COMMON, Key};
-use super::taken::Values;
 use crate::scope::Scope;
 use crate::{Column, Scale};
 use slipgap_solver::problem::{Case, Problem};

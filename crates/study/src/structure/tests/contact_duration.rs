@@ -4,13 +4,13 @@ use crate::parse;
 use slipgap_solver::contact::{
     ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };
-use slipgap_solver::problem::structure::touch;
-use slipgap_solver::system::structure::{Contact, Node, Relation, Structure, Symmetric};
+use slipgap_solver::problem::structure::contact_duration;
+use slipgap_solver::system::structure::{Contact, Node, Structure, StructureLaw, Symmetric};
 
 const MASSES: [f64; 2] = [2.0, 3.0];
 
 /// The estimate for a law, over the `contact_time` of a run with fine steps: two free bodies that meet at 0.7.
-fn ratio(law: Relation, keys: &str) -> f64 {
+fn ratio(law: StructureLaw, keys: &str) -> f64 {
     let [a, b] = MASSES;
     let text = format!(
         r#"{{"problem": "structure", "parameters": {{"dt": 0.00001, "duration": 0.2}},
@@ -39,7 +39,7 @@ fn ratio(law: Relation, keys: &str) -> f64 {
         displacement: vec![0.0; 2],
         velocity: vec![0.0; 2],
     };
-    let time = touch::time(&structure, &contact, metrics[1].map(|r| -r));
+    let time = contact_duration::time(&structure, &contact, metrics[1].map(|r| -r));
     time.unwrap() / metrics[0].unwrap()
 }
 
@@ -48,9 +48,9 @@ fn free_bodies_touch_for_the_estimated_time() {
     // A step more or less at both ends, of 1e-5 s: of 0.03 s for the linear laws, and of 0.06 s for the others.
     let near = |ratio: f64| assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
     let stiffness = 4000.0;
-    let spring = Relation::ImpactSpring { stiffness };
+    let spring = StructureLaw::ImpactSpring { stiffness };
     near(ratio(spring, r#""law": "impact-spring", "k": 4000"#));
-    let curved = |law: ContactLaw| Relation::CurvedImpact {
+    let curved = |law: ContactLaw| StructureLaw::CurvedImpact {
         law,
         restitution: 1.0,
     };

@@ -18,7 +18,7 @@ fn row(rates: &[f64], n: usize, stiffness: f64) -> Structure {
             s = s.spring([Some(i), Some(i + 1)], k);
         }
         if bar > 0 {
-            let law = Relation::ImpactSpring { stiffness };
+            let law = StructureLaw::ImpactSpring { stiffness };
             s = s.contact([Some(first - 1), Some(first)], 0.0, law);
         }
     }

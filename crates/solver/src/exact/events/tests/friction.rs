@@ -7,7 +7,7 @@ use libm::tan;
 use std::f64::consts::PI;
 
 /// X'' + X + S = cos(rho T).
-fn den_hartog(rho: f64, law: Relation) -> Structure {
+fn den_hartog(rho: f64, law: StructureLaw) -> Structure {
     one()
         .spring([None, Some(0)], 1.0)
         .load(&[(0, 1.0)], sine(1.0, rho, 0.5 * PI))
@@ -15,7 +15,7 @@ fn den_hartog(rho: f64, law: Relation) -> Structure {
 }
 
 /// x'' + S = sin T.
-fn block(law: Relation) -> Structure {
+fn block(law: StructureLaw) -> Structure {
     one()
         .load(&[(0, 1.0)], sine(1.0, 1.0, 0.0))
         .contact([None, Some(0)], 0.0, law)
@@ -110,13 +110,13 @@ fn amplitudes_of_softened_laws_approach_it_with_their_orders() {
         (1e-3, -0.00996, -2.0e-5, 1e-6),
     ] {
         let limit = Limit::constant(0.3);
-        let law = Relation::DisplacementControl {
+        let law = StructureLaw::DisplacementControl {
             stiffness: 0.3 / width,
             limit: limit.clone(),
         };
         // The printed numbers are of a sampled motion: 0.6e-5 below these.
         assert!((change(law) - elastic).abs() < 1e-5, "{width}");
-        let law = Relation::VelocityControl {
+        let law = StructureLaw::VelocityControl {
             viscosity: 0.3 / width,
             limit,
         };
@@ -168,7 +168,7 @@ fn a_pulse_moves_a_block_as_newmark_computed() {
 }
 
 /// Release from 12.3 with the limit 1.
-fn released(law: Relation) -> (Vec<f64>, Vec<First>, Summary) {
+fn released(law: StructureLaw) -> (Vec<f64>, Vec<First>, Summary) {
     let oscillator = one()
         .spring([None, Some(0)], 1.0)
         .moving(&[12.3], &[0.0])
@@ -196,11 +196,11 @@ fn free_vibration_with_coulomb_friction_is_the_closed_form() {
 fn free_vibration_with_softened_laws_is_the_closed_form() {
     for width in [10.0, 1.0, 0.1, 1e-3] {
         let limit = Limit::constant(1.0);
-        let elastic = Relation::DisplacementControl {
+        let elastic = StructureLaw::DisplacementControl {
             stiffness: 1.0 / width,
             limit: limit.clone(),
         };
-        let viscous = Relation::VelocityControl {
+        let viscous = StructureLaw::VelocityControl {
             viscosity: 1.0 / width,
             limit,
         };

@@ -4,8 +4,8 @@ use super::*;
 use libm::acos;
 use std::f64::consts::{PI, SQRT_2};
 
-fn stop(restitution: f64) -> Relation {
-    Relation::RigidStop { restitution }
+fn stop(restitution: f64) -> StructureLaw {
+    StructureLaw::RigidStop { restitution }
 }
 
 /// Times of impacts, and |rdot| before them.
@@ -18,7 +18,7 @@ fn impacts(summary: &Summary) -> Vec<[f64; 2]> {
 }
 
 /// u'' + u = 0 from -1, with a stop at 0.3.
-fn oscillator(law: Relation) -> Structure {
+fn oscillator(law: StructureLaw) -> Structure {
     one()
         .spring([None, Some(0)], 1.0)
         .moving(&[-1.0], &[0.0])
@@ -48,7 +48,7 @@ fn stiff_springs_approach_the_elastic_stop_with_order_half() {
         (1e5, 0.0101, 5e-5),
         (1e6, 0.0032, 5e-5),
     ] {
-        let law = Relation::ImpactSpring { stiffness: k };
+        let law = StructureLaw::ImpactSpring { stiffness: k };
         let (spring, _) = first(&oscillator(law), &times);
         let squares = rigid
             .iter()
@@ -62,7 +62,10 @@ fn stiff_springs_approach_the_elastic_stop_with_order_half() {
         let time = spring.iter().position(|state| state.force < 0.0).unwrap();
         let half = steps(1e-5, 40_000);
         let near: Vec<f64> = half.iter().map(|t| times[time - 1] + t).collect();
-        let (near, _) = first(&oscillator(Relation::ImpactSpring { stiffness: k }), &near);
+        let (near, _) = first(
+            &oscillator(StructureLaw::ImpactSpring { stiffness: k }),
+            &near,
+        );
         let peak = near.iter().map(|state| -state.force).fold(0.0, f64::max);
         // Sampling: omega^2 dt^2/8.
         assert!((peak / (k * largest) - 1.0).abs() < 2e-5, "{k}: {peak}");

@@ -10,7 +10,9 @@ mod rigid;
 mod several;
 
 use super::*;
-use crate::system::structure::{Contact, Limit, Load, Node, Relation, Signal, Symmetric, Table};
+use crate::system::structure::{
+    Contact, Limit, Load, Node, Signal, StructureLaw, Symmetric, Table,
+};
 use std::sync::Arc;
 
 /// Masses without springs, at rest.
@@ -42,7 +44,7 @@ pub trait Build: Sized {
     /// Adds a damper.
     fn dashpot(self, between: [Option<usize>; 2], c: f64) -> Self;
     /// Adds a contact.
-    fn contact(self, between: [Option<usize>; 2], gap: f64, law: Relation) -> Self;
+    fn contact(self, between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Self;
     /// Adds a load.
     fn load(self, pattern: &[(usize, f64)], signal: Signal) -> Self;
     /// Sets u(0) and u'(0).
@@ -60,7 +62,7 @@ impl Build for Structure {
         self
     }
 
-    fn contact(mut self, between: [Option<usize>; 2], gap: f64, law: Relation) -> Structure {
+    fn contact(mut self, between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Structure {
         let name = format!("c{}", self.contacts.len());
         self.contacts.push(Contact {
             name,
@@ -102,8 +104,8 @@ pub fn table(points: &[[f64; 2]]) -> Signal {
 }
 
 /// Coulomb friction with a limit that does not change.
-pub fn coulomb(limit: f64) -> Relation {
-    Relation::Coulomb {
+pub fn coulomb(limit: f64) -> StructureLaw {
+    StructureLaw::Coulomb {
         limit: Limit::constant(limit),
     }
 }

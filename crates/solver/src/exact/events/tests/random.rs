@@ -114,21 +114,21 @@ pub fn structure(random: &mut Random, rigid: bool) -> Structure {
             Some(random.below(j))
         };
         let law = match random.below(if rigid { 5 } else { 3 }) {
-            0 => Relation::ImpactSpring {
+            0 => StructureLaw::ImpactSpring {
                 stiffness: random.number(5.0, 500.0),
             },
-            1 => Relation::DisplacementControl {
+            1 => StructureLaw::DisplacementControl {
                 stiffness: random.number(1.0, 100.0),
                 limit: limit(random),
             },
-            2 => Relation::VelocityControl {
+            2 => StructureLaw::VelocityControl {
                 viscosity: random.number(0.3, 30.0),
                 limit: limit(random),
             },
-            3 => Relation::Coulomb {
+            3 => StructureLaw::Coulomb {
                 limit: limit(random),
             },
-            _ => Relation::RigidStop {
+            _ => StructureLaw::RigidStop {
                 restitution: if random.below(4) == 0 {
                     0.0
                 } else {
@@ -153,18 +153,18 @@ fn violation(s: &Structure, t: f64, state: &State) -> f64 {
         let (r, rate, force) = (state.r[i], state.rate[i], state.force[i]);
         let limit = contact.law.limit().map_or(0.0, |limit| limit.at(t));
         let off = match &contact.law {
-            Relation::ImpactSpring { stiffness } => {
+            StructureLaw::ImpactSpring { stiffness } => {
                 (force - stiffness * r.min(0.0)).abs() / stiffness
             }
-            Relation::RigidStop { .. } => force.max(0.0).max(-r).max((force * r).abs()),
-            Relation::VelocityControl { viscosity, .. } => {
+            StructureLaw::RigidStop { .. } => force.max(0.0).max(-r).max((force * r).abs()),
+            StructureLaw::VelocityControl { viscosity, .. } => {
                 (force - (viscosity * rate).clamp(-limit, limit)).abs()
             }
-            Relation::DisplacementControl { .. } => force.abs() - limit,
-            Relation::CurvedImpact { .. }
-            | Relation::CurvedFriction { .. }
-            | Relation::Link { .. } => unreachable!(),
-            Relation::Coulomb { .. } => {
+            StructureLaw::DisplacementControl { .. } => force.abs() - limit,
+            StructureLaw::CurvedImpact { .. }
+            | StructureLaw::CurvedFriction { .. }
+            | StructureLaw::Link { .. } => unreachable!(),
+            StructureLaw::Coulomb { .. } => {
                 let over = force.abs() - limit;
                 let slip = if rate.abs() > 1e-9 {
                     (force - limit.copysign(rate)).abs()

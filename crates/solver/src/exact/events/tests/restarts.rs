@@ -21,13 +21,13 @@ impl Restarts<'_> {
         match &contact.law {
             _ if phase.abs() == 1.0 => phase * limit,
             _ if phase == OPEN => 0.0,
-            Relation::ImpactSpring { stiffness } => {
+            StructureLaw::ImpactSpring { stiffness } => {
                 stiffness * (self.s.relative(i, &y[..n]) + contact.gap)
             }
-            Relation::VelocityControl { viscosity, .. } => {
+            StructureLaw::VelocityControl { viscosity, .. } => {
                 viscosity * self.s.relative(i, &y[n..2 * n])
             }
-            Relation::DisplacementControl { stiffness, .. } => stiffness * y[2 * n + i],
+            StructureLaw::DisplacementControl { stiffness, .. } => stiffness * y[2 * n + i],
             _ => f64::NAN,
         }
     }
@@ -79,8 +79,8 @@ impl Restarts<'_> {
             return (force.abs() > l).then_some(force.signum());
         }
         let over = match contact.law {
-            Relation::VelocityControl { viscosity, .. } => phase * viscosity * rate < l,
-            Relation::DisplacementControl { stiffness, .. } => {
+            StructureLaw::VelocityControl { viscosity, .. } => phase * viscosity * rate < l,
+            StructureLaw::DisplacementControl { stiffness, .. } => {
                 let change = (limit.at(t + 1e-7) - limit.at(t - 1e-7)) / 2e-7;
                 phase * rate < change / stiffness
             }
@@ -92,7 +92,7 @@ impl Restarts<'_> {
     /// The elongations of sliding friction springs.
     fn stretch(&self, t: f64, y: &mut [f64]) {
         for (i, contact) in self.s.contacts.iter().enumerate() {
-            if let Relation::DisplacementControl { stiffness, limit } = &contact.law
+            if let StructureLaw::DisplacementControl { stiffness, limit } = &contact.law
                 && self.phases[i].abs() == 1.0
             {
                 y[2 * self.s.len() + i] = self.phases[i] * limit.at(t) / stiffness;
@@ -106,7 +106,7 @@ pub fn restarts(s: &Structure, end: f64, count: usize) -> Vec<f64> {
     let (m, h) = (s.contacts.len(), end / count as f64);
     let mut y = [&s.displacement[..], &s.velocity, &vec![0.0; m]].concat();
     let start = |i: usize| match s.contacts[i].law {
-        Relation::ImpactSpring { .. } => OPEN,
+        StructureLaw::ImpactSpring { .. } => OPEN,
         _ => CLOSED,
     };
     let mut motion = Restarts {

@@ -19,7 +19,7 @@ fn a_slab_drags_a_block_until_both_move_as_one() {
 
 #[test]
 fn balls_of_equal_mass_exchange_their_velocities() {
-    let stop = |e| Relation::RigidStop { restitution: e };
+    let stop = |e| StructureLaw::RigidStop { restitution: e };
     let balls = |masses_of: &[f64], e: f64| {
         masses(masses_of)
             .moving(&[0.0; 3], &[1.0, 0.0, 0.0])
@@ -44,7 +44,7 @@ fn a_block_that_sticks_takes_an_impact_and_slides() {
         .contact(
             [Some(0), Some(1)],
             0.5,
-            Relation::RigidStop { restitution: 0.8 },
+            StructureLaw::RigidStop { restitution: 0.8 },
         )
         .contact([None, Some(1)], 0.0, coulomb(0.3));
     let (state, summary) = last(&block, 20.0);
@@ -61,7 +61,7 @@ fn friction_ends_where_the_limit_falls_below_the_load() {
     let block = one().load(&[(0, 1.0)], table(&[[0.0, 0.5]])).contact(
         [None, Some(0)],
         0.0,
-        Relation::Coulomb { limit },
+        StructureLaw::Coulomb { limit },
     );
     let (states, summary) = first(&block, &[5.0, 8.0, 12.0]);
     let times: Vec<f64> = summary.events.iter().map(|event| event.time).collect();
@@ -115,8 +115,8 @@ fn rigid_contacts_are_the_limit_of_softened_ones() {
     let structure = |rigid: bool, narrow: f64| {
         let limit = |l| varying(l, 0.3, sine(1.0, 1.3, 0.4));
         let friction = |l| match rigid {
-            true => Relation::Coulomb { limit: limit(l) },
-            false => Relation::VelocityControl {
+            true => StructureLaw::Coulomb { limit: limit(l) },
+            false => StructureLaw::VelocityControl {
                 viscosity: 1.0 / narrow,
                 limit: limit(l),
             },
@@ -150,7 +150,7 @@ fn rigid_contacts_are_the_limit_of_softened_ones() {
 fn two_masses_that_are_pushed_against_a_wall_leave_one_after_the_other() {
     // A is pulled by 0.2, B pushes it with cos t. The wall's force is 0.2 - cos t, so that both leave at cos t1 = 0.2 with
     // (0.2 - cos t)/2; the force between them is -(0.2 + cos t)/2, so that they part at cos t2 = -0.2.
-    let stop = || Relation::RigidStop { restitution: 0.7 };
+    let stop = || StructureLaw::RigidStop { restitution: 0.7 };
     let pair = masses(&[1.0, 1.0])
         .load(&[(0, 1.0)], table(&[[0.0, 0.2]]))
         .load(&[(1, -1.0)], sine(1.0, 1.0, 0.5 * std::f64::consts::PI))

@@ -20,7 +20,7 @@ fn three() -> Structure {
         .contact(
             [Some(0), Some(1)],
             0.0,
-            Relation::DisplacementControl {
+            StructureLaw::DisplacementControl {
                 stiffness: 40.0,
                 limit: varying(0.3, 0.6, sine(1.0, 2.3, 0.1)),
             },
@@ -28,12 +28,12 @@ fn three() -> Structure {
         .contact(
             [Some(1), Some(2)],
             0.1,
-            Relation::ImpactSpring { stiffness: 50.0 },
+            StructureLaw::ImpactSpring { stiffness: 50.0 },
         )
         .contact(
             [None, Some(2)],
             0.0,
-            Relation::VelocityControl {
+            StructureLaw::VelocityControl {
                 viscosity: 5.0,
                 limit: varying(0.5, 1.0, table(&pressure)),
             },
@@ -41,7 +41,7 @@ fn three() -> Structure {
         .contact(
             [None, Some(1)],
             0.0,
-            Relation::DisplacementControl {
+            StructureLaw::DisplacementControl {
                 stiffness: 30.0,
                 limit: Limit::constant(0.4),
             },
@@ -136,12 +136,12 @@ fn bridge() -> Structure {
         s = s.contact(
             [Some(i - 1), Some(i)],
             0.1,
-            Relation::ImpactSpring { stiffness: 1000.0 },
+            StructureLaw::ImpactSpring { stiffness: 1000.0 },
         );
     }
     for i in [0, 12, 24] {
         let limit = Limit::constant(1.0);
-        let law = Relation::DisplacementControl {
+        let law = StructureLaw::DisplacementControl {
             stiffness: 100.0,
             limit,
         };
@@ -178,7 +178,7 @@ fn what_has_no_exact_motion_is_a_fault() {
 fn nodes_that_the_ground_moves_alike_do_not_touch() {
     // From rest and with a gap of 0, r is round-off of the accelerations.
     let ground = [(0, -0.3), (1, -0.7), (2, -1.1)];
-    let law = || Relation::ImpactSpring { stiffness: 1e6 };
+    let law = || StructureLaw::ImpactSpring { stiffness: 1e6 };
     let s = masses(&[0.3, 0.7, 1.1])
         .load(&ground, table(&[[0.0, 0.1], [1.0, 0.7], [2.0, -0.9]]))
         .contact([Some(0), Some(1)], 0.0, law())

@@ -160,7 +160,7 @@ pub const REFERENCE: Rows<usize> =
     metric_of("contact_duration_exact")..metric_of("restitution_exact") + 1;
 
 /// Rows of the energies that contact and method take, and of the cost.
-pub const TAKEN: Rows<usize> = metric_of("contact_dissipation")..metric_of("cost") + 1;
+pub const LOSSES_AND_COST: Rows<usize> = metric_of("contact_dissipation")..metric_of("cost") + 1;
 
 /// Empty if and only if there is no contact.
 pub const MAX_OVERLAP: usize = metric_of("max_overlap");

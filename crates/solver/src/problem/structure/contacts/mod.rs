@@ -7,10 +7,10 @@ use super::template::Contact;
 use crate::contact::number::Number;
 use crate::contact::numbers::structure::TABLE;
 use crate::contact::offer::{Offered, Place};
-use crate::contact::{ContactKind, Given, LAWS};
+use crate::contact::{ContactKind, GivenNumbers, LAWS};
 use crate::problem::laws::laws;
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Limit, Relation};
+use crate::system::structure::{Limit, StructureLaw};
 use limit::limit;
 use std::sync::LazyLock;
 
@@ -61,7 +61,7 @@ pub fn relation(
     case: &Case,
     metre: f64,
     with_samples: bool,
-) -> Result<Relation, Violation> {
+) -> Result<StructureLaw, Violation> {
     let name = contact.law.name(case);
     let Some((law, own)) = law_named(name).and_then(|law| Some((law, law.offer.structure?))) else {
         return Err(violation(contact, format!("no law \"{name}\"")));
@@ -79,14 +79,14 @@ pub fn relation(
     if law.kind == ContactKind::Friction {
         others.extend(contact.value("nu", case)?.map(|nu| ("nu", nu)));
     }
-    let given = Given {
+    let given = GivenNumbers {
         law: law.offer.name,
         numbers: own.numbers,
         values: &values,
         others: &others,
     };
     let form = (law.offer.form)(&given).map_err(|message| violation(contact, message))?;
-    Ok(Relation::new(form, limit))
+    Ok(StructureLaw::new(form, limit))
 }
 
 /// The restitution of a rigid impact in a case, with its place in the study; `None` for another law.

@@ -3,7 +3,7 @@
 use crate::lane::Lane;
 use crate::methods::SubStep;
 use crate::solve::structure::laws::bounds;
-use crate::system::structure::{Contact, Relation, Structure};
+use crate::system::structure::{Contact, Structure, StructureLaw};
 
 /// A contact of L structures.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +45,7 @@ pub(super) struct Line<T> {
 pub(super) type LaneLine<const L: usize> = Line<Lane<L>>;
 
 impl Line<f64> {
-    pub(super) fn new(law: &Relation, sub_step: &SubStep, impulses: bool) -> Line<f64> {
+    pub(super) fn new(law: &StructureLaw, sub_step: &SubStep, impulses: bool) -> Line<f64> {
         let none = Line {
             compliance: 0.0,
             by_displacement: 0.0,
@@ -62,34 +62,34 @@ impl Line<f64> {
             ..none
         };
         match law {
-            Relation::ImpactSpring { stiffness } => impact(1.0 / stiffness),
+            StructureLaw::ImpactSpring { stiffness } => impact(1.0 / stiffness),
             // rdot' = -e rdot while S' < 0.
-            Relation::RigidStop { restitution } if impulses => Line {
+            StructureLaw::RigidStop { restitution } if impulses => Line {
                 by_rate: of_velocity,
                 by_bounce: of_velocity * restitution,
                 ..none
             },
-            Relation::RigidStop { .. } => impact(0.0),
+            StructureLaw::RigidStop { .. } => impact(0.0),
             // S' = S + k^C (r' - r).
-            Relation::DisplacementControl { stiffness, .. } => Line {
+            StructureLaw::DisplacementControl { stiffness, .. } => Line {
                 compliance: 1.0 / stiffness,
                 by_change: 1.0,
                 by_force: 1.0 / stiffness,
                 ..none
             },
-            Relation::VelocityControl { viscosity, .. } => Line {
+            StructureLaw::VelocityControl { viscosity, .. } => Line {
                 compliance: of_velocity / viscosity,
                 by_rate: of_velocity,
                 ..none
             },
-            Relation::Coulomb { .. } => Line {
+            StructureLaw::Coulomb { .. } => Line {
                 by_rate: of_velocity,
                 ..none
             },
             // Not a line; its lanes have forces of their own.
-            Relation::CurvedImpact { .. }
-            | Relation::CurvedFriction { .. }
-            | Relation::Link { .. } => impact(1.0),
+            StructureLaw::CurvedImpact { .. }
+            | StructureLaw::CurvedFriction { .. }
+            | StructureLaw::Link { .. } => impact(1.0),
         }
     }
 }
@@ -140,13 +140,14 @@ impl<const L: usize> LaneContact<L> {
     ) -> LaneContact<L> {
         let zero = Lane::splat(0.0);
         let of = |number: fn(&Contact) -> f64| lanes(cases, |case| number(&case.contacts[c]));
-        let is = |rule: &dyn Fn(&Relation) -> bool| cases.map(|case| rule(&case.contacts[c].law));
-        let rigid_stop = |law: &Relation| matches!(law, Relation::RigidStop { .. });
-        let coulomb = |law: &Relation| matches!(law, Relation::Coulomb { .. });
-        let spring = |law: &Relation| {
+        let is =
+            |rule: &dyn Fn(&StructureLaw) -> bool| cases.map(|case| rule(&case.contacts[c].law));
+        let rigid_stop = |law: &StructureLaw| matches!(law, StructureLaw::RigidStop { .. });
+        let coulomb = |law: &StructureLaw| matches!(law, StructureLaw::Coulomb { .. });
+        let spring = |law: &StructureLaw| {
             matches!(
                 law,
-                Relation::ImpactSpring { .. } | Relation::DisplacementControl { .. }
+                StructureLaw::ImpactSpring { .. } | StructureLaw::DisplacementControl { .. }
             )
         };
         LaneContact {
@@ -157,7 +158,7 @@ impl<const L: usize> LaneContact<L> {
             ],
             softness: of(|contact| softness(&contact.law)),
             by_force: of(|contact| match contact.law {
-                Relation::DisplacementControl { .. } => softness(&contact.law),
+                StructureLaw::DisplacementControl { .. } => softness(&contact.law),
                 _ => 0.0,
             }),
             stop: is(&|law| impulses && rigid_stop(law)),
@@ -171,11 +172,10 @@ impl<const L: usize> LaneContact<L> {
 }
 
 /// 1/k of the spring of a law; 0 without one.
-fn softness(law: &Relation) -> f64 {
+fn softness(law: &StructureLaw) -> f64 {
     match law {
-        Relation::ImpactSpring { stiffness } | Relation::DisplacementControl { stiffness, .. } => {
-            1.0 / stiffness
-        }
+        StructureLaw::ImpactSpring { stiffness }
+        | StructureLaw::DisplacementControl { stiffness, .. } => 1.0 / stiffness,
         _ => 0.0,
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::methods::{Method, six_digits_below};
 use crate::system::structure::factor::Factor;
-use crate::system::structure::{Relation, Structure, Symmetric};
+use crate::system::structure::{Structure, StructureLaw, Symmetric};
 use std::fmt;
 
 /// Part by which a step may be above the critical one: round-off of both.
@@ -93,7 +93,7 @@ pub fn critical_fault(structure: &Structure, method: &Method, dt: f64) -> Option
     if limit == f64::INFINITY {
         return None;
     }
-    let rigid = |law: &Relation| matches!(law, Relation::RigidStop { .. });
+    let rigid = |law: &StructureLaw| matches!(law, StructureLaw::RigidStop { .. });
     if let Some(stop) = structure.contacts.iter().find(|c| rigid(&c.law)) {
         return Some(CriticalFault::Rigid(stop.name.clone()));
     }
@@ -111,15 +111,15 @@ fn with_contacts(structure: &Structure) -> Symmetric {
     let mut stiffness = structure.stiffness.clone();
     for contact in &structure.contacts {
         let k = match &contact.law {
-            Relation::ImpactSpring { stiffness }
-            | Relation::DisplacementControl { stiffness, .. } => *stiffness,
+            StructureLaw::ImpactSpring { stiffness }
+            | StructureLaw::DisplacementControl { stiffness, .. } => *stiffness,
             // The stiffness of delta^1.5 grows with an overlap that is not known: only an unstable step without it is certain.
-            Relation::CurvedImpact { law, .. }
-            | Relation::CurvedFriction { law, .. }
-            | Relation::Link { law } => law.properties().largest_stiffness(0.0),
-            Relation::RigidStop { .. }
-            | Relation::VelocityControl { .. }
-            | Relation::Coulomb { .. } => 0.0,
+            StructureLaw::CurvedImpact { law, .. }
+            | StructureLaw::CurvedFriction { law, .. }
+            | StructureLaw::Link { law } => law.properties().largest_stiffness(0.0),
+            StructureLaw::RigidStop { .. }
+            | StructureLaw::VelocityControl { .. }
+            | StructureLaw::Coulomb { .. } => 0.0,
         };
         if k > 0.0 {
             stiffness.add_spring(contact.between, k);

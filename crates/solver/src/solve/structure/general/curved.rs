@@ -7,7 +7,7 @@ use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::{Curved, Motion};
 use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
 use crate::solve::structure::forces::Forces;
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// The contacts of each sub-step in each lane that has such a law; empty if there is none.
 pub(super) fn contacts<const L: usize>(
@@ -40,8 +40,12 @@ pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
         ));
     }
     let impulses = prepared.method.has_impulses();
-    let rigid =
-        |law: &Relation| matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
+    let rigid = |law: &StructureLaw| {
+        matches!(
+            law,
+            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
+        )
+    };
     let mut contacts = case.contacts.iter();
     let rigid = contacts.find(|contact| impulses && rigid(&contact.law))?;
     Some(format!(

@@ -38,16 +38,16 @@ impl Random {
 const LAWS: usize = 17;
 
 /// The law with this number, and the gap of the contact.
-fn law(number: usize, random: &mut Random) -> (Relation, f64) {
+fn law(number: usize, random: &mut Random) -> (StructureLaw, f64) {
     let (k, e, mass) = (random.scale(1e2, 1e5), random.between(0.2, 1.0), 1.5);
     let gap = random.between(0.0, 0.01) * [0.0, 1.0][random.below(2)];
-    let impact = |law: ContactLaw| Relation::CurvedImpact {
+    let impact = |law: ContactLaw| StructureLaw::CurvedImpact {
         law,
         restitution: e,
     };
     let relation = match number {
-        0 => Relation::ImpactSpring { stiffness: k },
-        1 => Relation::RigidStop { restitution: e },
+        0 => StructureLaw::ImpactSpring { stiffness: k },
+        1 => StructureLaw::RigidStop { restitution: e },
         2 => impact(ContactLaw::KelvinVoigt(KelvinVoigt::new(k, e, mass))),
         3 => impact(ContactLaw::Hertz(Hertz { stiffness: k })),
         4 => impact(ContactLaw::HertzDamp(HertzDamp::new(k, e))),
@@ -60,7 +60,7 @@ fn law(number: usize, random: &mut Random) -> (Relation, f64) {
 }
 
 /// A law of friction with a limit that is constant, or changes, or is 0 for some time.
-fn friction(number: usize, random: &mut Random) -> Relation {
+fn friction(number: usize, random: &mut Random) -> StructureLaw {
     let constant = random.between(0.5, 6.0);
     let varying = match random.below(3) {
         0 => None,
@@ -82,18 +82,18 @@ fn friction(number: usize, random: &mut Random) -> Relation {
     let compliance = 1.0 / k;
     let law = match number {
         8 => {
-            return Relation::DisplacementControl {
+            return StructureLaw::DisplacementControl {
                 stiffness: k,
                 limit: own,
             };
         }
         9 => {
-            return Relation::VelocityControl {
+            return StructureLaw::VelocityControl {
                 viscosity: c,
                 limit: own,
             };
         }
-        10 => return Relation::Coulomb { limit: own },
+        10 => return StructureLaw::Coulomb { limit: own },
         11 => ContactLaw::Tanh(Tanh {
             compliance: 1.0 / c,
             limit,
@@ -131,7 +131,7 @@ fn friction(number: usize, random: &mut Random) -> Relation {
             stribeck_velocity: 0.5,
         }),
     };
-    Relation::CurvedFriction { law, limit: own }
+    StructureLaw::CurvedFriction { law, limit: own }
 }
 
 fn method(number: usize) -> Method {
@@ -201,7 +201,7 @@ fn may_be_singular(structure: &Structure) -> bool {
     let rigid = structure.contacts.iter().filter(|contact| {
         matches!(
             contact.law,
-            Relation::RigidStop { .. } | Relation::Coulomb { .. }
+            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
         )
     });
     rigid.count() > 1

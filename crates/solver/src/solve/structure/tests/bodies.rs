@@ -116,7 +116,7 @@ fn bars_move_like_the_modes_of_the_bars() {
                 }
             }
         }
-        let law = Relation::ImpactSpring { stiffness };
+        let law = StructureLaw::ImpactSpring { stiffness };
         structure.contacts = vec![contact(assembly.nodes, gap, law)];
         let expected = run_modes::<ContactTrack>(&system).unwrap().track.0;
         let difference = difference(&track(&structure, dt, last as usize), &expected);

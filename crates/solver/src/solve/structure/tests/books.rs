@@ -69,7 +69,7 @@ fn energies_that_overflow_are_not_numbers_and_no_energy_is_no_error() {
             let mut structure = masses(&[1.0, 2.0]);
             structure.stiffness.add_spring([None, Some(0)], 4.0);
             structure.velocity[0] = v;
-            let law = Relation::ImpactSpring { stiffness: 100.0 };
+            let law = StructureLaw::ImpactSpring { stiffness: 100.0 };
             structure.contacts = vec![contact([Some(1), Some(0)], 0.1, law)];
             let prepared = Prepared::by(&method, &structure, 0.01).unwrap();
             let mut books: Option<Books<1>> = None;

@@ -12,15 +12,15 @@ use crate::solve::structure::{Books, Prepared, run};
 use crate::solve::{ContactTrack, Unsolvable, run as run_modes};
 use crate::system::{Linear, Mode, System};
 
-fn friction(law: ContactLaw, limit: f64) -> Relation {
-    Relation::CurvedFriction {
+fn friction(law: ContactLaw, limit: f64) -> StructureLaw {
+    StructureLaw::CurvedFriction {
         law,
         limit: Limit::constant(limit),
     }
 }
 
-fn impact(law: ContactLaw) -> Relation {
-    Relation::CurvedImpact {
+fn impact(law: ContactLaw) -> StructureLaw {
+    StructureLaw::CurvedImpact {
         law,
         restitution: 1.0,
     }
@@ -255,10 +255,10 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
 }
 
 /// S of the laws that r and rdot alone tell.
-fn force(law: &Relation, [r, rdot]: [f64; 2]) -> Option<f64> {
+fn force(law: &StructureLaw, [r, rdot]: [f64; 2]) -> Option<f64> {
     let d = (-r).max(0.0);
     match law {
-        Relation::CurvedImpact { law, .. } => match law {
+        StructureLaw::CurvedImpact { law, .. } => match law {
             ContactLaw::Hertz(law) => Some(-law.stiffness * d * d.sqrt()),
             ContactLaw::Jankowski(law) => {
                 let dashpot = law.damping * d.sqrt().sqrt() * (-rdot).max(0.0);
@@ -269,7 +269,7 @@ fn force(law: &Relation, [r, rdot]: [f64; 2]) -> Option<f64> {
             }
             _ => None,
         },
-        Relation::CurvedFriction {
+        StructureLaw::CurvedFriction {
             law: ContactLaw::Tanh(law),
             limit,
         } => {
@@ -297,7 +297,7 @@ fn several_contacts_with_various_laws_obey_each_law() {
                     *touched += usize::from(*s < 0.0);
                 } else if !matches!(
                     law,
-                    Relation::CurvedFriction {
+                    StructureLaw::CurvedFriction {
                         law: ContactLaw::Lugre(_),
                         ..
                     }
@@ -334,7 +334,7 @@ fn clipped_lines_move_alike_on_both_ways() {
     let mut structure = lines.clone();
     for (contact, line) in structure.contacts.iter_mut().zip(&lines.contacts) {
         contact.law = match &line.law {
-            Relation::ImpactSpring { stiffness } => {
+            StructureLaw::ImpactSpring { stiffness } => {
                 let stiffness = *stiffness;
                 impact(ContactLaw::ImpactSpring(ImpactSpring { stiffness }))
             }
@@ -411,7 +411,7 @@ fn a_lane_with_curved_laws_has_its_own_bits_and_leaves_others_alone() {
         ratio: 1.0,
         rate: 0.0,
     });
-    cases[2].contacts[4].law = Relation::CurvedFriction {
+    cases[2].contacts[4].law = StructureLaw::CurvedFriction {
         law,
         limit: varying,
     };
@@ -469,7 +469,7 @@ fn a_limit_that_varies_moves_the_curved_laws_as_the_line() {
     structure.contacts = vec![contact(
         [None, Some(0)],
         0.0,
-        Relation::CurvedFriction { law, limit },
+        StructureLaw::CurvedFriction { law, limit },
     )];
     let dt = 0.01;
     let prepared = Prepared::new(&structure, dt).unwrap();

@@ -82,16 +82,16 @@ impl Dense<'_> {
             (low[i], high[i]) = limit.map_or((f64::NEG_INFINITY, 0.0), |limit| (-limit, limit));
             let viscous = r[i] + gap[i] + 0.5 * dt * rdot[i];
             (g[i], center[i]) = match law {
-                Relation::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
-                Relation::RigidStop { .. } => (0.0, 0.0),
-                Relation::DisplacementControl { stiffness, .. } => {
+                StructureLaw::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
+                StructureLaw::RigidStop { .. } => (0.0, 0.0),
+                StructureLaw::DisplacementControl { stiffness, .. } => {
                     (1.0 / stiffness, r[i] + gap[i] - self.s[i] / stiffness)
                 }
-                Relation::VelocityControl { viscosity, .. } => (0.5 * dt / viscosity, viscous),
-                Relation::Coulomb { .. } => (0.0, viscous),
-                Relation::CurvedImpact { .. }
-                | Relation::CurvedFriction { .. }
-                | Relation::Link { .. } => unreachable!(),
+                StructureLaw::VelocityControl { viscosity, .. } => (0.5 * dt / viscosity, viscous),
+                StructureLaw::Coulomb { .. } => (0.0, viscous),
+                StructureLaw::CurvedImpact { .. }
+                | StructureLaw::CurvedFriction { .. }
+                | StructureLaw::Link { .. } => unreachable!(),
             };
         }
         self.s = all_patterns(

@@ -12,7 +12,7 @@ mod motion;
 mod pushed;
 
 use crate::system::structure::{
-    Contact, Limit, Load, Node, Relation, Signal, Structure, Symmetric, Table,
+    Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
 };
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -35,7 +35,7 @@ fn masses(masses: &[f64]) -> Structure {
     }
 }
 
-fn contact(between: [Option<usize>; 2], gap: f64, law: Relation) -> Contact {
+fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact {
     Contact {
         name: "contact".into(),
         between,
@@ -44,15 +44,15 @@ fn contact(between: [Option<usize>; 2], gap: f64, law: Relation) -> Contact {
     }
 }
 
-fn displacement_control(stiffness: f64, limit: f64) -> Relation {
-    Relation::DisplacementControl {
+fn displacement_control(stiffness: f64, limit: f64) -> StructureLaw {
+    StructureLaw::DisplacementControl {
         stiffness,
         limit: Limit::constant(limit),
     }
 }
 
-fn velocity_control(viscosity: f64, limit: f64) -> Relation {
-    Relation::VelocityControl {
+fn velocity_control(viscosity: f64, limit: f64) -> StructureLaw {
+    StructureLaw::VelocityControl {
         viscosity,
         limit: Limit::constant(limit),
     }
@@ -96,7 +96,7 @@ fn girders(n: usize, k_factor: f64, scale: f64, ground: &Arc<Signal>) -> Structu
         contact(
             [right(g), left(g + 1)],
             0.02,
-            Relation::ImpactSpring { stiffness },
+            StructureLaw::ImpactSpring { stiffness },
         )
     };
     let bearing = |i, j| contact([i, j], 0.0, displacement_control(245.0 / 0.0005, 245.0));
@@ -123,15 +123,15 @@ fn mixed(n: usize, factor: f64, ground: &Arc<Signal>) -> Structure {
         varying: Some((30.0 * factor, ground.clone())),
         pressure: None,
     };
-    structure.contacts[2].law = Relation::VelocityControl {
+    structure.contacts[2].law = StructureLaw::VelocityControl {
         viscosity: 2e4,
         limit: weight.clone(),
     };
-    structure.contacts[3].law = Relation::DisplacementControl {
+    structure.contacts[3].law = StructureLaw::DisplacementControl {
         stiffness: 3e5,
         limit: weight,
     };
-    structure.contacts[4].law = Relation::Coulomb {
+    structure.contacts[4].law = StructureLaw::Coulomb {
         limit: Limit::constant(150.0),
     };
     let between = structure.contacts[0].between;

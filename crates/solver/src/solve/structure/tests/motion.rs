@@ -120,7 +120,11 @@ fn a_block_that_coulomb_friction_holds_does_not_move() {
     // Load 3 < 4 from t = 0 on: S(0) = 3 follows from the accelerations.
     let mut structure = masses(&[2.0]);
     let limit = Limit::constant(4.0);
-    structure.contacts = vec![contact([None, Some(0)], 0.0, Relation::Coulomb { limit })];
+    structure.contacts = vec![contact(
+        [None, Some(0)],
+        0.0,
+        StructureLaw::Coulomb { limit },
+    )];
     let table = Table::new(vec![0.0], vec![3.0]).unwrap();
     structure.loads = vec![Load {
         pattern: vec![(0, 1.0)],
@@ -143,14 +147,14 @@ fn softened_laws_give_the_forces_at_the_start() {
     structure.velocity[0] = 2.0;
     let between = [None, Some(0)];
     structure.contacts = vec![
-        contact(between, 0.1, Relation::ImpactSpring { stiffness: 50.0 }),
+        contact(between, 0.1, StructureLaw::ImpactSpring { stiffness: 50.0 }),
         contact(between, 0.0, displacement_control(7.0, 1.0)),
         contact(between, 0.0, velocity_control(0.25, 1.0)),
         contact(between, 0.0, velocity_control(5.0, 1.0)),
         contact(
             between,
             0.0,
-            Relation::Coulomb {
+            StructureLaw::Coulomb {
                 limit: Limit::constant(3.0),
             },
         ),
@@ -200,7 +204,7 @@ fn a_rigid_stop_is_not_passed() {
     let mut structure = masses(&[1.0]);
     structure.stiffness.add(0, 0, 1.0);
     structure.displacement[0] = 1.0;
-    let law = Relation::RigidStop { restitution: 0.0 };
+    let law = StructureLaw::RigidStop { restitution: 0.0 };
     structure.contacts = vec![contact([None, Some(0)], 0.1, law)];
     let u = displacements(&structure, 0.01, 3000);
     let smallest = u.iter().fold(0.0, |a: f64, b| a.min(*b));

@@ -41,7 +41,7 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
     // A fast body 0 strikes body 1, which is at rest before the wall: within the step body 1 overlaps the wall, though it would not
     // without the forces of the step. The mean speed that closes the gap of 0.02 in dt = 0.01 is 2.
     let law = HertzDamp::new(1e4, 0.5);
-    let damped = Relation::CurvedImpact {
+    let damped = StructureLaw::CurvedImpact {
         law: ContactLaw::HertzDamp(law),
         restitution: 0.5,
     };
@@ -52,7 +52,7 @@ fn a_contact_that_another_one_pushes_together_has_the_speed_that_closes_its_gap(
         contact(
             [Some(0), Some(1)],
             0.0,
-            Relation::ImpactSpring { stiffness: 1e4 },
+            StructureLaw::ImpactSpring { stiffness: 1e4 },
         ),
     ];
     let dt = 0.01;
@@ -100,8 +100,8 @@ fn energies_are_relative_to_the_largest_one_with_that_of_the_contacts() {
     };
     for (u, force, law) in [
         (0.0, 1.0, displacement_control(4.0, 1e9)),
-        (-1.0, -9.0, Relation::ImpactSpring { stiffness: 4.0 }),
-        (-1.0, -1.5, Relation::ImpactSpring { stiffness: 4.0 }),
+        (-1.0, -9.0, StructureLaw::ImpactSpring { stiffness: 4.0 }),
+        (-1.0, -1.5, StructureLaw::ImpactSpring { stiffness: 4.0 }),
     ] {
         let mut by_contact = masses(&[1.0]);
         by_contact.displacement[0] = u;
@@ -148,7 +148,7 @@ fn slip_is_r_but_for_displacement_control_by_every_method() {
     ] {
         let mut structure = masses(&[1.0]);
         structure.velocity[0] = 1.0;
-        let curved = laws.map(|law| Relation::CurvedFriction {
+        let curved = laws.map(|law| StructureLaw::CurvedFriction {
             law,
             limit: Limit::constant(limit),
         });

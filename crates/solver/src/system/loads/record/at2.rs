@@ -1,7 +1,7 @@
 //! PEER AT2: a header of four lines, the last with NPTS and DT, then the accelerations in rows.
 
 use super::number::{all, number};
-use super::{Place, Record, fault};
+use super::{LineFault, Record, fault};
 use crate::system::loads::Unit;
 
 /// Lines that are searched for NPTS and DT. PEER has them in line 4; an editor or a mail may have added some.
@@ -35,7 +35,7 @@ fn keys(line: &str) -> impl Iterator<Item = Key> + '_ {
 }
 
 /// The record of a file whose line `header` names NPTS and DT.
-pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, Place> {
+pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> {
     let titles = &lines[..header];
     for (index, title) in titles.iter().enumerate() {
         let title = title.to_ascii_uppercase();

@@ -1,11 +1,11 @@
 //! Two columns, t and a, after any header: with blanks, tabs, commas or semicolons.
 
 use super::number::number;
-use super::{Place, Record, end, fault};
+use super::{LineFault, Record, end, fault};
 use crate::system::loads::Unit;
 
 /// The record of a file with two columns.
-pub(super) fn parse(lines: &[&str]) -> Result<Record, Place> {
+pub(super) fn parse(lines: &[&str]) -> Result<Record, LineFault> {
     let is_row = |line: &&str| {
         let fields = fields(line);
         fields.len() >= 2 && fields.into_iter().all(is_numeric)

@@ -1,7 +1,7 @@
 //! K-NET and KiK-net ASCII: a header of 17 lines, the last one `Memo.`, then counts of the digitiser in rows.
 
 use super::number::{all, number};
-use super::{Mean, Place, Record, end, fault, mean as means, shown};
+use super::{LineFault, Mean, Record, end, fault, mean as means, shown};
 use crate::system::loads::Unit;
 
 /// Lines of the header.
@@ -23,7 +23,7 @@ fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
 }
 
 /// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b, or count a/b if the mean is kept.
-pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, Place> {
+pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
     let memo = lines.get(HEADER - 1).map(|line| line.trim());
     if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
         let message = "a K-NET header must have 17 lines, the last one \"Memo.\"";
@@ -70,7 +70,7 @@ fn positive(
     lines: &[&str],
     label: &str,
     read: impl Fn(&str) -> Result<f64, String>,
-) -> Result<f64, Place> {
+) -> Result<f64, LineFault> {
     let Some((index, text)) = header(lines, label) else {
         return Err(fault(
             HEADER - 1,

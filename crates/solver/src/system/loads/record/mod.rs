@@ -73,7 +73,7 @@ pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, Rec
         Some(Mean::Removed) => record.without_mean(),
         Some(Mean::Kept) | None => record,
     });
-    record.map_err(|Place { line, message }| RecordFault {
+    record.map_err(|LineFault { line, message }| RecordFault {
         name: name.to_owned(),
         line,
         message,
@@ -82,14 +82,14 @@ pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, Rec
 
 /// A fault with its line, from 1, in a file without a name.
 #[derive(Debug)]
-struct Place {
+struct LineFault {
     line: usize,
     message: String,
 }
 
 /// A fault in the line with this index, from 0.
-fn fault(index: usize, message: impl Into<String>) -> Place {
-    Place {
+fn fault(index: usize, message: impl Into<String>) -> LineFault {
+    LineFault {
         line: index + 1,
         message: message.into(),
     }

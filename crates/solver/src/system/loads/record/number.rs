@@ -1,6 +1,6 @@
 //! Numbers of record files, as Fortran and others write them.
 
-use super::{Place, fault, shown};
+use super::{LineFault, fault, shown};
 
 /// A finite number, also with `D` before its exponent; else why not.
 pub(super) fn number(text: &str) -> Result<f64, String> {
@@ -19,7 +19,7 @@ pub(super) fn all(
     from: usize,
     count: f64,
     source: &str,
-) -> Result<Vec<f64>, Place> {
+) -> Result<Vec<f64>, LineFault> {
     let mut numbers = Vec::new();
     for (index, line) in lines.iter().enumerate().skip(from) {
         let fields = line.split(|c: char| c.is_whitespace() || c == ',');

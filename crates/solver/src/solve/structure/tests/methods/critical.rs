@@ -69,8 +69,8 @@ fn contacts_shorten_it() {
     }
     for c in &structure.contacts {
         let value = match c.law {
-            Relation::ImpactSpring { stiffness } => stiffness,
-            Relation::DisplacementControl { stiffness, .. } => stiffness,
+            StructureLaw::ImpactSpring { stiffness } => stiffness,
+            StructureLaw::DisplacementControl { stiffness, .. } => stiffness,
             _ => 0.0,
         };
         for (i, x) in [(c.between[0], -1.0), (c.between[1], 1.0)] {
@@ -103,7 +103,7 @@ fn contacts_shorten_it() {
 #[test]
 fn a_rigid_impact_is_refused() {
     let mut structure = masses(&[1.0]);
-    let law = Relation::RigidStop { restitution: 0.5 };
+    let law = StructureLaw::RigidStop { restitution: 0.5 };
     structure.contacts = vec![contact([None, Some(0)], 1.0, law)];
     let why = runs(&structure, 0.1).unwrap_err().to_string();
     assert!(
@@ -115,7 +115,7 @@ fn a_rigid_impact_is_refused() {
 #[test]
 fn curved_laws_shorten_it_by_their_largest_stiffness() {
     // One mass of 1 on the ground: omega^2 = k, and the critical step of linear acceleration is 2 sqrt(3/k).
-    let critical = |law: Relation| {
+    let critical = |law: StructureLaw| {
         let mut structure = masses(&[1.0]);
         structure.contacts = vec![contact([None, Some(0)], 1.0, law)];
         critical_step(&structure, &Coefficients::linear_acceleration().into())
@@ -123,7 +123,7 @@ fn curved_laws_shorten_it_by_their_largest_stiffness() {
     let step = |k: f64| 2.0 * (3.0 / k).sqrt();
     let (stiffness, restitution) = (64.0, 0.5);
     let law = ContactLaw::KelvinVoigt(KelvinVoigt::new(stiffness, restitution, 1.0));
-    let found = critical(Relation::CurvedImpact { law, restitution }).unwrap();
+    let found = critical(StructureLaw::CurvedImpact { law, restitution }).unwrap();
     assert!((found / step(stiffness) - 1.0).abs() < 1e-11, "{found}");
     // Dahl's law unloads from the limit with 2^exponent times its stiffness at S = 0.
     let law = ContactLaw::Dahl(Dahl {
@@ -132,7 +132,7 @@ fn curved_laws_shorten_it_by_their_largest_stiffness() {
         exponent: 1.0,
     });
     let limit = Limit::constant(2.0);
-    let found = critical(Relation::CurvedFriction { law, limit }).unwrap();
+    let found = critical(StructureLaw::CurvedFriction { law, limit }).unwrap();
     assert!(
         (found / step(2.0 * stiffness) - 1.0).abs() < 1e-11,
         "{found}"

@@ -66,7 +66,7 @@ fn an_elastic_contact_gives_back_what_it_took() {
     structure.contacts = vec![contact(
         [None, Some(0)],
         0.1,
-        Relation::ImpactSpring { stiffness: 1e4 },
+        StructureLaw::ImpactSpring { stiffness: 1e4 },
     )];
     for (name, method) in methods() {
         let mut end = 0.0;

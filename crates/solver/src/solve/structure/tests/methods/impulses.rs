@@ -7,7 +7,7 @@ use proptest::prelude::*;
 const THETA: Method = Method::MoreauJean(MoreauJean { theta: 0.5 });
 
 fn stop(between: [Option<usize>; 2], gap: f64, restitution: f64) -> Contact {
-    contact(between, gap, Relation::RigidStop { restitution })
+    contact(between, gap, StructureLaw::RigidStop { restitution })
 }
 
 /// Constant forces, mass times -9.81.
@@ -191,7 +191,11 @@ fn a_dropped_pile_comes_to_rest() {
 fn friction_holds_a_block_with_zero_velocity_until_its_limit() {
     let mut block = masses(&[2.0]);
     let limit = Limit::constant(3.0);
-    block.contacts = vec![contact([None, Some(0)], 0.0, Relation::Coulomb { limit })];
+    block.contacts = vec![contact(
+        [None, Some(0)],
+        0.0,
+        StructureLaw::Coulomb { limit },
+    )];
     let table = Table::new(vec![0.0, 4.0], vec![0.0, 4.0]).unwrap();
     block.loads = vec![Load {
         pattern: vec![(0, 1.0)],
@@ -250,7 +254,7 @@ proptest! {
             }
         }
         if !wall {
-            let law = Relation::Coulomb { limit: Limit::constant(limit) };
+            let law = StructureLaw::Coulomb { limit: Limit::constant(limit) };
             row.contacts.push(contact([None, Some(3)], 0.0, law));
         }
         row.contacts.push(contact([Some(1), Some(4)], 0.0, displacement_control(50.0, 2.0)));
@@ -260,7 +264,7 @@ proptest! {
         }];
         let method = Method::MoreauJean(MoreauJean { theta });
         let stops: Vec<(usize, f64)> = row.contacts.iter().enumerate().filter_map(|(c, contact)| match contact.law {
-            Relation::RigidStop { restitution } => Some((c, restitution)),
+            StructureLaw::RigidStop { restitution } => Some((c, restitution)),
             _ => None,
         }).collect();
         let mut before: Vec<[f64; 3]> = Vec::new();

@@ -39,7 +39,7 @@ fn row(contacts: bool) -> Structure {
             contact(
                 [Some(2), None],
                 -5.0,
-                Relation::ImpactSpring { stiffness: 8.0 },
+                StructureLaw::ImpactSpring { stiffness: 8.0 },
             ),
             contact([Some(0), Some(1)], 0.0, displacement_control(6.0, 1e3)),
             contact([None, Some(1)], 0.0, velocity_control(0.7, 1e3)),
@@ -95,7 +95,7 @@ fn softened_impacts_and_friction_converge() {
         contact(
             [Some(2), None],
             0.05,
-            Relation::ImpactSpring { stiffness: 400.0 },
+            StructureLaw::ImpactSpring { stiffness: 400.0 },
         ),
         contact([Some(0), Some(1)], 0.0, displacement_control(60.0, 0.3)),
         contact([None, Some(1)], 0.0, velocity_control(5.0, 0.2)),
@@ -158,7 +158,7 @@ fn lugre_has_the_second_order_from_a_start_in_motion() {
         stribeck_velocity: STRIBECK,
     });
     let limit = Limit::constant(LIMITS[0]);
-    let law = Relation::CurvedFriction { law, limit };
+    let law = StructureLaw::CurvedFriction { law, limit };
     structure.contacts = vec![contact([None, Some(0)], 0.0, law)];
     for method in [
         Method::AverageAcceleration(AverageAcceleration),

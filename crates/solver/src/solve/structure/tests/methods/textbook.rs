@@ -97,16 +97,18 @@ impl Dense<'_> {
             // rdot = by_u (r - gap) + rest.
             let still = gaps[i] - rest_of[i] / by_u;
             (g[i], center[i]) = match contact.law {
-                Relation::CurvedImpact { .. }
-                | Relation::CurvedFriction { .. }
-                | Relation::Link { .. } => unreachable!(),
-                Relation::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
-                Relation::RigidStop { .. } => (0.0, 0.0),
-                Relation::DisplacementControl { stiffness, .. } => {
+                StructureLaw::CurvedImpact { .. }
+                | StructureLaw::CurvedFriction { .. }
+                | StructureLaw::Link { .. } => unreachable!(),
+                StructureLaw::ImpactSpring { stiffness } => (1.0 / stiffness, 0.0),
+                StructureLaw::RigidStop { .. } => (0.0, 0.0),
+                StructureLaw::DisplacementControl { stiffness, .. } => {
                     (1.0 / stiffness, r[i] - self.s[i] / stiffness)
                 }
-                Relation::VelocityControl { viscosity, .. } => (1.0 / (viscosity * by_u), still),
-                Relation::Coulomb { .. } => (0.0, still),
+                StructureLaw::VelocityControl { viscosity, .. } => {
+                    (1.0 / (viscosity * by_u), still)
+                }
+                StructureLaw::Coulomb { .. } => (0.0, still),
             };
         }
         let [low, high] = self.bounds(t);
@@ -187,22 +189,24 @@ impl Dense<'_> {
         let (mut g, mut center) = (DVector::zeros(count), DVector::zeros(count));
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             (g[i], center[i]) = match contact.law {
-                Relation::CurvedImpact { .. }
-                | Relation::CurvedFriction { .. }
-                | Relation::Link { .. } => unreachable!(),
-                Relation::ImpactSpring { stiffness } => (1.0 / (stiffness * theta * dt), -still[i]),
-                Relation::DisplacementControl { stiffness, .. } => {
+                StructureLaw::CurvedImpact { .. }
+                | StructureLaw::CurvedFriction { .. }
+                | StructureLaw::Link { .. } => unreachable!(),
+                StructureLaw::ImpactSpring { stiffness } => {
+                    (1.0 / (stiffness * theta * dt), -still[i])
+                }
+                StructureLaw::DisplacementControl { stiffness, .. } => {
                     let g = 1.0 / (stiffness * theta * dt);
                     (g, (r[i] / (theta * dt) - still[i]) - self.s[i] * g)
                 }
-                Relation::VelocityControl { viscosity, .. } => (1.0 / viscosity, 0.0),
-                Relation::Coulomb { .. } => (0.0, 0.0),
-                Relation::RigidStop { restitution } => (0.0, -restitution * rdot[i]),
+                StructureLaw::VelocityControl { viscosity, .. } => (1.0 / viscosity, 0.0),
+                StructureLaw::Coulomb { .. } => (0.0, 0.0),
+                StructureLaw::RigidStop { restitution } => (0.0, -restitution * rdot[i]),
             };
         }
         let [mut low, high] = self.bounds(t);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
-            if matches!(contact.law, Relation::RigidStop { .. }) {
+            if matches!(contact.law, StructureLaw::RigidStop { .. }) {
                 let active = r[i] + 0.5 * dt * rdot[i] <= 0.0;
                 low[i] = if active { f64::NEG_INFINITY } else { 0.0 };
             }
@@ -230,14 +234,14 @@ impl Dense<'_> {
         let mut g = DVector::zeros(count);
         for (i, contact) in self.structure.contacts.iter().enumerate() {
             let known = match contact.law {
-                Relation::CurvedImpact { .. }
-                | Relation::CurvedFriction { .. }
-                | Relation::Link { .. } => unreachable!(),
-                Relation::ImpactSpring { stiffness } => stiffness * r[i],
-                Relation::DisplacementControl { stiffness, .. } => {
+                StructureLaw::CurvedImpact { .. }
+                | StructureLaw::CurvedFriction { .. }
+                | StructureLaw::Link { .. } => unreachable!(),
+                StructureLaw::ImpactSpring { stiffness } => stiffness * r[i],
+                StructureLaw::DisplacementControl { stiffness, .. } => {
                     self.s[i] + stiffness * (r[i] - before[i])
                 }
-                Relation::VelocityControl { viscosity, .. } => {
+                StructureLaw::VelocityControl { viscosity, .. } => {
                     g[i] = 2.0 * dt / viscosity;
                     continue;
                 }
@@ -307,10 +311,10 @@ fn random(seed: u64, rigid: bool) -> Structure {
         pressure: None,
     };
     let impact = match rigid {
-        true => Relation::RigidStop {
+        true => StructureLaw::RigidStop {
             restitution: random.next(),
         },
-        false => Relation::ImpactSpring {
+        false => StructureLaw::ImpactSpring {
             stiffness: random.between(50.0, 500.0),
         },
     };
@@ -320,7 +324,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
         contact(
             [Some(1), Some(4)],
             0.0,
-            Relation::DisplacementControl { stiffness, limit },
+            StructureLaw::DisplacementControl { stiffness, limit },
         ),
         contact(
             [None, Some(3)],
@@ -331,7 +335,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
     ];
     if rigid {
         let limit = Limit::constant(random.between(0.5, 2.0));
-        structure.contacts[2].law = Relation::Coulomb { limit };
+        structure.contacts[2].law = StructureLaw::Coulomb { limit };
     }
     structure
 }

@@ -17,7 +17,7 @@ const STEPS: usize = 600;
 const TOLERANCES: [f64; 3] = [1e-13, 1e-12, 3e-11];
 
 /// Three masses on springs that move against a contact of the last one with the ground.
-fn row(law: Relation) -> Structure {
+fn row(law: StructureLaw) -> Structure {
     let mut row = masses(&[1.0, 2.0, 1.5]);
     for (between, k) in [
         ([None, Some(0)], 15.0),
@@ -33,18 +33,18 @@ fn row(law: Relation) -> Structure {
 }
 
 /// A law of every form that a step has: clipped lines of r and of rdot, roots in closed form and by iteration, with and without memory.
-fn relations() -> Vec<Relation> {
-    let impact = |law| Relation::CurvedImpact {
+fn relations() -> Vec<StructureLaw> {
+    let impact = |law| StructureLaw::CurvedImpact {
         law,
         restitution: 0.6,
     };
     let limit = || Limit::constant(0.8);
-    let friction = |law| Relation::CurvedFriction {
+    let friction = |law| StructureLaw::CurvedFriction {
         law,
         limit: limit(),
     };
     vec![
-        Relation::ImpactSpring { stiffness: 300.0 },
+        StructureLaw::ImpactSpring { stiffness: 300.0 },
         displacement_control(200.0, 0.8),
         velocity_control(6.0, 0.8),
         impact(ContactLaw::Hertz(Hertz { stiffness: 500.0 })),
@@ -124,7 +124,7 @@ fn both_forms_of_a_method_agree_to_round_off() {
             laws.retain(|law| !law.is_curved());
         }
         if method.has_impulses() {
-            laws.push(Relation::RigidStop { restitution: 0.7 });
+            laws.push(StructureLaw::RigidStop { restitution: 0.7 });
         }
         for law in laws {
             let structure = row(law.clone());

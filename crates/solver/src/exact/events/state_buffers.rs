@@ -1,10 +1,10 @@
-//! Room for a state.
+//! StateBuffers for a state.
 
 use super::State;
 use crate::system::structure::Structure;
 
 /// The numbers of a state.
-pub struct Room {
+pub struct StateBuffers {
     pub u: Vec<f64>,
     pub v: Vec<f64>,
     pub r: Vec<f64>,
@@ -13,12 +13,12 @@ pub struct Room {
     pub slip: Vec<f64>,
 }
 
-impl Room {
+impl StateBuffers {
     /// Zeros.
-    pub fn new(structure: &Structure) -> Room {
+    pub fn new(structure: &Structure) -> StateBuffers {
         let [u, v] = [(); 2].map(|()| vec![0.0; structure.len()]);
         let [r, rate, force, slip] = [(); 4].map(|()| vec![0.0; structure.contacts.len()]);
-        Room {
+        StateBuffers {
             u,
             v,
             r,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// The law of a contact of a structure.
 #[derive(Debug, Clone)]
-pub enum Relation {
+pub enum StructureLaw {
     /// S = k min(r, 0) `[I (7)]`.
     ImpactSpring {
         /// k, > 0.
@@ -60,46 +60,46 @@ pub enum Relation {
     },
 }
 
-impl Relation {
+impl StructureLaw {
     /// The law of a form; a law of friction has this limit.
-    pub fn new(form: Form, limit: Limit) -> Relation {
+    pub fn new(form: Form, limit: Limit) -> StructureLaw {
         match form {
-            Form::Spring { stiffness } => Relation::ImpactSpring { stiffness },
-            Form::Stop { restitution } => Relation::RigidStop { restitution },
-            Form::Elastic { stiffness } => Relation::DisplacementControl { stiffness, limit },
-            Form::Viscous { viscosity } => Relation::VelocityControl { viscosity, limit },
-            Form::Coulomb => Relation::Coulomb { limit },
-            Form::Impact { law, restitution } => Relation::CurvedImpact { law, restitution },
-            Form::Friction(law) => Relation::CurvedFriction { law, limit },
-            Form::Link(law) => Relation::Link { law },
+            Form::Spring { stiffness } => StructureLaw::ImpactSpring { stiffness },
+            Form::Stop { restitution } => StructureLaw::RigidStop { restitution },
+            Form::Elastic { stiffness } => StructureLaw::DisplacementControl { stiffness, limit },
+            Form::Viscous { viscosity } => StructureLaw::VelocityControl { viscosity, limit },
+            Form::Coulomb => StructureLaw::Coulomb { limit },
+            Form::Impact { law, restitution } => StructureLaw::CurvedImpact { law, restitution },
+            Form::Friction(law) => StructureLaw::CurvedFriction { law, limit },
+            Form::Link(law) => StructureLaw::Link { law },
         }
     }
 
     /// What the contact can do.
     pub fn kind(&self) -> ContactKind {
         match self {
-            Relation::ImpactSpring { .. }
-            | Relation::RigidStop { .. }
-            | Relation::CurvedImpact { .. } => ContactKind::Impact,
-            Relation::DisplacementControl { .. }
-            | Relation::VelocityControl { .. }
-            | Relation::CurvedFriction { .. }
-            | Relation::Coulomb { .. } => ContactKind::Friction,
-            Relation::Link { .. } => ContactKind::Link,
+            StructureLaw::ImpactSpring { .. }
+            | StructureLaw::RigidStop { .. }
+            | StructureLaw::CurvedImpact { .. } => ContactKind::Impact,
+            StructureLaw::DisplacementControl { .. }
+            | StructureLaw::VelocityControl { .. }
+            | StructureLaw::CurvedFriction { .. }
+            | StructureLaw::Coulomb { .. } => ContactKind::Friction,
+            StructureLaw::Link { .. } => ContactKind::Link,
         }
     }
 
     /// The friction limit; `None` for an impact and a link.
     pub fn limit(&self) -> Option<&Limit> {
         match self {
-            Relation::ImpactSpring { .. }
-            | Relation::RigidStop { .. }
-            | Relation::CurvedImpact { .. }
-            | Relation::Link { .. } => None,
-            Relation::DisplacementControl { limit, .. }
-            | Relation::VelocityControl { limit, .. }
-            | Relation::CurvedFriction { limit, .. }
-            | Relation::Coulomb { limit } => Some(limit),
+            StructureLaw::ImpactSpring { .. }
+            | StructureLaw::RigidStop { .. }
+            | StructureLaw::CurvedImpact { .. }
+            | StructureLaw::Link { .. } => None,
+            StructureLaw::DisplacementControl { limit, .. }
+            | StructureLaw::VelocityControl { limit, .. }
+            | StructureLaw::CurvedFriction { limit, .. }
+            | StructureLaw::Coulomb { limit } => Some(limit),
         }
     }
 
@@ -107,34 +107,36 @@ impl Relation {
     pub fn is_curved(&self) -> bool {
         matches!(
             self,
-            Relation::CurvedImpact { .. } | Relation::CurvedFriction { .. } | Relation::Link { .. }
+            StructureLaw::CurvedImpact { .. }
+                | StructureLaw::CurvedFriction { .. }
+                | StructureLaw::Link { .. }
         )
     }
 
     /// The law while the friction limit is this; only friction has one.
     pub fn law(&self, limit: f64) -> ContactLaw {
         match *self {
-            Relation::ImpactSpring { stiffness } => {
+            StructureLaw::ImpactSpring { stiffness } => {
                 ContactLaw::ImpactSpring(ImpactSpring { stiffness })
             }
-            Relation::RigidStop { restitution } => ContactLaw::Rigid(Rigid {
+            StructureLaw::RigidStop { restitution } => ContactLaw::Rigid(Rigid {
                 restitution,
                 impulses: false,
             }),
-            Relation::DisplacementControl { stiffness, .. } => {
+            StructureLaw::DisplacementControl { stiffness, .. } => {
                 let compliance = 1.0 / stiffness;
                 ContactLaw::DisplacementControl(DisplacementControl { compliance, limit })
             }
-            Relation::VelocityControl { viscosity, .. } => {
+            StructureLaw::VelocityControl { viscosity, .. } => {
                 let compliance = 1.0 / viscosity;
                 ContactLaw::VelocityControl(VelocityControl { compliance, limit })
             }
-            Relation::Coulomb { .. } => {
+            StructureLaw::Coulomb { .. } => {
                 let compliance = 0.0;
                 ContactLaw::VelocityControl(VelocityControl { compliance, limit })
             }
-            Relation::CurvedImpact { law, .. } | Relation::Link { law } => law,
-            Relation::CurvedFriction { law, .. } => law.at_limit(limit),
+            StructureLaw::CurvedImpact { law, .. } | StructureLaw::Link { law } => law,
+            StructureLaw::CurvedFriction { law, .. } => law.at_limit(limit),
         }
     }
 }

@@ -6,7 +6,7 @@ use super::motion::Energies;
 use super::node::Numbering;
 use crate::contact::ContactKind;
 use crate::metrics::structure as reduce;
-use crate::system::structure::{Relation, Structure};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// Quantities of a motion at the steps 0..=N, one list for each number.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -83,7 +83,7 @@ pub struct Motions {
 
 /// What the motions are of.
 #[derive(Debug, Clone, Copy)]
-pub struct Judged<'a> {
+pub struct MetricContext<'a> {
     /// The structure.
     pub structure: &'a Structure,
     /// Numbers of its nodes.
@@ -97,7 +97,7 @@ pub struct Judged<'a> {
 }
 
 /// The value of a metric; `None` where it is undefined.
-pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<f64> {
+pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> Option<f64> {
     match metric.reduction {
         Reduction::EnergyError => return Some(motions.energies?.error),
         Reduction::NumericalDissipation => return Some(motions.energies?.dissipation),
@@ -168,7 +168,7 @@ pub fn value(metric: &StructureMetric, of: Judged, motions: &Motions) -> Option<
 fn of_contact(
     reduction: Reduction,
     contact: usize,
-    of: Judged,
+    of: MetricContext,
     computed: &Recorded,
 ) -> Option<f64> {
     let series = |quantity| computed.of(Number::Contact(contact, quantity));
@@ -188,7 +188,10 @@ fn of_contact(
         },
         Reduction::Work => {
             let law = &of.structure.contacts[contact].law;
-            let rigid = matches!(law, Relation::RigidStop { .. } | Relation::Coulomb { .. });
+            let rigid = matches!(
+                law,
+                StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
+            );
             Some(match of.impulses && rigid {
                 true => reduce::work_of_impulses(force, series(Quantity::Velocity), of.dt),
                 false => reduce::work(force, series(Quantity::Displacement)),

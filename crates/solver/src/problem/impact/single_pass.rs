@@ -42,7 +42,7 @@ fn record(system: &System, scaled: &Scaled) -> Result<(Track<1>, Vec<f64>, f64),
     };
     let (mut track, mut energy) = (Track::default(), Vec::new());
     let mut centres = vec![0.0; ones.len()];
-    solve::once::run(system, |structure| {
+    solve::single_pass::run(system, |structure| {
         let [r, rdot, s] = structure.contact();
         track.displacement.push(Lane([r]));
         track.velocity.push(Lane([0.5 * rdot]));

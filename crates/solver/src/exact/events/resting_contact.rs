@@ -5,10 +5,10 @@ use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
 use crate::contact::ContactKind;
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// A contact that may stick or stay shut.
-pub struct Candidate {
+pub struct RestingContact {
     /// The contact.
     pub contact: usize,
     /// Whether all orders of the force so far are at the lower bound, and at the upper one.
@@ -17,7 +17,7 @@ pub struct Candidate {
     pub friction: bool,
 }
 
-impl Candidate {
+impl RestingContact {
     /// The contact slides, or is open; its force stays at the upper bound or at the lower one.
     pub fn leave(&self, upper: bool, states: &mut [ContactState]) {
         states[self.contact].phase = match self.friction {
@@ -33,20 +33,20 @@ pub fn candidates(
     series: &Series,
     scales: &Scales,
     states: &mut [ContactState],
-) -> Vec<Candidate> {
+) -> Vec<RestingContact> {
     let tolerance = scales.rate(series.length) * series.length;
     let mut candidates = Vec::new();
     for (contact, state) in states.iter_mut().enumerate() {
         let [r, change] = [0, 1].map(|k| series.contacts[contact].r[k]);
         match model.structure.contacts[contact].law {
-            Relation::RigidStop { .. } => {
+            StructureLaw::RigidStop { .. } => {
                 if r > scales.r(model, contact, series.length) || change > tolerance {
                     state.phase = Phase::Open;
                     continue;
                 }
             }
-            Relation::Coulomb { .. } if state.phase == Phase::Open => continue,
-            Relation::Coulomb { .. } => {
+            StructureLaw::Coulomb { .. } if state.phase == Phase::Open => continue,
+            StructureLaw::Coulomb { .. } => {
                 if change.abs() > tolerance {
                     state.phase = Phase::Sliding(1.0_f64.copysign(change));
                     continue;
@@ -56,7 +56,7 @@ pub fn candidates(
         }
         state.phase = Phase::Closed;
         let friction = model.structure.contacts[contact].law.kind() == ContactKind::Friction;
-        candidates.push(Candidate {
+        candidates.push(RestingContact {
             contact,
             at: [friction, true],
             friction,
@@ -66,8 +66,8 @@ pub fn candidates(
 }
 
 /// Sets rdot of the candidates to 0, and r of stops. They are round-off, so that two passes over the contacts suffice.
-pub fn stop(model: &Model, candidates: &[Candidate], u: &mut [f64], v: &mut [f64]) {
-    for Candidate {
+pub fn stop(model: &Model, candidates: &[RestingContact], u: &mut [f64], v: &mut [f64]) {
+    for RestingContact {
         contact, friction, ..
     } in candidates.iter().chain(candidates)
     {

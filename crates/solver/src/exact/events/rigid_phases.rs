@@ -3,10 +3,10 @@
 //! Their forces minimise 1/2 S^T A S - S^T d within their bounds, A = B^T M^-1 B, where d is r'' without them. A contact at its
 //! limit with r'' = 0 is decided by r''', and so on: then the derivatives of its force have the bound.
 
-use super::candidate::{Candidate, candidates, stop};
 use super::least::{Singular, least};
 use super::model::Model;
 use super::phase::ContactState;
+use super::resting_contact::{RestingContact, candidates, stop};
 
 use super::scales::Scales;
 use super::series::Series;
@@ -23,7 +23,7 @@ const ZERO: f64 = 1e-9;
 const ROUND_OFF: f64 = 1e-11;
 
 /// Decides the phases of rigid contacts; takes the round-off from the motion of those that do not move. `series` has begun.
-pub fn decide(
+pub fn determine_rigid_phases(
     model: &Model,
     series: &mut Series,
     scales: &Scales,
@@ -62,7 +62,7 @@ fn decide_order(
     order: usize,
     scales: &Scales,
     states: &mut [ContactState],
-    candidates: &mut Vec<Candidate>,
+    candidates: &mut Vec<RestingContact>,
 ) -> Result<(), Singular> {
     let contacts: Vec<usize> = candidates
         .iter()

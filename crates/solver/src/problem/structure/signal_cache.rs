@@ -16,7 +16,7 @@ pub type Cell = Arc<OnceLock<Result<Arc<Signal>, Violation>>>;
 
 /// The signals made so far, by the bits of their numbers.
 #[derive(Debug, Default)]
-pub struct Made {
+pub struct SignalCache {
     signals: BTreeMap<Vec<u64>, Kept>,
     numbers: usize,
     clock: u64,
@@ -33,7 +33,7 @@ struct Kept {
     used: u64,
 }
 
-impl Made {
+impl SignalCache {
     /// The signal with this key, which has so many points. If there are too many numbers, the signals that were not used for the
     /// longest time are dropped first, half of the numbers at a time.
     pub fn cell(&mut self, key: &[u64], points: usize) -> Cell {
@@ -84,7 +84,7 @@ mod tests {
 
     #[test]
     fn the_memory_of_kept_signals_is_bounded_and_those_used_last_are_found() {
-        let mut made = Made::default();
+        let mut made = SignalCache::default();
         let points = MOST_NUMBERS / 16;
         let first = made.cell(&[0], points);
         for key in 1..100 {

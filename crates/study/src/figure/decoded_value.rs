@@ -15,7 +15,7 @@ use slipgap_solver::problem::parameter::{self, Range};
 const LONGEST_NAME: usize = 100;
 
 /// The decoded value of one key.
-pub(crate) enum Taken {
+pub(crate) enum DecodedValue {
     Text(String),
     Filter(Filter),
     Rows(Vec<usize>),
@@ -33,20 +33,20 @@ pub(crate) enum Taken {
 pub(crate) struct Values<'a> {
     pub node: &'a Node,
     pub path: &'a str,
-    pub taken: Vec<(&'static str, &'a Node, Taken)>,
+    pub taken: Vec<(&'static str, &'a Node, DecodedValue)>,
 }
 
 impl Values<'_> {
     pub fn text(&self, key: &str) -> Option<String> {
         match self.get(key)? {
-            Taken::Text(text) => Some(text.clone()),
+            DecodedValue::Text(text) => Some(text.clone()),
             _ => None,
         }
     }
 
     pub fn rows(&self, key: &str) -> Option<Vec<usize>> {
         match self.get(key)? {
-            Taken::Rows(rows) => Some(rows.clone()),
+            DecodedValue::Rows(rows) => Some(rows.clone()),
             _ => None,
         }
     }
@@ -57,7 +57,7 @@ impl Values<'_> {
 
     pub fn column(&self, key: &str) -> Option<Column> {
         match self.get(key)? {
-            Taken::Column(column) => Some(*column),
+            DecodedValue::Column(column) => Some(*column),
             _ => None,
         }
     }
@@ -68,59 +68,59 @@ impl Values<'_> {
 
     pub fn scale_or(&self, key: &str, left_out: Scale) -> Scale {
         match self.get(key) {
-            Some(Taken::Scale(scale)) => *scale,
+            Some(DecodedValue::Scale(scale)) => *scale,
             _ => left_out,
         }
     }
 
     pub fn ridge(&self, key: &str) -> Option<Ridge> {
         match self.get(key)? {
-            Taken::Ridge(ridge) => Some(*ridge),
+            DecodedValue::Ridge(ridge) => Some(*ridge),
             _ => None,
         }
     }
 
     pub fn marks(&self, key: &str) -> Option<Marks> {
         match self.get(key)? {
-            Taken::Marks(marks) => Some(marks.clone()),
+            DecodedValue::Marks(marks) => Some(marks.clone()),
             _ => None,
         }
     }
 
     pub fn switch(&self, key: &str) -> bool {
-        matches!(self.get(key), Some(Taken::Switch(true)))
+        matches!(self.get(key), Some(DecodedValue::Switch(true)))
     }
 
     /// Times or ratios; none if the key is not given.
     pub fn numbers(&self, key: &str) -> Vec<f64> {
         match self.get(key) {
-            Some(Taken::Numbers(numbers)) => numbers.clone(),
+            Some(DecodedValue::Numbers(numbers)) => numbers.clone(),
             _ => Vec::new(),
         }
     }
 
     pub fn width(&self, key: &str) -> Option<f64> {
         match self.get(key)? {
-            Taken::Width(width) => Some(*width),
+            DecodedValue::Width(width) => Some(*width),
             _ => None,
         }
     }
 
     pub fn range(&self, key: &str) -> Option<[f64; 2]> {
         match self.get(key)? {
-            Taken::Range(range) => Some(*range),
+            DecodedValue::Range(range) => Some(*range),
             _ => None,
         }
     }
 
     pub fn filter(&self) -> Filter {
         match self.get("where") {
-            Some(Taken::Filter(filter)) => filter.clone(),
+            Some(DecodedValue::Filter(filter)) => filter.clone(),
             _ => Filter::default(),
         }
     }
 
-    fn get(&self, key: &str) -> Option<&Taken> {
+    fn get(&self, key: &str) -> Option<&DecodedValue> {
         let found = self.taken.iter().find(|taken| taken.0 == key);
         found.map(|taken| &taken.2)
     }
@@ -154,7 +154,7 @@ pub(crate) fn take(
     path: &str,
     scope: &Scope,
     faults: &mut Faults,
-) -> Option<Taken> {
+) -> Option<DecodedValue> {
     let parameters = scope.problem.parameters();
     let rows = match key.takes {
         Takes::FileName => {
@@ -162,30 +162,32 @@ pub(crate) fn take(
             let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
             let fits = (1..=LONGEST_NAME).contains(&name.len());
             if fits && name.chars().all(plain) && !name.starts_with('-') {
-                return Some(Taken::Text(name));
+                return Some(DecodedValue::Text(name));
             }
             let what =
                 format!("1 to {LONGEST_NAME} letters, digits, _ and -, not beginning with -");
             faults.must_be(node, path, &what);
             return None;
         }
-        Takes::Text | Takes::Kind => return text(node, path, faults).map(Taken::Text),
-        Takes::Filter => return scope.filter(node, path, faults).map(Taken::Filter),
+        Takes::Text | Takes::Kind => return text(node, path, faults).map(DecodedValue::Text),
+        Takes::Filter => return scope.filter(node, path, faults).map(DecodedValue::Filter),
         Takes::Times => {
             let what = "a time or a non-empty list of times";
-            return numbers(node, path, what, faults).map(Taken::Numbers);
+            return numbers(node, path, what, faults).map(DecodedValue::Numbers);
         }
-        Takes::Width => return extent::width(node, path, faults).map(Taken::Width),
+        Takes::Width => return extent::width(node, path, faults).map(DecodedValue::Width),
         Takes::Range | Takes::Periods => {
-            return extent::range(node, path, faults).map(Taken::Range);
+            return extent::range(node, path, faults).map(DecodedValue::Range);
         }
         Takes::Scale | Takes::ScaleOrLog => {
             let all = [Scale::Linear, Scale::Log];
-            return name(node, path, "scale", &SCALES, faults).map(|row| Taken::Scale(all[row]));
+            return name(node, path, "scale", &SCALES, faults)
+                .map(|row| DecodedValue::Scale(all[row]));
         }
         Takes::Ridge => {
             let all = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];
-            return name(node, path, "ridge", &RIDGES, faults).map(|row| Taken::Ridge(all[row]));
+            return name(node, path, "ridge", &RIDGES, faults)
+                .map(|row| DecodedValue::Ridge(all[row]));
         }
         Takes::Parameter => {
             name(node, path, "parameter", &scope.parameters(), faults).map(|row| vec![row])
@@ -206,7 +208,7 @@ pub(crate) fn take(
             let named = rows.iter().map(|row| &*parameters[*row].name);
             let all: Vec<&str> = named.chain(scope.metrics()).collect();
             let place = name(node, path, "parameter or metric", &all, faults)?;
-            return Some(Taken::Column(match rows.get(place) {
+            return Some(DecodedValue::Column(match rows.get(place) {
                 Some(row) => Column::Parameter(*row),
                 None => Column::Metric(place - rows.len()),
             }));
@@ -220,7 +222,7 @@ pub(crate) fn take(
             names(node, path, "ordinate", &all, faults)
         }
         Takes::Number => {
-            return number(node, path, Range::Any, faults).map(|x| Taken::Numbers(vec![x]));
+            return number(node, path, Range::Any, faults).map(|x| DecodedValue::Numbers(vec![x]));
         }
         Takes::Probabilities => {
             let [low, high] = extent::range(node, path, faults)?;
@@ -231,9 +233,9 @@ pub(crate) fn take(
                 faults.add(node.at, path, message);
                 return None;
             }
-            return Some(Taken::Range([low, high]));
+            return Some(DecodedValue::Range([low, high]));
         }
-        Takes::Ratios => return ratios(node, path, faults).map(Taken::Numbers),
+        Takes::Ratios => return ratios(node, path, faults).map(DecodedValue::Numbers),
         Takes::Profile => {
             name(node, path, "profile", &scope.profiles(), faults).map(|row| vec![row])
         }
@@ -248,7 +250,7 @@ pub(crate) fn take(
                 .collect();
             names(node, path, "budget", &all, faults)
         }
-        Takes::Marks => return marks(node, path, faults).map(Taken::Marks),
+        Takes::Marks => return marks(node, path, faults).map(DecodedValue::Marks),
         Takes::InUnits => {
             let Tree::Bool(on) = node.tree else {
                 faults.must_be(node, path, "true or false");
@@ -257,12 +259,12 @@ pub(crate) fn take(
             if on && !scope.has_units() {
                 faults.add(node.at, path, NEEDS_UNITS);
             }
-            return Some(Taken::Switch(on));
+            return Some(DecodedValue::Switch(on));
         }
         Takes::Metric => name(node, path, "metric", &scope.metrics(), faults).map(|row| vec![row]),
         Takes::Metrics => names(node, path, "metric", &scope.metrics(), faults),
     };
-    rows.map(Taken::Rows)
+    rows.map(DecodedValue::Rows)
 }
 
 /// Names of the problem's quantities over time.

@@ -35,7 +35,7 @@ impl Step<'_> {
 
 /// The place of each contact, with the factor of the free ones.
 #[derive(Debug, Clone)]
-pub(super) struct Pattern {
+pub(super) struct ActiveSet {
     matrix: Matrix,
     places: Vec<At>,
     /// The free contacts, if `factored`.
@@ -52,13 +52,13 @@ pub(super) struct Pattern {
     movable: Vec<usize>,
 }
 
-impl Pattern {
+impl ActiveSet {
     /// All contacts at their high limits.
-    pub fn new(matrix: Matrix) -> Pattern {
+    pub fn new(matrix: Matrix) -> ActiveSet {
         let contacts = matrix.width();
         let mut factor = Factor::new(contacts);
         let free = Vec::from_iter(0..contacts);
-        Pattern {
+        ActiveSet {
             singular: !factor.compute(&matrix, &free),
             matrix,
             places: vec![At::High; contacts],

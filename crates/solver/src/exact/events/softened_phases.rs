@@ -7,23 +7,23 @@ use super::scales::Scales;
 use super::series::Series;
 use super::watch::{Crossing, Found};
 use crate::contact::ContactKind;
-use crate::system::structure::Relation;
+use crate::system::structure::StructureLaw;
 
 /// What a review works on: a piece that has begun, and the phases.
-pub struct Review<'a> {
+pub struct SoftenedPhases<'a> {
     pub model: &'a Model<'a>,
     pub series: &'a Series,
     pub scales: &'a Scales,
     pub book: &'a mut Book,
 }
 
-impl Review<'_> {
+impl SoftenedPhases<'_> {
     /// The phases of softened contacts at t = 0.
     pub fn start(&self, states: &mut [ContactState]) {
         for (i, state) in states.iter_mut().enumerate() {
             let r = self.series.contacts[i].r[0];
             state.origin = r;
-            if let Relation::ImpactSpring { stiffness } = self.model.structure.contacts[i].law
+            if let StructureLaw::ImpactSpring { stiffness } = self.model.structure.contacts[i].law
                 && r < 0.0
             {
                 state.phase = Phase::Closed;
@@ -37,17 +37,17 @@ impl Review<'_> {
         let i = found.contact;
         let (series, state) = (&self.series.contacts[i], &mut states[i]);
         match (&self.model.structure.contacts[i].law, found.crossing) {
-            (Relation::ImpactSpring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
-            (Relation::ImpactSpring { .. }, Crossing::Release) => state.phase = Phase::Open,
+            (StructureLaw::ImpactSpring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
+            (StructureLaw::ImpactSpring { .. }, Crossing::Release) => state.phase = Phase::Open,
             (
-                Relation::DisplacementControl { .. } | Relation::VelocityControl { .. },
+                StructureLaw::DisplacementControl { .. } | StructureLaw::VelocityControl { .. },
                 Crossing::Limit(direction),
             ) => state.phase = Phase::Sliding(direction),
-            (Relation::DisplacementControl { stiffness, .. }, Crossing::Stop) => {
+            (StructureLaw::DisplacementControl { stiffness, .. }, Crossing::Stop) => {
                 state.origin = series.r[0] - state.force / stiffness;
                 state.phase = Phase::Closed;
             }
-            (Relation::VelocityControl { .. }, Crossing::Stop) => state.phase = Phase::Closed,
+            (StructureLaw::VelocityControl { .. }, Crossing::Stop) => state.phase = Phase::Closed,
             _ => {}
         }
     }
@@ -65,10 +65,10 @@ impl Review<'_> {
                 continue;
             }
             match law {
-                Relation::DisplacementControl { stiffness, .. } => {
+                StructureLaw::DisplacementControl { stiffness, .. } => {
                     self.displacement_control(i, law, *stiffness, state);
                 }
-                Relation::VelocityControl { viscosity, .. } => {
+                StructureLaw::VelocityControl { viscosity, .. } => {
                     self.velocity_control(i, *viscosity, state);
                 }
                 _ if state.phase == Phase::Open => {
@@ -89,7 +89,13 @@ impl Review<'_> {
             .is_some_and(|l| *l > 0.0)
     }
 
-    fn displacement_control(&mut self, i: usize, law: &Relation, k: f64, state: &mut ContactState) {
+    fn displacement_control(
+        &mut self,
+        i: usize,
+        law: &StructureLaw,
+        k: f64,
+        state: &mut ContactState,
+    ) {
         let series = &self.series.contacts[i];
         let [r, change] = [series.r[0], k * series.r[1]];
         let limit = series.limit[0].max(0.0);
@@ -115,8 +121,8 @@ impl Review<'_> {
     }
 
     /// The friction spring relaxes to a smaller force; S^2/2k falls by the work of the slip.
-    fn drop_force(&mut self, law: &Relation, state: &mut ContactState, limit: f64) {
-        if let Relation::DisplacementControl { stiffness, .. } = law {
+    fn drop_force(&mut self, law: &StructureLaw, state: &mut ContactState, limit: f64) {
+        if let StructureLaw::DisplacementControl { stiffness, .. } = law {
             let force = state.force;
             self.book
                 .dissipate(0.5 * (force - limit) * (force + limit) / stiffness);
