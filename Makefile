@@ -30,6 +30,7 @@ test: ## check results and verdicts against recorded values, run all tests
 lint: ## formatting, clippy and documentation without warnings
 	cargo fmt --all --check
 	cargo clippy --locked --all-targets -- -D warnings
+	cargo clippy --locked --package slipgap-guard -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 fresh: ## compare committed tables, pictures and schema with what is written now
@@ -100,7 +101,7 @@ noticed_claims = --test command_line --test studies
 changed_recommend = -f 'crates/recommend/src/**'
 noticed_recommend = --test recommend
 # As arguments of cargo, so that no other tests are compiled after each change.
-changes = cargo mutants --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib $(noticed_$(1)))
+changes = cargo mutants --workspace --test-workspace=true --output target/mutants/$(1) $(changed_$(1)) --re '$(ONLY)' $(addprefix --cargo-arg=,--lib $(noticed_$(1)))
 
 # 2: something survived, 3: something ran into its time limit; the next part all the same.
 mutants: ## change the code of every part in every small way; a test must fail for each change
@@ -133,7 +134,7 @@ python-test: ## the Python package: its functions, types, notebooks, and the sam
 # It compiles the library twice, because maturin has flags of its own, and takes some minutes.
 wheel_env = target/wheel
 wheel_target = x86_64-unknown-linux-gnu
-wheel_options = --release --locked --config profile.release.strip=true
+wheel_options = --release --locked
 wheel: ## a Python wheel for Linux with the program in it, in target/wheels, tested in a fresh environment
 	test -x $(wheel_env)/bin/cargo-zigbuild || { $(PYTHON) -m venv $(wheel_env) && $(wheel_env)/bin/pip install --quiet maturin ziglang cargo-zigbuild; }
 	. $(wheel_env)/bin/activate && cargo zigbuild $(wheel_options) --target $(wheel_target).2.17 --package slipgap --package slipgap-python --bin slipgap

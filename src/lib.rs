@@ -25,7 +25,7 @@
 //! ```
 //!
 //! The modules from top to bottom; each uses only those below it: [`report`], [`claims`], [`compare`], [`run`], [`warnings`],
-//! [`checks`], [`figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`],
+//! [`checks`], [`study_figures`], [`figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`],
 //! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`],
 //! [`contact`], [`expression`], [`lane`] and [`history`], and [`statistics`]. [`textbook`] has the papers' matrices and iteration,
 //! which the fast form is tested against. Who needs the solver alone uses `slipgap-solver`.
@@ -38,7 +38,7 @@
 //! - [`study::Study`]: a study file, read and validated; [`study::read`] reports every error with its place.
 //! - [`problem::Problem`]: one of the problems, [`problem::friction::FrictionOscillator`] and
 //!   [`problem::impact::BarImpact`] or [`problem::structure::StructureProblem`], with the tables of parameters and metrics that everything else reads.
-//! - [`system::System`]: what a problem makes of a case: the modes, the contact, the start, the step.
+//! - [`system::System`]: what a problem with one contact makes of a case: the modes, the contact, the start, the step.
 //! - [`problem::Solution`]: a case's [`history::History`], the exact history, and the metrics.
 //! - [`solve::sweep`]: many cases side by side in [`lane::Lane`]s, to the bit what each has by itself.
 //! - [`methods::Method`] with [`methods::AverageAcceleration`] and others, and [`contact::Law`]: the method and

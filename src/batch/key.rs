@@ -9,9 +9,9 @@ use twox_hash::XxHash3_128;
 /// Version of all code that determines results. It changes when any result may change.
 pub const SOLVER_VERSION: u32 = 2;
 
-/// Hash of the sources and crates that determine results (`build/solver.rs`). A change there makes stores outdated, also without
-/// a new version.
-const SOLVER_SOURCES: &str = slipgap_solver::VERSION_KEY;
+/// Hashes of the code that determines results. A change there makes stores outdated, also without a new version. The numbers of a
+/// structure are not in a key, so that their reader counts.
+const CODE: [&str; 2] = [slipgap_solver::VERSION_KEY, slipgap_study::READER_KEY];
 
 /// Everything that determines the results of a part. It has several fields so that a message can name the difference.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -65,7 +65,7 @@ impl Key {
         let names: Vec<&str> = study.metrics.iter().map(|m| &*metrics[*m].name).collect();
         let once = if study.once { "once" } else { "converged" };
         Key {
-            solver: format!("{SOLVER_VERSION} {SOLVER_SOURCES}"),
+            solver: format!("{SOLVER_VERSION} {}", CODE.join(" ")),
             columns: format!(
                 "{}{} {once} {}",
                 study.problem.name(),
@@ -233,10 +233,13 @@ mod tests {
 
     #[test]
     fn a_key_contains_the_version_and_the_sources_of_the_solver() {
-        // From build.rs. Without it, results of other sources would be used again.
-        let sources = slipgap_solver::VERSION_KEY;
-        assert_eq!(sources.len(), 16);
-        assert_eq!(key("").solver, format!("{SOLVER_VERSION} {sources}"));
+        // From the build scripts. Without them, results of other code would be used again.
+        assert!(CODE.iter().all(|hash| hash.len() == 16));
+        let [solver, reader] = CODE;
+        assert_eq!(
+            key("").solver,
+            format!("{SOLVER_VERSION} {solver} {reader}")
+        );
     }
 
     #[test]

@@ -66,6 +66,7 @@ fn merge(
                 // Folders that are not empty remain.
                 made.iter().for_each(|folder| drop(fs::remove_dir(folder)));
                 report_error(&error);
+                terminal.skip(source);
                 missing = Some(error.exit_code());
             }
             Err(other) => return Err(other),

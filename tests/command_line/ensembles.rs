@@ -123,6 +123,19 @@ fn the_points_of_fragility_figures_are_a_table() {
     assert!(lines[3].ends_with(",,,the probability does not rise"));
     let manifest = bench.text("figures/s/manifest.json");
     assert!(manifest.contains("\"fragility.csv\""));
+    // The place of a point has a column even if it is the only one.
+    let study = bench.text("s.json");
+    bench.file("one.json", study.replace("[8, 12]", "8"));
+    bench.expect(0, &["run", "one.json"]);
+    let table = bench.text("figures/one/fragility.csv");
+    assert!(
+        table.starts_with("figure,metric,limit,x0,cases,"),
+        "{table}"
+    );
+    assert!(
+        table.contains("\nhalf,rms_error,0.05,8,4,0,2,0.5,"),
+        "{table}"
+    );
     // A study without such a figure has no table, and the old one goes.
     let study = bench.text("s.json");
     let without = study.split(", \"ensemble\"").next().unwrap();

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// The crates that the solver computes with.
-const CRATES: [&str; 3] = ["libm", "multiversion", "nalgebra"];
+const CRATES: [&str; 4] = ["libm", "multiversion", "nalgebra", "zmij"];
 
 /// The text of a file of the workspace.
 fn text(path: &str) -> String {
@@ -145,4 +145,8 @@ fn the_solver_has_code_in_every_folder_and_no_test_counts() {
     let below = below.lines().take_while(|line| !line.is_empty());
     let below: Vec<&str> = below.filter_map(|line| line.split('.').next()).collect();
     assert_eq!(below, CRATES);
+    // Its build script names the same.
+    let script = text("crates/solver/build.rs");
+    let named = CRATES.map(|name| format!("\"{name}\"")).join(", ");
+    assert!(script.contains(&named), "{script}");
 }

@@ -12,7 +12,7 @@
 //! The modules from top to bottom; each uses only those below it: [`problem`] (parameters, metrics and systems of a case),
 //! [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`], [`contact`], [`expression`], [`range`], [`lane`], [`history`].
 //!
-//! Everything that determines a result is in this crate: [`VERSION_KEY`] is a hash of its code.
+//! Everything that determines a result is in this crate, except the reader of structures: [`VERSION_KEY`] is a hash of its code.
 
 pub mod contact;
 pub mod exact;

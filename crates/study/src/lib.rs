@@ -44,6 +44,10 @@ pub use units::Units;
 pub use slipgap_drawing::colour_map::{Marks, Ridge};
 pub use slipgap_drawing::layout::axis::Scale;
 
+/// Hash of the code that makes numbers of a structure: the keys of stores have no numbers of structures. Comments, documentation and
+/// tests do not change it.
+pub const READER_KEY: &str = env!("SLIPGAP_READER");
+
 use slipgap_solver::problem::Problem;
 use std::sync::Arc;
 

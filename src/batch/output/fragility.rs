@@ -36,13 +36,21 @@ impl<'a> FragilityTable<'a> {
     /// # Errors
     /// A table that cannot be made.
     pub fn new(study: &'a Study) -> Result<Option<FragilityTable<'a>>, Error> {
-        let is_fragility = |figure: &Figure| matches!(figure.kind, FigureKind::Fragility(_));
-        if !study.figures.iter().any(is_fragility) {
+        let along = |figure: &Figure| match &figure.kind {
+            FigureKind::Fragility(fragility) => Some(fragility.x),
+            _ => None,
+        };
+        let along: Vec<usize> = study.figures.iter().filter_map(along).collect();
+        if along.is_empty() {
             return Ok(None);
         }
         let outside = study.outside_ensemble(&[]);
         let mut parameters = study.varying_columns();
         parameters.retain(|row| outside.contains(row));
+        // The place of a point has a column even if it is the only one.
+        parameters.extend(along);
+        parameters.sort_unstable();
+        parameters.dedup();
         let table = study.problem.parameters();
         let names = parameters.iter().map(|row| table[*row].column_name());
         let mut writer = csv::Writer::from_writer(Vec::new());

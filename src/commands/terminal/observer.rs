@@ -25,6 +25,11 @@ impl Terminal {
             work: Arc::new(WorkProgress::new(0.0)),
         }
     }
+
+    /// The next study is left out.
+    pub fn skip(&mut self, source: &Source) {
+        self.studies.skip(source);
+    }
 }
 
 impl Observer for Terminal {

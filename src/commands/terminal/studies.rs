@@ -13,6 +13,8 @@ const BETWEEN_ESTIMATES: Duration = Duration::from_secs(60);
 /// The studies of a command.
 pub struct Studies {
     count: usize,
+    /// Work of the cases of each study.
+    works: Vec<f64>,
     /// Number of the current study, from 1; 0 before the first.
     current: usize,
     /// Outputs of the current study.
@@ -30,6 +32,8 @@ struct Left {
     work: f64,
     outputs: usize,
     computed: Rate,
+    /// Of studies whose cases were all stored; taken while nothing is computed.
+    stored: Rate,
     written: Rate,
 }
 
@@ -59,7 +63,8 @@ impl Rate {
 impl Left {
     /// The time left, if the current study needs `own` seconds for its cases and has these outputs left.
     fn seconds(&self, own: f64, outputs: usize) -> Option<f64> {
-        let cases = self.computed.seconds_for(self.work)?;
+        let computed = self.computed.seconds_for(self.work);
+        let cases = computed.or_else(|| self.stored.seconds_for(self.work))?;
         let outputs = (self.outputs + outputs) as f64;
         Some(own + cases + self.written.seconds_for(outputs)?)
     }
@@ -82,13 +87,15 @@ impl Studies {
     pub fn new(sources: &[Source]) -> Studies {
         let now = Instant::now();
         let count = sources.len();
+        let works: Vec<f64> = sources.iter().map(|source| work(source, count)).collect();
         let left = Left {
-            work: sources.iter().map(|source| work(source, count)).sum(),
+            work: works.iter().sum(),
             outputs: sources.iter().map(outputs).sum(),
             ..Left::default()
         };
         Studies {
             count,
+            works,
             current: 0,
             outputs: 0,
             since: now,
@@ -104,19 +111,31 @@ impl Studies {
             let amount = self.outputs as f64;
             left.written.add(amount, self.since.elapsed());
         }
-        self.current += 1;
         self.outputs = outputs(source);
         self.since = Instant::now();
-        left.work -= work(source, self.count);
+        left.work -= self.works.get(self.current).copied().unwrap_or_default();
         left.outputs = left.outputs.saturating_sub(self.outputs);
+        self.current += 1;
+    }
+
+    /// The next study is left out.
+    pub fn skip(&mut self, source: &Source) {
+        self.begin(source);
+        // Nothing of it is written.
+        self.outputs = 0;
     }
 
     /// The cases of the current study are finished.
     pub fn end_cases(&mut self, work: &WorkProgress) {
         let finished = work.finished();
-        let amount = finished.stored + finished.computed;
         let time = self.since.elapsed();
-        lock(&self.left).computed.add(amount, time);
+        let mut left = lock(&self.left);
+        // Reading stored cases says nothing about the speed of computing.
+        match finished.computed > 0.0 {
+            true => left.computed.add(finished.computed, time),
+            false => left.stored.add(finished.stored, time),
+        }
+        drop(left);
         self.since = Instant::now();
     }
 

@@ -1,5 +1,5 @@
 //! Contact laws: the force S of a contact from its relative displacement r and velocity rdot. A law is one file and one line
-//! in the list below.
+//! in the list of `any.rs`.
 //!
 //! S *resists*: it has the sign of the motion it opposes ([F (1)] and [F (6)] disagree on it; this sign agrees with
 //! [F (9), (16), (19)]). Over a step from i to i+1 the structure leaves

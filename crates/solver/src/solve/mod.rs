@@ -1,4 +1,4 @@
-//! Solving: integration of systems in time, one at a time or several together. ParameterExpression once for all problems.
+//! Solving: integration of systems in time, one at a time or several together. Written once for all problems.
 
 pub mod single_pass;
 pub mod structure;

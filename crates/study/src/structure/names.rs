@@ -262,10 +262,7 @@ pub(super) fn report_unused(
     }
 }
 
-/// Hash of the code that makes numbers of a structure. The keys of stores have no numbers of structures.
-const READER: &str = env!("SLIPGAP_READER");
-
-/// A hash of this code and of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records.
+/// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records.
 pub(super) fn identity(structure: &Node, records: &[(String, Vec<u8>)]) -> String {
     let mut digest = Sha256::new();
     for (name, bytes) in records {
@@ -275,7 +272,7 @@ pub(super) fn identity(structure: &Node, records: &[(String, Vec<u8>)]) -> Strin
         digest.update(bytes);
     }
     let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
-    let structure = Sha256::digest(format!("{READER} {}", written(structure)));
+    let structure = Sha256::digest(written(structure));
     let records = digest.finalize();
     format!("{}.{}", hex(&structure), hex(&records))
 }

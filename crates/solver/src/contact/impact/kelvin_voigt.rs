@@ -194,3 +194,14 @@ impl<const L: usize> StepLaw<L> for Step<L> {
         resisting(force.smaller(most))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_factor_of_critical_damping_is_continuous() {
+        for xi in [1.0 - 1e-6, 1.0 - 1e-10, 1.0, 1.0 + 1e-10, 1.0 + 1e-6] {
+            assert!((super::damped(xi) - 1.0).abs() < 1e-6, "{xi}");
+        }
+        assert!((super::damped(0.0) - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    }
+}

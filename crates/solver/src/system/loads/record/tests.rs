@@ -15,7 +15,7 @@ fn refused(text: &str) -> String {
 /// An AT2 file with this fourth line and these rows.
 fn at2(fourth: &str, rows: &str) -> String {
     format!(
-        "PEER NGA STRONG MOTION DATABASE RECORD\nNowhere-01, 1/1/2000, Hand ParameterExpression, 90\n\
+        "PEER NGA STRONG MOTION DATABASE RECORD\nNowhere-01, 1/1/2000, Hand Written, 90\n\
          ACCELERATION TIME SERIES IN UNITS OF G\n{fourth}\n{rows}"
     )
 }
