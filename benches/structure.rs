@@ -41,7 +41,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         [0, 1, n + 1].map(|place| move |girder| Some(girder * (n + 2) + place));
     let contact = |between, gap, law| Contact {
         name: "contact".to_string(),
-        between,
+        along: slipgap_solver::system::structure::between(between),
         gap,
         law,
     };
@@ -66,6 +66,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
             signal: ground.clone(),
         }],
         nodes,
+        coupled_mass: Symmetric::zeros(size),
         stiffness: k,
         damping: c,
         contacts: vec![

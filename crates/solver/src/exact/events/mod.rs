@@ -103,11 +103,12 @@ pub struct Summary {
 ///
 /// let mass = Structure {
 ///     nodes: vec![Node { name: "mass".into(), mass: 1.0 }],
+///     coupled_mass: Symmetric::zeros(1),
 ///     stiffness: Symmetric::zeros(1),
 ///     damping: Symmetric::zeros(1),
 ///     contacts: vec![Contact {
 ///         name: "floor".into(),
-///         between: [None, Some(0)],
+///         along: vec![(0, 1.0)],
 ///         gap: 0.0,
 ///         law: StructureLaw::Coulomb { limit: Limit::constant(1.0) },
 ///     }],

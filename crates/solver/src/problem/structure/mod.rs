@@ -14,6 +14,7 @@ pub mod loads;
 pub mod metric;
 mod metric_values;
 mod motion;
+pub mod names;
 pub mod node;
 pub mod schema;
 pub mod scheme;

@@ -1,6 +1,7 @@
 //! Energy books of a run, and the work of each contact.
 
 use super::State;
+use super::massless::Massless;
 use super::state::Average;
 use super::step_view::Kind;
 use crate::lane::Lane;
@@ -91,6 +92,10 @@ impl<const L: usize> Books<L> {
             // du = dt v_mean
             (*change, *w) = ((*w + *now) * 0.5, *now);
         }
+        // Those of nodes without mass are no states.
+        for Massless { place, .. } in &prepared.massless {
+            self.nodes[*place][0] = state.moved[*place];
+        }
         let mut supplied = self.supplied;
         let change = |place: usize| self.nodes[place][0];
         self.loads.fill(Lane::splat(0.0));
@@ -161,6 +166,9 @@ impl<const L: usize> Average<'_, L> {
         let mut twice = Lane::splat(0.0);
         for (w, inertia) in self.w.iter().zip(&self.prepared.inertia) {
             twice = twice + *w * *w * *inertia;
+        }
+        for (i, j, inertia) in &self.prepared.coupled_mass {
+            twice = twice + self.w[*i] * self.w[*j] * (2.0 * inertia);
         }
         for link in self.prepared.all_links() {
             let change = u(link.to) - u(link.from);

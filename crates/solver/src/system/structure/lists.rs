@@ -28,6 +28,24 @@ impl<T> Lists<T> {
         &self.entries[self.starts[i]..self.starts[i + 1]]
     }
 
+    /// Number of lists.
+    pub fn len(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Whether there is no list.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// All lists, one after the other.
+    #[inline(always)]
+    pub fn iter(&self) -> impl Iterator<Item = &[T]> + '_ {
+        self.starts
+            .windows(2)
+            .map(|ends| &self.entries[ends[0]..ends[1]])
+    }
+
     /// The entries of all lists.
     pub fn entries(&self) -> &[T] {
         &self.entries

@@ -23,6 +23,7 @@ pub fn masses(masses: &[f64]) -> Structure {
     };
     Structure {
         nodes: masses.iter().enumerate().map(node).collect(),
+        coupled_mass: Symmetric::zeros(masses.len()),
         stiffness: Symmetric::zeros(masses.len()),
         damping: Symmetric::zeros(masses.len()),
         contacts: Vec::new(),
@@ -66,7 +67,7 @@ impl Build for Structure {
         let name = format!("c{}", self.contacts.len());
         self.contacts.push(Contact {
             name,
-            between,
+            along: crate::system::structure::between(between),
             gap,
             law,
         });

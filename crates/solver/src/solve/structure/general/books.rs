@@ -32,7 +32,16 @@ impl<const L: usize> General<'_, L> {
             let [m0, m1] = sub_step.inertia;
             let [s0, s1] = sub_step.forces;
             // The displacement of the equation.
+            let massless: Vec<usize> = self
+                .prepared
+                .massless
+                .iter()
+                .map(|node| node.place)
+                .collect();
             let moved = |place: usize| {
+                if massless.contains(&place) {
+                    return end.nodes[place][0] - start.nodes[place][0];
+                }
                 let [du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
                 du + end.nodes[place][2] * sub_step.d2
             };
@@ -48,6 +57,10 @@ impl<const L: usize> General<'_, L> {
                 let a = start.nodes[at][2] * m0 + end.nodes[at][2] * m1;
                 unbalanced = unbalanced + (room[at] - a * *mass) * moved(at);
             }
+            for (i, j, mass) in &self.prepared.coupled_mass {
+                let a = |at: usize| start.nodes[at][2] * m0 + end.nodes[at][2] * m1;
+                unbalanced = unbalanced - (a(*i) * moved(*j) + a(*j) * moved(*i)) * *mass;
+            }
             for link in linear.all_links() {
                 let difference = |of: &dyn Fn(usize) -> Lane<L>| of(link.to) - of(link.from);
                 let du = difference(&moved);
@@ -61,10 +74,13 @@ impl<const L: usize> General<'_, L> {
                 let step = self.contact_work(part, c);
                 *work = *work + step;
                 supplied = supplied - step;
-                let [i, j] = self.prepared.between[c];
+                let mut change = zero;
+                for (at, factor) in self.prepared.along.list(c) {
+                    change = change + moved(*at) * *factor;
+                }
                 let [s, s_end] = [start, end].map(|stage| stage.contacts[c][2]);
                 let force = s * s0 + s_end * s1;
-                unbalanced = unbalanced - force * (moved(j) - moved(i));
+                unbalanced = unbalanced - force * change;
             }
         }
         StepWork {
@@ -105,6 +121,9 @@ impl<const L: usize> General<'_, L> {
         let mut twice = Lane::splat(0.0);
         for ([_, v, _], mass) in nodes.iter().zip(&self.prepared.mass) {
             twice = twice + *v * *v * *mass;
+        }
+        for (i, j, mass) in &self.prepared.coupled_mass {
+            twice = twice + nodes[*i][1] * nodes[*j][1] * (2.0 * mass);
         }
         for link in self.prepared.sub_steps[0].all_links() {
             let change = nodes[link.to][0] - nodes[link.from][0];

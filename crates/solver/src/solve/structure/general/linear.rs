@@ -3,7 +3,7 @@
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::links::{Link, Row, links, rows};
-use crate::solve::structure::prepared::{Reduced, flexibility, place_of, reduce};
+use crate::solve::structure::prepared::{Reduced, flexibility, place_of, places, reduce};
 use crate::system::structure::factor::{Entry, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Structure, Symmetric};
@@ -34,9 +34,7 @@ impl Linear {
     ) -> Result<(Linear, Vec<usize>), Unsolvable> {
         let n = structure.len();
         let mut matrix = Symmetric::zeros(n);
-        for (i, node) in structure.nodes.iter().enumerate() {
-            matrix.add(i, i, sub_step.inertia[1] * node.mass);
-        }
+        structure.add_mass(sub_step.inertia[1], &mut matrix);
         let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
         matrix.add_matrix(&structure.damping, of_c);
         matrix.add_matrix(&structure.stiffness, of_k);
@@ -49,9 +47,8 @@ impl Linear {
         })?;
         let place = place_of(&factor);
         let (rows, more, links) = rows(&factor, links(structure, &place, 1.0));
-        let at = |node: Option<usize>| node.map_or(n, |node| place[node]);
-        let between = structure.contacts.iter().map(|c| c.between.map(at));
-        let reduced: Vec<_> = between.map(|ends| reduce(&factor, ends)).collect();
+        let places = places(structure, &place);
+        let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         let linear = Linear {
             rows,
             more: Lists::new(&more),

@@ -1,6 +1,7 @@
 //! Sparse factors L D L^T of symmetric positive definite matrices.
 
 mod order;
+mod solve;
 
 use super::Symmetric;
 use super::lists::Lists;
