@@ -26,7 +26,11 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         k.add_spring([Some(pier), Some(pier + 1)], 2e6);
         let mut add = |mass| {
             let name = nodes.len().to_string();
-            nodes.push(Node { name, mass });
+            nodes.push(Node {
+                name,
+                mass,
+                direction: Default::default(),
+            });
         };
         add(100.0);
         for i in 0..=n {

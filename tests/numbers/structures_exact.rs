@@ -99,6 +99,7 @@ fn structure(json: &Json) -> Structure {
             .map(|mass| Node {
                 name: String::new(),
                 mass,
+                direction: Default::default(),
             })
             .collect(),
         stiffness,

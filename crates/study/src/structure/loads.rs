@@ -13,7 +13,7 @@ use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::loads::{Kind, LARGEST_SEED, Source};
 use slipgap_solver::problem::structure::template::{Load, Scaled};
-use slipgap_solver::system::import::Direction;
+use slipgap_solver::system::structure::Direction;
 
 /// A force on a node.
 pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Load> {

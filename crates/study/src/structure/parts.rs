@@ -8,7 +8,7 @@ use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::template::{Bar, Mass, Spring, SpringNumbers, Start};
-use slipgap_solver::system::import::Direction;
+use slipgap_solver::system::structure::Direction;
 
 /// A named part with its value in the study.
 pub(super) type Part<'a> = (String, &'a Node, String);

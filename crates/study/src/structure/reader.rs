@@ -12,7 +12,7 @@ use slipgap_solver::problem::structure::amount::{Amount, Source};
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
 use slipgap_solver::problem::structure::template::{Moved, Term};
-use slipgap_solver::system::import::Direction;
+use slipgap_solver::system::structure::Direction;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;

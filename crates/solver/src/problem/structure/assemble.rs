@@ -6,7 +6,7 @@ use super::damping::MOST_MODES;
 use super::node::{NodeName, Numbering};
 use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template, Term};
 use crate::problem::{Case, Violation};
-use crate::system::import::Direction;
+use crate::system::structure::Direction;
 use crate::system::structure::{Along, Load, Node, Structure, StructureLaw, Symmetric};
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -139,22 +139,6 @@ pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> C
     }
 }
 
-/// The direction of each node.
-pub fn directions(template: &Template, numbering: &Numbering) -> Vec<Direction> {
-    let masses = template.masses.iter().map(|mass| mass.direction);
-    let elements = numbering.elements().iter();
-    let bars = template.bars.iter().zip(elements);
-    let bars = bars.flat_map(|(bar, n)| std::iter::repeat_n(bar.direction, *n as usize + 1));
-    let rows = template
-        .matrices
-        .iter()
-        .flat_map(|own| own.imported.dofs.rows());
-    masses
-        .chain(bars)
-        .chain(rows.map(|dof| dof.direction))
-        .collect()
-}
-
 /// Adds the entries of a matrix to another one, from row and column `first` on.
 fn add_block(from: &Symmetric, first: usize, to: &mut Symmetric) {
     for ((i, j), value) in from.entries().filter(|(_, value)| *value != 0.0) {
@@ -194,6 +178,7 @@ impl Draft<'_> {
             let node = Node {
                 name: mass.name.clone(),
                 mass: self.value(&mass.mass),
+                direction: mass.direction,
             };
             self.structure.nodes.push(node);
         }
@@ -216,7 +201,12 @@ impl Draft<'_> {
                     i => (i.to_string(), element),
                 };
                 let name = format!("{}.{place}", bar.name);
-                self.structure.nodes.push(Node { name, mass });
+                let direction = bar.direction;
+                self.structure.nodes.push(Node {
+                    name,
+                    mass,
+                    direction,
+                });
             }
             for i in if self.is_built() {
                 first..first + n as usize
@@ -246,6 +236,7 @@ impl Draft<'_> {
             nodes.extend((0..own.len()).map(|row| Node {
                 name: format!("{}.{}", matrices.name, own.dofs.name(row)),
                 mass: 0.0,
+                direction: own.dofs.rows()[row].direction,
             }));
             for ((i, j), m) in own.mass.entries() {
                 match i == j {
@@ -379,8 +370,7 @@ impl Draft<'_> {
 
     /// M times 1 in the nodes of a direction and 0 in the others.
     fn shaken(&self, direction: Direction) -> Vec<f64> {
-        let directions = directions(self.template, &self.numbering);
-        let is_shaken = |i: usize| directions[i] == direction;
+        let is_shaken = |i: usize| self.structure.nodes[i].direction == direction;
         let nodes = self.structure.nodes.iter().enumerate();
         let mut shaken: Vec<f64> = nodes
             .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })

@@ -132,6 +132,7 @@ mod tests {
                 .map(|mass| Node {
                     name: String::new(),
                     mass,
+                    direction: Default::default(),
                 })
                 .to_vec(),
             coupled_mass: Symmetric::zeros(3),

@@ -4,7 +4,8 @@ use super::amount::Amount;
 use super::loads::Source;
 use super::node::NodeName;
 use crate::problem::{Case, Violation};
-use crate::system::import::{Direction, Imported};
+use crate::system::import::Imported;
+use crate::system::structure::Direction;
 use std::sync::Arc;
 
 /// The structure of all cases of a study.

@@ -107,6 +107,10 @@ impl<const L: usize> Books<L> {
             let change = change(link.to) - change(link.from);
             supplied = supplied - change * change * link.c;
         }
+        for coupling in &prepared.couplings {
+            let both = change(coupling.from) * change(coupling.to);
+            supplied = supplied - both * (2.0 * coupling.c);
+        }
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
         for ((before, work), [r, s]) in contacts.zip(state.contact_states()) {
             let step = (before[1] + s) * 0.5 * (r - before[0]);
@@ -173,6 +177,9 @@ impl<const L: usize> Average<'_, L> {
         for link in self.prepared.all_links() {
             let change = u(link.to) - u(link.from);
             twice = twice + change * change * link.k;
+        }
+        for coupling in &self.prepared.couplings {
+            twice = twice + u(coupling.from) * u(coupling.to) * (2.0 * coupling.k);
         }
         twice * 0.5
     }

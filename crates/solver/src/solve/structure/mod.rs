@@ -27,7 +27,7 @@
 //!
 //! ```
 //! use slipgap_solver::solve::structure::{Prepared, run};
-//! use slipgap_solver::system::structure::{Contact, Limit, Node, StructureLaw, Structure, Symmetric};
+//! use slipgap_solver::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
 //!
 //! let limit = Limit::constant(1.0);
 //! let floor = Contact {
@@ -37,7 +37,7 @@
 //!     law: StructureLaw::Coulomb { limit },
 //! };
 //! let block = Structure {
-//!     nodes: vec![Node { name: "block".to_string(), mass: 1.0 }],
+//!     nodes: vec![Node { name: "block".to_string(), mass: 1.0, direction: Direction::X }],
 //!     coupled_mass: Symmetric::zeros(1),
 //!     stiffness: Symmetric::zeros(1),
 //!     damping: Symmetric::zeros(1),

@@ -35,6 +35,8 @@ pub struct Prepared {
     pub(super) more: Lists<Entry>,
     /// Links that are in no [`Row`]. The place behind the last one is the ground.
     pub(super) links: Vec<Link>,
+    /// Couplings of nodes of different directions.
+    pub(super) couplings: Vec<Link>,
     /// m/dt^2 by place.
     pub(super) inertia: Vec<f64>,
     /// Places of each contact with their factors.
@@ -87,7 +89,8 @@ impl Prepared {
             Unsolvable::Indefinite { node }
         })?;
         let place = place_of(&factor);
-        let (rows, more, links) = rows(&factor, links(structure, &place, dt));
+        let [links, couplings] = links(structure, &place, dt);
+        let (rows, more, links) = rows(&factor, links);
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         Ok(Prepared {
@@ -101,6 +104,7 @@ impl Prepared {
             rows,
             more: Lists::new(&more),
             links,
+            couplings,
             inertia: factor.order().iter().map(|node| inertia(*node)).collect(),
             // L D L^T is Khat/4.
             flexibility: flexibility(&reduced, 0.25),
@@ -149,6 +153,7 @@ impl Prepared {
             rows: Vec::new(),
             more: Lists::new(&[]),
             links: Vec::new(),
+            couplings: Vec::new(),
             inertia: Vec::new(),
             along: Lists::new(&places(structure, &place)),
             reduced: Lists::new(&[]),

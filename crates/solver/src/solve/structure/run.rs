@@ -139,6 +139,11 @@ impl<const L: usize> Average<'_, L> {
             work[from] = work[from] + flow;
             work[to] = work[to] - flow;
         }
+        for coupling in &prepared.couplings {
+            let Link { from, to, k, c } = *coupling;
+            work[from] = work[from] - (p[to] * k + w[to] * c);
+            work[to] = work[to] - (p[from] * k + w[from] * c);
+        }
         for (i, row) in prepared.rows.iter().enumerate() {
             let to = row.to;
             let flow = (p[to] - p[i]) * row.k + (w[to] - w[i]) * row.c;

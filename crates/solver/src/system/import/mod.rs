@@ -6,7 +6,7 @@ mod pairs;
 #[cfg(test)]
 mod tests;
 
-pub use dofs::{Direction, Dof, Dofs};
+pub use dofs::{Dof, Dofs};
 pub use matrix_market::Matrix;
 pub use pairs::{Pair, pairs};
 

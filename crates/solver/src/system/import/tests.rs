@@ -1,4 +1,5 @@
 use super::*;
+use crate::system::structure::Direction;
 
 fn faults(text: &str) -> ImportFault {
     Matrix::parse(text.as_bytes()).unwrap_err()

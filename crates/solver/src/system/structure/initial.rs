@@ -198,6 +198,7 @@ mod tests {
                     .map(|name| Node {
                         name: name.into(),
                         mass: 1.0,
+                        direction: Default::default(),
                     })
                     .to_vec(),
                 coupled_mass: Symmetric::zeros(4),

@@ -3,6 +3,7 @@
 //! Small motions, masses lumped or consistent. A node is a degree of freedom. B has one column for each contact: the factors of u
 //! in r. Between two nodes they are -1 at node I and +1 at node J, so that S resists the opening of the contact: S <= 0 in an impact.
 
+mod direction;
 pub mod factor;
 mod inertia;
 mod initial;
@@ -11,6 +12,7 @@ mod matrix;
 mod signal;
 mod structure_law;
 
+pub use direction::Direction;
 pub use inertia::Inertia;
 pub use matrix::Symmetric;
 pub use signal::{Signal, Table};
@@ -46,6 +48,8 @@ pub struct Node {
     pub name: String,
     /// Its mass, the entry on the diagonal of M, >= 0.
     pub mass: f64,
+    /// Its direction. K u is a sum of differences between nodes of one direction.
+    pub direction: Direction,
 }
 
 /// Forces in a fixed proportion, times one signal.

@@ -20,6 +20,7 @@ pub fn masses(masses: &[f64]) -> Structure {
     let node = |(i, mass): (usize, &f64)| Node {
         name: format!("n{i}"),
         mass: *mass,
+        direction: Default::default(),
     };
     Structure {
         nodes: masses.iter().enumerate().map(node).collect(),

@@ -70,6 +70,15 @@ impl<const L: usize> General<'_, L> {
                 let mean = (v + v_end) * 0.5;
                 supplied = supplied - mean * difference(&|at| by(at, 0)) * link.c;
             }
+            for coupling in &linear.couplings {
+                for (at, other) in [(coupling.from, coupling.to), (coupling.to, coupling.from)] {
+                    let u = start.nodes[other][0] + moved(other) * w1;
+                    let [v, v_end] = [start, end].map(|stage| stage.nodes[other][1]);
+                    let force = u * coupling.k + (v * w0 + v_end * w1) * coupling.c;
+                    unbalanced = unbalanced - moved(at) * force;
+                    supplied = supplied - (v + v_end) * by(at, 0) * (0.5 * coupling.c);
+                }
+            }
             for (c, work) in contacts.iter_mut().enumerate() {
                 let step = self.contact_work(part, c);
                 *work = *work + step;
@@ -128,6 +137,10 @@ impl<const L: usize> General<'_, L> {
         for link in self.prepared.sub_steps[0].all_links() {
             let change = nodes[link.to][0] - nodes[link.from][0];
             twice = twice + change * change * link.k;
+        }
+        for coupling in &self.prepared.sub_steps[0].couplings {
+            let [u, other] = [coupling.from, coupling.to].map(|at| nodes[at][0]);
+            twice = twice + u * other * (2.0 * coupling.k);
         }
         twice * 0.5
     }

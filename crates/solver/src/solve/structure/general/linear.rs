@@ -18,6 +18,8 @@ pub(in crate::solve::structure) struct Linear {
     pub(super) more: Lists<Entry>,
     /// Links that are in no row.
     pub(super) links: Vec<Link>,
+    /// Couplings of nodes of different directions.
+    pub(super) couplings: Vec<Link>,
     /// L^-1 B by columns.
     pub(super) reduced: Lists<Reduced>,
     /// What a force takes from the relations of the contacts, by rows: d2 s1 B^T (..)^-1 B, or d1 s1 B^T (..)^-1 B if d2 = 0.
@@ -46,13 +48,15 @@ impl Linear {
             ))
         })?;
         let place = place_of(&factor);
-        let (rows, more, links) = rows(&factor, links(structure, &place, 1.0));
+        let [links, couplings] = links(structure, &place, 1.0);
+        let (rows, more, links) = rows(&factor, links);
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         let linear = Linear {
             rows,
             more: Lists::new(&more),
             links,
+            couplings,
             flexibility: flexibility(&reduced, sub_step.flexibility()),
             reduced: Lists::new(&reduced),
             sub_step,

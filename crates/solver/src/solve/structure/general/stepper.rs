@@ -174,6 +174,12 @@ impl<const L: usize> General<'_, L> {
             work[from] = work[from] + flow;
             work[to] = work[to] - flow;
         }
+        for coupling in &linear.couplings {
+            let Link { from, to, k, c } = *coupling;
+            let force = |of: usize| at[of][0] * k + at[of][1] * c;
+            work[from] = work[from] - force(to);
+            work[to] = work[to] - force(from);
+        }
         for (i, row) in linear.rows.iter().enumerate() {
             let flow = flow(i, row.to, row.k, row.c);
             let q = work[i] + flow;

@@ -22,6 +22,7 @@ fn masses(masses: &[f64]) -> Structure {
     let node = |(i, mass): (usize, &f64)| Node {
         name: format!("m{i}"),
         mass: *mass,
+        direction: Default::default(),
     };
     let n = masses.len();
     Structure {
