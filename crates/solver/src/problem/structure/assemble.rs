@@ -3,6 +3,7 @@
 use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
+use super::massless;
 use super::node::{NodeName, Numbering};
 use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template, Term};
 use crate::problem::{Case, Violation};
@@ -120,6 +121,7 @@ fn draft(
     draft.matrices();
     draft.springs();
     draft.contacts();
+    massless::hold(&mut draft.structure);
     draft.rayleigh();
     draft.loads();
     draft.start();

@@ -42,6 +42,18 @@ pub struct Template {
 }
 
 impl Template {
+    /// Whether a node of a case may be without mass.
+    pub fn has_massless_nodes(&self, case: &Case) -> bool {
+        let none = |mass: &Mass| mass.mass.value(case) == Ok(0.0);
+        !self.matrices.is_empty() || self.masses.iter().any(none)
+    }
+
+    /// Byte offset of the mass or the matrices of a node in the study, by its name.
+    pub fn place_of(&self, node: &str) -> Option<usize> {
+        let mass = self.masses.iter().find(|mass| mass.name == node);
+        mass.map(|mass| mass.mass.at)
+    }
+
     /// The functions of time whose signals are computed sample by sample.
     pub fn sampled(&self) -> impl Iterator<Item = &Source> {
         let loads = self.loads.iter().map(|load| &load.force.source);
