@@ -2,9 +2,8 @@
 
     python3 frame.py [FOLDER]
 
-Units t, kN, m, s. The frames stand side by side, 5 m apart at the ground. The left one is plumb; the columns of the right one lean,
-so that its top is nearer and its third floor meets the left frame's at an angle. Masses are at the nodes, in x and y: the
-rotations have none. Needs openseespy.
+Units t, kN, m, s. The left frame is plumb. The columns of the right one lean to the left by 0.02: at its roof the frames are 0.06 m
+apart, and its face there has the normal (0.9998, 0.02). The masses of the nodes are in x and y: the rotations have none. Needs openseespy.
 """
 
 import sys
@@ -16,7 +15,7 @@ from opensees import export
 
 # Nodes: storey s (0 is the ground), column c of frame f is 100 f + 10 s + c.
 FRAMES = {1: {"x": (0.0, 6.0), "lean": 0.0, "mass": 20.0, "storey": 3.2},
-          2: {"x": (11.0, 16.0), "lean": -0.05, "mass": 32.0, "storey": 3.0}}
+          2: {"x": (6.24, 11.24), "lean": -0.02, "mass": 32.0, "storey": 3.0}}
 COLUMN = (0.09, 3.0e7, 6.75e-4)   # A, E, I
 BEAM = (0.12, 3.0e7, 1.6e-3)
 

@@ -251,6 +251,8 @@ def solve(study, folder, split=False):
     x, r, S, modes = start.solve(f - C @ v - K @ u, r0, modes, before, dt)
     a[massive], v[damped], u[still] = x[massive], v[damped] + x[damped], u[still] + x[still]
     rate = B.T @ np.where(still, 0, v)
+    if any(c["law"] == "velocity-control" and x != 0 for c, x in zip(contacts, rate)):
+        raise ValueError("velocity-control in motion at t = 0 is not read: its force is not 0 then")
     khat = Solver(4 / dt**2 * M + 2 / dt * C + K, B, contacts)
     rows = [(REAL(0), u + moved[0], v + moved[1], r, S)]
     for step in range(1, count + 1):
