@@ -9,9 +9,11 @@ import copy
 import sys
 
 import numpy as np
+from scipy.io import mmread, mmwrite
 
-from own_structure_data import FOLDER, GAPS, cases, channels, ground, study
-from own_structure import Motion, solve
+from own_structure import solve
+from own_structure_data import FOLDER, GAPS, cases, channels, ground
+from own_structure_model import Motion
 
 OPTIONS = {"frames": {}, "rotations with mass": {"rotary": 0.5, "damping": (0.3, 0.002)},
            "rotations with damping and no mass": {"damping": (0.3, 0.002)}}
@@ -27,11 +29,10 @@ def opensees_motion(options, data):
     import openseespy.opensees as ops
 
     frame.build(**options)
-    skew = {"f.132.x", "f.231.x"}
-    for tag, (name, gap) in enumerate(GAPS.items(), 1):
+    for tag, (name, gap) in enumerate(data["structure"]["contacts"].items(), 1):
         # Its force is E (strain - gap) below a negative gap: that of S = k min(r, 0). The yield force is out of reach.
         ops.uniaxialMaterial("ElasticPPGap", tag, gap["k"], -1e20, -gap["gap"])
-        dofs = gap.get("between") or sorted(skew)
+        dofs = gap.get("between") or ["f.132.x", "f.231.x"]
         i, j = (int(d.split(".")[1]) for d in dofs)
         axis = (0.6, 0.8) if name == "skew" else (1.0, 0.0)
         ops.element("zeroLength", 100 + tag, i, j, "-mat", tag, "-dir", 1, "-orient", *axis, 0.0, -axis[1], axis[0], 0.0)
@@ -62,30 +63,19 @@ def opensees():
         for title, keep in (("without contacts", ()), ("with contacts", GAPS)):
             data["structure"]["contacts"] = {c: GAPS[c] for c in keep}
             _, found = channels(*solve(data, FOLDER))
-            columns, theirs = opensees_motion(options, data) if keep else no_gaps(options, data)
+            columns, theirs = opensees_motion(options, data)
             worst = max((float(np.abs(theirs[:, i] - found[c]).max() / np.abs(found[c]).max()), c) for i, c in enumerate(columns))
             print(f"{name}, {title}: largest difference over the largest value of the channel {worst[0]:.2e} in {worst[1]}")
-
-
-def no_gaps(options, data):
-    gaps = dict(GAPS)
-    GAPS.clear()
-    try:
-        return opensees_motion(options, data)
-    finally:
-        GAPS.update(gaps)
 
 
 def massless():
     data = named("frames")
     _, found = channels(*solve(data, FOLDER))
-    import scipy.io
-
-    M = scipy.io.mmread(FOLDER / "frames.M.mtx").todense()
+    M = mmread(FOLDER / "frames.M.mtx").todense()
     for mass in (1e-4, 1e-5, 1e-6):
         small = np.array(M)
         small[2::3, 2::3] += mass * np.eye(12)
-        scipy.io.mmwrite(str(FOLDER / "small.M.mtx"), small, precision=17, symmetry="symmetric")
+        mmwrite(str(FOLDER / "small.M.mtx"), small, precision=17, symmetry="symmetric")
         data["structure"]["matrices"]["f"]["M"] = "small.M.mtx"
         _, other = channels(*solve(data, FOLDER))
         (FOLDER / "small.M.mtx").unlink()
@@ -115,14 +105,12 @@ def supports():
 
 
 def fixed_bases(data):
-    import scipy.io
-
     with open(FOLDER / "bases.dofs.csv", encoding="utf-8") as file:
         rows = file.read().splitlines()
     free = [i for i, row in enumerate(rows[1:]) if row.split(",")[2] == ""]
     for m in "MKC":
-        a = np.asarray(scipy.io.mmread(FOLDER / f"bases.{m}.mtx").todense())
-        scipy.io.mmwrite(str(FOLDER / f"small.{m}.mtx"), a[np.ix_(free, free)], precision=17, symmetry="symmetric")
+        a = np.asarray(mmread(FOLDER / f"bases.{m}.mtx").todense())
+        mmwrite(str(FOLDER / f"small.{m}.mtx"), a[np.ix_(free, free)], precision=17, symmetry="symmetric")
     (FOLDER / "small.dofs.csv").write_text("\n".join([rows[0]] + [rows[i + 1] for i in free]) + "\n", encoding="utf-8")
     data["structure"]["matrices"]["f"] = {**{m: f"small.{m}.mtx" for m in "MKC"}, "dofs": "small.dofs.csv"}
     _, found = channels(*solve(data, FOLDER))
