@@ -25,7 +25,7 @@ pub enum Term {
 }
 
 /// A quantity of a contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// r.
     Displacement,
@@ -190,7 +190,7 @@ impl Term {
 }
 
 /// A quantity of a numbered structure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Number {
     /// u of a node.
     Displacement(usize),

@@ -7,23 +7,34 @@ use super::node::Numbering;
 use crate::contact::ContactKind;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Structure, StructureLaw};
+use std::collections::HashMap;
 
 /// Quantities of a motion at the steps 0..=N, one list for each number.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Recorded {
-    /// Which quantities.
-    pub numbers: Vec<Number>,
     /// Their values.
-    pub series: Vec<Vec<f64>>,
+    series: Vec<Vec<f64>>,
     /// Number of values of each, N + 1.
-    pub len: usize,
+    len: usize,
+    /// Which quantities, with the places of their values.
+    places: HashMap<Number, usize>,
 }
 
 impl Recorded {
+    /// `len` values of each of these quantities.
+    pub fn new(numbers: &[Number], series: Vec<Vec<f64>>, len: usize) -> Recorded {
+        let places = numbers.iter().enumerate();
+        Recorded {
+            places: places.map(|(place, number)| (*number, place)).collect(),
+            series,
+            len,
+        }
+    }
+
     /// The values of a quantity; none if it is not recorded.
     pub fn of(&self, number: Number) -> &[f64] {
-        let place = self.numbers.iter().position(|own| *own == number);
-        place.map_or(&[], |place| &self.series[place])
+        let place = self.places.get(&number);
+        place.map_or(&[], |place| &self.series[*place])
     }
 
     /// The values of a channel of a structure with this numbering.

@@ -86,11 +86,8 @@ pub fn steps<const L: usize>(
         let (l, end) = ends.next().unwrap_or((0, Ok(())));
         end?;
         let of_lane = |series: &mut [Vec<f64>; L]| std::mem::take(&mut series[l]);
-        let recorded = Recorded {
-            numbers: numbers.to_vec(),
-            series: series.iter_mut().map(of_lane).collect(),
-            len: count,
-        };
+        let own = series.iter_mut().map(of_lane).collect();
+        let recorded = Recorded::new(numbers, own, count);
         let energies = energies.as_ref().map(|[error, dissipation]| Energies {
             error: error[l],
             dissipation: dissipation[l],
@@ -158,11 +155,7 @@ pub fn exact(
     };
     let summary = events::run(structure, times, record);
     summary.map_err(|why| Unsolvable::Reference(why.to_string()))?;
-    Ok(Recorded {
-        numbers: numbers.to_vec(),
-        series,
-        len: times.len(),
-    })
+    Ok(Recorded::new(numbers, series, times.len()))
 }
 
 fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Number) -> f64 {

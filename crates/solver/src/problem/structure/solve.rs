@@ -14,6 +14,7 @@ use crate::exact::events;
 use crate::problem::{Case, Problem};
 use crate::solve::structure::Prepared;
 use crate::solve::{Unsolvable, Warnings};
+use std::collections::HashSet;
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
@@ -47,13 +48,9 @@ pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
 
 /// Each number once, in the order of their first places.
 pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
-    let mut distinct = Vec::new();
-    for number in numbers {
-        if !distinct.contains(&number) {
-            distinct.push(number);
-        }
-    }
-    distinct
+    let mut known = HashSet::new();
+    let numbers = numbers.into_iter();
+    numbers.filter(|number| known.insert(*number)).collect()
 }
 
 impl StructureProblem {
