@@ -8,7 +8,7 @@ use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::name;
+use crate::value::{name, text};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
@@ -92,7 +92,8 @@ fn pairs(
         at: node.at,
         path: path.clone(),
     };
-    files::read(node, &path, LARGEST, reader, faults, |bytes| {
+    let file = text(node, &path, faults)?;
+    files::read(&file, (node, &path), LARGEST, reader, faults, |bytes| {
         let pairs = import::pairs(bytes)?.into_iter();
         let contact = |pair: Pair| {
             let term = |(name, factor): (String, f64)| {

@@ -4,36 +4,34 @@ use super::reader::Reader;
 use crate::source::faults::{Faults, quoted};
 use crate::source::input::open;
 use crate::source::tree::Node;
-use crate::value::text;
 use slipgap_solver::system::import::ImportFault;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The content of the file that a text names, of `largest` bytes at most. Its bytes belong to the identity of the structure.
+/// The content of a file that the text at a place names, of `largest` bytes at most. Its bytes belong to the identity of the structure.
 pub(super) fn read<T>(
-    node: &Node,
-    path: &str,
+    file: &str,
+    (node, path): (&Node, &str),
     largest: u64,
     reader: &Reader,
     faults: &mut Faults,
     parse: impl FnOnce(&[u8]) -> Result<T, ImportFault>,
 ) -> Option<T> {
-    let file = text(node, path, faults)?;
-    let found = bytes(&reader.folder.join(&file), largest);
+    let found = bytes(&reader.folder.join(file), largest);
     let bytes = match found {
         Ok(bytes) => bytes,
         Err(why) => {
-            faults.add(node.at, path, format!("{}: {why}", quoted(&file)));
+            faults.add(node.at, path, format!("{}: {why}", quoted(file)));
             return None;
         }
     };
     match parse(&bytes) {
         Ok(content) => {
-            reader.keep(&file, bytes);
+            reader.keep(file, bytes);
             Some(content)
         }
         Err(why) => {
-            faults.add(node.at, path, format!("{}: {why}", quoted(&file)));
+            faults.add(node.at, path, format!("{}: {why}", quoted(file)));
             None
         }
     }

@@ -74,7 +74,10 @@ const DIRECTION: (&str, &str) = (
 
 /// Keys of matrices.
 pub(crate) const MATRICES: Keys = &[
-    ("M", "file of the mass matrix"),
+    (
+        "M",
+        "file of the mass matrix, or a parameter that chooses one; so for K and C",
+    ),
     ("K", "file of the stiffness matrix"),
     ("C", "file of the damping matrix, if there is one"),
     (

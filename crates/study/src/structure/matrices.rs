@@ -6,6 +6,9 @@ use super::parts::Part;
 use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
+use crate::value::text;
+use slipgap_solver::problem::interned;
+use slipgap_solver::problem::structure::template::{Matrices, Variant};
 use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix};
 use slipgap_solver::system::structure::Symmetric;
 use std::sync::Arc;
@@ -14,57 +17,82 @@ use std::sync::Arc;
 const LARGEST: u64 = 2 << 30;
 
 /// The matrices, each with its name.
-pub(super) fn matrices(
-    parts: &[Part],
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Vec<(String, Arc<Imported>)> {
+pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Matrices> {
     let one = |(name, node, path): &Part| {
         let object = open(node, path, MATRICES, faults)?;
-        Some((
-            name.clone(),
-            Arc::new(imported(name, &object, reader, faults)?),
-        ))
+        let variants = variants(name, &object, reader, faults)?;
+        Some(Matrices {
+            name: name.clone(),
+            imported: variants.first()?.1.clone(),
+            variants,
+        })
     };
     parts.iter().filter_map(one).collect()
 }
 
-fn imported(name: &str, object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Imported> {
-    let what = |key: &str| {
-        MATRICES
-            .iter()
-            .find(|own| own.0 == key)
-            .map_or("", |own| own.1)
+/// The file of a matrix, and the row of the parameter that chooses it.
+type File = (Option<usize>, &'static str, Arc<Symmetric>);
+
+/// M, K and C for all files that a case may choose.
+fn variants(
+    name: &str,
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Vec<Variant>> {
+    let meaning = |key: &str| {
+        let own = MATRICES.iter().find(|own| own.0 == key);
+        own.map_or("", |own| own.1)
     };
-    let dofs = object.need("dofs", what("dofs"), faults);
+    let dofs = object.need("dofs", meaning("dofs"), faults);
     let dofs = dofs.and_then(|node| {
-        files::read(
-            node,
-            &object.path("dofs"),
-            LARGEST,
-            reader,
-            faults,
-            Dofs::parse,
-        )
+        let path = object.path("dofs");
+        let file = text(node, &path, faults)?;
+        files::read(&file, (node, &path), LARGEST, reader, faults, Dofs::parse)
     });
-    let of_file = |key: &str, faults: &mut Faults| -> Option<Symmetric> {
-        let node = object.need(key, what(key), faults)?;
+    let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
+        let node = object.need(key, meaning(key), faults)?;
+        let path = object.path(key);
+        let given = text(node, &path, faults)?;
+        let (row, names) = match reader.choices(&given) {
+            Some((row, names)) => (Some(row), names.iter().map(|file| file.0).collect()),
+            None => (None, vec![interned(&given)]),
+        };
         let parse = |bytes: &[u8]| checked(Matrix::parse(bytes)?, name, key, dofs.as_ref());
-        files::read(node, &object.path(key), LARGEST, reader, faults, parse)
+        let before = faults.count();
+        let files = names.into_iter().filter_map(|file| {
+            let matrix = files::read(file, (node, &path), LARGEST, reader, faults, parse)?;
+            Some((row, file, Arc::new(matrix)))
+        });
+        let files: Vec<File> = files.collect();
+        (faults.count() == before && !files.is_empty()).then_some(files)
     };
-    let (mass, stiffness) = (of_file("M", faults), of_file("K", faults));
-    let before = faults.count();
-    let damping = match object.get("C") {
-        Some(_) => of_file("C", faults),
-        None => None,
+    let (masses, stiffnesses) = (of_key("M", faults), of_key("K", faults));
+    let dampings = match object.get("C") {
+        Some(_) => of_key("C", faults)?.into_iter().map(Some).collect(),
+        None => vec![None],
     };
-    (faults.count() == before).then_some(())?;
-    Some(Imported {
-        mass: mass?,
-        stiffness: stiffness?,
-        damping,
-        dofs: dofs?,
-    })
+    let (masses, stiffnesses, dofs) = (masses?, stiffnesses?, Arc::new(dofs?));
+    let mut variants = Vec::new();
+    for mass in &masses {
+        for stiffness in &stiffnesses {
+            for damping in &dampings {
+                let files = [Some(mass), Some(stiffness), damping.as_ref()];
+                let chosen = files.into_iter().flatten();
+                let chosen: Vec<(usize, &str)> = chosen
+                    .filter_map(|(row, file, _)| Some(((*row)?, *file)))
+                    .collect();
+                let imported = Imported {
+                    mass: mass.2.clone(),
+                    stiffness: stiffness.2.clone(),
+                    damping: damping.as_ref().map(|damping| damping.2.clone()),
+                    dofs: dofs.clone(),
+                };
+                variants.push((chosen, Arc::new(imported)));
+            }
+        }
+    }
+    Some(variants)
 }
 
 /// A matrix that fits the rows and has no negative pivot.

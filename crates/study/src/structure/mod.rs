@@ -24,9 +24,7 @@ use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::structure::StructureProblem;
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::{self, Named};
-use slipgap_solver::problem::structure::template::{
-    DampingStiffness, Matrices, Reference, Template,
-};
+use slipgap_solver::problem::structure::template::{DampingStiffness, Reference, Template};
 use slipgap_solver::problem::structure::unit_consistency;
 use std::collections::HashSet;
 use std::path::Path;
@@ -79,17 +77,17 @@ pub(super) fn problem(
         return None;
     }
     let (masses_named, bars_named) = (reader.names.masses, reader.names.bars);
-    reader.names = Names::new(masses_named, bars_named, imported.clone());
+    let named = imported
+        .iter()
+        .map(|own| (own.name.clone(), own.imported.clone()));
+    reader.names = Names::new(masses_named, bars_named, named.collect());
     let reader = reader;
-    let matrices = imported.into_iter();
     let template = Template {
         units,
         metre,
         masses: parts::masses(&masses, &reader, faults),
         bars: parts::bars(&bars, &reader, faults),
-        matrices: matrices
-            .map(|(name, imported)| Matrices { name, imported })
-            .collect(),
+        matrices: imported,
         springs: object.items("springs", faults, |node, path, faults| {
             parts::spring(node, path, &reader, faults)
         }),

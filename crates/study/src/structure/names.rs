@@ -98,7 +98,7 @@ pub(super) fn has_key(node: &Node, keys: &[&str]) -> bool {
 
 /// The parameters whose values are names: those that choose a law or a record, and labels.
 pub(super) struct Choosing {
-    /// Those that choose a law or a record, with what they choose from.
+    /// Those that choose a law or a file, with what they choose from.
     pub parts: Vec<(String, Choices)>,
     /// Labels, with their texts.
     pub labels: Vec<(String, Choices)>,
@@ -112,7 +112,7 @@ pub(super) fn choices(structure: &Node, root: &Node) -> Choosing {
     }
 }
 
-/// The parameters that choose a law or a record, with what they choose from.
+/// The parameters that choose a law or a file, with what they choose from.
 fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
     let given = given(root);
     let values = |name: &str| -> Vec<&str> {
@@ -120,9 +120,14 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
         own.flat_map(|(member, _)| texts(&member.node)).collect()
     };
     let mut found: Vec<(String, Choices)> = Vec::new();
-    for key in ["law", "record"] {
+    for key in ["law", "record", "M", "K", "C"] {
         let mut names = Vec::new();
-        under(structure, key, &mut names);
+        // A mass may have the name of a matrix.
+        match (key, member(structure, "matrices")) {
+            ("law" | "record", _) => under(structure, key, &mut names),
+            (_, Some(matrices)) => under(matrices, key, &mut names),
+            (_, None) => {}
+        }
         for name in names {
             let is_given = given.iter().any(|(member, _)| member.key == name);
             if !is_given || found.iter().any(|known| known.0 == name) {
@@ -135,7 +140,7 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
                     for file in values(name) {
                         let file = interned(file);
                         if !files.iter().any(|known| known.0 == file) {
-                            files.push((file, "record"));
+                            files.push((file, if key == "record" { key } else { "matrix" }));
                         }
                     }
                     interned_choices(files)

@@ -227,7 +227,7 @@ impl Draft<'_> {
         }
         for (place, matrices) in self.template.matrices.iter().enumerate() {
             let first = self.numbering.first_row(place);
-            let own = &matrices.imported;
+            let own = matrices.in_case(self.case);
             let Structure {
                 nodes,
                 coupled_mass,

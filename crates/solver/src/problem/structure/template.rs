@@ -106,8 +106,22 @@ pub struct Mass {
 pub struct Matrices {
     /// Its name.
     pub name: String,
-    /// The matrices and the names of their rows.
+    /// The first of the variants; all have the same rows.
     pub imported: Arc<Imported>,
+    /// The matrices by the files that parameters choose.
+    pub variants: Vec<Variant>,
+}
+
+/// Matrices, and the rows of the parameters that choose their files with the names of these files.
+pub type Variant = (Vec<(usize, &'static str)>, Arc<Imported>);
+
+impl Matrices {
+    /// The matrices of a case.
+    pub fn in_case(&self, case: &Case) -> &Imported {
+        let chosen = |of: &&Variant| of.0.iter().all(|(row, file)| case.name_at(*row) == *file);
+        let variant = self.variants.iter().find(chosen);
+        variant.map_or(&self.imported, |variant| &variant.1)
+    }
 }
 
 /// A node with its factor in a relative displacement.

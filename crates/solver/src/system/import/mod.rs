@@ -12,18 +12,19 @@ pub use pairs::{Pair, pairs};
 
 use crate::system::structure::Symmetric;
 use std::fmt;
+use std::sync::Arc;
 
 /// M, K and C of another program, with a name for each row.
 #[derive(Debug, Clone)]
 pub struct Imported {
     /// M.
-    pub mass: Symmetric,
+    pub mass: Arc<Symmetric>,
     /// K.
-    pub stiffness: Symmetric,
+    pub stiffness: Arc<Symmetric>,
     /// C, if there is one.
-    pub damping: Option<Symmetric>,
+    pub damping: Option<Arc<Symmetric>>,
     /// The rows.
-    pub dofs: Dofs,
+    pub dofs: Arc<Dofs>,
 }
 
 impl Imported {
