@@ -4,7 +4,7 @@ use super::general::Linear;
 use super::links::{Link, Row, links, rows};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
-use crate::system::structure::factor::{Entry, Factor, NotPositive};
+use crate::system::structure::factor::{Columns, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Load, Structure, Symmetric};
 
@@ -25,7 +25,7 @@ pub struct Prepared {
     /// Rows of Khat/4 = L D L^T in the order of elimination.
     pub(super) rows: Vec<Row>,
     /// Entries of L in the column of each place, without the one in its [`Row`].
-    pub(super) more: Lists<Entry>,
+    pub(super) more: Columns,
     /// Links that are in no [`Row`]. The place behind the last one is the ground.
     pub(super) links: Vec<Link>,
     /// m/dt^2 by place.
@@ -78,18 +78,19 @@ impl Prepared {
             Unsolvable::Indefinite { node }
         })?;
         let place = place_of(&factor);
-        let (rows, more, links) = rows(&factor, links(structure, &place, dt));
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|ends| reduce(&factor, *ends)).collect();
+        let inertia = factor.order().iter().map(|node| inertia(*node)).collect();
+        let (rows, more, links) = rows(factor, links(structure, &place, dt));
         Ok(Prepared {
             dt,
             method: AverageAcceleration.into(),
             sub_steps: Vec::new(),
             mass: Vec::new(),
             rows,
-            more: Lists::new(&more),
+            more,
             links,
-            inertia: factor.order().iter().map(|node| inertia(*node)).collect(),
+            inertia,
             // L D L^T is Khat/4.
             flexibility: flexibility(&reduced, 0.25),
             between: places,
@@ -125,7 +126,7 @@ impl Prepared {
             sub_steps: linear,
             mass,
             rows: Vec::new(),
-            more: Lists::new(&[]),
+            more: Columns::none(),
             links: Vec::new(),
             inertia: Vec::new(),
             between: places(structure, &place),
