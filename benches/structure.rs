@@ -26,7 +26,11 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         k.add_spring([Some(pier), Some(pier + 1)], 2e6);
         let mut add = |mass| {
             let name = nodes.len().to_string();
-            nodes.push(Node { name, mass });
+            nodes.push(Node {
+                name,
+                mass,
+                direction: Default::default(),
+            });
         };
         add(100.0);
         for i in 0..=n {
@@ -41,7 +45,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         [0, 1, n + 1].map(|place| move |girder| Some(girder * (n + 2) + place));
     let contact = |between, gap, law| Contact {
         name: "contact".to_string(),
-        between,
+        along: slipgap_solver::system::structure::between(between),
         gap,
         law,
     };
@@ -66,6 +70,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
             signal: ground.clone(),
         }],
         nodes,
+        coupled_mass: Symmetric::zeros(size),
         stiffness: k,
         damping: c,
         contacts: vec![

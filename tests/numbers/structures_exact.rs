@@ -5,7 +5,7 @@ use serde_json::Value as Json;
 use slipgap::exact::events;
 use slipgap::solve::structure::{Prepared, run};
 use slipgap::system::structure::{
-    Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table,
+    Contact, Limit, Load, Node, Signal, Structure, StructureLaw, Symmetric, Table, between,
 };
 use std::sync::Arc;
 
@@ -81,7 +81,7 @@ fn structure(json: &Json) -> Structure {
     }
     let contact = |json: &Json| Contact {
         name: String::new(),
-        between: [node(&json["between"][0]), node(&json["between"][1])],
+        along: between([node(&json["between"][0]), node(&json["between"][1])]),
         gap: number(&json["gap"]),
         law: relation(json),
     };
@@ -93,11 +93,13 @@ fn structure(json: &Json) -> Structure {
         signal: signal(&json["signal"]),
     };
     Structure {
+        coupled_mass: Symmetric::zeros(masses.len()),
         nodes: masses
             .into_iter()
             .map(|mass| Node {
                 name: String::new(),
                 mass,
+                direction: Default::default(),
             })
             .collect(),
         stiffness,

@@ -179,6 +179,7 @@ pages! {
     findings_friction "docs/findings-friction.md",
     findings_laws "docs/findings-laws.md",
     findings_structures "docs/findings-structures.md",
+    from_your_model "docs/from-your-model.md",
     guide "docs/guide.md",
     laws_and_methods "docs/laws-and-methods.md",
     performance "docs/performance.md",

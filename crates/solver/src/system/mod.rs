@@ -3,6 +3,7 @@
 
 pub mod bar;
 mod bar_pair;
+pub mod import;
 pub mod loads;
 pub mod massless;
 mod modes;

@@ -1,5 +1,6 @@
 //! Contacts: laws, gaps, stiffnesses and friction limits.
 
+use super::files;
 use super::keys::{CONTACT, NORMAL_TABLE, WEIGHT};
 use super::loads::{scaled, table};
 use super::parts::Part;
@@ -9,14 +10,20 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::name;
 use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
 use slipgap_solver::problem::structure::loads::{Kind, Source};
-use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal};
+use slipgap_solver::problem::structure::node::NodeName;
+use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, Term};
+use slipgap_solver::system::import::{self, ImportFault, Pair};
 
-/// The contacts.
+/// Most bytes of a file of pairs.
+const LARGEST: u64 = 64 << 20;
+
+/// The contacts. One with `pairs` is a contact for each line of its file.
 pub(super) fn contacts(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Contact> {
     let one = |(name, node, path): &Part| contact(name, node, path, reader, faults);
-    parts.iter().filter_map(one).collect()
+    parts.iter().filter_map(one).flatten().collect()
 }
 
 fn contact(
@@ -25,10 +32,16 @@ fn contact(
     path: &str,
     reader: &Reader,
     faults: &mut Faults,
-) -> Option<Contact> {
+) -> Option<Vec<Contact>> {
     let object = open(node, path, &CONTACT, faults)?;
     let law = law(&object, reader, faults);
-    let between = reader.between(&object, "a contact", faults);
+    let places = match object.get("pairs") {
+        Some(node) => pairs(name, node, &object, reader, faults),
+        None => {
+            let along = reader.along(&object, "a contact", faults);
+            along.map(|along| vec![(name.to_owned(), along)])
+        }
+    };
     if let Some(Chosen::Name(law)) = law {
         unsuitable(&object, law, faults);
     }
@@ -38,21 +51,73 @@ fn contact(
     // The normal force is more than a number.
     let numbers = NUMBERS.iter().filter(|number| number.key != "N");
     let given = numbers.filter_map(|own| Some((own.key, optional(own.key, own.range)?)));
-    let numbers = given.collect();
+    let numbers: Vec<_> = given.collect();
     let normal = object
         .get("N")
         .and_then(|node| normal(node, &object.path("N"), reader, faults));
     let complete = faults.count() == before;
-    Some(Contact {
-        name: name.to_owned(),
+    let (places, law) = (places?, law?);
+    let one = |(name, along)| Contact {
+        name,
         place: (node.at, path.to_owned()),
-        between: between?,
-        law: law?,
-        gap,
-        normal,
-        numbers,
+        along,
+        law,
+        gap: gap.clone(),
+        normal: normal.clone(),
+        numbers: numbers.clone(),
+    };
+    complete.then(|| places.into_iter().map(one).collect())
+}
+
+/// The names of the contacts of a face, and the nodes of each with their factors.
+fn pairs(
+    face: &str,
+    node: &Node,
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Vec<(String, Vec<Term>)>> {
+    let path = object.path("pairs");
+    if let Some(other) = object.get("between").or(object.get("along")) {
+        faults.add(
+            other.at,
+            &path,
+            "give pairs, between or along, and no other of them",
+        );
+        return None;
+    }
+    let amount = |factor: f64| Amount {
+        source: amount::Source::Number(factor),
+        range: Range::Any,
+        at: node.at,
+        path: path.clone(),
+    };
+    files::read(node, &path, LARGEST, reader, faults, |bytes| {
+        let pairs = import::pairs(bytes)?.into_iter();
+        let contact = |pair: Pair| {
+            let term = |(name, factor): (String, f64)| {
+                let found = reader.names.node(&name).ok_or_else(|| ImportFault {
+                    line: pair.line,
+                    message: reader.no_node(&name),
+                });
+                Ok(Term {
+                    node: NodeName {
+                        node: found?,
+                        at: node.at,
+                        path: path.clone(),
+                    },
+                    factor: amount(factor),
+                })
+            };
+            let terms = pair
+                .along
+                .into_iter()
+                .map(term)
+                .collect::<Result<_, ImportFault>>()?;
+            Ok((format!("{face}.{}", pair.name), terms))
+        };
+        pairs.map(contact).collect()
     })
-    .filter(|_| complete)
 }
 
 /// The law by its name, or the parameter that chooses it.
@@ -76,7 +141,7 @@ fn unsuitable(object: &Object, law: &str, faults: &mut Faults) {
     let own: Vec<&str> = own.structure_numbers().map(|number| number.key).collect();
     for member in &object.members {
         let key = member.key.as_str();
-        if !["law", "between", "gap"].contains(&key) && !own.contains(&key) {
+        if !["law", "between", "along", "pairs", "gap"].contains(&key) && !own.contains(&key) {
             let message = format!(
                 "a contact with law {law} has no {key}; it has {}",
                 own.join(", ")

@@ -13,14 +13,21 @@ pub(crate) const STRUCTURE: Keys = &[
         "units",
         "units of mass, force, length and time, such as \"t, kN, m, s\", with force = mass length/time^2; nothing is converted but records",
     ),
-    ("masses", "lumped masses: a node for each name"),
+    (
+        "masses",
+        "lumped masses: a node for each name; a mass of 0 is a node without inertia, which springs or contacts hold",
+    ),
     (
         "bars",
         "bars of n elements, with the nodes NAME.left, NAME.1 to NAME.(n-1), NAME.right; \"a|b|c\" is three alike",
     ),
     (
+        "matrices",
+        "M, K and C of another program in Matrix Market files, with the nodes NAME.NODE.DIRECTION",
+    ),
+    (
         "springs",
-        "springs with dashpots between two nodes, or a node and \"ground\"",
+        "springs with dashpots between two nodes, or a node and \"ground\", or along several nodes",
     ),
     (
         "rayleigh",
@@ -36,21 +43,51 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "contacts",
-        "contacts between two nodes; r = u_J - u_I + gap",
+        "contacts between two nodes, r = u_J - u_I + gap, or along several nodes, r = sum of factor times u + gap",
     ),
-    ("loads", "forces on nodes"),
+    (
+        "loads",
+        "forces on nodes, on each node of a bar, or on each node of matrices in a direction, such as tower.x",
+    ),
     (
         "ground",
-        "acceleration of the ground; u is then relative to the ground",
+        "acceleration of the ground in x, or an object with accelerations in x, y and z; u is then relative to the ground",
     ),
     (
         "start",
-        "displacement and velocity at t = 0 of nodes, or of all nodes of a bar",
+        "displacement and velocity at t = 0 of nodes, of all nodes of a bar, or of all nodes of matrices in a direction, such as tower.x",
     ),
     (
         "contacts_reference",
         "the exact motion in histories, figures and errors: that of the softened laws, or of the rigid ones",
     ),
+];
+
+/// Keys of a mass with a direction.
+pub(crate) const MASS: Keys = &[("mass", "its mass"), DIRECTION];
+
+/// The direction in which a part moves.
+const DIRECTION: (&str, &str) = (
+    "direction",
+    "direction of motion, \"x\", \"y\" or \"z\", for the motion of the ground; x if left out",
+);
+
+/// Keys of matrices.
+pub(crate) const MATRICES: Keys = &[
+    ("M", "file of the mass matrix"),
+    ("K", "file of the stiffness matrix"),
+    ("C", "file of the damping matrix, if there is one"),
+    (
+        "dofs",
+        "CSV file with the header node,direction and, if wanted, support and X,Y,Z: one row for each row of the matrices",
+    ),
+];
+
+/// Keys of the ground by directions.
+pub(crate) const GROUND: Keys = &[
+    ("x", "acceleration in x"),
+    ("y", "acceleration in y"),
+    ("z", "acceleration in z"),
 ];
 
 /// Keys of a bar.
@@ -66,11 +103,13 @@ pub(crate) const BAR: Keys = &[
         "stiffness_damping",
         "dashpot of each element over its stiffness; a time",
     ),
+    DIRECTION,
 ];
 
 /// Keys of a spring.
 pub(crate) const SPRING: Keys = &[
     ("between", "two nodes"),
+    ALONG,
     ("k", "stiffness"),
     ("c", "dashpot"),
     (
@@ -79,7 +118,14 @@ pub(crate) const SPRING: Keys = &[
     ),
     ("period", "k = mass (2 pi/period)^2"),
     ("ratio", "c = 2 ratio (2 pi/period) mass"),
+    DIRECTION,
 ];
+
+/// Nodes with factors instead of two nodes.
+const ALONG: (&str, &str) = (
+    "along",
+    "instead of between: nodes with their factors; the extension is the sum of factor times u",
+);
 
 /// Keys of `rayleigh`.
 pub(crate) const RAYLEIGH: Keys = &[
@@ -92,6 +138,14 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
     let of_all = [
         ("law", "law of the contact, or a parameter that chooses it"),
         ("between", "nodes I and J; r = u_J - u_I + gap"),
+        (
+            "along",
+            "instead of between: nodes with their factors; r is the sum of factor times u, plus the gap",
+        ),
+        (
+            "pairs",
+            "instead of between: CSV file with a line for each contact, its name, then cells dof:factor; the contacts are NAME.LINE",
+        ),
         ("gap", "r at rest"),
     ];
     let number = |number: &&Number| (number.key, &*meaning(number).leak());
@@ -187,7 +241,10 @@ pub(crate) const SYNTHETIC: Keys = &[
 ];
 
 /// Keys of a load: the node, and those of a function.
-pub(crate) const LOAD_AT: (&str, &str) = ("at", "node on which the force acts");
+pub(crate) const LOAD_AT: (&str, &str) = (
+    "at",
+    "node on which the force acts, a bar, or matrices and a direction such as tower.x; on each node the same force",
+);
 
 /// Keys of a start.
 pub(crate) const START: Keys = &[("u", "displacement"), ("v", "velocity")];

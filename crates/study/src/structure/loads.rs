@@ -1,17 +1,19 @@
 //! Functions of time: sines, tables, records, pulses and synthetic accelerations.
 
 use super::keys::{
-    COSINE, FUNCTION, FUNCTIONS, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names,
+    COSINE, FUNCTION, FUNCTIONS, GROUND, LOAD_AT, PULSE, RICKER, SINE, SYNTHETIC, TABLE, names,
 };
 use super::reader::{Reader, open};
 use super::records::record;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::loads::{Kind, LARGEST_SEED, Source};
 use slipgap_solver::problem::structure::template::{Load, Scaled};
+use slipgap_solver::system::structure::Direction;
 
 /// A force on a node.
 pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Load> {
@@ -19,7 +21,10 @@ pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults
     keys.extend(names(FUNCTION));
     let object = Object::open(node, path, &keys, faults)?;
     let at = object.need(LOAD_AT.0, LOAD_AT.1, faults);
-    let at = at.and_then(|node| reader.moving(node, &object.path("at"), faults));
+    let at = at.and_then(|node| {
+        let path = object.path("at");
+        reader.moved(&text(node, &path, faults)?, node.at, &path, faults)
+    });
     let force = function(&object, node.at, path, reader, faults);
     Some(Load {
         at: at?,
@@ -36,6 +41,46 @@ pub(super) fn scaled(
 ) -> Option<Scaled> {
     let object = open(node, path, FUNCTION, faults)?;
     function(&object, node.at, path, reader, faults)
+}
+
+/// The accelerations of the ground: one in x, or one for each key x, y and z.
+pub(super) fn ground(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<(Direction, Scaled)> {
+    let Some(node) = object.get("ground") else {
+        return Vec::new();
+    };
+    let path = object.path("ground");
+    let by_directions = match &node.tree {
+        Tree::Object(members) => {
+            let keys = names(GROUND);
+            members
+                .iter()
+                .any(|member| keys.contains(&member.key.as_str()))
+        }
+        _ => false,
+    };
+    if !by_directions {
+        let ground = scaled(node, &path, reader, faults);
+        return ground
+            .map(|ground| (Direction::X, ground))
+            .into_iter()
+            .collect();
+    }
+    let Some(object) = open(node, &path, GROUND, faults) else {
+        return Vec::new();
+    };
+    let one = |direction: Direction| {
+        let node = object.get(direction.name())?;
+        let path = object.path(direction.name());
+        Some((direction, scaled(node, &path, reader, faults)?))
+    };
+    Direction::TRANSLATIONS
+        .into_iter()
+        .filter_map(one)
+        .collect()
 }
 
 /// Keys that only a record has, and the message for another function with one.

@@ -1,9 +1,11 @@
 //! Structures in studies: the key `structure`, the names of parameters, and the metrics and channels that a study uses.
 
 mod contacts;
+mod files;
 pub(super) mod keys;
 mod labels;
 mod loads;
+mod matrices;
 mod named_metrics;
 mod names;
 mod parts;
@@ -20,10 +22,13 @@ use keys::{DAMPING_STIFFNESSES, REFERENCES, STRUCTURE};
 use reader::{Reader, named, open};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::structure::StructureProblem;
-use slipgap_solver::problem::structure::channel::Names;
+use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::{self, Named};
-use slipgap_solver::problem::structure::template::{DampingStiffness, Reference, Template};
+use slipgap_solver::problem::structure::template::{
+    DampingStiffness, Matrices, Reference, Template,
+};
 use slipgap_solver::problem::structure::unit_consistency;
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -40,34 +45,51 @@ pub(super) fn problem(
     let parameters = names::parameters(root_node, &choices, faults);
     let first = schema::schema(&parameters, &[], &[], "");
     let object = open(node, "structure", STRUCTURE, faults)?;
-    let mut taken = Vec::new();
+    let mut taken = HashSet::new();
     let mut parts = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
         Some(node) => named(node, &object.path(key), what, &mut taken, faults),
         None => Vec::new(),
     };
     let masses = parts("masses", "mass", faults);
     let bars = parts("bars", "bar", faults);
+    let of_matrices = parts("matrices", "model", faults);
     let contacts = parts("contacts", "contact", faults);
-    if masses.is_empty() && bars.is_empty() && faults.count() == before {
-        object.fault("has no node; give masses or bars", faults);
+    if masses.is_empty() && bars.is_empty() && of_matrices.is_empty() && faults.count() == before {
+        object.fault("has no node; give masses, bars or matrices", faults);
     }
     let (units, metre) = units(&object, node, faults);
     let name = |part: &parts::Part| part.0.clone();
-    let reader = Reader {
+    let mut reader = Reader {
         table: &first.parameters,
-        masses: masses.iter().map(name).collect(),
-        bars: bars.iter().map(name).collect(),
+        names: Names::new(
+            masses.iter().map(name).collect(),
+            bars.iter().map(name).collect(),
+            Vec::new(),
+        ),
         metre,
         folder,
         used: Default::default(),
         records: Default::default(),
         removed_means: Default::default(),
     };
+    let before_matrices = faults.count();
+    let imported = matrices::matrices(&of_matrices, &reader, faults);
+    // Without their rows, every name of a node would be a fault of its own.
+    if faults.count() > before_matrices {
+        return None;
+    }
+    let (masses_named, bars_named) = (reader.names.masses, reader.names.bars);
+    reader.names = Names::new(masses_named, bars_named, imported.clone());
+    let reader = reader;
+    let matrices = imported.into_iter();
     let template = Template {
         units,
         metre,
         masses: parts::masses(&masses, &reader, faults),
         bars: parts::bars(&bars, &reader, faults),
+        matrices: matrices
+            .map(|(name, imported)| Matrices { name, imported })
+            .collect(),
         springs: object.items("springs", faults, |node, path, faults| {
             parts::spring(node, path, &reader, faults)
         }),
@@ -83,30 +105,12 @@ pub(super) fn problem(
         loads: object.items("loads", faults, |node, path, faults| {
             loads::load(node, path, &reader, faults)
         }),
-        ground: object
-            .get("ground")
-            .and_then(|node| loads::scaled(node, &object.path("ground"), &reader, faults)),
+        ground: loads::ground(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
     };
-    let texts = |parts: &[parts::Part]| -> Vec<String> { parts.iter().map(name).collect() };
-    let contacts = texts(&contacts);
-    let as_str = |texts: &[String]| -> Vec<&'static str> {
-        texts
-            .iter()
-            .map(|text| slipgap_solver::problem::interned(text))
-            .collect()
-    };
-    let (masses, bars, contacts) = (
-        as_str(&reader.masses),
-        as_str(&reader.bars),
-        as_str(&contacts),
-    );
-    let known = Names {
-        masses: &masses,
-        bars: &bars,
-        contacts: &contacts,
-    };
+    let contacts = template.contacts.iter().map(|contact| contact.name.clone());
+    let known = reader.names.clone().with_contacts(contacts.collect());
     let metrics = named_metrics::metrics(root, &known, faults);
     let drawn = named_metrics::drawn(root, &known, faults);
     named_metrics::report_errors_without_reference(

@@ -5,8 +5,9 @@ use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::expression::printable;
-use slipgap_solver::problem::structure::channel::{Channel, Names};
+use slipgap_solver::problem::structure::channel::Channel;
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
+use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::Drawn;
 
 /// The metrics in the list `metrics`, and those that reductions, checks and figures name.

@@ -1,15 +1,14 @@
 //! Masses, bars, springs, damping and start of a structure.
 
-use super::keys::{BAR, RAYLEIGH, SPRING, START};
+use super::keys::{BAR, MASS, RAYLEIGH, SPRING, START};
 use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
-use slipgap_solver::problem::structure::template::{
-    Bar, Mass, Moved, Spring, SpringNumbers, Start,
-};
+use slipgap_solver::problem::structure::template::{Bar, Mass, Spring, SpringNumbers, Start};
+use slipgap_solver::system::structure::Direction;
 
 /// A named part with its value in the study.
 pub(super) type Part<'a> = (String, &'a Node, String);
@@ -17,10 +16,21 @@ pub(super) type Part<'a> = (String, &'a Node, String);
 /// The lumped masses.
 pub(super) fn masses(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Mass> {
     let mass = |(name, node, path): &Part| {
-        let mass = reader.amount(node, path, Range::Positive, faults)?;
+        let (mass, direction) = match &node.tree {
+            Tree::Object(_) => {
+                let object = open(node, path, MASS, faults)?;
+                let mass = reader.needed(&object, MASS, "mass", Range::NotNegative, faults);
+                (mass, reader.direction(&object, faults))
+            }
+            _ => {
+                let mass = reader.amount(node, path, Range::NotNegative, faults);
+                (mass, Some(Direction::X))
+            }
+        };
         Some(Mass {
             name: name.clone(),
-            mass,
+            mass: mass?,
+            direction: direction?,
         })
     };
     parts.iter().filter_map(mass).collect()
@@ -35,6 +45,7 @@ pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<
         let (mass, elements) = (need("mass"), need("n"));
         let damping = "stiffness_damping";
         let stiffness_damping = reader.optional(&object, damping, Range::NotNegative, faults);
+        let direction = reader.direction(&object, faults);
         Some(Bar {
             name: name.clone(),
             length: length?,
@@ -42,6 +53,7 @@ pub(super) fn bars(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<
             mass: mass?,
             elements: elements?,
             stiffness_damping,
+            direction: direction?,
         })
     };
     parts.iter().filter_map(&mut bar).collect()
@@ -55,7 +67,8 @@ pub(super) fn spring(
     faults: &mut Faults,
 ) -> Option<Spring> {
     let object = open(node, path, SPRING, faults)?;
-    let between = reader.between(&object, "a spring", faults);
+    let along = reader.along(&object, "a spring", faults);
+    reader.direction(&object, faults)?;
     let by_period = ["mass", "period", "ratio"].map(|key| object.get(key).is_some());
     let by_stiffness = ["k", "c"].map(|key| object.get(key).is_some());
     if by_period.contains(&true) && by_stiffness.contains(&true) {
@@ -85,7 +98,7 @@ pub(super) fn spring(
         SpringNumbers::Stiffness { k: k?, c }
     };
     Some(Spring {
-        between: between?,
+        along: along?,
         numbers,
     })
 }
@@ -122,17 +135,7 @@ pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Ve
     let members = members.iter().filter(|member| member.key != "//");
     let one = |member: &crate::source::tree::Member| {
         let path = join(&path, &member.key);
-        let bar = reader.bars.iter().position(|bar| *bar == member.key);
-        let of = match bar {
-            Some(bar) => Moved::Bar(bar),
-            None => {
-                let name = Node {
-                    at: member.at,
-                    tree: Tree::Text(member.key.clone()),
-                };
-                Moved::Node(reader.moving(&name, &path, faults)?)
-            }
-        };
+        let of = reader.moved(&member.key, member.at, &path, faults)?;
         let object = open(&member.node, &path, START, faults)?;
         Some(Start {
             of,

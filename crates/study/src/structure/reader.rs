@@ -4,14 +4,17 @@ use super::keys::{Keys, names};
 use crate::source::faults::{Faults, in_words, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::{number, text, with_unit};
+use crate::value::{name, number, text, with_unit};
 use slipgap_solver::expression::Formula;
 use slipgap_solver::expression::ParameterExpression;
 use slipgap_solver::problem::parameter::{Parameter, Range};
 use slipgap_solver::problem::structure::amount::{Amount, Source};
+use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::node::{NodeName, NodeRef};
+use slipgap_solver::problem::structure::template::{Moved, Term};
+use slipgap_solver::system::structure::Direction;
 use std::cell::RefCell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -19,10 +22,8 @@ use std::sync::Arc;
 pub(super) struct Reader<'a> {
     /// The parameters of the study.
     pub table: &'a [Parameter],
-    /// Names of the masses.
-    pub masses: Vec<String>,
-    /// Names of the bars.
-    pub bars: Vec<String>,
+    /// Names of the parts.
+    pub names: Names,
     /// The study's unit of length in m.
     pub metre: f64,
     /// Folder of the study.
@@ -31,7 +32,7 @@ pub(super) struct Reader<'a> {
     pub used: RefCell<BTreeSet<usize>>,
     /// Records whose mean is removed without a key that says so, with this mean.
     pub removed_means: RefCell<Vec<(String, String)>>,
-    /// The bytes of the records, for the identity of the structure.
+    /// The bytes of the records and matrices, for the identity of the structure.
     pub records: RefCell<Vec<(String, Vec<u8>)>>,
 }
 
@@ -99,44 +100,126 @@ impl Reader<'_> {
     /// A node by its name.
     pub fn node(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<NodeName> {
         let name = text(node, path, faults)?;
-        let masses: Vec<&str> = self.masses.iter().map(String::as_str).collect();
-        let bars: Vec<&str> = self.bars.iter().map(String::as_str).collect();
-        if let Some(found) = NodeRef::parse(&name, &masses, &bars) {
-            return Some(NodeName {
-                node: found,
-                at: node.at,
-                path: path.to_owned(),
-            });
-        }
-        let ends = bars
-            .iter()
-            .flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
-        let ends: Vec<String> = ends.collect();
-        let known = ["ground"].into_iter().chain(masses.iter().copied());
-        let known: Vec<&str> = known.chain(ends.iter().map(String::as_str)).collect();
-        faults.add(node.at, path, unknown("node", &name, &known));
-        None
+        self.named_node(&name, node.at, path, faults)
     }
 
-    /// A node other than the ground.
-    pub fn moving(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<NodeName> {
-        let name = self.node(node, path, faults)?;
+    /// The node with a name that stands at a place of the study.
+    pub fn named_node(
+        &self,
+        name: &str,
+        at: usize,
+        path: &str,
+        faults: &mut Faults,
+    ) -> Option<NodeName> {
+        let path = path.to_owned();
+        match self.names.node(name) {
+            Some(node) => Some(NodeName { node, at, path }),
+            None => {
+                faults.add(at, &path, self.no_node(name));
+                None
+            }
+        }
+    }
+
+    /// Why there is no node with this name.
+    pub fn no_node(&self, name: &str) -> String {
+        if let Some(why) = self.names.why_no_dof(name) {
+            return format!("no node {}: {why}", quoted(name));
+        }
+        let bars = self.names.bars.iter();
+        let ends = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
+        let ends: Vec<String> = ends.collect();
+        let masses = self.names.masses.iter().map(String::as_str);
+        let known = ["ground"].into_iter().chain(masses);
+        let known: Vec<&str> = known.chain(ends.iter().map(String::as_str)).collect();
+        unknown("node", name, &known)
+    }
+
+    /// What a name at a place of the study moves: a node other than the ground, all nodes of a bar, or all rows of matrices of a
+    /// direction, such as `tower.x`.
+    pub fn moved(&self, name: &str, at: usize, path: &str, faults: &mut Faults) -> Option<Moved> {
+        if let Some(bar) = self.names.bar(name) {
+            return Some(Moved::Bar(bar));
+        }
+        if let Some((part, direction)) = name.split_once('.')
+            && let Some(matrices) = self.names.matrices(part)
+            && let Some(direction) = Direction::named(direction)
+        {
+            let rows = self.names.matrices[matrices].1.dofs.rows();
+            if !rows.iter().any(|dof| dof.direction == direction) {
+                let message = format!("{part} has no dof of direction {}", direction.name());
+                faults.add(at, path, message);
+                return None;
+            }
+            return Some(Moved::Rows(matrices, direction));
+        }
+        let name = self.named_node(name, at, path, faults)?;
         if name.node == NodeRef::Ground {
             let message = "the ground does not move; give its acceleration under \"ground\"";
-            faults.add(node.at, path, message);
+            faults.add(at, path, message);
             return None;
         }
-        Some(name)
+        Some(Moved::Node(name))
+    }
+
+    /// The nodes of a spring or a contact with their factors: two nodes under `between`, -1 and 1, or nodes with factors under
+    /// `along`.
+    pub fn along(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<Vec<Term>> {
+        if let Some(node) = object.get("along") {
+            if object.get("between").is_some() {
+                let message = "give between or along, not both";
+                faults.add(node.at, &object.path("along"), message);
+                return None;
+            }
+            return self.factors(node, &object.path("along"), what, faults);
+        }
+        let [first, second] = self.between(object, what, faults)?;
+        let term = |node: NodeName, factor: f64| Term {
+            factor: Amount {
+                source: Source::Number(factor),
+                range: Range::Any,
+                at: node.at,
+                path: node.path.clone(),
+            },
+            node,
+        };
+        Some(vec![term(first, -1.0), term(second, 1.0)])
+    }
+
+    /// The members of an object of nodes and factors.
+    fn factors(
+        &self,
+        node: &Node,
+        path: &str,
+        what: &str,
+        faults: &mut Faults,
+    ) -> Option<Vec<Term>> {
+        let Tree::Object(members) = &node.tree else {
+            faults.must_be(node, path, "an object with a factor for each node");
+            return None;
+        };
+        let before = faults.count();
+        let members = members.iter().filter(|member| member.key != "//");
+        let terms = members.filter_map(|member| {
+            let path = crate::source::faults::join(path, &member.key);
+            let factor = self.amount(&member.node, &path, Range::Any, faults);
+            let node = self.named_node(&member.key, member.at, &path, faults);
+            Some(Term {
+                node: node?,
+                factor: factor?,
+            })
+        });
+        let terms: Vec<Term> = terms.collect();
+        if faults.count() == before && terms.iter().all(|term| term.node.node == NodeRef::Ground) {
+            faults.add(node.at, path, format!("{what} needs a node that moves"));
+        }
+        (faults.count() == before).then_some(terms)
     }
 
     /// Two different nodes.
-    pub fn between(
-        &self,
-        object: &Object,
-        what: &str,
-        faults: &mut Faults,
-    ) -> Option<[NodeName; 2]> {
-        let node = object.need("between", "two nodes", faults)?;
+    fn between(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<[NodeName; 2]> {
+        let wanted = "two nodes; or along, nodes with their factors";
+        let node = object.need("between", wanted, faults)?;
         let path = object.path("between");
         let Tree::List(items) = &node.tree else {
             faults.must_be(node, &path, "a list of two nodes");
@@ -156,6 +239,16 @@ impl Reader<'_> {
             return None;
         }
         Some([first, second])
+    }
+
+    /// The direction under `direction`; x without it.
+    pub fn direction(&self, object: &Object, faults: &mut Faults) -> Option<Direction> {
+        let Some(node) = object.get("direction") else {
+            return Some(Direction::X);
+        };
+        let names = Direction::TRANSLATIONS.map(Direction::name);
+        let place = name(node, &object.path("direction"), "direction", &names, faults)?;
+        Some(Direction::TRANSLATIONS[place])
     }
 }
 
@@ -180,7 +273,7 @@ pub(super) fn named<'a>(
     node: &'a Node,
     path: &str,
     what: &str,
-    taken: &mut Vec<String>,
+    taken: &mut HashSet<String>,
     faults: &mut Faults,
 ) -> Vec<(String, &'a Node, String)> {
     let Tree::Object(members) = &node.tree else {
@@ -197,11 +290,10 @@ pub(super) fn named<'a>(
                     quoted(name)
                 );
                 faults.add(member.at, &path, message);
-            } else if taken.iter().any(|other| other == name) {
+            } else if !taken.insert(name.to_owned()) {
                 let message = format!("{} is the name of another part", quoted(name));
                 faults.add(member.at, &path, message);
             } else {
-                taken.push(name.to_owned());
                 found.push((name.to_owned(), &member.node, path.clone()));
             }
         }

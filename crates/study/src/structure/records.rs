@@ -1,8 +1,8 @@
 //! Recorded accelerations: the files next to the study, read once.
 
+use super::files::bytes;
 use super::reader::Reader;
 use crate::source::faults::{Faults, quoted};
-use crate::source::input::open;
 use crate::source::object::Object;
 use crate::source::tree::Node;
 use crate::value::{name, text};
@@ -13,8 +13,6 @@ use slipgap_solver::problem::structure::template::Chosen;
 use slipgap_solver::system::loads::record::Mean;
 use slipgap_solver::system::loads::{self, SignalFault, Unit};
 use slipgap_solver::system::structure::Signal;
-use std::io::{self, Read};
-use std::path::Path;
 use std::sync::Arc;
 
 /// Most bytes of a record.
@@ -80,7 +78,7 @@ fn read(
     (unit, mean): (Option<Unit>, Option<Mean>),
     reader: &Reader,
 ) -> Result<Arc<Signal>, Fault> {
-    let bytes = bytes(&reader.folder.join(file)).map_err(|why| (None, why))?;
+    let bytes = bytes(&reader.folder.join(file), LARGEST).map_err(|why| (None, why))?;
     let record = loads::record::parse(file, &bytes, mean);
     let record =
         record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.message)))?;
@@ -95,33 +93,13 @@ fn read(
             means.push((file.to_owned(), removed));
         }
     }
-    let mut all = reader.records.borrow_mut();
-    if !all.iter().any(|(known, _)| known == file) {
-        all.push((file.to_owned(), bytes));
-    }
+    reader.keep(file, bytes);
     Ok(signal)
 }
 
 /// A number with four digits.
 fn four_digits(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
-}
-
-fn bytes(path: &Path) -> Result<Vec<u8>, String> {
-    if std::fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return Err("not a file".into());
-    }
-    let unread = |error: io::Error| format!("cannot read {}: {error}", path.display());
-    let opened = open(path).map_err(unread)?;
-    if opened.limit() > LARGEST {
-        return Err(format!("larger than {} MiB", LARGEST >> 20));
-    }
-    let mut bytes = Vec::new();
-    opened
-        .take(LARGEST)
-        .read_to_end(&mut bytes)
-        .map_err(unread)?;
-    Ok(bytes)
 }
 
 /// What was done to the records, for `explain`, `run` and the page; `None` if nothing was, or the study asks for it.

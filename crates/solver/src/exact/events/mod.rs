@@ -99,15 +99,16 @@ pub struct Summary {
 ///
 /// ```
 /// use slipgap_solver::exact::events::run;
-/// use slipgap_solver::system::structure::{Contact, Limit, Node, StructureLaw, Structure, Symmetric};
+/// use slipgap_solver::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
 ///
 /// let mass = Structure {
-///     nodes: vec![Node { name: "mass".into(), mass: 1.0 }],
+///     nodes: vec![Node { name: "mass".into(), mass: 1.0, direction: Direction::X }],
+///     coupled_mass: Symmetric::zeros(1),
 ///     stiffness: Symmetric::zeros(1),
 ///     damping: Symmetric::zeros(1),
 ///     contacts: vec![Contact {
 ///         name: "floor".into(),
-///         between: [None, Some(0)],
+///         along: vec![(0, 1.0)],
 ///         gap: 0.0,
 ///         law: StructureLaw::Coulomb { limit: Limit::constant(1.0) },
 ///     }],

@@ -57,7 +57,7 @@ impl Model<'_> {
                 Force::Dashpot { c } => (&mut damping, c),
                 Force::None | Force::Limit(_) | Force::Constraint => continue,
             };
-            sums.add_spring(contact.between, coefficient, &self.inverse_masses);
+            sums.add_along(&contact.along, coefficient, &self.inverse_masses);
         }
         let (square, half) = (stiffness.bound(), 0.5 * damping.bound());
         let rate = half + (half * half + square).sqrt();

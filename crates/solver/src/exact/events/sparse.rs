@@ -79,14 +79,19 @@ impl RowSums {
         RowSums { sums }
     }
 
-    /// Adds a spring between two nodes.
-    pub fn add_spring(&mut self, between: [Option<usize>; 2], k: f64, inverse_masses: &[f64]) {
-        let [a, b] = between.map(|node| node.map_or(0.0, |node| inverse_masses[node]));
-        for (node, w) in [(between[0], a), (between[1], b)] {
-            let Some(node) = node else { continue };
-            let coupled = if a == 0.0 || b == 0.0 { 0.0 } else { 1.0 };
-            self.sums[0][node] += k * w * (1.0 + coupled);
-            self.sums[1][node] += k * (w + (a * b).sqrt());
+    /// Adds a spring whose extension is the sum of factor times u.
+    pub fn add_along(&mut self, along: &[(usize, f64)], k: f64, inverse_masses: &[f64]) {
+        for (i, a) in along {
+            let w = inverse_masses[*i];
+            let others = along.iter().filter(|(j, _)| j != i);
+            let [mut of_rows, mut of_roots] = [a * a, a * a * w];
+            for (j, b) in others {
+                let product = (a * b).abs();
+                of_rows += product;
+                of_roots += product * (w * inverse_masses[*j]).sqrt();
+            }
+            self.sums[0][*i] += k * w * of_rows;
+            self.sums[1][*i] += k * of_roots;
         }
     }
 

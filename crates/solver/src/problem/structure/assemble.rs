@@ -3,10 +3,12 @@
 use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
+use super::massless;
 use super::node::{NodeName, Numbering};
-use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template};
+use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template, Term};
 use crate::problem::{Case, Violation};
-use crate::system::structure::{Load, Node, Structure, StructureLaw, Symmetric};
+use crate::system::structure::Direction;
+use crate::system::structure::{Along, Load, Node, Structure, StructureLaw, Symmetric};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -89,7 +91,8 @@ fn draft(
     if !violations.is_empty() {
         return Err(violations);
     }
-    let numbering = Numbering::new(template.masses.len(), elements, finer);
+    let rows = template.matrices.iter().map(|own| own.imported.len());
+    let numbering = Numbering::new(template.masses.len(), elements, finer, rows.collect());
     let nodes = numbering.nodes();
     let size = match detail {
         Detail::Numbers => 0,
@@ -102,6 +105,7 @@ fn draft(
         numbering,
         structure: Structure {
             nodes: Vec::with_capacity(size),
+            coupled_mass: Symmetric::zeros(size),
             stiffness: Symmetric::zeros(size),
             damping: Symmetric::zeros(size),
             contacts: Vec::new(),
@@ -114,8 +118,10 @@ fn draft(
     };
     draft.masses();
     draft.bars();
+    draft.matrices();
     draft.springs();
     draft.contacts();
+    massless::hold(&mut draft.structure);
     draft.rayleigh();
     draft.loads();
     draft.start();
@@ -132,6 +138,13 @@ pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> C
     match template.damping_stiffness {
         DampingStiffness::WithoutContacts => Cow::Borrowed(&structure.stiffness),
         DampingStiffness::Initial => Cow::Owned(structure.initial_stiffness()),
+    }
+}
+
+/// Adds the entries of a matrix to another one, from row and column `first` on.
+fn add_block(from: &Symmetric, first: usize, to: &mut Symmetric) {
+    for ((i, j), value) in from.entries().filter(|(_, value)| *value != 0.0) {
+        to.add(first + i, first + j, value);
     }
 }
 
@@ -167,6 +180,7 @@ impl Draft<'_> {
             let node = Node {
                 name: mass.name.clone(),
                 mass: self.value(&mass.mass),
+                direction: mass.direction,
             };
             self.structure.nodes.push(node);
         }
@@ -189,32 +203,87 @@ impl Draft<'_> {
                     i => (i.to_string(), element),
                 };
                 let name = format!("{}.{place}", bar.name);
-                self.structure.nodes.push(Node { name, mass });
+                let direction = bar.direction;
+                self.structure.nodes.push(Node {
+                    name,
+                    mass,
+                    direction,
+                });
             }
             for i in if self.is_built() {
                 first..first + n as usize
             } else {
                 0..0
             } {
-                self.add([Some(i), Some(i + 1)], k, c);
+                self.add(&[(i, -1.0), (i + 1, 1.0)], k, c);
             }
         }
     }
 
-    fn add(&mut self, between: [Option<usize>; 2], k: f64, c: f64) {
+    /// The matrices of other programs on the diagonal of M, C and K.
+    fn matrices(&mut self) {
         if !self.is_built() {
             return;
         }
-        self.structure.stiffness.add_spring(between, k);
-        if c != 0.0 {
-            self.structure.damping.add_spring(between, c);
+        for (place, matrices) in self.template.matrices.iter().enumerate() {
+            let first = self.numbering.first_row(place);
+            let own = &matrices.imported;
+            let Structure {
+                nodes,
+                coupled_mass,
+                stiffness,
+                damping,
+                ..
+            } = &mut self.structure;
+            nodes.extend((0..own.len()).map(|row| Node {
+                name: format!("{}.{}", matrices.name, own.dofs.name(row)),
+                mass: 0.0,
+                direction: own.dofs.rows()[row].direction,
+            }));
+            for ((i, j), m) in own.mass.entries() {
+                match i == j {
+                    true => nodes[first + i].mass = m,
+                    false if m != 0.0 => coupled_mass.add(first + i, first + j, m),
+                    false => {}
+                }
+            }
+            add_block(&own.stiffness, first, stiffness);
+            if let Some(of_damping) = &own.damping {
+                add_block(of_damping, first, damping);
+            }
         }
+    }
+
+    fn add(&mut self, along: &[(usize, f64)], k: f64, c: f64) {
+        if !self.is_built() {
+            return;
+        }
+        self.structure.stiffness.add_along(along, k);
+        if c != 0.0 {
+            self.structure.damping.add_along(along, c);
+        }
+    }
+
+    /// The factors of the nodes; the ground has none.
+    fn along(&mut self, terms: &[Term]) -> Along {
+        let mut along: Along = Vec::with_capacity(terms.len());
+        for term in terms {
+            let factor = self.value(&term.factor);
+            let Some(node) = self.node(&term.node) else {
+                continue;
+            };
+            match along.iter_mut().find(|(known, _)| *known == node) {
+                Some((_, sum)) => *sum += factor,
+                None => along.push((node, factor)),
+            }
+        }
+        along.retain(|(_, factor)| *factor != 0.0);
+        along
     }
 
     fn springs(&mut self) {
         for spring in &self.template.springs {
-            let [i, j] = &spring.between;
-            let between = [self.node(i), self.node(j)];
+            let along = self.along(&spring.along);
             let (k, c) = match &spring.numbers {
                 SpringNumbers::Stiffness { k, c } => (self.value(k), self.optional(c)),
                 SpringNumbers::Period {
@@ -228,7 +297,7 @@ impl Draft<'_> {
                     (mass * omega * omega, c)
                 }
             };
-            self.add(between, k, c);
+            self.add(&along, k, c);
         }
     }
 
@@ -241,18 +310,23 @@ impl Draft<'_> {
             self.structure.damping.add_matrix(&k, stiffness);
         }
         if mass != 0.0 && self.is_built() {
-            let Structure { nodes, damping, .. } = &mut self.structure;
+            let Structure {
+                nodes,
+                coupled_mass,
+                damping,
+                ..
+            } = &mut self.structure;
             for (i, node) in nodes.iter().enumerate() {
                 damping.add(i, i, mass * node.mass);
             }
+            damping.add_matrix(coupled_mass, mass);
         }
     }
 
     fn contacts(&mut self) {
         for contact in &self.template.contacts {
-            let [i, j] = &contact.between;
-            let between = [self.node(i), self.node(j)];
-            if between[0] == between[1] && self.violations.is_empty() {
+            let along = self.along(&contact.along);
+            if along.is_empty() && self.violations.is_empty() {
                 let message = "a contact needs two different nodes";
                 self.violations.push(contacts::violation(contact, message));
             }
@@ -268,7 +342,7 @@ impl Draft<'_> {
                     .contacts
                     .push(crate::system::structure::Contact {
                         name: contact.name.clone(),
-                        between,
+                        along,
                         gap,
                         law,
                     });
@@ -278,17 +352,56 @@ impl Draft<'_> {
 
     fn loads(&mut self) {
         for load in &self.template.loads {
-            let node = self.node(&load.at);
+            let nodes = self.moved(&load.at);
             self.load(&load.force, |_, scale| {
-                node.map(|node| (node, scale)).into_iter().collect()
+                nodes.iter().map(|node| (*node, scale)).collect()
             });
         }
-        if let Some(ground) = &self.template.ground {
-            // u is relative to the ground: the load is -M a_g.
-            self.load(ground, |nodes, scale| {
-                let forces = nodes.iter().map(|node| -scale * node.mass);
-                forces.enumerate().collect()
+        for (direction, ground) in &self.template.ground {
+            // u is relative to the ground: the load is -M a_g in the nodes of its direction.
+            let shaken = match self.detail {
+                Detail::Whole => self.shaken(*direction),
+                Detail::Numbers | Detail::WithoutSamples => Vec::new(),
+            };
+            self.load(ground, |_, scale| {
+                let masses = shaken.iter().enumerate().filter(|(_, mass)| **mass != 0.0);
+                masses.map(|(i, mass)| (i, -scale * mass)).collect()
             });
+        }
+    }
+
+    /// M times 1 in the nodes of a direction and 0 in the others.
+    fn shaken(&self, direction: Direction) -> Vec<f64> {
+        let is_shaken = |i: usize| self.structure.nodes[i].direction == direction;
+        let nodes = self.structure.nodes.iter().enumerate();
+        let mut shaken: Vec<f64> = nodes
+            .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })
+            .collect();
+        for ((i, j), mass) in self.structure.coupled_mass.entries() {
+            for (row, column) in [(i, j), (j, i)] {
+                if is_shaken(column) {
+                    shaken[row] += mass;
+                }
+            }
+        }
+        shaken
+    }
+
+    /// The nodes that a start moves or a load acts on.
+    fn moved(&mut self, of: &Moved) -> Vec<usize> {
+        match of {
+            Moved::Node(name) => self.node(name).into_iter().collect(),
+            Moved::Bar(bar) => {
+                let first = self.numbering.first(*bar);
+                (first..first + self.numbering.elements()[*bar] as usize + 1).collect()
+            }
+            Moved::Rows(matrices, direction) => {
+                let first = self.numbering.first_row(*matrices);
+                let rows = self.template.matrices[*matrices].imported.dofs.rows();
+                let rows = rows.iter().enumerate();
+                let own = rows.filter(|(_, dof)| dof.direction == *direction);
+                own.map(|(row, _)| first + row).collect()
+            }
         }
     }
 
@@ -310,14 +423,7 @@ impl Draft<'_> {
             let mut given =
                 |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
             let (u, v) = (given(&start.u), given(&start.v));
-            let nodes = match &start.of {
-                Moved::Node(name) => self.node(name).map_or(0..0, |node| node..node + 1),
-                Moved::Bar(bar) => {
-                    let first = self.numbering.first(*bar);
-                    first..first + self.numbering.elements()[*bar] as usize + 1
-                }
-            };
-            for node in nodes {
+            for node in self.moved(&start.of) {
                 let Structure {
                     displacement,
                     velocity,

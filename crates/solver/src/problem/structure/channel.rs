@@ -1,18 +1,8 @@
 //! Channels of a structure: a quantity of a node or of a contact over time, or a difference of such quantities.
 
+use super::names::Names;
 use super::node::{NodeRef, Numbering};
 use crate::problem::unit::Dimension;
-
-/// Names that channels may use.
-#[derive(Debug, Clone, Copy)]
-pub struct Names<'a> {
-    /// Lumped masses.
-    pub masses: &'a [&'a str],
-    /// Bars.
-    pub bars: &'a [&'a str],
-    /// Contacts.
-    pub contacts: &'a [&'a str],
-}
 
 /// A sum of quantities, each with its sign.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +50,9 @@ pub const QUANTITIES: [(&str, &str); 5] = [
     ),
     ("limit", "friction limit"),
 ];
+
+/// Most names in a message.
+const MOST_NAMES: usize = 50;
 
 const ALL: [Quantity; 5] = [
     Quantity::Displacement,
@@ -124,9 +117,8 @@ impl Channel {
 
 impl Term {
     fn parse(word: &str, names: &Names) -> Result<Term, String> {
-        let node = |name: &str| NodeRef::parse(name, names.masses, names.bars);
         if let Some((contact, quantity)) = word.rsplit_once('.')
-            && let Some(contact) = names.contacts.iter().position(|known| *known == contact)
+            && let Some(contact) = names.contact(contact)
         {
             let place = QUANTITIES.iter().position(|known| known.0 == quantity);
             let all = QUANTITIES.map(|known| known.0).join(", ");
@@ -135,29 +127,36 @@ impl Term {
                 .map(|place| Term::Contact(contact, ALL[place]))
                 .ok_or_else(unknown);
         }
-        if let Some(contact) = names.contacts.iter().position(|known| *known == word) {
+        if names.contact(word).is_some() {
             return Err(format!(
-                "'{word}' is a contact; name one of its channels, such as {word}.S",
-                word = names.contacts[contact]
+                "'{word}' is a contact; name one of its channels, such as {word}.S"
             ));
         }
-        if let Some(found) = node(word) {
+        if let Some(found) = names.node(word) {
             return Ok(Term::Displacement(found));
         }
-        let of = |end: &str| word.strip_suffix(end).and_then(node);
+        let of = |end: &str| names.node(word.strip_suffix(end)?);
         if let Some(found) = of(".u") {
             return Ok(Term::Displacement(found));
         }
         if let Some(found) = of(".v") {
             return Ok(Term::Velocity(found));
         }
+        if let Some(why) = names.why_no_dof(word) {
+            return Err(format!("no channel '{word}': {why}"));
+        }
         let bars = names
             .bars
             .iter()
             .map(|bar| format!("{bar}.left, {bar}.right"));
-        let masses = names.masses.iter().map(|mass| (*mass).to_owned());
+        let masses = names.masses.iter().cloned();
+        let dofs = names.matrices.iter().map(|(name, imported)| {
+            let first = imported.dofs.name(0);
+            format!("{name}.{first} and the other dofs of {name}")
+        });
         let contacts = names.contacts.iter().map(|contact| format!("{contact}.S"));
-        let known: Vec<String> = masses.chain(bars).chain(contacts).collect();
+        let known = masses.chain(bars).chain(dofs).chain(contacts);
+        let known: Vec<String> = known.take(MOST_NAMES).collect();
         Err(format!(
             "no node or contact '{word}'; channels are u and v of nodes and {} of contacts: {}",
             QUANTITIES.map(|known| known.0).join(", "),
@@ -205,15 +204,15 @@ pub enum Number {
 mod tests {
     use super::*;
 
-    const NAMES: Names = Names {
-        masses: &["p1", "p2"],
-        bars: &["g1", "g2"],
-        contacts: &["gap", "bearing"],
-    };
+    fn names() -> Names {
+        let owned = |names: [&str; 2]| names.map(str::to_owned).to_vec();
+        Names::new(owned(["p1", "p2"]), owned(["g1", "g2"]), Vec::new())
+            .with_contacts(owned(["gap", "bearing"]))
+    }
 
     #[test]
     fn channels_are_quantities_and_their_differences() {
-        let channel = |text| Channel::parse(text, &NAMES).unwrap();
+        let channel = |text| Channel::parse(text, &names()).unwrap();
         let right = Term::Displacement(NodeRef::Right(0));
         let p2 = Term::Displacement(NodeRef::Mass(1));
         let difference = channel("g1.right-p2");
@@ -242,7 +241,7 @@ mod tests {
             ("g1", "no node or contact 'g1'"),
             ("g1.03", "no node or contact 'g1.03'"),
         ] {
-            let why = Channel::parse(text, &NAMES).unwrap_err();
+            let why = Channel::parse(text, &names()).unwrap_err();
             assert!(why.contains(part), "{text}: {why}");
         }
     }

@@ -6,27 +6,68 @@ use nalgebra::{DMatrix, SymmetricEigen};
 /// Most nodes of a structure whose modes are computed: the matrices are full.
 pub const MOST_MODES: usize = 1000;
 
-/// Adds C = M sum 2 ratio omega_k phi_k phi_k^T M of all modes of M and this K; `None` if there are too many nodes.
+/// Adds C = M sum 2 ratio omega_k phi_k phi_k^T M of all modes of M and this K; `None` if there are too many nodes, or M is not
+/// positive definite. Nodes without mass get none.
 pub fn add_modal(structure: &mut Structure, stiffness: &Symmetric, ratio: f64) -> Option<()> {
-    let (omega2, shapes) = modes(structure, stiffness)?;
-    let masses: Vec<f64> = structure.nodes.iter().map(|node| node.mass).collect();
-    let size = masses.len();
-    for i in 0..size {
+    let modes = modes(structure, stiffness)?;
+    let (nodes, omega2) = (&modes.nodes, &modes.omega2);
+    let shapes = match &modes.root {
+        None => {
+            let masses = nodes.iter().map(|i| structure.nodes[*i].mass.sqrt());
+            let roots: Vec<f64> = masses.collect();
+            for (i, node) in nodes.iter().enumerate() {
+                for j in 0..=i {
+                    let terms = (0..nodes.len()).map(|k| {
+                        2.0 * ratio
+                            * omega2[k].max(0.0).sqrt()
+                            * modes.shapes[(i, k)]
+                            * modes.shapes[(j, k)]
+                    });
+                    let c = roots[i] * roots[j] * terms.sum::<f64>();
+                    structure.damping.add(*node, nodes[j], c);
+                }
+            }
+            return Some(());
+        }
+        Some(root) => root * &modes.shapes,
+    };
+    for (i, node) in nodes.iter().enumerate() {
         for j in 0..=i {
-            let modes = (0..size)
+            let terms = (0..nodes.len())
                 .map(|k| 2.0 * ratio * omega2[k].max(0.0).sqrt() * shapes[(i, k)] * shapes[(j, k)]);
-            let c = masses[i].sqrt() * masses[j].sqrt() * modes.sum::<f64>();
-            structure.damping.add(i, j, c);
+            structure.damping.add(*node, nodes[j], terms.sum::<f64>());
         }
     }
     Some(())
 }
 
-/// Squares of the natural frequencies of M and this K, and the shapes as columns of an orthogonal matrix: sqrt(mass) times the displacement.
-pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<(Vec<f64>, DMatrix<f64>)> {
+/// The modes of the nodes with mass. The others follow them, K_ss u_s = -K_sr u_r.
+#[derive(Debug, Clone)]
+pub struct Modes {
+    /// The nodes with mass.
+    pub nodes: Vec<usize>,
+    /// Squares of the natural frequencies.
+    pub omega2: Vec<f64>,
+    /// The shapes R^T u, M = R R^T, as columns of an orthogonal matrix.
+    pub shapes: DMatrix<f64>,
+    /// R where masses are coupled; without it, R is the roots of the masses.
+    root: Option<DMatrix<f64>>,
+}
+
+/// The modes of M and this K; `None` if there are too many nodes, or a matrix is not positive definite.
+pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<Modes> {
     let size = structure.len();
     if size > MOST_MODES {
         return None;
+    }
+    let mut coupled = vec![false; size];
+    for ((i, j), _) in structure.coupled_mass.entries() {
+        (coupled[i], coupled[j]) = (true, true);
+    }
+    let has_mass = |i: &usize| structure.nodes[*i].mass != 0.0 || coupled[*i];
+    let nodes: Vec<usize> = (0..size).filter(has_mass).collect();
+    if nodes.len() < size || coupled.contains(&true) {
+        return coupled_modes(structure, stiffness, nodes);
     }
     let root: Vec<f64> = structure.nodes.iter().map(|n| n.mass.sqrt()).collect();
     let mut matrix = DMatrix::zeros(size, size);
@@ -35,10 +76,47 @@ pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<(Vec<f64>, 
         matrix[(j, i)] = matrix[(i, j)];
     }
     let eigen = SymmetricEigen::new(matrix);
-    Some((
-        eigen.eigenvalues.iter().copied().collect(),
-        eigen.eigenvectors,
-    ))
+    Some(Modes {
+        nodes,
+        omega2: eigen.eigenvalues.iter().copied().collect(),
+        shapes: eigen.eigenvectors,
+        root: None,
+    })
+}
+
+/// The same for coupled masses and nodes without mass.
+fn coupled_modes(structure: &Structure, stiffness: &Symmetric, nodes: Vec<usize>) -> Option<Modes> {
+    let size = structure.len();
+    let full = |matrix: &Symmetric| {
+        let mut full = DMatrix::zeros(size, size);
+        for ((i, j), x) in matrix.entries() {
+            full[(i, j)] = x;
+            full[(j, i)] = x;
+        }
+        full
+    };
+    let (mass, stiffness) = (full(&structure.mass()), full(stiffness));
+    let others: Vec<usize> = (0..size).filter(|i| !nodes.contains(i)).collect();
+    let mut condensed = stiffness.select_rows(&nodes).select_columns(&nodes);
+    if !others.is_empty() {
+        let own = stiffness.select_rows(&others).select_columns(&others);
+        let mixed = stiffness.select_rows(&others).select_columns(&nodes);
+        condensed -= mixed.transpose() * own.cholesky()?.solve(&mixed);
+    }
+    let root = mass
+        .select_rows(&nodes)
+        .select_columns(&nodes)
+        .cholesky()?
+        .l();
+    let left = root.solve_lower_triangular(&condensed)?;
+    let scaled = root.solve_lower_triangular(&left.transpose())?;
+    let eigen = SymmetricEigen::new((&scaled + scaled.transpose()) * 0.5);
+    Some(Modes {
+        nodes,
+        omega2: eigen.eigenvalues.iter().copied().collect(),
+        shapes: eigen.eigenvectors,
+        root: Some(root),
+    })
 }
 
 #[cfg(test)]
@@ -54,8 +132,10 @@ mod tests {
                 .map(|mass| Node {
                     name: String::new(),
                     mass,
+                    direction: Default::default(),
                 })
                 .to_vec(),
+            coupled_mass: Symmetric::zeros(3),
             stiffness: Symmetric::zeros(3),
             damping: Symmetric::zeros(3),
             contacts: Vec::new(),

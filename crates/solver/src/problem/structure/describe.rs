@@ -30,21 +30,19 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
         .iter()
         .map(|node| format!("{} {}", node.name, short(node.mass)));
     text += &list("nodes and masses", nodes.collect());
-    if let Some((omega2, _)) = modes(structure, &structure.stiffness) {
-        text += &periods("without contacts", omega2);
+    if let Some(modes) = modes(structure, &structure.stiffness) {
+        text += &periods("without contacts", modes.omega2);
     }
     let elastic = |contact: &Contact| contact.initial_stiffness() > 0.0;
     if structure.contacts.iter().any(elastic)
-        && let Some((omega2, _)) = modes(structure, &structure.initial_stiffness())
+        && let Some(modes) = modes(structure, &structure.initial_stiffness())
     {
         text += &periods(
             "with the elastic contacts at their initial stiffness",
-            omega2,
+            modes.omega2,
         );
     }
     let contacts = structure.contacts.iter().map(|contact| {
-        let end = |node: Option<usize>| node.map_or("ground", |node| &structure.nodes[node].name);
-        let [i, j] = contact.between;
         let law = law(&contact.law);
         let gap = match contact.gap {
             0.0 => String::new(),
@@ -52,10 +50,9 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
         };
         let touch = touch(structure, contact, dt);
         format!(
-            "{}: {} to {}{gap}, {law}{touch}",
+            "{}: {}{gap}, {law}{touch}",
             contact.name,
-            end(i),
-            end(j)
+            ends(structure, &contact.along),
         )
     });
     text += &lines("contacts", contacts.collect());
@@ -64,6 +61,22 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
     }
     text += "for a picture of the structure, add {\"name\": \"scheme\", \"kind\": \"scheme\"} to \"figures\"\n";
     text
+}
+
+/// The two ends of a contact, or its nodes with their factors.
+fn ends(structure: &Structure, along: &[(usize, f64)]) -> String {
+    let name = |node: usize| &structure.nodes[node].name;
+    match *along {
+        [(i, -1.0), (j, 1.0)] => format!("{} to {}", name(i), name(j)),
+        [(i, -1.0)] => format!("{} to ground", name(i)),
+        [(j, 1.0)] => format!("ground to {}", name(j)),
+        _ => {
+            let terms = along
+                .iter()
+                .map(|(node, x)| format!("{} {}", short(*x), name(*node)));
+            format!("along {}", terms.collect::<Vec<_>>().join(", "))
+        }
+    }
 }
 
 /// The periods of these squares of natural frequencies, and the number of rigid-body modes.

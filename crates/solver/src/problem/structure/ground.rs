@@ -23,7 +23,8 @@ const MOST: f64 = 1e6;
 
 /// The ground motion of a case; `None` without one, or if a number of it breaks a rule. A sine acts until the end of the case.
 pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<GroundMotion> {
-    let ground = template.ground.as_ref()?;
+    // Of several directions the first.
+    let (_, ground) = template.ground.first()?;
     let (signal, scale) = ground.in_case(case, template.metre).ok()?;
     let acceleration = match &*signal {
         Signal::Table(table) => table.clone().scaled(scale)?,

@@ -1,6 +1,7 @@
 //! Metrics of a structure: a reduction of a channel over time.
 
-use super::channel::{Channel, Names, QUANTITIES};
+use super::channel::{Channel, QUANTITIES};
+use super::names::Names;
 
 /// A metric of the study.
 #[derive(Debug, Clone, PartialEq)]
@@ -174,7 +175,7 @@ fn contact(text: &str, names: &Names) -> Result<usize, String> {
         .rsplit_once('.')
         .filter(|(_, end)| QUANTITIES.iter().any(|known| known.0 == *end))
         .map_or(text, |(bare, _)| bare);
-    let place = names.contacts.iter().position(|known| *known == bare);
+    let place = names.contact(bare);
     let known = names.contacts.join(", ");
     place.ok_or_else(|| format!("no contact '{bare}'; the contacts are {known}"))
 }
@@ -183,15 +184,14 @@ fn contact(text: &str, names: &Names) -> Result<usize, String> {
 mod tests {
     use super::*;
 
-    const NAMES: Names = Names {
-        masses: &["p1", "p2"],
-        bars: &["g1"],
-        contacts: &["gap"],
-    };
+    fn names() -> Names {
+        let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+        Names::new(owned(&["p1", "p2"]), owned(&["g1"]), Vec::new()).with_contacts(owned(&["gap"]))
+    }
 
     #[test]
     fn metrics_are_reductions_of_channels() {
-        let metric = |text| StructureMetric::parse(text, &NAMES).unwrap();
+        let metric = |text| StructureMetric::parse(text, &names()).unwrap();
         let peak = metric("peak( g1.right-p2 )");
         assert_eq!(peak.name, "peak( g1.right-p2 )");
         assert_eq!(peak.channel, metric("peak(g1.right - p2)").channel);
@@ -216,7 +216,7 @@ mod tests {
             ("divergence(p1)", "a channel and a threshold"),
             ("divergence(p1, 0)", "must be a number > 0"),
         ] {
-            let why = StructureMetric::parse(text, &NAMES).unwrap_err();
+            let why = StructureMetric::parse(text, &names()).unwrap_err();
             assert!(why.contains(part), "{text}: {why}");
         }
     }

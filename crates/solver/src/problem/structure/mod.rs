@@ -11,9 +11,11 @@ mod describe;
 mod diverge;
 mod ground;
 pub mod loads;
+mod massless;
 pub mod metric;
 mod metric_values;
 mod motion;
+pub mod names;
 pub mod node;
 pub mod schema;
 pub mod scheme;
@@ -94,6 +96,7 @@ impl StructureProblem {
             let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
             damping::add_modal(&mut structure, &stiffness, ratio).ok_or(Unsolvable::NoModes)?;
         }
+        massless::place(&mut structure);
         Ok((structure, numbering))
     }
 
@@ -139,10 +142,18 @@ impl StructureProblem {
     /// The rules of a method with a critical step.
     fn step_rules(&self, case: &Case, dt: f64) -> Option<Violation> {
         let method = self.method(case)?;
-        if !method.has_critical_step() {
+        if !method.has_critical_step() && !self.template.has_massless_nodes(case) {
             return None;
         }
         let (structure, _) = self.structure(case, 1).ok()?;
+        if let Some((node, why)) = massless::fault(&structure, &method) {
+            let name = &structure.nodes[node].name;
+            return Some(Violation {
+                parameter: "structure".into(),
+                message: format!("node {name} {why}"),
+                at: self.template.place_of(name),
+            });
+        }
         let fault = critical_fault(&structure, &method, dt)?;
         Some(Violation {
             parameter: fault.parameter().into(),

@@ -26,35 +26,14 @@ pub enum NodeRef {
     Right(usize),
     /// Node i of a bar, from 1 to n - 1.
     Inner(usize, u32),
-}
-
-impl NodeRef {
-    /// The node with this name among masses and bars; `None` if there is none.
-    pub fn parse(name: &str, masses: &[&str], bars: &[&str]) -> Option<NodeRef> {
-        if name == GROUND {
-            return Some(NodeRef::Ground);
-        }
-        if let Some(mass) = masses.iter().position(|mass| *mass == name) {
-            return Some(NodeRef::Mass(mass));
-        }
-        let (bar, place) = name.split_once('.')?;
-        let bar = bars.iter().position(|known| *known == bar)?;
-        match place {
-            "left" => Some(NodeRef::Left(bar)),
-            "right" => Some(NodeRef::Right(bar)),
-            _ => {
-                let digits = place.bytes().all(|c| c.is_ascii_digit()) && !place.starts_with('0');
-                let inner = place.parse().ok().filter(|_| digits)?;
-                Some(NodeRef::Inner(bar, inner))
-            }
-        }
-    }
+    /// A row of matrices, by their place in the list.
+    Dof(usize, usize),
 }
 
 /// The node that does not move.
 pub const GROUND: &str = "ground";
 
-/// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right.
+/// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right, then the rows of matrices.
 #[derive(Debug, Clone)]
 pub struct Numbering {
     masses: usize,
@@ -62,17 +41,20 @@ pub struct Numbering {
     elements: Vec<u32>,
     /// How many elements an element of the study is divided into.
     finer: u32,
+    /// Number of rows of each of the matrices.
+    rows: Vec<usize>,
 }
 
 impl Numbering {
     /// The numbering of `masses` masses and bars of so many elements, each divided into `finer` ones. Inner nodes keep their
     /// places along the bar.
-    pub fn new(masses: usize, elements: Vec<u32>, finer: u32) -> Numbering {
+    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<usize>) -> Numbering {
         let elements = elements.iter().map(|n| n * finer).collect();
         Numbering {
             masses,
             elements,
             finer,
+            rows,
         }
     }
 
@@ -83,7 +65,13 @@ impl Numbering {
 
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
-        self.first(self.elements.len())
+        self.first_row(self.rows.len())
+    }
+
+    /// Number of the first row of matrices, by their place in the list.
+    pub fn first_row(&self, matrices: usize) -> usize {
+        let before = self.rows[..matrices].iter();
+        self.first(self.elements.len()) + before.sum::<usize>()
     }
 
     /// Number of the left node of a bar.
@@ -109,6 +97,7 @@ impl Numbering {
         match node {
             NodeRef::Ground => Ok(None),
             NodeRef::Mass(mass) => Ok(Some(mass)),
+            NodeRef::Dof(matrices, row) => Ok(Some(self.first_row(matrices) + row)),
             NodeRef::Left(bar) => Ok(Some(self.first(bar))),
             NodeRef::Right(bar) => Ok(Some(self.first(bar) + self.elements[bar] as usize)),
             NodeRef::Inner(bar, i) if i >= 1 && i < self.elements[bar] / self.finer => {

@@ -3,7 +3,7 @@
 use super::amount::Amount;
 use super::contacts::law_named;
 use super::node::NodeRef;
-use super::template::{Spring, SpringNumbers, Template};
+use super::template::{Moved, Spring, SpringNumbers, Template, Term};
 use crate::contact::ContactKind;
 use crate::problem::Case;
 
@@ -95,12 +95,18 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
             ),
         });
     }
+    let blocks = parts.len();
+    parts.extend(template.matrices.iter().map(|own| Part {
+        name: own.name.clone(),
+        elements: None,
+    }));
     let masses = template.masses.len();
     let end = |node: NodeRef| match node {
         NodeRef::Ground => End::Ground,
         NodeRef::Mass(mass) => End::Part(mass, Place::Mass),
         NodeRef::Left(bar) => End::Part(masses + bar, Place::Left),
         NodeRef::Right(bar) => End::Part(masses + bar, Place::Right),
+        NodeRef::Dof(matrices, _) => End::Part(blocks + matrices, Place::Mass),
         NodeRef::Inner(bar, node) => {
             let elements = parts[masses + bar].elements.unwrap_or(1);
             let place = f64::from(node) / f64::from(elements);
@@ -114,7 +120,7 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
             links.push(Link {
                 kind: LinkKind::Spring { elastic, viscous },
                 name: String::new(),
-                between: [0, 1].map(|i: usize| end(spring.between[i].node)),
+                between: ends(&spring.along, case, end)?,
             });
         }
     }
@@ -130,14 +136,17 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         links.push(Link {
             kind,
             name: contact.name.clone(),
-            between: [0, 1].map(|i: usize| end(contact.between[i].node)),
+            between: ends(&contact.along, case, end)?,
         });
     }
     // They do nothing.
     links.retain(|link| link.between[0] != link.between[1]);
     let mut loads: Vec<End> = Vec::new();
     for load in &template.loads {
-        let loaded = end(load.at.node);
+        let Moved::Node(name) = &load.at else {
+            continue;
+        };
+        let loaded = end(name.node);
         if !loads.contains(&loaded) {
             loads.push(loaded);
         }
@@ -146,8 +155,21 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         links,
         loads,
         parts,
-        ground_moves: template.ground.is_some(),
+        ground_moves: !template.ground.is_empty(),
     })
+}
+
+/// The ends of a link: the first node that moves against it, and the first that moves with it.
+fn ends(along: &[Term], case: &Case, end: impl Fn(NodeRef) -> End) -> Option<[End; 2]> {
+    let mut ends = [None; 2];
+    for term in along {
+        let factor = term.factor.value(case).ok()?;
+        let side = &mut ends[usize::from(factor > 0.0)];
+        if factor != 0.0 && side.is_none() {
+            *side = Some(end(term.node.node));
+        }
+    }
+    Some(ends.map(|end| end.unwrap_or(End::Ground)))
 }
 
 /// Whether a spring has a stiffness and a dashpot in a case.

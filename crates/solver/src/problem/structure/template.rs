@@ -4,6 +4,9 @@ use super::amount::Amount;
 use super::loads::Source;
 use super::node::NodeName;
 use crate::problem::{Case, Violation};
+use crate::system::import::Imported;
+use crate::system::structure::Direction;
+use std::sync::Arc;
 
 /// The structure of all cases of a study.
 #[derive(Debug, Clone, Default)]
@@ -16,6 +19,8 @@ pub struct Template {
     pub masses: Vec<Mass>,
     /// Bars of finite elements.
     pub bars: Vec<Bar>,
+    /// Matrices of other programs.
+    pub matrices: Vec<Matrices>,
     /// Springs and dashpots.
     pub springs: Vec<Spring>,
     /// C += mass M + stiffness K.
@@ -28,8 +33,8 @@ pub struct Template {
     pub contacts: Vec<Contact>,
     /// Forces on nodes.
     pub loads: Vec<Load>,
-    /// Acceleration of the ground.
-    pub ground: Option<Scaled>,
+    /// Accelerations of the ground, each in its direction.
+    pub ground: Vec<(Direction, Scaled)>,
     /// Displacements and velocities at t = 0.
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
@@ -37,10 +42,22 @@ pub struct Template {
 }
 
 impl Template {
+    /// Whether a node of a case may be without mass.
+    pub fn has_massless_nodes(&self, case: &Case) -> bool {
+        let none = |mass: &Mass| mass.mass.value(case) == Ok(0.0);
+        !self.matrices.is_empty() || self.masses.iter().any(none)
+    }
+
+    /// Byte offset of the mass or the matrices of a node in the study, by its name.
+    pub fn place_of(&self, node: &str) -> Option<usize> {
+        let mass = self.masses.iter().find(|mass| mass.name == node);
+        mass.map(|mass| mass.mass.at)
+    }
+
     /// The functions of time whose signals are computed sample by sample.
     pub fn sampled(&self) -> impl Iterator<Item = &Source> {
         let loads = self.loads.iter().map(|load| &load.force.source);
-        let ground = self.ground.iter().map(|ground| &ground.source);
+        let ground = self.ground.iter().map(|(_, ground)| &ground.source);
         let normals = self
             .contacts
             .iter()
@@ -78,8 +95,28 @@ pub enum Reference {
 pub struct Mass {
     /// Name of the node.
     pub name: String,
-    /// Its mass, > 0.
+    /// Its mass, >= 0.
     pub mass: Amount,
+    /// The direction in which it moves.
+    pub direction: Direction,
+}
+
+/// Matrices of another program.
+#[derive(Debug, Clone)]
+pub struct Matrices {
+    /// Its name.
+    pub name: String,
+    /// The matrices and the names of their rows.
+    pub imported: Arc<Imported>,
+}
+
+/// A node with its factor in a relative displacement.
+#[derive(Debug, Clone)]
+pub struct Term {
+    /// The node.
+    pub node: NodeName,
+    /// Its factor.
+    pub factor: Amount,
 }
 
 /// A uniform bar of n two-node elements with lumped masses.
@@ -97,13 +134,15 @@ pub struct Bar {
     pub elements: Amount,
     /// Dashpot of an element over its stiffness; a time.
     pub stiffness_damping: Option<Amount>,
+    /// The direction in which its nodes move.
+    pub direction: Direction,
 }
 
 /// A spring with a dashpot.
 #[derive(Debug, Clone)]
 pub struct Spring {
-    /// Its ends.
-    pub between: [NodeName; 2],
+    /// The nodes whose displacements make its extension.
+    pub along: Vec<Term>,
     /// Its numbers.
     pub numbers: SpringNumbers,
 }
@@ -136,8 +175,8 @@ pub struct Contact {
     pub name: String,
     /// Byte offset and path of the contact in the study.
     pub place: (usize, String),
-    /// Nodes I and J.
-    pub between: [NodeName; 2],
+    /// The nodes whose displacements make r.
+    pub along: Vec<Term>,
     /// Its law.
     pub law: Chosen,
     /// r at rest; none for 0.
@@ -201,11 +240,11 @@ impl Chosen {
     }
 }
 
-/// A force on a node.
+/// A force on nodes.
 #[derive(Debug, Clone)]
 pub struct Load {
-    /// The node.
-    pub at: NodeName,
+    /// The node, or all nodes with the same force on each.
+    pub at: Moved,
     /// The force.
     pub force: Scaled,
 }
@@ -219,7 +258,7 @@ pub struct Scaled {
     pub scale: Option<Amount>,
 }
 
-/// Displacement and velocity at t = 0 of one node, or of all nodes of a bar.
+/// Displacement and velocity at t = 0 of one node, or of several.
 #[derive(Debug, Clone)]
 pub struct Start {
     /// Where.
@@ -230,11 +269,13 @@ pub struct Start {
     pub v: Option<Amount>,
 }
 
-/// What a start moves.
+/// What a start moves, or a load acts on.
 #[derive(Debug, Clone)]
 pub enum Moved {
     /// A node.
     Node(NodeName),
     /// All nodes of a bar, by its place in the list.
     Bar(usize),
+    /// All rows of matrices of a direction, by the place of the matrices in the list.
+    Rows(usize, Direction),
 }

@@ -73,16 +73,13 @@ impl UnitNames<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::structure::channel::Names;
+    use crate::problem::structure::names::Names;
 
     #[test]
     fn a_metric_has_the_unit_of_its_reduction() {
         let units = UnitNames::of("t, kN, m, s").unwrap();
-        let names = Names {
-            masses: &["p"],
-            bars: &[],
-            contacts: &["stop"],
-        };
+        let names =
+            Names::new(vec!["p".into()], Vec::new(), Vec::new()).with_contacts(vec!["stop".into()]);
         for (metric, unit) in [
             ("peak(p)", Some("m")),
             ("rms(p.v)", Some("m/s")),

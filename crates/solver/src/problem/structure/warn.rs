@@ -129,7 +129,8 @@ impl StructureProblem {
             let peak = values.fold(0.0, |peak: f64, a| peak.max(a.abs())) * scale.abs() / gravity;
             scale != 0.0 && !(PEAKS[0]..=PEAKS[1]).contains(&peak)
         };
-        template.ground.iter().chain(vertical).any(strange)
+        let ground = template.ground.iter().map(|(_, ground)| ground);
+        ground.chain(vertical).any(strange)
     }
 }
 

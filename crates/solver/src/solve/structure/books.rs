@@ -1,6 +1,7 @@
 //! Energy books of a run, and the work of each contact.
 
 use super::State;
+use super::massless::Massless;
 use super::state::Average;
 use super::step_view::Kind;
 use crate::lane::Lane;
@@ -91,6 +92,10 @@ impl<const L: usize> Books<L> {
             // du = dt v_mean
             (*change, *w) = ((*w + *now) * 0.5, *now);
         }
+        // Those of nodes without mass are no states.
+        for Massless { place, .. } in &prepared.massless {
+            self.nodes[*place][0] = state.moved[*place];
+        }
         let mut supplied = self.supplied;
         let change = |place: usize| self.nodes[place][0];
         self.loads.fill(Lane::splat(0.0));
@@ -101,6 +106,10 @@ impl<const L: usize> Books<L> {
         for link in prepared.all_links() {
             let change = change(link.to) - change(link.from);
             supplied = supplied - change * change * link.c;
+        }
+        for coupling in &prepared.couplings {
+            let both = change(coupling.from) * change(coupling.to);
+            supplied = supplied - both * (2.0 * coupling.c);
         }
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
         for ((before, work), [r, s]) in contacts.zip(state.contact_states()) {
@@ -162,9 +171,15 @@ impl<const L: usize> Average<'_, L> {
         for (w, inertia) in self.w.iter().zip(&self.prepared.inertia) {
             twice = twice + *w * *w * *inertia;
         }
+        for (i, j, inertia) in &self.prepared.coupled_mass {
+            twice = twice + self.w[*i] * self.w[*j] * (2.0 * inertia);
+        }
         for link in self.prepared.all_links() {
             let change = u(link.to) - u(link.from);
             twice = twice + change * change * link.k;
+        }
+        for coupling in &self.prepared.couplings {
+            twice = twice + u(coupling.from) * u(coupling.to) * (2.0 * coupling.k);
         }
         twice * 0.5
     }

@@ -3,7 +3,7 @@
 use super::curved::first_force;
 use super::laws::bounds;
 use crate::contact::{CoupledForces, Unsolved};
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::{Inertia, Structure, StructureLaw};
 
 /// S(0) of every contact.
 ///
@@ -27,8 +27,12 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
             StructureLaw::Coulomb { .. } if rdot > 0.0 => high,
             StructureLaw::Coulomb { .. } if rdot < 0.0 => low,
             StructureLaw::RigidStop { .. } if r > 0.0 || rdot != 0.0 => 0.0,
+            // Where a node without mass gives way, nothing presses at rest.
             StructureLaw::Coulomb { .. } | StructureLaw::RigidStop { .. } => {
-                active.push(c);
+                let mut nodes = structure.column(c);
+                if nodes.all(|(node, _)| structure.nodes[node].mass > 0.0) {
+                    active.push(c);
+                }
                 0.0
             }
         };
@@ -42,34 +46,41 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
 /// Writes the forces of the contacts that stick or are shut; the others are given.
 fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(), Unsolved> {
     let n = structure.len();
+    let inertia = Inertia::new(structure).map_err(|_| Unsolved::Singular)?;
     let (mut load, mut inner) = (vec![0.0; n], vec![0.0; n]);
     structure.add_loads(0.0, &mut load);
     let (k, c) = (&structure.stiffness, &structure.damping);
     k.add_product(&structure.displacement, &mut inner);
     c.add_product(&structure.velocity, &mut inner);
     for (contact, force) in forces.iter().enumerate() {
-        for (node, sign) in structure.column(contact) {
-            inner[node] += sign * force;
+        for (node, factor) in structure.column(contact) {
+            inner[node] += factor * force;
         }
     }
-    let mass = |node: usize| structure.nodes[node].mass;
-    let acceleration: Vec<f64> = (0..n).map(|i| (load[i] - inner[i]) / mass(i)).collect();
-    let size = |i: &usize| -> f64 {
+    let difference = load.iter().zip(&inner);
+    let mut acceleration: Vec<f64> = difference.map(|(load, inner)| load - inner).collect();
+    inertia.divide(&mut acceleration);
+    // M^-1 B by columns.
+    let columns: Vec<Vec<f64>> = active
+        .iter()
+        .map(|i| {
+            let mut column = vec![0.0; n];
+            for (node, factor) in structure.column(*i) {
+                column[node] += factor;
+            }
+            inertia.divide(&mut column);
+            column
+        })
+        .collect();
+    let size = |(i, column): (&usize, &Vec<f64>)| -> f64 {
         let terms = structure.column(*i);
         terms
-            .map(|(node, _)| (load[node].abs() + inner[node].abs()) / mass(node))
+            .map(|(node, _)| (load[node].abs() + inner[node].abs()) * column[node].abs())
             .sum()
-    };
-    let entry = |i: usize, j: usize| -> f64 {
-        let pairs = structure
-            .column(i)
-            .flat_map(|a| structure.column(j).map(move |b| (a, b)));
-        let common = pairs.filter(|(a, b)| a.0 == b.0);
-        common.map(|(a, b)| a.1 * b.1 / mass(a.0)).sum()
     };
     let rows = active
         .iter()
-        .flat_map(|i| active.iter().map(|j| entry(*i, *j)));
+        .flat_map(|i| columns.iter().map(|column| structure.relative(*i, column)));
     let mut problem = CoupledForces::new(rows.collect(), active.len());
     let d: Vec<f64> = active
         .iter()
@@ -81,7 +92,7 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
             .map(|i| bounds(&structure.contacts[*i], 0.0)[k]);
         bounds.collect()
     };
-    let sizes: Vec<f64> = active.iter().map(size).collect();
+    let sizes: Vec<f64> = active.iter().zip(&columns).map(size).collect();
     let mut held = vec![0.0; active.len()];
     problem.solve(&d, &bound(0), &bound(1), &sizes, &mut held)?;
     for (contact, force) in active.iter().zip(held) {

@@ -18,6 +18,21 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// The law of a contact at a node without mass, whose rdot(i+1) is (r(i+1) - r(i))/dt.
+    pub(super) fn without_mass(law: &StructureLaw, dt: f64) -> Line {
+        let viscous = |compliance| Line {
+            compliance,
+            by_increment: 1.0,
+            by_displacement: 0.0,
+            by_force: 0.0,
+        };
+        match law {
+            StructureLaw::VelocityControl { viscosity, .. } => viscous(dt / viscosity),
+            StructureLaw::Coulomb { .. } => viscous(0.0),
+            law => Line::new(law, dt),
+        }
+    }
+
     pub(super) fn new(law: &StructureLaw, dt: f64) -> Line {
         let impact = |compliance| Line {
             compliance,

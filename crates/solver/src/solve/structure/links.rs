@@ -1,4 +1,4 @@
-//! K and C as springs and dashpots, and the rows of Khat with its factor.
+//! K and C as springs, dashpots and couplings, and the rows of Khat with its factor.
 
 use crate::system::structure::Structure;
 use crate::system::structure::factor::{Columns, Entry, Factor};
@@ -32,12 +32,16 @@ pub(super) struct Link {
     pub(super) c: f64,
 }
 
-/// K and C as springs and dashpots between places and to the ground.
+/// K and C as springs and dashpots between places of one direction and to the ground, and as couplings of different directions,
+/// whose k and c are entries of K and C.
 ///
-/// Differences of displacements are exact where neighbours move alike, while the terms of a row of K cancel.
-pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> Vec<Link> {
+/// Differences of displacements are exact where neighbours move alike, while the terms of a row of K cancel. Between a
+/// displacement and a rotation there is no such difference: their sizes depend on the units.
+pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Link>; 2] {
     let n = structure.len();
     let mut links: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();
+    let mut couplings: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();
+    let direction = |node: usize| structure.nodes[node].direction;
     for (which, matrix, factor) in [
         (0, &structure.stiffness, 1.0),
         (1, &structure.damping, 1.0 / dt),
@@ -48,6 +52,13 @@ pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> Vec<Link
         // The sum of a row is the spring to the ground. For a row without ground it is round-off.
         let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
         for ((i, j), value) in matrix.entries() {
+            if direction(i) != direction(j) {
+                if value != 0.0 {
+                    let (i, j) = (place[i], place[j]);
+                    couplings.entry((i.min(j), i.max(j))).or_default()[which] += value * factor;
+                }
+                continue;
+            }
             for row in [Some(i), (i != j).then_some(j)].into_iter().flatten() {
                 sums[row] += value;
                 sizes[row] += value.abs();
@@ -63,7 +74,7 @@ pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> Vec<Link
         }
     }
     let link = |((from, to), [k, c]): ((usize, usize), [f64; 2])| Link { from, to, k, c };
-    links.into_iter().map(link).collect()
+    [links, couplings].map(|all| all.into_iter().map(link).collect())
 }
 
 /// The rows of a factor, the entries of L that are in none, and the links that are in none.

@@ -97,6 +97,8 @@ pub(super) struct Inputs<const L: usize> {
     /// acceleration method, of which these are the means.
     weighted: Vec<Vec<f64>>,
     jumps: Vec<Vec<f64>>,
+    /// The loads at the end of each step, before they jump there; none where every node has mass.
+    ends: Vec<Vec<f64>>,
     loads: Vec<LaneLoad<L>>,
     limits: Vec<Varying<L>>,
 }
@@ -105,6 +107,11 @@ impl<const L: usize> Inputs<L> {
     /// Inputs of structures with loads on the same nodes.
     pub(super) fn new(cases: &[&Structure; L], prepared: &Prepared, steps: usize) -> Self {
         Inputs::at(cases, prepared, prepared.dt, steps).0
+    }
+
+    /// Adds the loads at the end of a step.
+    pub(super) fn add_ends(&self, step: usize, force: &mut [Lane<L>]) {
+        self.add(&self.ends, step, force);
     }
 
     /// Inputs at the ends of sub-steps of equal length, each with the weights of the loads at its start and end.
@@ -171,6 +178,16 @@ impl<const L: usize> Inputs<L> {
             values: values.series,
             weighted: Vec::new(),
             jumps: Vec::new(),
+            ends: match prepared.massless.is_empty() {
+                true => Vec::new(),
+                false => {
+                    let ends = |signal: &&Arc<Signal>| {
+                        let [before, _] = signal.step_ends(dt, steps);
+                        before
+                    };
+                    means.signals.iter().map(ends).collect()
+                }
+            },
             loads,
         };
         (inputs, means.signals)

@@ -16,6 +16,9 @@
 //! r = r* - H S(i+1), H = B^T Khat^-1 B. One solution for each step is enough: forward elimination, forces, their subtraction,
 //! back substitution.
 //!
+//! M is in the matrix alone, so that a consistent one costs no more than a lumped one. At nodes without mass and damping the
+//! equation is K u + B S = p at the end of the step; P is u there, W = 0, and u(i+1) = u(i) + (W(i+1) - W(i))/2 of the solution.
+//!
 //! A rigid stop has r >= 0 at the end of every step. The method does not know its restitution. After a jump, the force of a contact
 //! without compliance alternates about its mean from step to step, as the method has no damping. Only the mean of two steps moves
 //! the structure, so the motion does not alternate.
@@ -24,17 +27,18 @@
 //!
 //! ```
 //! use slipgap_solver::solve::structure::{Prepared, run};
-//! use slipgap_solver::system::structure::{Contact, Limit, Node, StructureLaw, Structure, Symmetric};
+//! use slipgap_solver::system::structure::{Contact, Direction, Limit, Node, StructureLaw, Structure, Symmetric};
 //!
 //! let limit = Limit::constant(1.0);
 //! let floor = Contact {
 //!     name: "floor".to_string(),
-//!     between: [None, Some(0)],
+//!     along: vec![(0, 1.0)],
 //!     gap: 0.0,
 //!     law: StructureLaw::Coulomb { limit },
 //! };
 //! let block = Structure {
-//!     nodes: vec![Node { name: "block".to_string(), mass: 1.0 }],
+//!     nodes: vec![Node { name: "block".to_string(), mass: 1.0, direction: Direction::X }],
+//!     coupled_mass: Symmetric::zeros(1),
 //!     stiffness: Symmetric::zeros(1),
 //!     damping: Symmetric::zeros(1),
 //!     contacts: vec![floor],
@@ -61,6 +65,7 @@ mod initial;
 mod laws;
 mod links;
 mod loads;
+mod massless;
 mod prepared;
 mod run;
 mod state;

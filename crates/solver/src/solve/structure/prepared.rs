@@ -2,11 +2,12 @@
 
 use super::general::Linear;
 use super::links::{Link, Row, links, rows};
+use super::massless::{self, Massless};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::{Columns, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
-use crate::system::structure::{Load, Structure, Symmetric};
+use crate::system::structure::{Along, Inertia, Load, Structure, Symmetric};
 
 /// The linear part of a step, in the order of elimination of its matrix.
 ///
@@ -20,6 +21,12 @@ pub struct Prepared {
     pub(super) sub_steps: Vec<Linear>,
     /// m by place, for these methods.
     pub(super) mass: Vec<f64>,
+    /// M besides its diagonal, by place: over dt^2 for the constant average acceleration method. Empty for lumped masses.
+    pub(super) coupled_mass: Vec<(usize, usize, f64)>,
+    /// M^-1 where masses are coupled, for these methods.
+    pub(super) inertia_factor: Option<Inertia>,
+    /// Nodes without mass and damping.
+    pub(super) massless: Vec<Massless>,
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
     /// Rows of Khat/4 = L D L^T in the order of elimination.
@@ -28,10 +35,12 @@ pub struct Prepared {
     pub(super) more: Columns,
     /// Links that are in no [`Row`]. The place behind the last one is the ground.
     pub(super) links: Vec<Link>,
+    /// Couplings of nodes of different directions.
+    pub(super) couplings: Vec<Link>,
     /// m/dt^2 by place.
     pub(super) inertia: Vec<f64>,
-    /// Places I and J of each contact.
-    pub(super) between: Vec<[usize; 2]>,
+    /// Places of each contact with their factors.
+    pub(super) along: Lists<(usize, f64)>,
     /// L^-1 B by columns, without zeros.
     pub(super) reduced: Lists<Reduced>,
     /// H = B^T Khat^-1 B by rows.
@@ -54,7 +63,8 @@ struct Key {
     masses: Vec<f64>,
     stiffness: Symmetric,
     damping: Symmetric,
-    between: Vec<[Option<usize>; 2]>,
+    coupled_mass: Symmetric,
+    along: Vec<Along>,
     /// Nodes with loads.
     loads: Vec<Vec<usize>>,
 }
@@ -71,6 +81,7 @@ impl Prepared {
         for i in 0..n {
             matrix.add(i, i, inertia(i));
         }
+        matrix.add_matrix(&structure.coupled_mass, 1.0 / (dt * dt));
         matrix.add_matrix(&structure.damping, 0.5 / dt);
         matrix.add_matrix(&structure.stiffness, 0.25);
         let factor = Factor::new(&matrix, &touches(structure)).map_err(|NotPositive { row }| {
@@ -79,21 +90,26 @@ impl Prepared {
         })?;
         let place = place_of(&factor);
         let places = places(structure, &place);
-        let reduced: Vec<_> = places.iter().map(|ends| reduce(&factor, *ends)).collect();
+        let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         let inertia = factor.order().iter().map(|node| inertia(*node)).collect();
-        let (rows, more, links) = rows(factor, links(structure, &place, dt));
+        let [links, couplings] = links(structure, &place, dt);
+        let (rows, more, links) = rows(factor, links);
         Ok(Prepared {
             dt,
             method: AverageAcceleration.into(),
             sub_steps: Vec::new(),
             mass: Vec::new(),
+            coupled_mass: coupled_mass(structure, &place, 1.0 / (dt * dt)),
+            inertia_factor: None,
+            massless: massless::rows(structure, &place),
             rows,
             more,
             links,
+            couplings,
             inertia,
             // L D L^T is Khat/4.
             flexibility: flexibility(&reduced, 0.25),
-            between: places,
+            along: Lists::new(&places),
             reduced: Lists::new(&reduced),
             place,
             key: Key::new(structure),
@@ -116,6 +132,13 @@ impl Prepared {
             linear.push(next);
             place = order;
         }
+        let inertia_factor = match structure.coupled_mass.is_empty() {
+            true => None,
+            false => Some(Inertia::new(structure).map_err(|NotPositive { row }| {
+                let node = structure.nodes[row].name.clone();
+                Unsolvable::Indefinite { node }
+            })?),
+        };
         let mut mass = vec![0.0; structure.len()];
         for (node, place) in structure.nodes.iter().zip(&place) {
             mass[*place] = node.mass;
@@ -125,11 +148,15 @@ impl Prepared {
             method: *method,
             sub_steps: linear,
             mass,
+            coupled_mass: coupled_mass(structure, &place, 1.0),
+            inertia_factor,
+            massless: massless::rows(structure, &place),
             rows: Vec::new(),
             more: Columns::none(),
             links: Vec::new(),
+            couplings: Vec::new(),
             inertia: Vec::new(),
-            between: places(structure, &place),
+            along: Lists::new(&places(structure, &place)),
             reduced: Lists::new(&[]),
             flexibility: Vec::new(),
             place,
@@ -140,14 +167,15 @@ impl Prepared {
     /// Whether a structure with steps of `dt` by a method has the same linear part, and loads on the same nodes.
     pub fn fits(&self, method: &Method, structure: &Structure, dt: f64) -> bool {
         let nodes = structure.nodes.iter().map(|node| &node.mass);
-        let between = structure.contacts.iter().map(|contact| &contact.between);
+        let along = structure.contacts.iter().map(|contact| &contact.along);
         let same_nodes = |(a, b): (&Vec<usize>, _)| a.iter().copied().eq(loaded(b));
         self.dt == dt
             && self.method == *method
             && self.key.loads.len() == structure.loads.len()
             && self.key.loads.iter().zip(&structure.loads).all(same_nodes)
             && self.key.masses.iter().eq(nodes)
-            && self.key.between.iter().eq(between)
+            && self.key.coupled_mass == structure.coupled_mass
+            && self.key.along.iter().eq(along)
             && self.key.stiffness == structure.stiffness
             && self.key.damping == structure.damping
     }
@@ -174,7 +202,13 @@ impl Prepared {
 
     /// Number of contacts.
     pub fn contacts(&self) -> usize {
-        self.between.len()
+        self.along.len()
+    }
+
+    /// The contacts of nodes without mass; some more than once.
+    pub(super) fn massless_contacts(&self) -> impl Iterator<Item = usize> + '_ {
+        let contacts = self.massless.iter().flat_map(|node| &node.contacts);
+        contacts.copied()
     }
 
     /// All springs and dashpots.
@@ -196,7 +230,8 @@ impl Key {
             masses: structure.nodes.iter().map(|node| node.mass).collect(),
             stiffness: structure.stiffness.clone(),
             damping: structure.damping.clone(),
-            between: structure.contacts.iter().map(|c| c.between).collect(),
+            coupled_mass: structure.coupled_mass.clone(),
+            along: structure.contacts.iter().map(|c| c.along.clone()).collect(),
             loads: structure
                 .loads
                 .iter()
@@ -210,8 +245,8 @@ impl Key {
 /// Whether each node has a contact.
 fn touches(structure: &Structure) -> Vec<bool> {
     let mut touches = vec![false; structure.len()];
-    for node in structure.contacts.iter().flat_map(|c| c.between).flatten() {
-        touches[node] = true;
+    for (node, _) in structure.contacts.iter().flat_map(|c| &c.along) {
+        touches[*node] = true;
     }
     touches
 }
@@ -225,11 +260,27 @@ pub(super) fn place_of(factor: &Factor) -> Vec<usize> {
     place
 }
 
-/// Places I and J of each contact; the place behind the last one is the ground.
-fn places(structure: &Structure, place: &[usize]) -> Vec<[usize; 2]> {
-    let at = |node: Option<usize>| node.map_or(place.len(), |node| place[node]);
-    let contacts = structure.contacts.iter();
-    contacts.map(|contact| contact.between.map(at)).collect()
+/// Places of each contact with their factors.
+pub(super) fn places(structure: &Structure, place: &[usize]) -> Vec<Along> {
+    let of = |along: &Along| {
+        along
+            .iter()
+            .map(|(node, factor)| (place[*node], *factor))
+            .collect()
+    };
+    structure
+        .contacts
+        .iter()
+        .map(|contact| of(&contact.along))
+        .collect()
+}
+
+/// The entries of M below its diagonal by place, times a factor.
+fn coupled_mass(structure: &Structure, place: &[usize], factor: f64) -> Vec<(usize, usize, f64)> {
+    let entries = structure.coupled_mass.entries();
+    entries
+        .map(|((i, j), m)| (place[i], place[j], factor * m))
+        .collect()
 }
 
 /// The nodes of a load.
@@ -237,12 +288,13 @@ fn loaded(load: &Load) -> impl Iterator<Item = usize> + '_ {
     load.pattern.iter().map(|(node, _)| *node)
 }
 
-/// L^-1 B of a contact between two places; the place behind the last one is the ground.
-pub(super) fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
+/// L^-1 B of a contact by its places and their factors.
+pub(super) fn reduce(factor: &Factor, along: &[(usize, f64)]) -> Vec<Reduced> {
     let n = factor.order().len();
-    let mut column = vec![0.0; n + 1];
-    column[i] -= 1.0;
-    column[j] += 1.0;
+    let mut column = vec![0.0; n];
+    for (at, x) in along {
+        column[*at] += x;
+    }
     for k in 0..n {
         for entry in factor.column(k) {
             column[entry.at] -= entry.value * column[k];
@@ -253,7 +305,7 @@ pub(super) fn reduce(factor: &Factor, [i, j]: [usize; 2]) -> Vec<Reduced> {
         value,
         by_pivot: value * factor.reciprocals()[at],
     };
-    let entries = column[..n].iter().copied().enumerate();
+    let entries = column.into_iter().enumerate();
     entries.filter(|(_, x)| *x != 0.0).map(entry).collect()
 }
 

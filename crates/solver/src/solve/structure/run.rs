@@ -102,10 +102,14 @@ impl<const L: usize> Average<'_, L> {
     fn prescribe(&mut self, step: usize) {
         self.work.fill(Lane::splat(0.0));
         self.inputs.add_loads(step, &mut self.work);
-        for (contact, [i, j]) in self.contacts.iter().zip(&self.prepared.between) {
+        for (contact, along) in self.contacts.iter().zip(self.prepared.along.iter()) {
             let mean = contact.force * 0.5;
-            self.work[*i] = self.work[*i] + mean;
-            self.work[*j] = self.work[*j] - mean;
+            for (at, factor) in along {
+                self.work[*at] = self.work[*at] - mean * *factor;
+            }
+        }
+        if !self.prepared.massless.is_empty() {
+            self.prescribe_massless(step);
         }
         if self.inputs.limits_vary() {
             for (contact, limit, slides) in self.inputs.limits(step) {
@@ -134,6 +138,11 @@ impl<const L: usize> Average<'_, L> {
             let flow = (p[to] - p[from]) * k + (w[to] - w[from]) * c;
             work[from] = work[from] + flow;
             work[to] = work[to] - flow;
+        }
+        for coupling in &prepared.couplings {
+            let Link { from, to, k, c } = *coupling;
+            work[from] = work[from] - (p[to] * k + w[to] * c);
+            work[to] = work[to] - (p[from] * k + w[from] * c);
         }
         for (i, row) in prepared.rows.iter().enumerate() {
             let to = row.to;
@@ -225,14 +234,21 @@ impl<const L: usize> Average<'_, L> {
             w[i] = w[i] + x;
             p[i] = p[i] + w[i];
         }
+        if !prepared.massless.is_empty() {
+            self.move_massless();
+        }
     }
 
     /// The contacts after the step.
     #[inline(always)]
     pub(super) fn touch(&mut self) {
-        for (contact, [i, j]) in self.contacts.iter_mut().zip(&self.prepared.between) {
-            contact.p = self.p[*j] - self.p[*i] + contact.gap;
-            contact.w = self.w[*j] - self.w[*i];
+        for (contact, along) in self.contacts.iter_mut().zip(self.prepared.along.iter()) {
+            let (mut p, mut w) = (Lane::splat(0.0), Lane::splat(0.0));
+            for (at, factor) in along {
+                p = p + self.p[*at] * *factor;
+                w = w + self.w[*at] * *factor;
+            }
+            (contact.p, contact.w) = (p + contact.gap, w);
         }
     }
 }

@@ -29,6 +29,8 @@ pub(super) struct Average<'a, const L: usize> {
     pub(super) work: Vec<Lane<L>>,
     pub(super) trial: Vec<Lane<L>>,
     pub(super) force: Vec<Lane<L>>,
+    /// Changes of u of the nodes without mass over the last step by place, and 0 of the others; empty if all have mass.
+    pub(super) moved: Vec<Lane<L>>,
 }
 
 /// The motion of a contact, and its law.
@@ -67,7 +69,12 @@ impl<const L: usize> Average<'_, L> {
     #[inline(always)]
     pub(super) fn velocity(&self, node: usize) -> Lane<L> {
         let dt = self.prepared.dt;
-        self.w[self.prepared.place[node]].map(|w| w / dt)
+        let place = self.prepared.place[node];
+        let change = match self.moved.get(place) {
+            None => self.w[place],
+            Some(moved) => self.w[place] + *moved,
+        };
+        change.map(|w| w / dt)
     }
 
     /// A contact.
@@ -75,11 +82,17 @@ impl<const L: usize> Average<'_, L> {
     pub(super) fn contact(&self, contact: usize) -> ContactStep<L> {
         let dt = self.prepared.dt;
         let [_, limit] = self.forces.bounds(contact);
+        let mut change = self.contacts[contact].w;
+        if !self.moved.is_empty() {
+            for (at, factor) in self.prepared.along.list(contact) {
+                change = change + self.moved[*at] * *factor;
+            }
+        }
         let contact = &self.contacts[contact];
         let displacement = contact.p - contact.w * 0.5;
         ContactStep {
             displacement,
-            velocity: contact.w.map(|w| w / dt),
+            velocity: change.map(|w| w / dt),
             force: contact.force,
             limit,
             slip: displacement - contact.force * contact.line.by_force,
@@ -127,6 +140,10 @@ impl<'a, const L: usize> Average<'a, L> {
                 p[*place].0[l] = case.displacement[node] + 0.5 * w[*place].0[l];
             }
         }
+        for node in &prepared.massless {
+            p[node.place] = p[node.place] - w[node.place] * 0.5;
+            w[node.place] = zero;
+        }
         let of = |number: &dyn Fn(&Structure) -> f64| {
             let mut lane = zero;
             for (x, case) in lane.0.iter_mut().zip(cases) {
@@ -134,9 +151,16 @@ impl<'a, const L: usize> Average<'a, L> {
             }
             lane
         };
+        let massless: Vec<usize> = prepared.massless_contacts().collect();
         let line = |c: usize| {
-            let of =
-                |number: fn(Line) -> f64| of(&|case| number(Line::new(&case.contacts[c].law, dt)));
+            let line = |case: &Structure| {
+                let law = &case.contacts[c].law;
+                match massless.contains(&c) {
+                    false => Line::new(law, dt),
+                    true => Line::without_mass(law, dt),
+                }
+            };
+            let of = |number: fn(Line) -> f64| of(&|case| number(line(case)));
             LaneLine {
                 compliance: of(|line| line.compliance),
                 by_increment: of(|line| line.by_increment),
@@ -186,6 +210,10 @@ impl<'a, const L: usize> Average<'a, L> {
             work: vec![zero; n + 1],
             trial: vec![zero; m],
             force,
+            moved: match prepared.massless.is_empty() {
+                true => Vec::new(),
+                false => vec![zero; n + 1],
+            },
         };
         state.touch();
         state

@@ -1,6 +1,7 @@
 //! The elastic contacts of a structure at rest, with their initial stiffness.
 
 use super::{Contact, Structure, StructureLaw, Symmetric};
+use std::collections::BTreeMap;
 
 impl Contact {
     /// Initial stiffness dS/dr at S = 0; 0 for a contact that is not elastic at t = 0.
@@ -34,7 +35,7 @@ impl Structure {
         for contact in &self.contacts {
             let k = contact.initial_stiffness();
             if k > 0.0 {
-                stiffness.add_spring(contact.between, k);
+                stiffness.add_along(&contact.along, k);
             }
         }
         stiffness
@@ -60,29 +61,33 @@ impl Structure {
         let mut grounded: Vec<bool> = held
             .iter()
             .zip(&diagonal)
-            .map(|(held, diagonal)| *held > 1e-12 * diagonal.max(f64::MIN_POSITIVE))
+            .map(|(held, diagonal)| held.abs() > 1e-12 * diagonal.max(f64::MIN_POSITIVE))
             .collect();
         for contact in self.contacts.iter().filter(|contact| contact.holds()) {
-            match contact.between {
-                [Some(i), Some(j)] => join(&mut part, i, j),
-                [Some(node), None] | [None, Some(node)] => grounded[node] = true,
-                [None, None] => {}
-            }
-        }
-        let mut free = Vec::new();
-        for first in (0..size).filter(|i| part[*i] == *i) {
-            let members: Vec<usize> = (0..size).filter(|i| root(&part, *i) == first).collect();
-            if members.iter().any(|i| grounded[*i]) {
+            let Some((first, others)) = contact.along.split_first() else {
                 continue;
-            }
-            let name = |i: &usize| self.nodes[*i].name.as_str();
-            match members[..] {
-                [one] => free.push(name(&one).to_owned()),
-                [one, .., last] => free.push(format!("{} to {}", name(&one), name(&last))),
-                [] => {}
-            }
+            };
+            others
+                .iter()
+                .for_each(|(node, _)| join(&mut part, first.0, *node));
+            // Equal displacements of all its nodes change r.
+            let sum: f64 = contact.along.iter().map(|(_, factor)| factor).sum();
+            grounded[first.0] |= sum != 0.0;
         }
-        free
+        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for i in 0..size {
+            members.entry(root(&part, i)).or_default().push(i);
+        }
+        let free = members
+            .into_values()
+            .filter(|members| !members.iter().any(|i| grounded[*i]));
+        let name = |i: &usize| self.nodes[*i].name.as_str();
+        let names = free.filter_map(|members| match members[..] {
+            [one] => Some(name(&one).to_owned()),
+            [one, .., last] => Some(format!("{} to {}", name(&one), name(&last))),
+            [] => None,
+        });
+        names.collect()
     }
 }
 
@@ -109,7 +114,7 @@ mod tests {
     fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact {
         Contact {
             name: "c".into(),
-            between,
+            along: super::super::between(between),
             gap,
             law,
         }
@@ -193,8 +198,10 @@ mod tests {
                     .map(|name| Node {
                         name: name.into(),
                         mass: 1.0,
+                        direction: Default::default(),
                     })
                     .to_vec(),
+                coupled_mass: Symmetric::zeros(4),
                 stiffness,
                 damping: Symmetric::zeros(4),
                 contacts,

@@ -42,6 +42,17 @@ impl<T: Copy> Lists<T> {
 }
 
 impl<T> Lists<T> {
+    /// Where each list starts among the entries, and where the last one ends.
+    pub fn starts(&self) -> &[usize] {
+        &self.starts
+    }
+
+    /// List `i`.
+    #[inline(always)]
+    pub fn list(&self, i: usize) -> &[T] {
+        &self.entries[self.starts[i]..self.starts[i + 1]]
+    }
+
     /// Number of lists.
     pub fn len(&self) -> usize {
         self.starts.len() - 1
@@ -52,15 +63,12 @@ impl<T> Lists<T> {
         self.len() == 0
     }
 
-    /// Where each list starts among the entries, and where the last one ends.
-    pub fn starts(&self) -> &[usize] {
-        &self.starts
-    }
-
-    /// List `i`.
+    /// All lists, one after the other.
     #[inline(always)]
-    pub fn list(&self, i: usize) -> &[T] {
-        &self.entries[self.starts[i]..self.starts[i + 1]]
+    pub fn iter(&self) -> impl Iterator<Item = &[T]> + '_ {
+        self.starts
+            .windows(2)
+            .map(|ends| &self.entries[ends[0]..ends[1]])
     }
 
     /// The entries of all lists.

@@ -38,12 +38,21 @@ impl Symmetric {
 
     /// Adds a spring between two nodes; `None` is the ground.
     pub fn add_spring(&mut self, between: [Option<usize>; 2], k: f64) {
-        for node in between.into_iter().flatten() {
-            self.add(node, node, k);
+        self.add_along(&super::between(between), k);
+    }
+
+    /// Adds the stiffness k of a spring whose extension is the sum of factor times u.
+    pub fn add_along(&mut self, along: &[(usize, f64)], k: f64) {
+        for (place, (i, a)) in along.iter().enumerate() {
+            for (j, b) in &along[..=place] {
+                self.add(*i, *j, k * (a * b));
+            }
         }
-        if let [Some(i), Some(j)] = between {
-            self.add(i, j, -k);
-        }
+    }
+
+    /// Whether it has no entries.
+    pub fn is_empty(&self) -> bool {
+        self.rows.iter().all(Vec::is_empty)
     }
 
     /// Adds another matrix times a factor.

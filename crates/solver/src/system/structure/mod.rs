@@ -1,15 +1,19 @@
 //! Structures with any number of contacts: M u'' + C u' + K u + B S = p(t), r = B^T u + gap.
 //!
-//! One direction, small motions, lumped masses. B has one column for each contact, with -1 at node I and +1 at node J, so that
-//! S resists the opening of the contact: S <= 0 in an impact.
+//! Small motions, masses lumped or consistent. A node is a degree of freedom. B has one column for each contact: the factors of u
+//! in r. Between two nodes they are -1 at node I and +1 at node J, so that S resists the opening of the contact: S <= 0 in an impact.
 
+mod direction;
 pub mod factor;
+mod inertia;
 mod initial;
 pub mod lists;
 mod matrix;
 mod signal;
 mod structure_law;
 
+pub use direction::Direction;
+pub use inertia::Inertia;
 pub use matrix::Symmetric;
 pub use signal::{Signal, Table};
 pub use structure_law::{Limit, Pressure, StructureLaw};
@@ -19,8 +23,10 @@ use std::sync::Arc;
 /// A structure with its contacts, loads and state at t = 0.
 #[derive(Debug, Clone)]
 pub struct Structure {
-    /// Name and mass of each node; all masses are positive.
+    /// Name and mass of each node.
     pub nodes: Vec<Node>,
+    /// M besides its diagonal; no entries for lumped masses.
+    pub coupled_mass: Symmetric,
     /// K without the contacts.
     pub stiffness: Symmetric,
     /// C without the contacts.
@@ -35,13 +41,15 @@ pub struct Structure {
     pub velocity: Vec<f64>,
 }
 
-/// A node: a lumped mass that moves in one direction.
+/// A node: a degree of freedom.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
     /// Its name, such as `p1` or `g1.left`.
     pub name: String,
-    /// Its mass, > 0.
+    /// Its mass, the entry on the diagonal of M, >= 0.
     pub mass: f64,
+    /// Its direction. K u is a sum of differences between nodes of one direction.
+    pub direction: Direction,
 }
 
 /// Forces in a fixed proportion, times one signal.
@@ -53,17 +61,26 @@ pub struct Load {
     pub signal: Arc<Signal>,
 }
 
-/// A contact between two nodes, or a node and the ground.
+/// A contact.
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// Its name.
     pub name: String,
-    /// Nodes I and J; `None` is the ground. r = u_J - u_I + gap.
-    pub between: [Option<usize>; 2],
+    /// Its column of B: r is the sum of factor times u of the node, plus the gap.
+    pub along: Along,
     /// r at rest.
     pub gap: f64,
     /// Its law.
     pub law: StructureLaw,
+}
+
+/// The factors of u in a relative displacement, or in the extension of a spring: each node once.
+pub type Along = Vec<(usize, f64)>;
+
+/// -1 at node I and +1 at node J; `None` is the ground.
+pub fn between([i, j]: [Option<usize>; 2]) -> Along {
+    let ends = [i.map(|i| (i, -1.0)), j.map(|j| (j, 1.0))];
+    ends.into_iter().flatten().collect()
 }
 
 impl Structure {
@@ -79,16 +96,30 @@ impl Structure {
 
     /// Relative displacement or velocity of a contact for displacements or velocities `u` of the nodes, without the gap.
     pub fn relative(&self, contact: usize, u: &[f64]) -> f64 {
-        let at = |node: Option<usize>| node.map_or(0.0, |node| u[node]);
-        let [i, j] = self.contacts[contact].between;
-        at(j) - at(i)
+        let terms = self.column(contact);
+        terms.fold(0.0, |sum, (node, factor)| sum + factor * u[node])
     }
 
-    /// The column of B of a contact: each node with -1 or +1.
+    /// The column of B of a contact: nodes with their factors.
     pub fn column(&self, contact: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let [i, j] = self.contacts[contact].between;
-        let ends = [i.map(|i| (i, -1.0)), j.map(|j| (j, 1.0))];
-        ends.into_iter().flatten()
+        self.contacts[contact].along.iter().copied()
+    }
+
+    /// M.
+    pub fn mass(&self) -> Symmetric {
+        let mut mass = self.coupled_mass.clone();
+        for (i, node) in self.nodes.iter().enumerate() {
+            mass.add(i, i, node.mass);
+        }
+        mass
+    }
+
+    /// Adds a factor times M to a matrix.
+    pub fn add_mass(&self, factor: f64, matrix: &mut Symmetric) {
+        for (i, node) in self.nodes.iter().enumerate() {
+            matrix.add(i, i, factor * node.mass);
+        }
+        matrix.add_matrix(&self.coupled_mass, factor);
     }
 
     /// Adds the loads at time t to `force`.

@@ -5,7 +5,9 @@ use slipgap_solver::contact::{
     ContactLaw, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Ye,
 };
 use slipgap_solver::problem::structure::contact_duration;
-use slipgap_solver::system::structure::{Contact, Node, Structure, StructureLaw, Symmetric};
+use slipgap_solver::system::structure::{
+    Contact, Node, Structure, StructureLaw, Symmetric, between,
+};
 
 const MASSES: [f64; 2] = [2.0, 3.0];
 
@@ -23,15 +25,17 @@ fn ratio(law: StructureLaw, keys: &str) -> f64 {
     let node = |mass| Node {
         name: String::new(),
         mass,
+        direction: Default::default(),
     };
     let contact = Contact {
         name: String::new(),
-        between: [Some(0), Some(1)],
+        along: between([Some(0), Some(1)]),
         gap: 0.0,
         law,
     };
     let structure = Structure {
         nodes: MASSES.map(node).to_vec(),
+        coupled_mass: Symmetric::zeros(2),
         stiffness: Symmetric::zeros(2),
         damping: Symmetric::zeros(2),
         contacts: Vec::new(),

@@ -20,9 +20,11 @@ pub fn masses(masses: &[f64]) -> Structure {
     let node = |(i, mass): (usize, &f64)| Node {
         name: format!("n{i}"),
         mass: *mass,
+        direction: Default::default(),
     };
     Structure {
         nodes: masses.iter().enumerate().map(node).collect(),
+        coupled_mass: Symmetric::zeros(masses.len()),
         stiffness: Symmetric::zeros(masses.len()),
         damping: Symmetric::zeros(masses.len()),
         contacts: Vec::new(),
@@ -66,7 +68,7 @@ impl Build for Structure {
         let name = format!("c{}", self.contacts.len());
         self.contacts.push(Contact {
             name,
-            between,
+            along: crate::system::structure::between(between),
             gap,
             law,
         });

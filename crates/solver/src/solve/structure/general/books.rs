@@ -32,7 +32,16 @@ impl<const L: usize> General<'_, L> {
             let [m0, m1] = sub_step.inertia;
             let [s0, s1] = sub_step.forces;
             // The displacement of the equation.
+            let massless: Vec<usize> = self
+                .prepared
+                .massless
+                .iter()
+                .map(|node| node.place)
+                .collect();
             let moved = |place: usize| {
+                if massless.contains(&place) {
+                    return end.nodes[place][0] - start.nodes[place][0];
+                }
                 let [du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
                 du + end.nodes[place][2] * sub_step.d2
             };
@@ -48,6 +57,10 @@ impl<const L: usize> General<'_, L> {
                 let a = start.nodes[at][2] * m0 + end.nodes[at][2] * m1;
                 unbalanced = unbalanced + (room[at] - a * *mass) * moved(at);
             }
+            for (i, j, mass) in &self.prepared.coupled_mass {
+                let a = |at: usize| start.nodes[at][2] * m0 + end.nodes[at][2] * m1;
+                unbalanced = unbalanced - (a(*i) * moved(*j) + a(*j) * moved(*i)) * *mass;
+            }
             for link in linear.all_links() {
                 let difference = |of: &dyn Fn(usize) -> Lane<L>| of(link.to) - of(link.from);
                 let du = difference(&moved);
@@ -57,14 +70,26 @@ impl<const L: usize> General<'_, L> {
                 let mean = (v + v_end) * 0.5;
                 supplied = supplied - mean * difference(&|at| by(at, 0)) * link.c;
             }
+            for coupling in &linear.couplings {
+                for (at, other) in [(coupling.from, coupling.to), (coupling.to, coupling.from)] {
+                    let u = start.nodes[other][0] + moved(other) * w1;
+                    let [v, v_end] = [start, end].map(|stage| stage.nodes[other][1]);
+                    let force = u * coupling.k + (v * w0 + v_end * w1) * coupling.c;
+                    unbalanced = unbalanced - moved(at) * force;
+                    supplied = supplied - (v + v_end) * by(at, 0) * (0.5 * coupling.c);
+                }
+            }
             for (c, work) in contacts.iter_mut().enumerate() {
                 let step = self.contact_work(part, c);
                 *work = *work + step;
                 supplied = supplied - step;
-                let [i, j] = self.prepared.between[c];
+                let mut change = zero;
+                for (at, factor) in self.prepared.along.list(c) {
+                    change = change + moved(*at) * *factor;
+                }
                 let [s, s_end] = [start, end].map(|stage| stage.contacts[c][2]);
                 let force = s * s0 + s_end * s1;
-                unbalanced = unbalanced - force * (moved(j) - moved(i));
+                unbalanced = unbalanced - force * change;
             }
         }
         StepWork {
@@ -106,9 +131,16 @@ impl<const L: usize> General<'_, L> {
         for ([_, v, _], mass) in nodes.iter().zip(&self.prepared.mass) {
             twice = twice + *v * *v * *mass;
         }
+        for (i, j, mass) in &self.prepared.coupled_mass {
+            twice = twice + nodes[*i][1] * nodes[*j][1] * (2.0 * mass);
+        }
         for link in self.prepared.sub_steps[0].all_links() {
             let change = nodes[link.to][0] - nodes[link.from][0];
             twice = twice + change * change * link.k;
+        }
+        for coupling in &self.prepared.sub_steps[0].couplings {
+            let [u, other] = [coupling.from, coupling.to].map(|at| nodes[at][0]);
+            twice = twice + u * other * (2.0 * coupling.k);
         }
         twice * 0.5
     }

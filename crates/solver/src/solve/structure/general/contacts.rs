@@ -45,6 +45,29 @@ pub(super) struct Line<T> {
 pub(super) type LaneLine<const L: usize> = Line<Lane<L>>;
 
 impl Line<f64> {
+    /// The law of a contact at a node without mass, whose rdot' is (r' - r)/h.
+    pub(super) fn without_mass(
+        law: &StructureLaw,
+        sub_step: &SubStep,
+        impulses: bool,
+    ) -> Line<f64> {
+        let line = Line::new(law, sub_step, impulses);
+        match law {
+            StructureLaw::VelocityControl { viscosity, .. } => Line {
+                compliance: sub_step.length / viscosity,
+                by_change: 1.0,
+                by_rate: 0.0,
+                ..line
+            },
+            StructureLaw::Coulomb { .. } => Line {
+                by_change: 1.0,
+                by_rate: 0.0,
+                ..line
+            },
+            _ => line,
+        }
+    }
+
     pub(super) fn new(law: &StructureLaw, sub_step: &SubStep, impulses: bool) -> Line<f64> {
         let none = Line {
             compliance: 0.0,
@@ -113,10 +136,15 @@ impl<const L: usize> LaneLine<L> {
         c: usize,
         sub_step: &SubStep,
         impulses: bool,
+        massless: bool,
     ) -> LaneLine<L> {
+        let line = match massless {
+            false => Line::new,
+            true => Line::without_mass,
+        };
         let of = |number: fn(&Line<f64>) -> f64| {
             lanes(cases, |case| {
-                number(&Line::new(&case.contacts[c].law, sub_step, impulses))
+                number(&line(&case.contacts[c].law, sub_step, impulses))
             })
         };
         Line {

@@ -16,6 +16,8 @@ const HALVINGS: usize = 60;
 pub enum CriticalFault {
     /// A contact without compliance, with this name.
     Rigid(String),
+    /// A node without mass, with this name.
+    Massless(String),
     /// The step is above the critical one.
     Above {
         /// Critical step.
@@ -29,7 +31,7 @@ impl CriticalFault {
     /// The parameter that is at fault.
     pub fn parameter(&self) -> &'static str {
         match self {
-            CriticalFault::Rigid(_) => "method",
+            CriticalFault::Rigid(_) | CriticalFault::Massless(_) => "method",
             CriticalFault::Above { .. } => "dt",
         }
     }
@@ -41,6 +43,10 @@ impl fmt::Display for CriticalFault {
             CriticalFault::Rigid(contact) => write!(
                 f,
                 "has no stable step with rigid contact, such as '{contact}'; allowed: a law with compliance, or moreau-jean"
+            ),
+            CriticalFault::Massless(node) => write!(
+                f,
+                "has no stable step with a node without mass, such as '{node}'; allowed: the other methods"
             ),
             CriticalFault::Above { critical, dt } => write!(
                 f,
@@ -76,6 +82,17 @@ pub fn critical_step(structure: &Structure, method: &Method) -> Option<f64> {
     }
     // Above it by round-off of the sums.
     let [mut low, mut high] = [0.0, bound * (1.0 + 1e-12)];
+    // The sums bound the eigenvalues of lumped masses only.
+    for _ in 0..if structure.coupled_mass.is_empty() {
+        0
+    } else {
+        HALVINGS
+    } {
+        if is_above(structure, &stiffness, high) {
+            break;
+        }
+        high *= 2.0;
+    }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if is_above(structure, &stiffness, middle) {
@@ -96,6 +113,9 @@ pub fn critical_fault(structure: &Structure, method: &Method, dt: f64) -> Option
     let rigid = |law: &StructureLaw| matches!(law, StructureLaw::RigidStop { .. });
     if let Some(stop) = structure.contacts.iter().find(|c| rigid(&c.law)) {
         return Some(CriticalFault::Rigid(stop.name.clone()));
+    }
+    if let Some(node) = structure.nodes.iter().find(|node| node.mass == 0.0) {
+        return Some(CriticalFault::Massless(node.name.clone()));
     }
     // Stable if no omega is above limit/dt: one factor instead of a search.
     let omega2 = (1.0 + ROUND_OFF) * (limit / dt) * (limit / dt);
@@ -122,7 +142,7 @@ fn with_contacts(structure: &Structure) -> Symmetric {
             | StructureLaw::Coulomb { .. } => 0.0,
         };
         if k > 0.0 {
-            stiffness.add_spring(contact.between, k);
+            stiffness.add_along(&contact.along, k);
         }
     }
     stiffness
@@ -132,9 +152,7 @@ fn with_contacts(structure: &Structure) -> Symmetric {
 fn is_above(structure: &Structure, stiffness: &Symmetric, omega2: f64) -> bool {
     let n = structure.len();
     let mut matrix = Symmetric::zeros(n);
-    for (i, node) in structure.nodes.iter().enumerate() {
-        matrix.add(i, i, omega2 * node.mass);
-    }
+    structure.add_mass(omega2, &mut matrix);
     matrix.add_matrix(stiffness, -1.0);
     Factor::new(&matrix, &vec![false; n]).is_ok()
 }

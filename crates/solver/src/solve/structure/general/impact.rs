@@ -55,8 +55,8 @@ impl<const L: usize> General<'_, L> {
             let before = impacts.active[c];
             for l in (0..L).filter(|l| contact.stop[*l]) {
                 let [r, rdot] = [0, 1].map(|k| start[c][k].0[l]);
-                let places = self.prepared.between[c].iter();
-                let moved = places.map(|place| nodes[*place][0].0[l].abs());
+                let places = self.prepared.along.list(c).iter();
+                let moved = places.map(|(place, factor)| (factor * nodes[*place][0].0[l]).abs());
                 let size = &mut impacts.size[c][l];
                 *size = moved.fold(size.max(contact.gap.0[l].abs()), f64::max);
                 let least = if before[l] { ROUND_OFF * *size } else { 0.0 };

@@ -3,7 +3,7 @@
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::links::{Link, Row, links, rows};
-use crate::solve::structure::prepared::{Reduced, flexibility, place_of, reduce};
+use crate::solve::structure::prepared::{Reduced, flexibility, place_of, places, reduce};
 use crate::system::structure::factor::{Columns, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Structure, Symmetric};
@@ -18,6 +18,8 @@ pub(in crate::solve::structure) struct Linear {
     pub(super) more: Columns,
     /// Links that are in no row.
     pub(super) links: Vec<Link>,
+    /// Couplings of nodes of different directions.
+    pub(super) couplings: Vec<Link>,
     /// L^-1 B by columns.
     pub(super) reduced: Lists<Reduced>,
     /// What a force takes from the relations of the contacts, by rows: d2 s1 B^T (..)^-1 B, or d1 s1 B^T (..)^-1 B if d2 = 0.
@@ -34,9 +36,7 @@ impl Linear {
     ) -> Result<(Linear, Vec<usize>), Unsolvable> {
         let n = structure.len();
         let mut matrix = Symmetric::zeros(n);
-        for (i, node) in structure.nodes.iter().enumerate() {
-            matrix.add(i, i, sub_step.inertia[1] * node.mass);
-        }
+        structure.add_mass(sub_step.inertia[1], &mut matrix);
         let [of_c, of_k] = [sub_step.d1, sub_step.d2].map(|d| sub_step.weights[1] * d);
         matrix.add_matrix(&structure.damping, of_c);
         matrix.add_matrix(&structure.stiffness, of_k);
@@ -48,14 +48,15 @@ impl Linear {
             ))
         })?;
         let place = place_of(&factor);
-        let at = |node: Option<usize>| node.map_or(n, |node| place[node]);
-        let between = structure.contacts.iter().map(|c| c.between.map(at));
-        let reduced: Vec<_> = between.map(|ends| reduce(&factor, ends)).collect();
-        let (rows, more, links) = rows(factor, links(structure, &place, 1.0));
+        let places = places(structure, &place);
+        let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
+        let [links, couplings] = links(structure, &place, 1.0);
+        let (rows, more, links) = rows(factor, links);
         let linear = Linear {
             rows,
             more,
             links,
+            couplings,
             flexibility: flexibility(&reduced, sub_step.flexibility()),
             reduced: Lists::new(&reduced),
             sub_step,

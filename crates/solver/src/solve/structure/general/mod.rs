@@ -17,6 +17,7 @@ mod critical;
 mod curved;
 mod impact;
 mod linear;
+mod mass;
 mod rest;
 mod start;
 mod state;

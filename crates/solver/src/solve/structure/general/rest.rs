@@ -26,8 +26,12 @@ impl<const L: usize> General<'_, L> {
             if !rests {
                 continue;
             }
+            // Nodes with other factors do not have equal velocities.
+            let Some(pair) = pair(prepared.along.list(c), ground) else {
+                continue;
+            };
             any |= end.contacts[c][1].0[l] != 0.0;
-            let [i, j] = prepared.between[c].map(|place| root(&impacts.with, place));
+            let [i, j] = pair.map(|place| root(&impacts.with, place));
             // The ground is the last place.
             impacts.with[i.min(j)] = i.max(j);
         }
@@ -61,6 +65,15 @@ impl<const L: usize> General<'_, L> {
             *with = place;
         }
         any
+    }
+}
+
+/// The two places of a contact whose r is the difference of their u, or the place and the ground.
+fn pair(along: &[(usize, f64)], ground: usize) -> Option<[usize; 2]> {
+    match *along {
+        [(i, a)] if f64::abs(a) == 1.0 => Some([i, ground]),
+        [(i, a), (j, b)] if f64::abs(a) == 1.0 && a + b == 0.0 => Some([i, j]),
+        _ => None,
     }
 }
 

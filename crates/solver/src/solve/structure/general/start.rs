@@ -23,12 +23,14 @@ impl<'a, const L: usize> General<'a, L> {
         let parts = &prepared.sub_steps;
         let impulses = prepared.method.has_impulses();
         let explicit = parts.iter().any(|linear| linear.sub_step.is_explicit());
+        let massless: Vec<usize> = prepared.massless_contacts().collect();
         let contact = |c| LaneContact::new(cases, c, explicit, impulses);
         let contacts: Vec<_> = (0..m).map(contact).collect();
         let lines: Vec<Vec<_>> = parts
             .iter()
             .map(|linear| {
-                let line = |c| LaneLine::of(cases, c, &linear.sub_step, impulses);
+                let line =
+                    |c| LaneLine::of(cases, c, &linear.sub_step, impulses, massless.contains(&c));
                 (0..m).map(line).collect()
             })
             .collect();
@@ -59,7 +61,11 @@ impl<'a, const L: usize> General<'a, L> {
                 forces[0].fail(l, 0, why);
                 vec![0.0; m]
             });
-            let accelerations = accelerations(case, &start);
+            let accelerations = case.accelerations(&start).unwrap_or_else(|why| {
+                let node = case.nodes[why.row].name.clone();
+                refused[l] = Some(Unsolvable::Indefinite { node });
+                vec![0.0; n]
+            });
             for (node, place) in prepared.place.iter().enumerate() {
                 let [u, v, a] = &mut stage.nodes[*place];
                 u.0[l] = case.displacement[node];
@@ -93,26 +99,4 @@ impl<'a, const L: usize> General<'a, L> {
         state.touch(parts.len());
         state
     }
-}
-
-/// M^-1 (p - B S - C v - K u) at t = 0.
-fn accelerations(structure: &Structure, forces: &[f64]) -> Vec<f64> {
-    let n = structure.len();
-    let (mut load, mut inner) = (vec![0.0; n], vec![0.0; n]);
-    structure.add_loads(0.0, &mut load);
-    structure
-        .stiffness
-        .add_product(&structure.displacement, &mut inner);
-    structure
-        .damping
-        .add_product(&structure.velocity, &mut inner);
-    for (contact, force) in forces.iter().enumerate() {
-        for (node, sign) in structure.column(contact) {
-            inner[node] += sign * force;
-        }
-    }
-    let nodes = structure.nodes.iter().zip(load.iter().zip(&inner));
-    nodes
-        .map(|(node, (load, inner))| (load - inner) / node.mass)
-        .collect()
 }

@@ -111,15 +111,22 @@ impl<const L: usize> General<'_, L> {
             self.weighted[i] = [u + du * w, v + dv * w];
             self.work[i] = a * (-m0 * mass);
         }
+        if !self.prepared.coupled_mass.is_empty() {
+            self.add_coupled_inertia(part, -m0);
+        }
         self.inputs.add_weighted(end, &mut self.work);
         let s0 = sub_step.forces[0];
         if s0 != 0.0 {
-            let between = &self.prepared.between;
-            for ([_, _, force], [i, j]) in start.contacts.iter().zip(between) {
+            let along = self.prepared.along.iter();
+            for ([_, _, force], along) in self.stages[part].contacts.iter().zip(along) {
                 let part = *force * s0;
-                self.work[*i] = self.work[*i] + part;
-                self.work[*j] = self.work[*j] - part;
+                for (at, factor) in along {
+                    self.work[*at] = self.work[*at] - part * *factor;
+                }
             }
+        }
+        if !self.prepared.massless.is_empty() {
+            self.prescribe_massless(part, end);
         }
         if self.inputs.limits_vary() {
             let forces = &mut self.forces[part];
@@ -146,9 +153,9 @@ impl<const L: usize> General<'_, L> {
     fn jump(&mut self, part: usize, end: usize) {
         self.work.fill(Lane::splat(0.0));
         self.inputs.add_jumps(end, &mut self.work);
-        let nodes = self.stages[part].nodes.iter_mut();
-        for ((node, jump), mass) in nodes.zip(&self.work).zip(&self.prepared.mass) {
-            node[2] = node[2] + jump.map(|jump| jump / mass);
+        self.divide_by_mass();
+        for (node, jump) in self.stages[part].nodes.iter_mut().zip(&self.work) {
+            node[2] = node[2] + *jump;
         }
     }
 
@@ -166,6 +173,12 @@ impl<const L: usize> General<'_, L> {
             let flow = flow(from, to, k, c);
             work[from] = work[from] + flow;
             work[to] = work[to] - flow;
+        }
+        for coupling in &linear.couplings {
+            let Link { from, to, k, c } = *coupling;
+            let force = |of: usize| at[of][0] * k + at[of][1] * c;
+            work[from] = work[from] - force(to);
+            work[to] = work[to] - force(from);
         }
         for (i, row) in linear.rows.iter().enumerate() {
             let flow = flow(i, row.to, row.k, row.c);
@@ -192,8 +205,11 @@ impl<const L: usize> General<'_, L> {
             for entry in linear.reduced.list(c) {
                 a = a + self.work[entry.at] * entry.by_pivot;
             }
-            let [i, j] = prepared.between[c];
-            let [du, dv] = [0, 1].map(|k| self.predicted[j][k] - self.predicted[i][k]);
+            let [mut du, mut dv] = [Lane::splat(0.0); 2];
+            for (at, factor) in prepared.along.list(c) {
+                let [u, v] = self.predicted[*at];
+                (du, dv) = (du + u * *factor, dv + v * *factor);
+            }
             let [r, rdot, s] = start.contacts[c];
             let line = &self.lines[part][c];
             let (change, rate) = (du + a * d2, rdot + dv + a * d1);
@@ -247,7 +263,8 @@ impl<const L: usize> General<'_, L> {
     /// D L^T a' = y, and the motion at the end.
     #[inline(always)]
     fn substitute(&mut self, part: usize) {
-        let linear = &self.prepared.sub_steps[part];
+        let prepared = self.prepared;
+        let linear = &prepared.sub_steps[part];
         let SubStep { d1, d2, .. } = linear.sub_step;
         if let Some(ground) = self.work.last_mut() {
             *ground = Lane::splat(0.0);
@@ -266,6 +283,12 @@ impl<const L: usize> General<'_, L> {
             let ([u, v, _], [du, dv]) = (start[i], self.predicted[i]);
             end[i] = [u + (du + a * d2), v + (dv + a * d1), a];
         }
+        for node in &prepared.massless {
+            let [u, _, _] = start[node.place];
+            let change = self.work[node.place] * d2;
+            let rate = change * (1.0 / linear.sub_step.length);
+            end[node.place] = [u + change, rate, Lane::splat(0.0)];
+        }
         let contacts = after[0].contacts.iter_mut();
         for ([_, _, s], force) in contacts.zip(&self.force) {
             *s = *force;
@@ -276,10 +299,14 @@ impl<const L: usize> General<'_, L> {
     #[inline(always)]
     pub(super) fn touch(&mut self, stage: usize) {
         let Stage { nodes, contacts } = &mut self.stages[stage];
-        let gaps = self.contacts.iter().zip(&self.prepared.between);
-        for ([r, rdot, _], (contact, [i, j])) in contacts.iter_mut().zip(gaps) {
-            *r = nodes[*j][0] - nodes[*i][0] + contact.gap;
-            *rdot = nodes[*j][1] - nodes[*i][1];
+        let gaps = self.contacts.iter().zip(self.prepared.along.iter());
+        for ([r, rdot, _], (contact, along)) in contacts.iter_mut().zip(gaps) {
+            let [mut u, mut v] = [Lane::splat(0.0); 2];
+            for (at, factor) in along {
+                u = u + nodes[*at][0] * *factor;
+                v = v + nodes[*at][1] * *factor;
+            }
+            (*r, *rdot) = (u + contact.gap, v);
         }
     }
 }

@@ -248,9 +248,11 @@ fn various(which: usize, ground: &Arc<Signal>) -> Structure {
     structure.contacts[1].law = impact(impacts[(which + 1) % 6]);
     structure.contacts[2].law = friction(frictions[which], limit);
     structure.contacts[3].law = friction(frictions[(which + 1) % 6], limit);
-    let between = structure.contacts[0].between;
-    let law = friction(frictions[0], 60.0);
-    structure.contacts.push(contact(between, 0.0, law));
+    structure.contacts.push(Contact {
+        gap: 0.0,
+        law: friction(frictions[0], 60.0),
+        ..structure.contacts[0].clone()
+    });
     structure
 }
 

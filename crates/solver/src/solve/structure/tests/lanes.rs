@@ -126,11 +126,11 @@ fn a_lane_that_fails_leaves_the_others_alone() {
     let mut bad = good.clone();
     // Two rigid contacts between the same nodes: their forces are not unique.
     for c in [2, 3] {
-        bad.contacts[c].between = bad.contacts[4].between;
+        bad.contacts[c].along = bad.contacts[4].along.clone();
     }
     let mut good = good;
     for c in [2, 3] {
-        good.contacts[c].between = good.contacts[4].between;
+        good.contacts[c].along = good.contacts[4].along.clone();
     }
     for c in [2, 3] {
         bad.contacts[c].law = StructureLaw::Coulomb {

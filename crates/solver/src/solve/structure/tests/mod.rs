@@ -22,10 +22,12 @@ fn masses(masses: &[f64]) -> Structure {
     let node = |(i, mass): (usize, &f64)| Node {
         name: format!("m{i}"),
         mass: *mass,
+        direction: Default::default(),
     };
     let n = masses.len();
     Structure {
         nodes: masses.iter().enumerate().map(node).collect(),
+        coupled_mass: Symmetric::zeros(n),
         stiffness: Symmetric::zeros(n),
         damping: Symmetric::zeros(n),
         contacts: Vec::new(),
@@ -38,7 +40,7 @@ fn masses(masses: &[f64]) -> Structure {
 fn contact(between: [Option<usize>; 2], gap: f64, law: StructureLaw) -> Contact {
     Contact {
         name: "contact".into(),
-        between,
+        along: crate::system::structure::between(between),
         gap,
         law,
     }
@@ -134,8 +136,10 @@ fn mixed(n: usize, factor: f64, ground: &Arc<Signal>) -> Structure {
     structure.contacts[4].law = StructureLaw::Coulomb {
         limit: Limit::constant(150.0),
     };
-    let between = structure.contacts[0].between;
-    let law = velocity_control(5e3 * factor, 60.0);
-    structure.contacts.push(contact(between, 0.0, law));
+    structure.contacts.push(Contact {
+        gap: 0.0,
+        law: velocity_control(5e3 * factor, 60.0),
+        ..structure.contacts[0].clone()
+    });
     structure
 }

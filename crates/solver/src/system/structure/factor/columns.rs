@@ -12,8 +12,8 @@ pub struct Entry {
 /// Columns of L, the last one first in memory.
 ///
 /// Substitution goes through the columns backwards and adds the products of each one in rising rows. In this order it reads
-/// memory in one direction, which is four times as fast in a factor of 8 million entries. Elimination needs no order within a column: it goes
-/// through each one backwards, and so through all memory.
+/// memory in one direction, which is four times as fast in a factor of 8 million entries. Elimination needs no order within a
+/// column: it goes through each one backwards, and so through all memory.
 #[derive(Debug, Clone)]
 pub struct Columns {
     /// Where each column ends, and 0.

@@ -6,6 +6,7 @@ mod numeric;
 mod order;
 mod panels;
 mod products;
+mod solve;
 
 pub use columns::{Columns, Entry};
 
@@ -229,8 +230,8 @@ mod tests {
         springs(width * width, &pairs)
     }
 
-    /// D and L of a matrix with its rows in the order of a factor, column after column in a full matrix. Of two entries of a column,
-    /// the one whose row comes first in `before` is divided by the pivot.
+    /// D and L of a matrix with its rows in the order of a factor, column after column in a full matrix. Of two entries i > j of a
+    /// column, that of row i is divided by the pivot if `before`, else that of row j.
     fn full(
         matrix: &Symmetric,
         factor: &Factor,

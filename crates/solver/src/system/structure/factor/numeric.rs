@@ -30,8 +30,8 @@ struct Source {
 }
 
 impl<'a> Numeric<'a> {
-    /// The numbers of P A P^T = L D L^T, with the entries (row, value) of P A P^T below its diagonal. Of the numbers of two rows, the
-    /// entry of the smaller one is divided by the pivot.
+    /// The numbers of P A P^T = L D L^T for the diagonal of P A P^T and its entries (row, value) below the diagonal, by columns. Of
+    /// two entries of a column of L D, the one whose row has the smaller number is divided by the pivot.
     ///
     /// All entries are A_ij less the products of the columns in their order, however the columns are grouped.
     ///

@@ -73,11 +73,9 @@ fn contacts_shorten_it() {
             StructureLaw::DisplacementControl { stiffness, .. } => stiffness,
             _ => 0.0,
         };
-        for (i, x) in [(c.between[0], -1.0), (c.between[1], 1.0)] {
-            for (j, y) in [(c.between[0], -1.0), (c.between[1], 1.0)] {
-                if let (Some(i), Some(j)) = (i, j) {
-                    k[(i, j)] += x * y * value;
-                }
+        for (i, x) in &c.along {
+            for (j, y) in &c.along {
+                k[(*i, *j)] += x * y * value;
             }
         }
     }

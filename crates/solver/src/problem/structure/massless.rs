@@ -1,0 +1,124 @@
+//! Nodes without mass: what holds them, where they are at t = 0, and the contacts that they may have.
+
+use crate::methods::Method;
+use crate::system::structure::factor::{Factor, NotPositive};
+use crate::system::structure::{Structure, StructureLaw, Symmetric};
+
+/// Stiffness of the spring that keeps the place of a node which only contacts hold, over the smallest stiffness of these contacts.
+/// It changes their forces by about this part, and the round-off of the forces grows by its inverse.
+const KEEPS_PLACE: f64 = 1e-7;
+
+/// Gives each node without mass that only contacts hold a weak spring parallel to its softest contact: while all of its contacts are
+/// open or slide, no equation says where it is.
+pub fn hold(structure: &mut Structure) {
+    let mut is_held = vec![false; structure.len()];
+    for ((i, j), value) in structure.stiffness.entries() {
+        if value != 0.0 {
+            (is_held[i], is_held[j]) = (true, true);
+        }
+    }
+    let mass = |node: usize| structure.nodes[node].mass;
+    let alone = |node: &usize| mass(*node) == 0.0 && !is_held[*node];
+    let mut springs = Vec::new();
+    for node in (0..structure.len()).filter(alone) {
+        let own = structure.contacts.iter().filter_map(|contact| {
+            contact.along.iter().find(|(at, _)| *at == node)?;
+            Some((stiffness(&contact.law)?, &contact.along))
+        });
+        let softest = own.min_by(|(a, _), (b, _)| a.total_cmp(b));
+        springs.extend(softest.map(|(k, along)| (KEEPS_PLACE * k, along.clone())));
+    }
+    for (k, along) in springs {
+        structure.stiffness.add_along(&along, k);
+    }
+}
+
+/// The stiffness of a law with a spring.
+fn stiffness(law: &StructureLaw) -> Option<f64> {
+    match law {
+        StructureLaw::ImpactSpring { stiffness }
+        | StructureLaw::DisplacementControl { stiffness, .. } => Some(*stiffness),
+        _ => None,
+    }
+}
+
+/// The first node without mass that nothing holds, or whose contact has a law that depends on velocity in a way that a node without
+/// a velocity cannot have: its index, and why.
+pub fn fault(structure: &Structure, method: &Method) -> Option<(usize, String)> {
+    let massless = structure.massless();
+    let node = massless.iter().position(|massless| *massless)?;
+    if method.has_impulses() {
+        let why = "has no mass: impulses need one; choose another method, or give it a mass";
+        return Some((node, why.into()));
+    }
+    for contact in structure
+        .contacts
+        .iter()
+        .filter(|contact| contact.law.is_curved())
+    {
+        if let Some((node, _)) = contact.along.iter().find(|(node, _)| massless[*node]) {
+            let why = format!(
+                "has no mass, and contact {} has a law that is no straight line; allowed there: impact, rigid, displacement-control, \
+                 velocity-control, coulomb; or give the node a mass",
+                contact.name
+            );
+            return Some((*node, why));
+        }
+    }
+    match condensed(structure, &massless) {
+        Ok(_) => None,
+        Err(node) => Some((
+            node,
+            "has no mass, and nothing holds it; give it a mass, a spring or a contact".into(),
+        )),
+    }
+}
+
+/// The nodes without mass, and the factor of their K; else a node that nothing holds.
+fn condensed(structure: &Structure, massless: &[bool]) -> Result<(Vec<usize>, Factor), usize> {
+    let nodes: Vec<usize> = (0..structure.len())
+        .filter(|node| massless[*node])
+        .collect();
+    let mut place = vec![None; structure.len()];
+    for (own, node) in nodes.iter().enumerate() {
+        place[*node] = Some(own);
+    }
+    let mut own = Symmetric::zeros(nodes.len());
+    for ((i, j), value) in structure.stiffness.entries() {
+        if let (Some(i), Some(j)) = (place[i], place[j]) {
+            own.add(i, j, value);
+        }
+    }
+    let factor = Factor::new(&own, &vec![false; nodes.len()]);
+    let factor = factor.map_err(|NotPositive { row }| nodes[row])?;
+    Ok((nodes, factor))
+}
+
+/// Puts the nodes without mass where K u = p holds at t = 0 without contact forces, and stops them. Contacts that are pressed there
+/// push them in the first step.
+pub fn place(structure: &mut Structure) {
+    let massless = structure.massless();
+    if !massless.contains(&true) {
+        return;
+    }
+    let Ok((nodes, factor)) = condensed(structure, &massless) else {
+        return;
+    };
+    for node in &nodes {
+        (structure.displacement[*node], structure.velocity[*node]) = (0.0, 0.0);
+    }
+    let mut loads = vec![0.0; structure.len()];
+    structure.add_loads(0.0, &mut loads);
+    let mut inner = vec![0.0; structure.len()];
+    structure
+        .stiffness
+        .add_product(&structure.displacement, &mut inner);
+    let mut u: Vec<f64> = nodes
+        .iter()
+        .map(|node| loads[*node] - inner[*node])
+        .collect();
+    factor.solve(&mut u);
+    for (node, u) in nodes.iter().zip(u) {
+        structure.displacement[*node] = u;
+    }
+}

@@ -1,0 +1,131 @@
+//! The names of the parts of a structure.
+
+use super::node::{GROUND, NodeRef};
+use crate::system::import::Imported;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Names of masses, bars, matrices and contacts, each found without a search.
+#[derive(Debug, Clone, Default)]
+pub struct Names {
+    /// Lumped masses.
+    pub masses: Vec<String>,
+    /// Bars.
+    pub bars: Vec<String>,
+    /// Matrices of other programs.
+    pub matrices: Vec<(String, Arc<Imported>)>,
+    /// Contacts.
+    pub contacts: Vec<String>,
+    parts: HashMap<String, Part>,
+    places: HashMap<String, usize>,
+}
+
+/// A part that has nodes.
+#[derive(Debug, Clone, Copy)]
+enum Part {
+    Mass(usize),
+    Bar(usize),
+    Matrices(usize),
+}
+
+impl Names {
+    /// The names of these parts; each name is there once.
+    pub fn new(
+        masses: Vec<String>,
+        bars: Vec<String>,
+        matrices: Vec<(String, Arc<Imported>)>,
+    ) -> Names {
+        let all = masses
+            .iter()
+            .enumerate()
+            .map(|(i, name)| (name, Part::Mass(i)));
+        let all = all.chain(
+            bars.iter()
+                .enumerate()
+                .map(|(i, name)| (name, Part::Bar(i))),
+        );
+        let of_matrices = matrices.iter().enumerate();
+        let all = all.chain(of_matrices.map(|(i, (name, _))| (name, Part::Matrices(i))));
+        Names {
+            parts: all.map(|(name, part)| (name.clone(), part)).collect(),
+            masses,
+            bars,
+            matrices,
+            contacts: Vec::new(),
+            places: HashMap::new(),
+        }
+    }
+
+    /// The same with these contacts.
+    pub fn with_contacts(mut self, contacts: Vec<String>) -> Names {
+        let places = contacts.iter().enumerate();
+        self.places = places.map(|(place, name)| (name.clone(), place)).collect();
+        self.contacts = contacts;
+        self
+    }
+
+    /// The node with this name; `None` if there is none.
+    pub fn node(&self, name: &str) -> Option<NodeRef> {
+        if name == GROUND {
+            return Some(NodeRef::Ground);
+        }
+        if let Some(Part::Mass(mass)) = self.parts.get(name) {
+            return Some(NodeRef::Mass(*mass));
+        }
+        let (part, place) = name.split_once('.')?;
+        match *self.parts.get(part)? {
+            Part::Mass(_) => None,
+            Part::Matrices(matrices) => {
+                let row = self.matrices[matrices].1.dofs.row(place)?;
+                Some(NodeRef::Dof(matrices, row))
+            }
+            Part::Bar(bar) => match place {
+                "left" => Some(NodeRef::Left(bar)),
+                "right" => Some(NodeRef::Right(bar)),
+                _ => {
+                    let digits =
+                        place.bytes().all(|c| c.is_ascii_digit()) && !place.starts_with('0');
+                    let inner = place.parse().ok().filter(|_| digits)?;
+                    Some(NodeRef::Inner(bar, inner))
+                }
+            },
+        }
+    }
+
+    /// The place of the bar with this name.
+    pub fn bar(&self, name: &str) -> Option<usize> {
+        match self.parts.get(name) {
+            Some(Part::Bar(bar)) => Some(*bar),
+            _ => None,
+        }
+    }
+
+    /// The place of the matrices with this name.
+    pub fn matrices(&self, name: &str) -> Option<usize> {
+        match self.parts.get(name) {
+            Some(Part::Matrices(matrices)) => Some(*matrices),
+            _ => None,
+        }
+    }
+
+    /// The place of the contact with this name.
+    pub fn contact(&self, name: &str) -> Option<usize> {
+        self.places.get(name).copied()
+    }
+
+    /// Why a name such as `tower.7.q` is no node of matrices, by the directions that its node has; `None` for other names.
+    pub fn why_no_dof(&self, name: &str) -> Option<String> {
+        let (part, place) = name.split_once('.')?;
+        let (own, imported) = &self.matrices[self.matrices(part)?];
+        let node = place.split('.').next().unwrap_or_default();
+        let directions = imported.dofs.directions(node);
+        let directions: Vec<&str> = directions.iter().map(|one| one.name()).collect();
+        Some(match directions.is_empty() {
+            true => format!("{own} has no node {node:?}; its dofs are in the file under \"dofs\""),
+            false => format!(
+                "node {node} of {own} has the directions {}",
+                directions.join(", ")
+            ),
+        })
+    }
+}

@@ -1,0 +1,180 @@
+//! The rows of matrices: a node and a direction for each.
+
+use super::{ImportFault, cells, fault, lines, number, shown};
+use crate::system::structure::Direction;
+use std::collections::HashMap;
+
+/// A degree of freedom.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dof {
+    /// Its node.
+    pub node: String,
+    /// Its direction.
+    pub direction: Direction,
+    /// The support that it moves with, by its place in [`Dofs::supports`].
+    pub support: Option<usize>,
+    /// X, Y, Z of its node, if the file has them.
+    pub at: Option<[f64; 3]>,
+    /// Line of the file, from 1.
+    pub line: usize,
+}
+
+/// The degrees of freedom in the order of the rows.
+#[derive(Debug, Clone, Default)]
+pub struct Dofs {
+    rows: Vec<Dof>,
+    /// Names of supports, in the order of their first lines.
+    pub supports: Vec<String>,
+    places: HashMap<(String, Direction), usize>,
+}
+
+/// The columns that a file may have, the first two always.
+const COLUMNS: [&str; 6] = ["node", "direction", "support", "X", "Y", "Z"];
+
+impl Dofs {
+    /// The rows of a CSV file with the header `node,direction`, and `support` and `X,Y,Z` if it has them.
+    ///
+    /// # Errors
+    /// The first line that is wrong.
+    pub fn parse(bytes: &[u8]) -> Result<Dofs, ImportFault> {
+        let lines = lines(bytes)?;
+        let header: Vec<&str> = lines
+            .first()
+            .map_or(Vec::new(), |line| cells(line).collect());
+        let place = |name: &str| header.iter().position(|own| *own == name);
+        let known = header.iter().all(|name| COLUMNS.contains(name));
+        let once = header
+            .iter()
+            .enumerate()
+            .all(|(i, name)| place(name) == Some(i));
+        let (Some(node), Some(direction), true, true) =
+            (place("node"), place("direction"), known, once)
+        else {
+            let message = "the header must be node,direction and, if wanted, support and X,Y,Z";
+            return Err(fault(0, message));
+        };
+        let at = [place("X"), place("Y"), place("Z")];
+        let support = place("support");
+        let mut dofs = Dofs::default();
+        let mut supported: HashMap<String, Option<usize>> = HashMap::new();
+        let rows = lines.iter().enumerate().skip(1);
+        for (index, line) in rows.filter(|(_, line)| !line.trim().is_empty()) {
+            let own: Vec<&str> = cells(line).collect();
+            if own.len() != header.len() {
+                let message = format!("must have {} cells, got {}", header.len(), own.len());
+                return Err(fault(index, message));
+            }
+            let name = own[node];
+            let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            if name.is_empty() || !name.chars().all(plain) {
+                let message = format!(
+                    "a node is named by letters, digits and _, got {}",
+                    shown(name)
+                );
+                return Err(fault(index, message));
+            }
+            let Some(direction) = Direction::named(own[direction]) else {
+                let message = format!(
+                    "a direction is x, y, z, rx, ry or rz, got {}",
+                    shown(own[direction])
+                );
+                return Err(fault(index, message));
+            };
+            let of_support = match support.map(|column| own[column]) {
+                None | Some("") => None,
+                Some(support) if support.chars().all(plain) => Some(dofs.support(support)),
+                Some(support) => {
+                    let message = format!(
+                        "a support is named by letters, digits and _, got {}",
+                        shown(support)
+                    );
+                    return Err(fault(index, message));
+                }
+            };
+            let before = supported.entry(name.to_owned()).or_insert(of_support);
+            match (*before, of_support) {
+                (Some(one), Some(two)) if one != two => {
+                    let [one, two] = [one, two].map(|place| &dofs.supports[place]);
+                    let message = format!("node {name} has two supports, {one} and {two}");
+                    return Err(fault(index, message));
+                }
+                (None, of_support) => *before = of_support,
+                _ => {}
+            }
+            let mut coordinates = None;
+            if at.iter().any(Option::is_some) {
+                let mut point = [0.0; 3];
+                for (x, column) in point.iter_mut().zip(at) {
+                    if let Some(column) = column {
+                        *x = number(own[column]).map_err(|message| fault(index, message))?;
+                    }
+                }
+                coordinates = Some(point);
+            }
+            let key = (name.to_owned(), direction);
+            if let Some(first) = dofs.places.insert(key, dofs.rows.len()) {
+                let message = format!(
+                    "{name}.{} is there twice, first in line {}",
+                    direction.name(),
+                    dofs.rows[first].line
+                );
+                return Err(fault(index, message));
+            }
+            dofs.rows.push(Dof {
+                node: name.to_owned(),
+                direction,
+                support: of_support,
+                at: coordinates,
+                line: index + 1,
+            });
+        }
+        match dofs.rows.is_empty() {
+            true => Err(fault(lines.len().saturating_sub(1), "the file has no rows")),
+            false => Ok(dofs),
+        }
+    }
+
+    /// The place of a support by its name.
+    fn support(&mut self, name: &str) -> usize {
+        let known = self.supports.iter().position(|own| own == name);
+        known.unwrap_or_else(|| {
+            self.supports.push(name.to_owned());
+            self.supports.len() - 1
+        })
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> &[Dof] {
+        &self.rows
+    }
+
+    /// The row with a name such as `7.x`.
+    pub fn row(&self, name: &str) -> Option<usize> {
+        let (node, direction) = name.rsplit_once('.')?;
+        let key = (node.to_owned(), Direction::named(direction)?);
+        self.places.get(&key).copied()
+    }
+
+    /// The name of a row, such as `7.x`.
+    pub fn name(&self, row: usize) -> String {
+        let dof = &self.rows[row];
+        format!("{}.{}", dof.node, dof.direction.name())
+    }
+
+    /// The directions of a node; none if it is not there.
+    pub fn directions(&self, node: &str) -> Vec<Direction> {
+        let all = Direction::ALL.into_iter();
+        all.filter(|direction| self.places.contains_key(&(node.to_owned(), *direction)))
+            .collect()
+    }
+}

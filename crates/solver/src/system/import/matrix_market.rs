@@ -1,0 +1,258 @@
+//! Matrix Market files <https://math.nist.gov/MatrixMarket/formats.html>.
+//!
+//! The reader of nalgebra-sparse (feature `io`) names a line only where its grammar does not match. An index out of range, a missing
+//! entry and an upper triangle have no line there, and it does not say at which line an entry is, as the checks of symmetry and
+//! pivots need.
+
+use super::{ImportFault, fault, lines, number, shown};
+use crate::system::structure::Symmetric;
+use crate::system::structure::factor::{Factor, NotPositive};
+use std::collections::BTreeMap;
+
+/// Most rows.
+const MOST_ROWS: usize = 1_000_000;
+
+/// Largest difference of two entries that must be equal, and largest negative pivot, over the largest entry.
+const ROUND_OFF: f64 = 1e-9;
+
+/// A symmetric matrix of a file, with the lines of its entries.
+#[derive(Debug, Clone)]
+pub struct Matrix {
+    /// The matrix.
+    pub matrix: Symmetric,
+    /// Index of the line of each entry of the diagonal; that of the size for an entry that is not there.
+    diagonal: Vec<usize>,
+    /// Index of the line of the size.
+    size: usize,
+}
+
+/// The forms of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Form {
+    coordinate: bool,
+    symmetric: bool,
+}
+
+impl Matrix {
+    /// The matrix of a file.
+    ///
+    /// # Errors
+    /// The first line that is wrong; also where the matrix is not square or not symmetric.
+    pub fn parse(bytes: &[u8]) -> Result<Matrix, ImportFault> {
+        let lines = lines(bytes)?;
+        let form = form(lines.first().copied().unwrap_or_default())?;
+        let mut content = lines
+            .iter()
+            .enumerate()
+            .skip(1)
+            .filter(|(_, line)| !line.starts_with('%') && !line.trim().is_empty());
+        let end = lines.len().saturating_sub(1);
+        let Some((at, size)) = content.next() else {
+            return Err(fault(end, "the file ends before the size of the matrix"));
+        };
+        let (n, count) = sizes(size, form).map_err(|message| fault(at, message))?;
+        // The values of both triangles with their lines.
+        let mut entries: BTreeMap<(usize, usize), (f64, usize)> = BTreeMap::new();
+        let mut read = 0;
+        let mut place = (0, 0);
+        for (index, line) in content {
+            if read == count {
+                return Err(fault(
+                    index,
+                    format!("more entries than the {count} announced"),
+                ));
+            }
+            let (i, j, value) = match form.coordinate {
+                true => entry(line, n).map_err(|message| fault(index, message))?,
+                false => {
+                    let value = number(line.trim()).map_err(|message| fault(index, message))?;
+                    let (i, j) = place;
+                    place = match (i + 1 < n, form.symmetric) {
+                        (true, _) => (i + 1, j),
+                        (false, true) => (j + 1, j + 1),
+                        (false, false) => (0, j + 1),
+                    };
+                    (i, j, value)
+                }
+            };
+            if form.symmetric && j > i {
+                let message = "a symmetric file has entries on and below the diagonal only";
+                return Err(fault(index, message));
+            }
+            if entries.insert((i, j), (value, index)).is_some() {
+                let message = format!("row {} and column {} are there twice", i + 1, j + 1);
+                return Err(fault(index, message));
+            }
+            read += 1;
+        }
+        if read < count {
+            let message = format!("the file ends after {read} entries of {count}");
+            return Err(fault(end, message));
+        }
+        symmetric(entries, form, (n, at))
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.diagonal.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The fault of a matrix that should have `rows` rows, as its list of degrees of freedom has.
+    pub fn wrong_size(&self, rows: usize) -> ImportFault {
+        let own = self.len();
+        fault(
+            self.size,
+            format!("the matrix has {own} rows, but the file under \"dofs\" has {rows}"),
+        )
+    }
+
+    /// Refuses a matrix with a negative pivot, one below -1e-9 of the largest entry: M and K are positive semidefinite. `name` gives
+    /// the name of a row.
+    ///
+    /// # Errors
+    /// The line of the pivot.
+    pub fn check_pivots(&self, name: impl Fn(usize) -> String) -> Result<(), ImportFault> {
+        let n = self.len();
+        let entries = self.matrix.entries();
+        let largest = entries.fold(0.0, |a: f64, (_, x)| a.max(x.abs()));
+        if largest == 0.0 {
+            return Ok(());
+        }
+        let mut shifted = self.matrix.clone();
+        for i in 0..n {
+            shifted.add(i, i, ROUND_OFF * largest);
+        }
+        match Factor::new(&shifted, &vec![false; n]) {
+            Ok(_) => Ok(()),
+            Err(NotPositive { row }) => Err(fault(
+                self.diagonal[row],
+                format!("the matrix has a negative pivot at {}", name(row)),
+            )),
+        }
+    }
+}
+
+/// The form that the first line says.
+fn form(line: &str) -> Result<Form, ImportFault> {
+    let words: Vec<String> = line
+        .split_whitespace()
+        .map(str::to_ascii_lowercase)
+        .collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let refuse = |what: &str| {
+        let message = format!(
+            "must begin with %%MatrixMarket matrix, coordinate or array, real or integer, general or symmetric, got {what}"
+        );
+        Err(fault(0, message))
+    };
+    let ["%%matrixmarket", "matrix", format, field, symmetry] = words[..] else {
+        return refuse(&shown(line));
+    };
+    match (format, field, symmetry) {
+        ("coordinate" | "array", "real" | "integer", "general" | "symmetric") => Ok(Form {
+            coordinate: format == "coordinate",
+            symmetric: symmetry == "symmetric",
+        }),
+        _ => refuse(&format!("{format} {field} {symmetry}")),
+    }
+}
+
+/// Number of rows, and of entries.
+fn sizes(line: &str, form: Form) -> Result<(usize, usize), String> {
+    let whole = |text: &str| {
+        let not = || {
+            format!(
+                "must be whole numbers, the size of the matrix, got {}",
+                shown(line)
+            )
+        };
+        text.parse::<usize>().map_err(|_| not())
+    };
+    let numbers = line
+        .split_whitespace()
+        .map(whole)
+        .collect::<Result<Vec<_>, _>>()?;
+    let (rows, columns, count) = match (numbers[..].iter().as_slice(), form.coordinate) {
+        ([rows, columns, count], true) => (*rows, *columns, *count),
+        ([rows, columns], false) if form.symmetric => (*rows, *columns, rows * (rows + 1) / 2),
+        ([rows, columns], false) => (*rows, *columns, rows.saturating_mul(*columns)),
+        (_, true) => return Err("must be numbers of rows, columns and entries".into()),
+        (_, false) => return Err("must be numbers of rows and columns".into()),
+    };
+    if rows != columns {
+        return Err(format!(
+            "must be square, got {rows} rows and {columns} columns"
+        ));
+    }
+    if rows == 0 || rows > MOST_ROWS {
+        return Err(format!("must have 1 to {MOST_ROWS} rows, got {rows}"));
+    }
+    Ok((rows, count))
+}
+
+/// Row and column from 0, and the value.
+fn entry(line: &str, n: usize) -> Result<(usize, usize, f64), String> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let [i, j, value] = words[..] else {
+        return Err(format!(
+            "must be row, column and value, got {}",
+            shown(line)
+        ));
+    };
+    let index = |text: &str| match text.parse::<usize>() {
+        Ok(i) if (1..=n).contains(&i) => Ok(i - 1),
+        _ => Err(format!(
+            "must be a row or column from 1 to {n}, got {}",
+            shown(text)
+        )),
+    };
+    Ok((index(i)?, index(j)?, number(value)?))
+}
+
+/// The symmetric matrix of n rows of these entries; `size` is the line of its size.
+fn symmetric(
+    entries: BTreeMap<(usize, usize), (f64, usize)>,
+    form: Form,
+    (n, size): (usize, usize),
+) -> Result<Matrix, ImportFault> {
+    let largest = entries.values().fold(0.0, |a: f64, (x, _)| a.max(x.abs()));
+    let mut matrix = Symmetric::zeros(n);
+    let mut diagonal = vec![size; n];
+    for ((i, j), (value, line)) in &entries {
+        if i == j {
+            diagonal[*i] = *line;
+            matrix.add(*i, *i, *value);
+            continue;
+        }
+        if form.symmetric {
+            matrix.add(*i, *j, *value);
+            continue;
+        }
+        let other = entries.get(&(*j, *i)).map_or(0.0, |other| other.0);
+        if (value - other).abs() > ROUND_OFF * largest {
+            let message = format!(
+                "the matrix is not symmetric: {value} in row {} and column {}, {other} in row {} and column {}",
+                i + 1,
+                j + 1,
+                j + 1,
+                i + 1
+            );
+            return Err(fault(*line, message));
+        }
+        // Each of the two adds its half; equal ones give their value without round-off.
+        matrix.add(*i, *j, 0.5 * value);
+        if !entries.contains_key(&(*j, *i)) {
+            matrix.add(*i, *j, 0.5 * other);
+        }
+    }
+    Ok(Matrix {
+        matrix,
+        diagonal,
+        size,
+    })
+}
