@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
-    let crates = ["libm", "multiversion", "nalgebra", "zmij"];
+    let crates = ["feral-amd", "libm", "multiversion", "nalgebra", "zmij"];
     let hash = slipgap_code_hash::hash(&root, &["src"], &crates)?;
     println!("cargo::rustc-env=SLIPGAP_SOLVER={hash}");
     Ok(())

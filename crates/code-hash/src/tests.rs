@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// The crates that the solver computes with.
-const CRATES: [&str; 4] = ["libm", "multiversion", "nalgebra", "zmij"];
+const CRATES: [&str; 5] = ["feral-amd", "libm", "multiversion", "nalgebra", "zmij"];
 
 /// The text of a file of the workspace.
 fn text(path: &str) -> String {

@@ -1,7 +1,7 @@
 //! K and C as springs, dashpots and couplings, and the rows of Khat with its factor.
 
 use crate::system::structure::Structure;
-use crate::system::structure::factor::{Entry, Factor};
+use crate::system::structure::factor::{Columns, Entry, Factor};
 use std::collections::BTreeMap;
 
 /// A row of Khat/4. Most nodes have one neighbour that is eliminated later, in trees all of them.
@@ -78,18 +78,13 @@ pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Lin
 }
 
 /// The rows of a factor, the entries of L that are in none, and the links that are in none.
-pub(super) fn rows(
-    factor: &Factor,
-    mut links: Vec<Link>,
-) -> (Vec<Row>, Vec<Vec<Entry>>, Vec<Link>) {
+pub(super) fn rows(factor: Factor, mut links: Vec<Link>) -> (Vec<Row>, Columns, Vec<Link>) {
     let n = factor.order().len();
-    let mut more = Vec::new();
     let row = |(i, reciprocal): (usize, &f64)| {
         let (first, others) = match factor.column(i) {
             [first, others @ ..] => (*first, others),
             [] => (Entry { at: n, value: 0.0 }, &[][..]),
         };
-        more.push(others.to_vec());
         Row {
             to: first.at,
             k: 0.0,
@@ -108,5 +103,5 @@ pub(super) fn rows(
         }
         !own
     });
-    (rows, more, links)
+    (rows, factor.into_columns().without_first(), links)
 }

@@ -5,7 +5,7 @@ use super::links::{Link, Row, links, rows};
 use super::massless::{self, Massless};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
-use crate::system::structure::factor::{Entry, Factor, NotPositive};
+use crate::system::structure::factor::{Columns, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Along, Inertia, Load, Structure, Symmetric};
 
@@ -32,7 +32,7 @@ pub struct Prepared {
     /// Rows of Khat/4 = L D L^T in the order of elimination.
     pub(super) rows: Vec<Row>,
     /// Entries of L in the column of each place, without the one in its [`Row`].
-    pub(super) more: Lists<Entry>,
+    pub(super) more: Columns,
     /// Links that are in no [`Row`]. The place behind the last one is the ground.
     pub(super) links: Vec<Link>,
     /// Couplings of nodes of different directions.
@@ -89,10 +89,11 @@ impl Prepared {
             Unsolvable::Indefinite { node }
         })?;
         let place = place_of(&factor);
-        let [links, couplings] = links(structure, &place, dt);
-        let (rows, more, links) = rows(&factor, links);
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
+        let inertia = factor.order().iter().map(|node| inertia(*node)).collect();
+        let [links, couplings] = links(structure, &place, dt);
+        let (rows, more, links) = rows(factor, links);
         Ok(Prepared {
             dt,
             method: AverageAcceleration.into(),
@@ -102,10 +103,10 @@ impl Prepared {
             inertia_factor: None,
             massless: massless::rows(structure, &place),
             rows,
-            more: Lists::new(&more),
+            more,
             links,
             couplings,
-            inertia: factor.order().iter().map(|node| inertia(*node)).collect(),
+            inertia,
             // L D L^T is Khat/4.
             flexibility: flexibility(&reduced, 0.25),
             along: Lists::new(&places),
@@ -151,7 +152,7 @@ impl Prepared {
             inertia_factor,
             massless: massless::rows(structure, &place),
             rows: Vec::new(),
-            more: Lists::new(&[]),
+            more: Columns::none(),
             links: Vec::new(),
             couplings: Vec::new(),
             inertia: Vec::new(),

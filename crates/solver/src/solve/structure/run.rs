@@ -151,7 +151,7 @@ impl<const L: usize> Average<'_, L> {
             work[i] = q;
             work[to] = work[to] - flow - q * row.l;
             if row.more {
-                for entry in prepared.more.list(i) {
+                for entry in prepared.more.column(i).iter().rev() {
                     work[entry.at] = work[entry.at] - q * entry.value;
                 }
             }
@@ -226,7 +226,7 @@ impl<const L: usize> Average<'_, L> {
         for (i, row) in prepared.rows.iter().enumerate().rev() {
             let mut x = work[i] * row.reciprocal - work[row.to] * row.l;
             if row.more {
-                for entry in prepared.more.list(i) {
+                for entry in prepared.more.column(i) {
                     x = x - work[entry.at] * entry.value;
                 }
             }

@@ -21,7 +21,32 @@ impl<T: Clone> Lists<T> {
     }
 }
 
+impl<T: Copy> Lists<T> {
+    /// The entries (list, entry), of which each list has this number, in their order. `empty` is a value that is not used.
+    pub fn sorted(counts: &[usize], empty: T, entries: impl Iterator<Item = (usize, T)>) -> Self {
+        let mut starts = vec![0; counts.len() + 1];
+        for (i, count) in counts.iter().enumerate() {
+            starts[i + 1] = starts[i] + count;
+        }
+        let mut next = starts.clone();
+        let mut sorted = vec![empty; starts[counts.len()]];
+        for (list, entry) in entries {
+            sorted[next[list]] = entry;
+            next[list] += 1;
+        }
+        Lists {
+            starts,
+            entries: sorted,
+        }
+    }
+}
+
 impl<T> Lists<T> {
+    /// Where each list starts among the entries, and where the last one ends.
+    pub fn starts(&self) -> &[usize] {
+        &self.starts
+    }
+
     /// List `i`.
     #[inline(always)]
     pub fn list(&self, i: usize) -> &[T] {

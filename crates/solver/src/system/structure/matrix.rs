@@ -1,31 +1,39 @@
 //! Sparse symmetric matrices.
 
-use std::collections::BTreeMap;
-
 /// A sparse symmetric matrix: the entries on and below the diagonal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Symmetric {
-    size: usize,
-    entries: BTreeMap<(usize, usize), f64>,
+    /// The entries (column, value) of each row, which rise.
+    rows: Vec<Vec<(usize, f64)>>,
 }
 
 impl Symmetric {
     /// A matrix of zeros.
     pub fn zeros(size: usize) -> Symmetric {
         Symmetric {
-            size,
-            entries: BTreeMap::new(),
+            rows: vec![Vec::new(); size],
         }
     }
 
     /// Number of rows.
     pub fn size(&self) -> usize {
-        self.size
+        self.rows.len()
     }
 
     /// Adds `value` to entries (i, j) and (j, i), which may be one.
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
-        *self.entries.entry((i.max(j), i.min(j))).or_default() += value;
+        let (row, column) = (&mut self.rows[i.max(j)], i.min(j));
+        // Most matrices are filled by rising columns.
+        let last = row.last().is_none_or(|(last, _)| *last < column);
+        let place = if last {
+            Err(row.len())
+        } else {
+            row.binary_search_by_key(&column, |(j, _)| *j)
+        };
+        match place {
+            Ok(place) => row[place].1 += value,
+            Err(place) => row.insert(place, (column, 0.0 + value)),
+        }
     }
 
     /// Adds a spring between two nodes; `None` is the ground.
@@ -44,7 +52,7 @@ impl Symmetric {
 
     /// Whether it has no entries.
     pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+        self.rows.iter().all(Vec::is_empty)
     }
 
     /// Adds another matrix times a factor.
@@ -56,7 +64,8 @@ impl Symmetric {
 
     /// The entries (row, column) on and below the diagonal, by rows.
     pub fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> + '_ {
-        self.entries.iter().map(|(place, value)| (*place, *value))
+        let rows = self.rows.iter().enumerate();
+        rows.flat_map(|(i, row)| row.iter().map(move |(j, value)| ((i, *j), *value)))
     }
 
     /// Adds the product with a vector to `to`.
@@ -84,5 +93,24 @@ mod tests {
         k.add_product(&[1.0, 10.0, 100.0], &mut product);
         // Rows 5 -3 0, -3 8 -5, 0 -5 5.
         assert_eq!(product, [-25.0, -423.0, 450.0]);
+    }
+
+    #[test]
+    fn entries_of_a_full_matrix_come_by_rows() {
+        let mut matrix = Symmetric::zeros(4);
+        let places = [(3, 1), (0, 0), (1, 3), (3, 3), (3, 0), (2, 3), (1, 0)];
+        for (i, j) in places {
+            matrix.add(i, j, 1.0);
+        }
+        let entries: Vec<_> = matrix.entries().collect();
+        let expected = [
+            ((0, 0), 1.0),
+            ((1, 0), 1.0),
+            ((3, 0), 1.0),
+            ((3, 1), 2.0),
+            ((3, 2), 1.0),
+            ((3, 3), 1.0),
+        ];
+        assert_eq!(entries, expected);
     }
 }

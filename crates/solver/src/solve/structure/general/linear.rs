@@ -4,7 +4,7 @@ use crate::methods::SubStep;
 use crate::solve::Unsolvable;
 use crate::solve::structure::links::{Link, Row, links, rows};
 use crate::solve::structure::prepared::{Reduced, flexibility, place_of, places, reduce};
-use crate::system::structure::factor::{Entry, Factor, NotPositive};
+use crate::system::structure::factor::{Columns, Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Structure, Symmetric};
 
@@ -15,7 +15,7 @@ pub(in crate::solve::structure) struct Linear {
     /// Rows of the matrix; c is not divided by dt.
     pub(super) rows: Vec<Row>,
     /// Entries of L that are in no row.
-    pub(super) more: Lists<Entry>,
+    pub(super) more: Columns,
     /// Links that are in no row.
     pub(super) links: Vec<Link>,
     /// Couplings of nodes of different directions.
@@ -48,13 +48,13 @@ impl Linear {
             ))
         })?;
         let place = place_of(&factor);
-        let [links, couplings] = links(structure, &place, 1.0);
-        let (rows, more, links) = rows(&factor, links);
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
+        let [links, couplings] = links(structure, &place, 1.0);
+        let (rows, more, links) = rows(factor, links);
         let linear = Linear {
             rows,
-            more: Lists::new(&more),
+            more,
             links,
             couplings,
             flexibility: flexibility(&reduced, sub_step.flexibility()),

@@ -186,7 +186,7 @@ impl<const L: usize> General<'_, L> {
             work[i] = q;
             work[row.to] = work[row.to] - flow - q * row.l;
             if row.more {
-                for entry in linear.more.list(i) {
+                for entry in linear.more.column(i).iter().rev() {
                     work[entry.at] = work[entry.at] - q * entry.value;
                 }
             }
@@ -275,7 +275,7 @@ impl<const L: usize> General<'_, L> {
         for (i, row) in linear.rows.iter().enumerate().rev() {
             let mut a = work[i] * row.reciprocal - work[row.to] * row.l;
             if row.more {
-                for entry in linear.more.list(i) {
+                for entry in linear.more.column(i) {
                     a = a - work[entry.at] * entry.value;
                 }
             }

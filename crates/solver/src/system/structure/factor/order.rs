@@ -1,52 +1,52 @@
 //! The order of elimination of a sparse symmetric matrix.
 
-use std::collections::{BTreeMap, BTreeSet};
+use super::minimum_degree::minimum_degree;
+use crate::system::structure::lists::Lists;
+use feral_amd::{CscPattern, amd_order};
 
-/// What decides which node is eliminated next: the smallest rank.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Rank {
-    /// Number of nodes that it is connected to.
-    degree: usize,
-    late: bool,
-    /// Number of eliminations that must come before its own, in a chain. The smallest first lets a processor work on several
-    /// chains at the same time.
-    height: usize,
-    node: usize,
-}
+/// Most rows of a matrix that is always eliminated by exact degrees.
+const SMALL: usize = 1000;
+/// Most neighbours of a row at its elimination, in a larger matrix that is eliminated by exact degrees.
+const FEW: usize = 8;
 
-/// The nodes that remain, by rank.
+/// An order of elimination.
 #[derive(Debug)]
-pub(super) struct Remaining {
-    ranks: Vec<Rank>,
-    queue: BTreeSet<Rank>,
+pub(super) struct Order {
+    /// The rows of the matrix.
+    pub(super) rows: Vec<usize>,
+    /// A number of each place. Of two entries of a column, the one of the smaller number is divided by the pivot before their
+    /// product is formed.
+    pub(super) numbers: Vec<usize>,
 }
 
-impl Remaining {
-    /// All nodes of a matrix of these rows without the diagonal; among nodes of one degree those of `late` come last.
-    pub(super) fn new(rows: &[BTreeMap<usize, f64>], late: &[bool]) -> Remaining {
-        let rank = |(node, row): (usize, &BTreeMap<usize, f64>)| Rank {
-            degree: row.len(),
-            late: late[node],
-            height: 0,
-            node,
-        };
-        let ranks: Vec<Rank> = rows.iter().enumerate().map(rank).collect();
-        let queue = ranks.iter().copied().collect();
-        Remaining { ranks, queue }
+/// The order for these neighbours of each row, which rise.
+///
+/// Exact degrees cost too much in a large matrix with much fill-in, where they also give more of it than the approximate degrees
+/// of Amestoy, Davis and Duff (1996): 18 % in a grid of 10^4 rows. In small matrices, trees and narrow bands they cost little.
+/// There they let rows of contacts come late and chains alternate, which makes steps faster.
+pub(super) fn order(neighbours: &Lists<usize>, late: &[bool]) -> Order {
+    let size = late.len();
+    let most = if size > SMALL { FEW } else { size };
+    let exact = minimum_degree(neighbours, late, most);
+    if let Some(rows) = exact {
+        let numbers = rows.clone();
+        return Order { rows, numbers };
     }
+    let rows = approximate(neighbours).unwrap_or_else(|| (0..size).collect());
+    // Numbers that rise need no choice in the loops of the factor.
+    let numbers = (0..size).collect();
+    Order { rows, numbers }
+}
 
-    /// Takes the next node: one of the smallest degree, so that a tree has no fill-in.
-    pub(super) fn next(&mut self) -> Option<usize> {
-        self.queue.pop_first().map(|rank| rank.node)
-    }
-
-    /// Records the degree of `node` after the elimination of its neighbour `eliminated`.
-    pub(super) fn eliminated(&mut self, eliminated: usize, node: usize, degree: usize) {
-        let height = self.ranks[eliminated].height + 1;
-        let rank = &mut self.ranks[node];
-        self.queue.remove(rank);
-        rank.degree = degree;
-        rank.height = rank.height.max(height);
-        self.queue.insert(*rank);
-    }
+/// The order by approximate degrees; `None` if there are too many neighbours for its 32 bits.
+fn approximate(neighbours: &Lists<usize>) -> Option<Vec<usize>> {
+    let narrow = |x: &usize| i32::try_from(*x).ok();
+    let starts: Option<Vec<i32>> = neighbours.starts().iter().map(narrow).collect();
+    let entries: Option<Vec<i32>> = neighbours.entries().iter().map(narrow).collect();
+    let (starts, entries) = (starts?, entries?);
+    let pattern = CscPattern::new(starts.len() - 1, &starts, &entries)?;
+    let rows = amd_order(&pattern).ok()?;
+    rows.into_iter()
+        .map(|row| usize::try_from(row).ok())
+        .collect()
 }

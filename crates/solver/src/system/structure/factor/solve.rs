@@ -8,7 +8,7 @@ impl Factor {
         let order = self.order();
         let mut x: Vec<f64> = order.iter().map(|row| b[*row]).collect();
         for i in 0..x.len() {
-            for entry in self.column(i) {
+            for entry in self.column(i).iter().rev() {
                 x[entry.at] -= entry.value * x[i];
             }
         }
