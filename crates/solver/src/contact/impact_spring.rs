@@ -5,7 +5,7 @@ use super::impact::{PUSHES, RigidImpact, stop};
 use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::{
-    ClosedForm, ContactKind, Cycle, Described, Law, Properties, StepFlexibility, StepLaw,
+    ClosedForm, ContactKind, Cycle, Described, Law, LawFault, Properties, StepFlexibility, StepLaw,
     StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
@@ -26,6 +26,10 @@ pub struct Step<const L: usize> {
     /// 1/(1/k_I + h) with the flexibility for S(i+1).
     stiffness: Lane<L>,
 }
+
+/// The numbers of which `impact` has one, in messages.
+const SPRING: &str = "k of the impact spring";
+const STOP: &str = "e of a rigid impact";
 
 impl StoredEnergy for ImpactSpring {
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
@@ -55,12 +59,8 @@ impl Described for ImpactSpring {
             form: |given| match (given.given("k"), given.given("e")) {
                 (Some(stiffness), None) => Ok(Form::Spring { stiffness }),
                 (None, Some(e)) => stop(e),
-                (None, None) => {
-                    Err("missing: k of the impact spring, or e of a rigid impact".into())
-                }
-                (Some(_), Some(_)) => {
-                    Err("give k of the impact spring or e of a rigid impact, not both".into())
-                }
+                (None, None) => Err(LawFault::Missing(SPRING, STOP)),
+                (Some(_), Some(_)) => Err(LawFault::Both(SPRING, STOP)),
             },
         },
         Offer {

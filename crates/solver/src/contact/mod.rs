@@ -23,6 +23,7 @@ mod dahl;
 mod described;
 mod displacement_control;
 pub mod element;
+mod fault;
 #[cfg(test)]
 mod friction_tests;
 mod given;
@@ -47,6 +48,7 @@ pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
 pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
+pub use fault::LawFault;
 pub use given::GivenNumbers;
 pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 pub use impact_spring::ImpactSpring;
