@@ -10,6 +10,7 @@ pub mod impact;
 mod laws;
 pub mod method;
 pub mod parameter;
+mod parameter_expression;
 pub mod schema;
 mod solution;
 pub mod structure;
@@ -17,6 +18,7 @@ mod text;
 pub mod unit;
 
 pub use case::{Case, Violation};
+pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
 pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
 pub use text::{Text, escape, interned};

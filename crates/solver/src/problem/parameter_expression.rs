@@ -1,7 +1,8 @@
 //! An expression with its text, and its value for a case.
 
-use super::{ExpressionFault, Formula, quoted};
-use crate::problem::Case;
+use super::Case;
+use crate::expression::{ExpressionFault, Formula, quoted};
+use std::fmt;
 
 /// An expression of the parameters of a case, with its text in the study.
 #[derive(Debug, Clone)]
@@ -16,17 +17,42 @@ impl ParameterExpression {
     /// The value for a completed case.
     ///
     /// # Errors
-    /// The message that says why there is none.
-    pub fn value(&self, case: &Case) -> Result<f64, String> {
+    /// A result that is not finite, or a parameter without a value.
+    pub fn value(&self, case: &Case) -> Result<f64, NotComputed> {
         let value = self.formula.value(&|row| case.values[row]);
-        value.map_err(|fault| not_computed(&self.formula, &self.text, case, &fault))
+        value.map_err(|fault| NotComputed::new(&self.formula, &self.text, case, fault))
     }
 }
 
-/// The message for an expression that has no finite value for a case.
-pub fn not_computed(formula: &Formula, text: &str, case: &Case, fault: &ExpressionFault) -> String {
-    let values = values_used(formula, case);
-    format!("{}{values}: {}", quoted(text), fault.message)
+/// That an expression has no finite value for a case. Displayed with the values of its parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotComputed {
+    text: String,
+    values: String,
+    fault: ExpressionFault,
+}
+
+impl NotComputed {
+    /// For a formula with its text, which has this fault in a case.
+    pub fn new(formula: &Formula, text: &str, case: &Case, fault: ExpressionFault) -> NotComputed {
+        NotComputed {
+            text: text.to_owned(),
+            values: values_used(formula, case),
+            fault,
+        }
+    }
+}
+
+impl fmt::Display for NotComputed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}: {}", quoted(&self.text), self.values, self.fault)
+    }
+}
+
+impl std::error::Error for NotComputed {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.fault)
+    }
 }
 
 /// The values of the parameters in a formula, as ` with n = 3, L = 10`; empty if none has a value.

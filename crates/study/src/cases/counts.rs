@@ -6,8 +6,7 @@
 
 use super::block::{Block, CaseCounts};
 use super::derived::Condition;
-use slipgap_solver::expression::not_computed;
-use slipgap_solver::problem::{Case, Problem, Violation};
+use slipgap_solver::problem::{Case, NotComputed, Problem, Violation};
 use std::ops::Range;
 
 /// Combinations between two counts of cases.
@@ -59,7 +58,7 @@ impl Block {
         let fault = when.formula.formula.value(&|row| case.values[row]).err()?;
         Some(Violation {
             parameter: "when".into(),
-            message: not_computed(&when.formula.formula, &when.text, case, &fault),
+            message: NotComputed::new(&when.formula.formula, &when.text, case, fault).to_string(),
             at: None,
         })
     }

@@ -5,9 +5,8 @@ use super::tabulated::Tabulated;
 use crate::source::faults::quoted;
 use crate::value::value_of;
 use slipgap_solver::expression::Formula;
-use slipgap_solver::expression::{not_computed, values_used};
 use slipgap_solver::problem::parameter::{Parameter, Value, shortest};
-use slipgap_solver::problem::{Case, Violation};
+use slipgap_solver::problem::{Case, NotComputed, Violation, values_used};
 
 /// A parameter that an expression gives.
 #[derive(Debug, Clone)]
@@ -75,7 +74,7 @@ pub(crate) fn refused(
 ) -> Option<String> {
     let x = match formula.value(&|row| case.values[row]) {
         Ok(x) => x,
-        Err(fault) => return Some(not_computed(formula, text, case, &fault)),
+        Err(fault) => return Some(NotComputed::new(formula, text, case, fault).to_string()),
     };
     let allowed = value_of(x, parameter).err()?;
     let (x, values) = (shortest(x), values_used(formula, case));

@@ -7,9 +7,8 @@ use crate::cases::derived::{Condition, Derived, refused};
 use crate::cases::tabulated::Tabulated;
 use crate::source::faults::{Faults, quoted};
 use crate::value::value_of;
-use slipgap_solver::expression::not_computed;
 use slipgap_solver::expression::{ExpressionFault, Formula};
-use slipgap_solver::problem::{Case, Problem, Schema};
+use slipgap_solver::problem::{Case, NotComputed, Problem, Schema};
 use std::sync::Arc;
 
 /// The block of a draft; `None` if an expression has a fault or refers to a faulty parameter.
@@ -95,9 +94,11 @@ enum Unmet {
 }
 
 impl Unmet {
-    fn message(&self, formula: &Formula, text: &str) -> String {
+    fn message(self, formula: &Formula, text: &str) -> String {
         match self {
-            Unmet::NoValue(case, fault) => not_computed(formula, text, case, fault),
+            Unmet::NoValue(case, fault) => {
+                NotComputed::new(formula, text, &case, fault).to_string()
+            }
             Unmet::Never => format!("{}: no combination meets it", quoted(text)),
         }
     }
