@@ -32,7 +32,7 @@ pub use missing::{MissingParts, missing_parts};
 pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
-pub use shard::{Shard, ShardResult, run_shard, shard_of};
+pub use shard::{Shard, ShardFault, ShardResult, run_shard, shard_of};
 pub use shown::{DrawnCase, Needed, ShownCases};
 pub use units::with_unit_columns;
 pub use warned::{WarnedCases, WarningCounts};

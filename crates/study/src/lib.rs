@@ -38,7 +38,7 @@ pub use measure::measures;
 pub use reduction::{Groups, Reduced, Reduction, Word};
 pub use slipgap_solver::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
-pub use source::setting::Setting;
+pub use source::setting::{Setting, SettingFault};
 pub use units::Units;
 
 pub use slipgap_drawing::colour_map::{Marks, Ridge};

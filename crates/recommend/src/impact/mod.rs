@@ -7,7 +7,7 @@ mod task;
 mod variants;
 
 pub use energy::energy_change;
-pub use task::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, bar};
+pub use task::{BarFault, ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, bar};
 
 use super::{Fixed, Grid, Setting, Variant};
 use mesh::{Mesh, meshes, most_cost};

@@ -3,6 +3,7 @@
 use super::faults::{Faults, join, quoted, shortened, shown};
 use super::tree::{self, Member, Node, SyntaxFault, Tree};
 use slipgap_solver::problem::structure::schema::NAME as STRUCTURE;
+use std::fmt;
 
 /// A parameter and its value, as written on the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,12 +13,24 @@ pub struct Setting {
     equals: usize,
 }
 
+/// A text that is not `NAME=VALUE`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SettingFault;
+
+impl fmt::Display for SettingFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("must be NAME=VALUE, as in dT=0.1 or alpha=[0.1, 1]")
+    }
+}
+
+impl std::error::Error for SettingFault {}
+
 impl Setting {
     /// Parses `NAME=VALUE`.
     ///
     /// # Errors
     /// There is no `=`, or no name before it.
-    pub fn new(text: &str) -> Result<Setting, String> {
+    pub fn new(text: &str) -> Result<Setting, SettingFault> {
         let name = |name: &str| {
             let mut parts = name.trim().split('.');
             parts.all(|part| {
@@ -29,7 +42,7 @@ impl Setting {
                 text: text.to_owned(),
                 equals,
             }),
-            None => Err("must be NAME=VALUE, as in dT=0.1 or alpha=[0.1, 1]".into()),
+            None => Err(SettingFault),
         }
     }
 
