@@ -23,7 +23,7 @@ use crate::lane::Lane;
 
 /// Names and parameters.
 pub(super) const DESCRIPTION: Description = Description {
-    name: "average-acceleration",
+    name: AverageAcceleration::NAME,
     meaning: "constant average acceleration, Newmark's method with beta = 1/4, gamma = 1/2 [F section 4, I section 3]",
     parameters: &[],
     method: |_| Some(Method::AverageAcceleration(AverageAcceleration)),
@@ -34,6 +34,8 @@ pub(super) const DESCRIPTION: Description = Description {
 pub struct AverageAcceleration;
 
 impl AverageAcceleration {
+    /// Its name in studies.
+    pub const NAME: &'static str = "average-acceleration";
     /// Its coefficients in Newmark's family.
     pub const COEFFICIENTS: Coefficients = Coefficients::newmark(0.25, 0.5);
 }

@@ -32,6 +32,7 @@ pub(super) const DESCRIPTION: Description = Description {
         symbol: "*θ*",
         range: Range::FromHalfToOne,
         default: 0.5,
+        tried: &[0.5, 1.0],
         meaning: "theta of the Moreau-Jean method; no numerical damping at 1/2",
     }],
     method: |numbers| match *numbers {
