@@ -94,6 +94,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
         self.exact(case, times)
     }
+    /// The exact motion of a completed case with its own law, where [`Problem::exact`] has another one, at these times, which increase;
+    /// `None` where none is known.
+    fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
+        None
+    }
     /// The columns of the history of a completed case, after the time.
     fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
         let channels = self.schema().channels.iter().enumerate();
