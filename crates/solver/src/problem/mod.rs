@@ -211,6 +211,11 @@ pub fn find(name: &str) -> Option<Arc<dyn Problem>> {
     PROBLEMS.iter().find(|p| p.name() == name).cloned()
 }
 
+/// Whether studies describe the system of the problem called `name`, see [`Schema::described`].
+pub fn is_described(name: &str) -> bool {
+    find(name).is_none() && names().any(|known| known == name)
+}
+
 /// Number of cases that were solved and have no contact: those without [`Schema::contact_metric`]. None for a
 /// problem without impacts.
 pub fn cases_without_contact(problem: &dyn Problem, table: &MetricTable) -> u64 {
