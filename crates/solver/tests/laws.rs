@@ -110,6 +110,19 @@ fn the_name_in_text_is_a_name_of_studies() {
     }
 }
 
+#[test]
+fn friction_has_the_bounds_of_its_limit() {
+    for (_, law) in laws() {
+        let [low, high] = law.properties().bounds();
+        let other = law.at_limit(1.0).properties().bounds();
+        // Half the limit 2: exact in floating point.
+        match law.kind() {
+            ContactKind::Friction => assert_eq!(other, [0.5 * low, 0.5 * high], "{law:?}"),
+            ContactKind::Impact | ContactKind::Link => assert_eq!(other, [low, high]),
+        }
+    }
+}
+
 /// S of a law after each of many steps of a motion that is given: r, rdot and S.
 fn follow(
     law: &ContactLaw,

@@ -114,6 +114,14 @@ impl Properties for ImpactSpring {
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.stiffness * inverse_mass).sqrt())
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for ImpactSpring {

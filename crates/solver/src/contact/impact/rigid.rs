@@ -100,6 +100,18 @@ impl Properties for Rigid {
     fn over_velocity(&self) -> bool {
         false
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for Rigid {
