@@ -4,7 +4,7 @@ use slipgap_solver::contact::number::{Number, Range, Usual};
 use slipgap_solver::contact::numbers::structure;
 use slipgap_solver::contact::offer::{Offered, Place};
 use slipgap_solver::contact::{
-    Answer, ContactKind, ContactLaw, Flexibility, GivenNumbers, LAWS, StepFlexibility,
+    ContactKind, ContactLaw, ContactResponse, Flexibility, GivenNumbers, LAWS, StepFlexibility,
     StoredEnergy, Trial,
 };
 use slipgap_solver::lane::Lane;

@@ -5,8 +5,8 @@ use super::impact::{PUSHES, RigidImpact, stop};
 use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::{
-    ClosedForm, ContactKind, Cycle, Described, Law, LawFault, Properties, StepFlexibility, StepLaw,
-    StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, Cycle, Deflection, Described, Law, LawFault, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 use std::f64::consts::PI;
@@ -37,8 +37,11 @@ impl StoredEnergy for ImpactSpring {
     }
 
     #[inline(always)]
-    fn deflection(&self, s: f64) -> Option<[f64; 2]> {
-        Some([s / self.stiffness, 1.0 / self.stiffness])
+    fn deflection(&self, s: f64) -> Option<Deflection> {
+        Some(Deflection {
+            r: s / self.stiffness,
+            slope: 1.0 / self.stiffness,
+        })
     }
 }
 

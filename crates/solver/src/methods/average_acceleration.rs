@@ -18,7 +18,7 @@
 use super::amplification::{Amplification, of_three};
 use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage};
 use super::{Coefficients, Description, Method, Scheme, SubStep};
-use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
 /// Names and parameters.
@@ -219,7 +219,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     }
 
     #[inline(always)]
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L> {
         let before = self.contact;
         let trial = Trial {
             displacement: before.displacement,
@@ -281,7 +281,7 @@ mod tests {
     #[derive(Clone, Copy)]
     struct Prescribed(f64);
 
-    impl Answer<1> for Prescribed {
+    impl ContactResponse<1> for Prescribed {
         fn force(&mut self, _: usize, _: &Trial<1>) -> Lane<1> {
             Lane([self.0])
         }

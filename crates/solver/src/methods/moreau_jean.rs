@@ -18,7 +18,7 @@
 use super::amplification::{Amplification, of_two};
 use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage, sums};
 use super::{Description, Method, MethodParameter, Scheme, SubStep};
-use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 use crate::range::Range;
 use nalgebra::Matrix2;
@@ -221,7 +221,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     }
 
     #[inline(always)]
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L> {
         let before = self.contact;
         let trial = Trial {
             displacement: before.displacement,
