@@ -1,6 +1,5 @@
 //! Runs the cases of a study in parallel. No result depends on the order or on the number of threads.
 
-mod blocks;
 pub mod chunk;
 mod compute;
 pub mod cost;
@@ -17,6 +16,7 @@ mod reduced;
 mod run_part;
 mod shard;
 mod shown;
+mod signal_order;
 pub mod store;
 #[cfg(test)]
 mod tests_columns;

@@ -69,8 +69,8 @@ impl Block {
             return Some(true);
         };
         let positions = self.positions(raw);
-        let tabled = when.tabled(&self.groups, &positions);
-        tabled.or_else(|| when.holds(&self.groups, &self.raw_case(problem, raw), &positions))
+        let looked_up = when.looked_up(&self.groups, &positions);
+        looked_up.or_else(|| when.holds(&self.groups, &self.raw_case(problem, raw), &positions))
     }
 
     fn counts(&self, problem: &dyn Problem) -> &CaseCounts {

@@ -4,7 +4,7 @@ use super::references::{check_given, report_circle, restates};
 use crate::Block;
 use crate::axes::draft::{BlockDraft, ParameterDraft};
 use crate::cases::derived::{Condition, Derived, refused};
-use crate::cases::tabulated::Tabulated;
+use crate::cases::formula_table::FormulaTable;
 use crate::source::faults::{Faults, quoted};
 use crate::value::value_of;
 use slipgap_solver::expression::{ExpressionFault, Formula};
@@ -114,13 +114,13 @@ fn add_condition(
     text: &str,
     problem: &dyn Problem,
 ) -> Result<(), Unmet> {
-    let mut tabulated = Tabulated::new(formula.clone(), block);
-    if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
+    let mut formula_table = FormulaTable::new(formula.clone(), block);
+    if let Err((case, fault)) = formula_table.fill(block, problem.schema()) {
         return Err(Unmet::NoValue(case, fault));
     }
     block.when = Some(Condition {
         text: text.to_owned(),
-        formula: tabulated,
+        formula: formula_table,
     });
     if block.is_uncounted() {
         return Ok(());
@@ -148,14 +148,14 @@ fn derive(
     faulty: &[usize],
     faults: &mut Faults,
 ) {
-    let mut tabulated = Tabulated::new(formula.clone(), block);
+    let mut formula_table = FormulaTable::new(formula.clone(), block);
     let parameter = &schema.parameters[given.parameter];
-    let invalid = match tabulated.tabulate(block, schema) {
+    let invalid = match formula_table.fill(block, schema) {
         Err((case, _)) => Some(*case),
         Ok(()) => {
-            let mut values = tabulated.table.iter().flatten();
+            let mut values = formula_table.table.iter().flatten();
             let invalid = values.position(|x| value_of(*x, parameter).is_err());
-            invalid.map(|entry| tabulated.case(block, entry as u64, schema))
+            invalid.map(|entry| formula_table.case(block, entry as u64, schema))
         }
     };
     // A faulty parameter may decide which other ones have a value, and is reported itself.
@@ -168,6 +168,6 @@ fn derive(
         parameter: given.parameter,
         text: text.to_owned(),
         restates,
-        formula: tabulated,
+        formula: formula_table,
     });
 }
