@@ -4,7 +4,7 @@ use crate::batch::output::sobol::DesignMetrics;
 use crate::batch::{self, DrawnCase, GroupResults, Needed, PartResult, ShownCases};
 use crate::figures::FigureData;
 use slipgap_solver::problem::Case;
-use slipgap_study::{Column, Figure, Study};
+use slipgap_study::{ColumnRef, Figure, Study};
 
 /// Whether a figure shows the case.
 fn show(study: &Study, case: &Case) -> bool {
@@ -34,8 +34,8 @@ pub fn needed(study: &Study) -> Needed {
         };
         for column in columns {
             match column {
-                Column::Parameter(row) => needed.parameters[row] = true,
-                Column::Metric(row) => needed.measures[row] = true,
+                ColumnRef::Parameter(row) => needed.parameters[row] = true,
+                ColumnRef::Metric(row) => needed.measures[row] = true,
             }
         }
         let filtered = figure.filter.0.iter();

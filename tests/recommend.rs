@@ -12,7 +12,7 @@ use slipgap::recommend::friction::{Friction, Releases};
 use slipgap::recommend::impact::{FixedParameters, Impact, energy_change};
 use slipgap::recommend::{
     Answer, Candidate, CostLevel, EnergyChange, Fixed, Outcome, Request, SearchSpace, Stop, Target,
-    elsewhere, metric, refine, search, with_finer_step,
+    metric, refine, robustness, search, with_finer_step,
 };
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -370,7 +370,7 @@ fn an_answer_for_a_range_of_releases_holds_between_them() {
                 error(&half)
             );
         }
-        let found = elsewhere(&space, &rms(limit), best).unwrap();
+        let found = robustness(&space, &rms(limit), best).unwrap();
         assert_eq!((found.ends, found.missed), ([from, to], 0));
         // The case shown is the release with the largest error of those searched.
         let shown = error(&best.cases[0]);
@@ -390,7 +390,7 @@ fn an_answer_for_one_release_says_what_it_misses() {
     let space = Friction::new(fixed, 12.0);
     let answer = search(&space, &rms(0.01));
     let best = chosen(&answer);
-    let found = elsewhere(&space, &rms(0.01), best).unwrap();
+    let found = robustness(&space, &rms(0.01), best).unwrap();
     assert_eq!((found.ends, found.count), ([8.0, 20.0], 1201));
     let error = |x0: f64| {
         let metrics = FrictionOscillator

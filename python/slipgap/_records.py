@@ -139,7 +139,7 @@ class Candidate(NamedTuple):
     """Whether it also reaches them with 1/2, 1/4, 1/8 .. of its step, until the metrics stop changing."""
 
 
-class Elsewhere(NamedTuple):
+class Robustness(NamedTuple):
     """The best case of a search over a range of a parameter."""
 
     parameter: str
@@ -173,7 +173,7 @@ class Recommendation(NamedTuple):
     """Number of cases solved."""
     own_step: Candidate | None
     """The cheapest case that reaches every target with its own step only, if it costs less than the best; else None."""
-    elsewhere: Elsewhere | None
+    robustness: Robustness | None
     """For a friction model: the best case over a range of releases; else None."""
 
 

@@ -6,13 +6,14 @@ use crate::error::{raise, usage};
 use crate::given;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use slipgap::contact::VelocityControl;
 use slipgap::error::Error;
 use slipgap::history::History;
-use slipgap::problem::friction::FrictionOscillator;
-use slipgap::problem::{Case, PROBLEMS, Problem};
+use slipgap::problem::parameter::{Default, Kind};
+use slipgap::problem::{self, Case, PROBLEMS, Problem};
 
-/// Names of the time step, which no exact motion depends on.
-const STEPS: [(&str, &str); 2] = [("friction-oscillator", "dT"), ("bar-impact", "dt")];
+/// The law of an exact motion without `law`: friction without compliance.
+const RIGID: &str = VelocityControl::RIGID_NAME;
 
 /// The exact motion of a problem at these times, the bytes of an array, as a dictionary of channels.
 #[pyfunction]
@@ -22,14 +23,15 @@ pub fn exact<'py>(
     t: &[u8],
     parameters: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let known = STEPS.iter().find(|known| known.0 == problem);
-    let Some((_, step)) = known else {
-        let names = STEPS.map(|known| known.0).join(", ");
+    let Some(known) = problem::find(problem) else {
+        let names: Vec<&str> = PROBLEMS.iter().map(|known| known.name()).collect();
+        let names = names.join(", ");
         return Err(usage(
             py,
             format!("problem: unknown {problem:?}; allowed: {names}"),
         ));
     };
+    let step = known.schema().step_name();
     let times = arrays::of_bytes(t);
     let rising = times.windows(2).all(|pair| pair[0] <= pair[1]);
     let last = times.last().copied().unwrap_or(0.0);
@@ -51,35 +53,45 @@ pub fn exact<'py>(
     given.set_item("problem", problem)?;
     given.set_item(step, end)?;
     given.set_item("duration", end)?;
-    let softened = given.contains("law")?;
-    let usual = |name: &str, value: u32| match given.contains(name)? {
-        true => Ok(()),
-        false => given.set_item(name, value),
-    };
-    match problem {
-        "bar-impact" => {
-            usual("n", 1)?;
-            if !given.contains("k_I")? {
-                usual("gamma", 1)?;
-            }
-        }
-        _ if softened => {}
-        _ => given.set_item("law", "coulomb")?,
-    }
+    let of_law = given.contains("law")?;
+    add_numerical(&*known, &given)?;
     let case = case(py, &given)?;
-    let problem = PROBLEMS.iter().find(|known| known.name() == problem);
-    let history = py.detach(|| problem.and_then(|known| motion(&**known, &case, &times, softened)));
-    let Some((history, problem)) = history.zip(problem) else {
+    let history = py.detach(|| motion(&*known, &case, &times, of_law));
+    let Some(history) = history else {
         let message = "this law has no exact motion; allowed: coulomb, displacement-control and velocity-control of the oscillator; bars have none";
         return Err(usage(py, message));
     };
     let dict = PyDict::new(py);
-    for channel in problem.history_columns(&case) {
+    for channel in known.history_columns(&case) {
         let values = history.channel(channel.index);
         let values = arrays::numbers(py, values.iter().copied())?;
         dict.set_item(&*channel.column.name, values)?;
     }
     Ok(dict)
+}
+
+/// Adds the parameters that a case needs and its exact motion does not depend on: numbers of elements, a stiffness of the contact,
+/// and the law.
+fn add_numerical(problem: &dyn Problem, given: &Bound<'_, PyDict>) -> PyResult<()> {
+    for [one, other] in problem.schema().alternatives.iter() {
+        if !given.contains(&**one)? && !given.contains(&**other)? {
+            given.set_item(&**one, 1)?;
+        }
+    }
+    for parameter in problem.parameters() {
+        let needed = matches!(parameter.default, Default::Required);
+        if !needed || given.contains(&*parameter.name)? {
+            continue;
+        }
+        match parameter.kind {
+            Kind::Whole { min, .. } => given.set_item(&*parameter.name, min)?,
+            Kind::Choice(names) if names.iter().any(|name| name.0 == RIGID) => {
+                given.set_item(&*parameter.name, RIGID)?;
+            }
+            Kind::Choice(_) | Kind::Number(_) => {}
+        }
+    }
+    Ok(())
 }
 
 /// The completed case of these parameters.
@@ -93,19 +105,15 @@ fn case(py: Python<'_>, given: &Bound<'_, PyDict>) -> PyResult<Case> {
     case.ok_or_else(|| raise(py, Error::Usage("exact: no case".into())))
 }
 
-/// The exact motion, with the softened law if it is `softened`.
-fn motion(problem: &dyn Problem, case: &Case, times: &[f64], softened: bool) -> Option<History> {
+/// The exact motion, that of the case's own law if it is `of_law`.
+fn motion(problem: &dyn Problem, case: &Case, times: &[f64], of_law: bool) -> Option<History> {
     if times.is_empty() {
         let channels = vec![Vec::new(); problem.schema().channels.len()];
         let time = Vec::new();
         return Some(History { time, channels });
     }
-    let law = case.choice("law");
-    if !softened || law == "coulomb" {
-        return problem.exact_at(case, times);
-    }
-    match problem.name() == FrictionOscillator.name() {
-        true => FrictionOscillator.softened(case, times),
-        false => None,
+    match of_law {
+        true => problem.exact_of_law(case, times),
+        false => problem.exact_at(case, times),
     }
 }

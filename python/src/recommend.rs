@@ -10,11 +10,11 @@ use slipgap::problem::parameter::Value;
 use slipgap::recommend::friction::{FrictionTask, Releases};
 use slipgap::recommend::impact::{ImpactTask, bar};
 use slipgap::recommend::task::Search;
-use slipgap::recommend::{Candidate, SearchSpace, elsewhere, recommend as best};
+use slipgap::recommend::{Candidate, SearchSpace, recommend as best, robustness};
 
-/// The classes `slipgap.Recommendation`, `slipgap.Candidate` and `slipgap.Elsewhere`.
+/// The classes `slipgap.Recommendation`, `slipgap.Candidate` and `slipgap.Robustness`.
 static RECOMMENDATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
-static ELSEWHERE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static ROBUSTNESS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static CANDIDATE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
 /// Names of what may be given.
@@ -56,7 +56,7 @@ pub fn recommend<'py>(
         }
     };
     let stop = search.request.stop.clone();
-    let (search, found, elsewhere) = worker::wait(
+    let (search, found, robustness) = worker::wait(
         py,
         jobs,
         move || {
@@ -65,9 +65,9 @@ pub fn recommend<'py>(
             let nearest = answer.front.len().checked_sub(1);
             let shown = answer.chosen().or(nearest);
             let shown = shown.and_then(|at| answer.front.get(at));
-            let elsewhere =
-                shown.and_then(|own| elsewhere(search.space.space(), &search.request, own));
-            Ok((search, found, elsewhere))
+            let robustness =
+                shown.and_then(|own| robustness(search.space.space(), &search.request, own));
+            Ok((search, found, robustness))
         },
         || stop.stop(),
         |_| Ok(()),
@@ -85,9 +85,9 @@ pub fn recommend<'py>(
     let own_step = own_step
         .map(|own| candidate(py, &search, own))
         .transpose()?;
-    let elsewhere = elsewhere.map(|found| {
+    let robustness = robustness.map(|found| {
         let target = search.request.targets[found.target].name.replace(' ', "_");
-        let class = ELSEWHERE.import(py, "slipgap._records", "Elsewhere")?;
+        let class = ROBUSTNESS.import(py, "slipgap._records", "Robustness")?;
         let [first, last] = found.ends;
         let (name, at) = (found.parameter, found.at);
         class.call1((
@@ -101,7 +101,7 @@ pub fn recommend<'py>(
             at,
         ))
     });
-    let elsewhere = elsewhere.transpose()?;
+    let robustness = robustness.transpose()?;
     let class = RECOMMENDATION.import(py, "slipgap._records", "Recommendation")?;
     class.call1((
         chosen.is_some(),
@@ -109,7 +109,7 @@ pub fn recommend<'py>(
         front,
         solved,
         own_step,
-        elsewhere,
+        robustness,
     ))
 }
 

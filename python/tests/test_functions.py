@@ -179,12 +179,12 @@ def test_recommend() -> None:
     assert error is not None and error <= found.best.errors["rms_error"]
     # One release: the answer misses the target at others.
     one = slipgap.recommend("friction-oscillator", rms=0.01, law="tanh", method="central-difference", x0=12)
-    assert one.elsewhere is not None and (one.elsewhere.first, one.elsewhere.last) == (8, 20)
-    assert one.elsewhere.missed > 0 and one.elsewhere.error > 0.01
+    assert one.robustness is not None and (one.robustness.first, one.robustness.last) == (8, 20)
+    assert one.robustness.missed > 0 and one.robustness.error > 0.01
     # A range of them: none does.
     every = slipgap.recommend("friction-oscillator", rms=0.05, law="tanh", method="central-difference", x0=(9, 12))
-    assert every.elsewhere is not None and (every.elsewhere.first, every.elsewhere.last) == (9, 12)
-    assert every.elsewhere.missed == 0 and every.elsewhere.error <= 0.05
+    assert every.robustness is not None and (every.robustness.first, every.robustness.last) == (9, 12)
+    assert every.robustness.missed == 0 and every.robustness.error <= 0.05
     assert every.best is not None and every.best.converged and 9 <= every.best.parameters["x0"] <= 12
     refused: list[tuple[str, dict[str, Any]]] = [
         ("friction-oscillator", {}),

@@ -1,9 +1,9 @@
 //! Computes cases: in lanes if possible, else one at a time.
 
-use super::blocks::blocks;
 use super::chunk::WORK;
 use super::options::RunOptions;
 use super::part_result::Solutions;
+use super::signal_order::signal_order;
 use rayon::prelude::*;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::{Case, Solution};
@@ -85,7 +85,7 @@ pub(super) fn compute_rows(
         tick(rows.len());
         Ok(swept)
     };
-    let in_lanes = blocks(study, cases, in_lanes);
+    let in_lanes = signal_order(study, cases, in_lanes);
     let mut swept: Vec<MetricTable> = Vec::new();
     for block in &in_lanes {
         // All threads work at a block.
@@ -109,7 +109,7 @@ pub(super) fn compute_rows(
         solved.map(|solved| (*row, solved))
     };
     let mut solved: Vec<(usize, SolvedCase)> = Vec::new();
-    for block in blocks(study, cases, single) {
+    for block in signal_order(study, cases, single) {
         let block = block.into_iter().map(|row| row as usize);
         let block: Vec<(usize, Case)> = block.map(|row| (row, shown.at(row).clone())).collect();
         let own = block.par_iter().map(solve);

@@ -3,7 +3,6 @@
 use super::cost::total;
 use rayon::prelude::*;
 use slipgap_solver::problem::Case;
-use slipgap_solver::problem::structure::schema::NAME;
 use slipgap_study::Study;
 use std::fmt;
 
@@ -58,7 +57,7 @@ pub fn sampled_like(study: &Study, number: u64) -> Option<Divergence> {
 }
 
 fn sampled_if(study: &Study, wanted: impl Fn(&Case) -> bool + Sync) -> Option<Divergence> {
-    if study.problem.name() != NAME {
+    if !study.problem.schema().described {
         return None;
     }
     let cases = study.len();

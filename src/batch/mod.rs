@@ -1,6 +1,5 @@
 //! Runs the cases of a study in parallel. No result depends on the order or on the number of threads.
 
-mod blocks;
 pub mod chunk;
 mod compute;
 pub mod cost;
@@ -17,6 +16,7 @@ mod reduced;
 mod run_part;
 mod shard;
 mod shown;
+mod signal_order;
 pub mod store;
 #[cfg(test)]
 mod tests_columns;
@@ -32,7 +32,7 @@ pub use missing::{MissingParts, missing_parts};
 pub use options::{OnSolution, RunOptions};
 pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
-pub use shard::{Shard, ShardResult, run_shard, shard_of};
+pub use shard::{Shard, ShardFault, ShardResult, run_shard, shard_of};
 pub use shown::{DrawnCase, Needed, ShownCases};
 pub use units::with_unit_columns;
 pub use warned::{WarnedCases, WarningCounts};

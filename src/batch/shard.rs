@@ -38,17 +38,29 @@ pub fn shard_of(part: u64, of: u64) -> u64 {
     part % of.max(1) + 1
 }
 
+/// A text that is not `I/N`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ShardFault;
+
+impl fmt::Display for ShardFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("must be I/N with whole numbers 1 <= I <= N, as in 3/16")
+    }
+}
+
+impl std::error::Error for ShardFault {}
+
 impl FromStr for Shard {
-    type Err = String;
+    type Err = ShardFault;
 
     /// Reads `I/N`.
-    fn from_str(text: &str) -> Result<Shard, String> {
+    fn from_str(text: &str) -> Result<Shard, ShardFault> {
         let shard = text.split_once('/').and_then(|(index, of)| {
             let [index, of] = [index, of].map(|number| number.parse().ok());
             let (index, of) = (index?, of?);
             (1 <= index && index <= of).then_some(Shard { index, of })
         });
-        shard.ok_or_else(|| "must be I/N with whole numbers 1 <= I <= N, as in 3/16".into())
+        shard.ok_or(ShardFault)
     }
 }
 
@@ -126,7 +138,7 @@ mod tests {
         ];
         for text in wrong {
             let why = text.parse::<Shard>().unwrap_err();
-            assert!(why.contains("1 <= I <= N"), "{text}");
+            assert!(why.to_string().contains("1 <= I <= N"), "{text}");
         }
     }
 

@@ -11,7 +11,7 @@ use slipgap_solver::problem::friction::FrictionOscillator;
 use slipgap_solver::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use slipgap_solver::problem::{Case, Problem, Schema, Solution, Violation};
 use slipgap_solver::solve::{MetricTable, Unsolvable};
-use slipgap_study::{Axis, Block, Group, Study, parse};
+use slipgap_study::{Axis, AxisGroup, Block, Study, parse};
 use std::sync::Arc;
 
 /// The friction oscillator with a parameter that has a default and a column only if it is given.
@@ -66,7 +66,7 @@ fn extended(zeta: &[f64]) -> Study {
     if !zeta.is_empty() {
         let values = zeta.iter().copied().map(Value::Number).collect();
         let axes = vec![Axis { parameter, values }];
-        groups.push(Group { axes });
+        groups.push(AxisGroup { axes });
     }
     // A new block, because a block keeps what its cases share.
     let mut block = Block::default();

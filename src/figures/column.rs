@@ -1,21 +1,21 @@
 //! Columns of the results, as scatters and samples draw them.
 
 use crate::figures::DrawnCase;
-use slipgap_study::{Column, Scale, Study};
+use slipgap_study::{ColumnRef, Scale, Study};
 
 /// The value of a case in a column.
-pub fn value(shown: &DrawnCase, column: Column) -> Option<f64> {
+pub fn value(shown: &DrawnCase, column: ColumnRef) -> Option<f64> {
     match column {
-        Column::Parameter(row) => shown.number(row),
-        Column::Metric(row) => shown.metric(row),
+        ColumnRef::Parameter(row) => shown.number(row),
+        ColumnRef::Metric(row) => shown.metric(row),
     }
 }
 
 /// The title of a column, in markup.
-pub fn title(study: &Study, column: Column) -> &str {
+pub fn title(study: &Study, column: ColumnRef) -> &str {
     match column {
-        Column::Parameter(row) => &study.problem.parameters()[row].symbol,
-        Column::Metric(row) => &study.measures[row].symbol,
+        ColumnRef::Parameter(row) => &study.problem.parameters()[row].symbol,
+        ColumnRef::Metric(row) => &study.measures[row].symbol,
     }
 }
 

@@ -1,6 +1,8 @@
 //! Cases in lanes have the same bits as single cases, for every number of lanes.
 
-use slipgap::contact::{Answer, DisplacementControl, ImpactSpring, RunningLaw, VelocityControl};
+use slipgap::contact::{
+    ContactResponse, DisplacementControl, ImpactSpring, RunningLaw, VelocityControl,
+};
 use slipgap::lane::Lane;
 use slipgap::methods::{
     AverageAcceleration, ContactState, ManyModes, ModeStart, OneMode, Recursion, Scheme, Start,
@@ -29,7 +31,7 @@ type Lanes<const L: usize, N> = <AverageAcceleration as Scheme>::Lanes<L, N>;
 /// The bits of r, rdot and S over the steps, one list a lane.
 fn bits<const L: usize>(
     mut stepper: impl Recursion<L>,
-    mut law: impl Answer<L>,
+    mut law: impl ContactResponse<L>,
 ) -> [Vec<[u64; 3]>; L] {
     let mut lists = array::from_fn(|_| Vec::new());
     for _ in 0..STEPS {

@@ -5,7 +5,7 @@ mod code;
 mod lock;
 
 pub use code::code;
-pub use lock::locked;
+pub use lock::{NotLocked, locked};
 
 use std::error::Error;
 use std::fs;
@@ -28,7 +28,7 @@ pub fn hash(root: &Path, folders: &[&str], crates: &[&str]) -> Result<String, Bo
     let lock = lock_file(root).ok_or("no Cargo.lock in the folder of the crate or above it")?;
     println!("cargo::rerun-if-changed={}", lock.display());
     let lines = locked(&fs::read_to_string(&lock)?, crates);
-    texts.push(lines.map_err(|name| format!("{name} is not in {}", lock.display()))?);
+    texts.push(lines.map_err(|missing| format!("{missing} is not in {}", lock.display()))?);
     Ok(format!("{:016x}", sum(texts.iter().map(String::as_str))))
 }
 

@@ -83,7 +83,10 @@ fn of_several_versions_the_one_that_is_used_counts() {
         + &entry("d", "1.0.0", &[]);
     let lines = super::locked(&lock, &["a"]).unwrap();
     assert_eq!(lines, "a 1.0.0 00ff\nb 2.0.0 00ff\nc 1.0.0 00ff\n");
-    assert_eq!(super::locked(&lock, &["a", "x"]), Err("x".into()));
+    assert_eq!(
+        super::locked(&lock, &["a", "x"]),
+        Err(super::NotLocked("x".into()))
+    );
 }
 
 #[test]

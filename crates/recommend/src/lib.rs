@@ -8,13 +8,13 @@
 //! searched on the fine grid.
 
 mod answer;
-mod elsewhere;
 pub mod format;
 pub mod friction;
 mod grid;
 pub mod impact;
 mod level;
 mod refine;
+mod robustness;
 mod search;
 pub mod setting;
 mod space;
@@ -22,10 +22,10 @@ mod survey;
 pub mod task;
 
 pub use answer::{Answer, Candidate, Request, Stop, Target};
-pub use elsewhere::{Elsewhere, elsewhere};
 pub use refine::{
     LEAST_HALVINGS, MOST_HALVINGS, Outcome, Refined, SETTLED, refine, with_finer_step,
 };
+pub use robustness::{Robustness, robustness};
 pub use search::search;
 pub use setting::{Setting, Variant};
 pub use space::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variants};

@@ -1,6 +1,7 @@
 //! Laws and methods with their parameters: the short lists that a search tries.
 
 use slipgap_solver::contact::{Described, DisplacementControl, ImpactSpring, VelocityControl};
+use slipgap_solver::methods::{AverageAcceleration, Description, METHODS, Method};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::parameter::{Kind, Value, shortest};
 
@@ -64,20 +65,19 @@ pub struct Variant {
     pub mass: Option<&'static str>,
 }
 
-/// The laws and the method of the papers.
+/// The laws of the papers.
 const LAWS: [&str; 3] = [
     DisplacementControl::NAME,
     VelocityControl::NAME,
     ImpactSpring::NAME,
 ];
-const METHOD: &str = "average-acceleration";
 
 impl Variant {
     /// Whether law, method and mass matrix are those of the papers.
     pub fn of_the_papers(&self) -> bool {
         let mass = self.mass.unwrap_or("lumped");
         LAWS.contains(&self.law.name)
-            && self.method.name == METHOD
+            && self.method.name == AverageAcceleration::NAME
             && ["lumped", "consistent"].contains(&mass)
     }
 }
@@ -91,14 +91,22 @@ pub fn choices(problem: &dyn Problem, parameter: &str) -> Vec<&'static str> {
     }
 }
 
-/// Names of the parameters of methods that are searched.
-pub const METHOD_PARAMETERS: [&str; 5] = [
-    "newmark_beta",
-    "newmark_gamma",
-    "hht_alpha",
-    "rho_inf",
-    "theta",
-];
+/// Names of the parameters of all methods.
+pub fn method_parameters() -> Vec<&'static str> {
+    let parameters = METHODS.iter().flat_map(|method| method.parameters);
+    parameters.map(|parameter| parameter.name).collect()
+}
+
+/// The method of this name, with the defaults of its parameters.
+pub fn method_named(name: &str) -> Option<Method> {
+    Description::named(name)?.with_defaults()
+}
+
+/// Whether one of the variants has a method with several sub-steps.
+pub fn has_sub_steps(variants: &[Variant]) -> bool {
+    let mut methods = variants.iter().filter_map(|v| method_named(v.method.name));
+    methods.any(|method| method.count_of_sub_steps() > 1)
+}
 
 /// The methods of a problem, each with a short list of its parameters; only the one of this name if there is one.
 pub fn methods(problem: &dyn Problem, only: Option<&str>) -> Vec<Setting> {
@@ -107,19 +115,20 @@ pub fn methods(problem: &dyn Problem, only: Option<&str>) -> Vec<Setting> {
     names.flat_map(method).collect()
 }
 
-/// Weak, medium and strong numerical damping.
+/// A method with the values that its parameters' descriptions have for a search.
 fn method(name: &'static str) -> Vec<Setting> {
-    match name {
-        // The best damping of high frequencies at this gamma: beta = (gamma + 1/2)^2/4.
-        "newmark" => vec![Setting {
-            name,
-            parameters: vec![("newmark_beta", 0.3025), ("newmark_gamma", 0.6)],
-        }],
-        "hht" => Setting::each(name, "hht_alpha", &[-0.05, -0.1, -0.3333]),
-        "generalized-alpha" => Setting::each(name, "rho_inf", &[0.0, 0.5, 0.8]),
-        "moreau-jean" => Setting::each(name, "theta", &[0.5, 1.0]),
-        _ => vec![Setting::new(name)],
-    }
+    let parameters = Description::named(name).map_or(&[][..], |method| method.parameters);
+    let Some(first) = parameters.first() else {
+        return vec![Setting::new(name)];
+    };
+    let setting = |place: usize| Setting {
+        name,
+        parameters: parameters
+            .iter()
+            .filter_map(|parameter| Some((parameter.name, *parameter.tried.get(place)?)))
+            .collect(),
+    };
+    (0..first.tried.len()).map(setting).collect()
 }
 
 /// The settings in a sentence: every name once, with the values of its parameters.

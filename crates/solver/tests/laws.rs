@@ -4,7 +4,7 @@ use slipgap_solver::contact::number::{Number, Range, Usual};
 use slipgap_solver::contact::numbers::structure;
 use slipgap_solver::contact::offer::{Offered, Place};
 use slipgap_solver::contact::{
-    Answer, ContactKind, ContactLaw, Flexibility, GivenNumbers, LAWS, StepFlexibility,
+    ContactKind, ContactLaw, ContactResponse, Flexibility, GivenNumbers, LAWS, StepFlexibility,
     StoredEnergy, Trial,
 };
 use slipgap_solver::lane::Lane;
@@ -107,6 +107,19 @@ fn the_name_in_text_is_a_name_of_studies() {
             !shown.is_empty() && shown.iter().all(|own| !own.0.is_empty()),
             "{made:?}"
         );
+    }
+}
+
+#[test]
+fn friction_has_the_bounds_of_its_limit() {
+    for (_, law) in laws() {
+        let [low, high] = law.properties().bounds();
+        let other = law.at_limit(1.0).properties().bounds();
+        // Half the limit 2: exact in floating point.
+        match law.kind() {
+            ContactKind::Friction => assert_eq!(other, [0.5 * low, 0.5 * high], "{law:?}"),
+            ContactKind::Impact | ContactKind::Link => assert_eq!(other, [low, high]),
+        }
     }
 }
 

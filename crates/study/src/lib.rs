@@ -27,7 +27,7 @@ pub use source::{faults, input, object, place, tree};
 pub use cases::block::Block;
 pub use cases::design::{Design, Sampling};
 pub use cases::filter::Filter;
-pub use cases::group::{Axis, Group};
+pub use cases::group::{Axis, AxisGroup};
 pub use cases::values::Values;
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
@@ -35,10 +35,10 @@ pub use describe::{reference, schema, start};
 pub use figure::kinds::{self, FigureKind};
 pub use measure::Measure;
 pub use measure::measures;
-pub use reduction::{Groups, Reduced, Reduction, Word};
+pub use reduction::{Groups, Operator, Reduced, Reduction};
 pub use slipgap_solver::expression::{printable, unprintable};
 pub use source::input::{Input, STDIN};
-pub use source::setting::Setting;
+pub use source::setting::{Setting, SettingFault};
 pub use units::Units;
 
 pub use slipgap_drawing::colour_map::{Marks, Ridge};
@@ -116,7 +116,7 @@ pub struct Figure {
 
 /// A column of numbers in the results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
+pub enum ColumnRef {
     /// Row of `problem.parameters()`.
     Parameter(usize),
     /// Row of the study's measures.

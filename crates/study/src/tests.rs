@@ -8,7 +8,7 @@ use super::decode::validate::validate;
 use super::source::faults::Faults;
 use super::source::place::Texts;
 use super::source::tree;
-use super::{Axis, Block, Filter, Group};
+use super::{Axis, AxisGroup, Block, Filter};
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::problem::parameter::{Default, Kind, Parameter, Range, Value};
 use slipgap_solver::problem::schema::{Text, TimeAxis};
@@ -299,7 +299,7 @@ fn a_filter_selects_the_cases_that_match() {
 
 #[test]
 fn a_thousand_million_cases_cost_no_memory() {
-    let group = |parameter| Group {
+    let group = |parameter| AxisGroup {
         axes: vec![Axis {
             parameter,
             values: (1..=1000).map(|n| Value::Number(f64::from(n))).collect(),
@@ -367,8 +367,9 @@ fn an_expression_is_computed_once_for_each_set_of_its_parameters() {
     let study = super::parse("x.json", &text).unwrap();
     let block = &study.blocks[0];
     let name = |row: usize| &*study.problem.parameters()[row].name;
-    let entries =
-        |formula: &super::cases::tabulated::Tabulated| formula.table.as_ref().map_or(0, Vec::len);
+    let entries = |formula: &super::cases::formula_table::FormulaTable| {
+        formula.table.as_ref().map_or(0, Vec::len)
+    };
     let tables: Vec<(&str, usize)> = block
         .derived
         .iter()

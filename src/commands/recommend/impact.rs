@@ -1,6 +1,7 @@
 //! The arguments of a search for an impact of two bars.
 
 use super::task::{CommonArgs, SearchTask, parse_target};
+use crate::commands::arguments::Expected;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
@@ -62,9 +63,10 @@ pub struct ImpactArgs {
 }
 
 /// Parses a parameter of the bars with its value, as in `right.L=20`.
-fn parse_bar(text: &str) -> Result<(Text, Value), String> {
-    let (name, value) = text.split_once('=').ok_or("must be NAME=VALUE")?;
-    bar(name, value)
+fn parse_bar(text: &str) -> Result<(Text, Value), Box<dyn std::error::Error + Send + Sync>> {
+    let pair = text.split_once('=');
+    let (name, value) = pair.ok_or(Expected("NAME=VALUE".into()))?;
+    Ok(bar(name, value)?)
 }
 
 impl ImpactArgs {

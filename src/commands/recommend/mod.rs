@@ -63,8 +63,8 @@ fn recommend(task: &SearchTask) -> Result<u8, Error> {
     let chosen = answer.chosen();
     let rows = rows(answer, chosen.unwrap_or(nearest));
     let mut text = tables::answer(space, request, &rows)?;
-    let elsewhere = recommend::elsewhere(space, request, rows[0].candidate);
-    text += &elsewhere.map_or(String::new(), |found| tables::elsewhere(request, &found));
+    let robustness = recommend::robustness(space, request, rows[0].candidate);
+    text += &robustness.map_or(String::new(), |found| tables::robustness(request, &found));
     text += &format!(
         "in a study: {}\n",
         tables::study_parameters(space, &rows[0].candidate.cases[0])

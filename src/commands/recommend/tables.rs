@@ -6,7 +6,7 @@ use slipgap::problem::Case;
 use slipgap::problem::parameter::{Value, shortest};
 use slipgap::recommend::format::digits;
 use slipgap::recommend::{
-    Answer, Candidate, Elsewhere, LEAST_HALVINGS, Outcome, Refined, Request, SearchSpace, Target,
+    Answer, Candidate, LEAST_HALVINGS, Outcome, Refined, Request, Robustness, SearchSpace, Target,
     refine, with_finer_step,
 };
 
@@ -74,7 +74,7 @@ fn refined(space: &dyn SearchSpace, request: &Request, candidate: &Candidate) ->
 }
 
 /// Over how much of a range the answer misses its targets.
-pub fn elsewhere(request: &Request, found: &Elsewhere) -> String {
+pub fn robustness(request: &Request, found: &Robustness) -> String {
     let target = &request.targets[found.target];
     let part = match (
         found.missed,

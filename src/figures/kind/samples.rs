@@ -11,7 +11,7 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{FilledMap, Panel, Sheet};
 use slipgap_drawing::style;
 use slipgap_study::kinds::Samples;
-use slipgap_study::{Column, Scale};
+use slipgap_study::{ColumnRef, Scale};
 
 impl Draw for Samples {
     fn sheet(&self, data: &FigureData) -> Sheet {
@@ -26,18 +26,18 @@ impl Draw for Samples {
             y,
             y_scale,
         } = self;
-        let across: Vec<(Column, Scale)> = parameters
+        let across: Vec<(ColumnRef, Scale)> = parameters
             .iter()
-            .map(|(row, scale)| (Column::Parameter(*row), *scale))
+            .map(|(row, scale)| (ColumnRef::Parameter(*row), *scale))
             .collect();
         // The metric in the last row; every other row has the parameter of the next column.
-        let up: Vec<(Column, Scale)> = across
+        let up: Vec<(ColumnRef, Scale)> = across
             .iter()
             .skip(1)
             .copied()
-            .chain([(Column::Metric(*y), *y_scale)])
+            .chain([(ColumnRef::Metric(*y), *y_scale)])
             .collect();
-        let of = |shown: &DrawnCase, (column, scale): (Column, Scale)| {
+        let of = |shown: &DrawnCase, (column, scale): (ColumnRef, Scale)| {
             value(shown, column).filter(|x| has_place(scale, *x))
         };
         let complete = |shown: &&DrawnCase| {
@@ -52,7 +52,7 @@ impl Draw for Samples {
             false => style::MIDDLE,
         });
         let height = (width / count.max(1) as f64 - 20.0).clamp(40.0, 150.0);
-        let axis = |of_it: (Column, Scale), room: f64| -> Axis {
+        let axis = |of_it: (ColumnRef, Scale), room: f64| -> Axis {
             limits::axis(title(study, of_it.0), column(of_it), of_it.1, None, room)
         };
         let ys: Vec<Axis> = up.iter().map(|row| axis(*row, height / 24.0)).collect();

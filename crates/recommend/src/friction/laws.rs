@@ -2,6 +2,7 @@
 
 use crate::{Setting, setting};
 use slipgap_solver::contact::WhichLaw;
+use slipgap_solver::contact::numbers::oscillator::{EXPONENT, SIGMA0, SIGMA1};
 use slipgap_solver::contact::offer::{Offered, Place};
 use slipgap_solver::problem::friction::FrictionOscillator;
 use slipgap_solver::problem::parameter::Value;
@@ -19,8 +20,8 @@ pub fn names() -> Vec<&'static str> {
 /// A law with a short list of its exponents.
 pub fn law(name: &'static str) -> Vec<Setting> {
     match which(name) {
-        Some(WhichLaw::BoucWen) => Setting::each(name, "exponent", &[1.0, 2.0, 10.0]),
-        Some(WhichLaw::Dahl) => Setting::each(name, "exponent", &[1.0, 2.0]),
+        Some(WhichLaw::BoucWen) => Setting::each(name, EXPONENT.key, &[1.0, 2.0, 10.0]),
+        Some(WhichLaw::Dahl) => Setting::each(name, EXPONENT.key, &[1.0, 2.0]),
         _ => vec![Setting::new(name)],
     }
 }
@@ -46,14 +47,64 @@ pub fn of_width(law: &str, value: f64) -> Vec<(&'static str, Value)> {
             let sigma0 = three_digits(1.0 / value);
             let sigma1 = three_digits(2.0 * ZETA * sigma0.sqrt());
             vec![
-                ("sigma0", Value::Number(sigma0)),
-                ("sigma1", Value::Number(sigma1)),
+                (SIGMA0.key, Value::Number(sigma0)),
+                (SIGMA1.key, Value::Number(sigma1)),
             ]
         }
         (_, Some(name)) => vec![(name, Value::Number(value))],
     }
 }
 
+/// The parameters that a search gives the laws: those from a list, and those of a width. Each has a place in the order of its law.
+pub fn parameters() -> [Vec<&'static str>; 2] {
+    let mut all = [Vec::new(), Vec::new()];
+    let mut add = |kind: usize, name: &'static str| {
+        if !all[kind].contains(&name) {
+            all[kind].push(name);
+        }
+    };
+    for name in names() {
+        let listed = law(name).into_iter().flat_map(|law| law.parameters);
+        listed.for_each(|(parameter, _)| add(0, parameter));
+        let of_width = of_width(name, 1.0).into_iter();
+        of_width.for_each(|(parameter, _)| add(1, parameter));
+    }
+    all
+}
+
 fn three_digits(x: f64) -> f64 {
     format!("{x:.2e}").parse().unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::SearchSpace;
+    use crate::friction::Friction;
+
+    #[test]
+    fn tables_and_studies_have_the_parameters_of_all_laws() {
+        let methods = [
+            "newmark_beta",
+            "newmark_gamma",
+            "hht_alpha",
+            "rho_inf",
+            "theta",
+        ];
+        let space = Friction::new(crate::Fixed::default(), 12.0);
+        let table = [
+            "law", "exponent", "alpha", "beta", "sigma0", "sigma1", "dT", "method",
+        ];
+        assert_eq!(
+            space.table_parameters(),
+            [&table[..], &methods[..]].concat()
+        );
+        let study = [
+            "law", "alpha", "beta", "exponent", "sigma0", "sigma1", "dT", "duration", "x0",
+            "method",
+        ];
+        assert_eq!(
+            space.study_parameters(),
+            [&study[..], &methods[..]].concat()
+        );
+    }
 }

@@ -6,7 +6,7 @@ mod space;
 mod task;
 
 pub use laws::names as law_names;
-pub use releases::Releases;
+pub use releases::{Releases, ReleasesFault};
 pub use task::{ENERGY_GAIN, FrictionTask, X0};
 
 use super::grid::integers;

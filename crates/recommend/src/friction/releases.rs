@@ -97,24 +97,54 @@ impl Releases {
     ///
     /// # Errors
     /// What is allowed.
-    pub fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), ReleasesFault> {
         match *self {
             Releases::One(x0) if x0 != 0.0 && x0.abs() <= LARGEST => Ok(()),
-            Releases::One(_) => Err(format!(
-                "must be a number from -{LARGEST} to {LARGEST}, but not 0, or a range such as 8..20"
-            )),
+            Releases::One(_) => Err(ReleasesFault::One),
             Releases::Range(from, to) if !(from > 0.0 && from < to && to <= LARGEST) => {
-                Err(format!(
-                    "a range must rise from a number above 0 to one up to {LARGEST}, as 8..20, got {self}"
-                ))
+                Err(ReleasesFault::Ends(*self))
             }
-            Releases::Range(from, to) if to - from > LONGEST => Err(format!(
-                "a range must not be longer than {LONGEST}, got {self}"
-            )),
+            Releases::Range(from, to) if to - from > LONGEST => Err(ReleasesFault::TooLong(*self)),
             Releases::Range(..) => Ok(()),
         }
     }
 }
+
+/// Why a text or numbers are no releases of a search. Displayed as what is allowed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ReleasesFault {
+    /// One release that is 0, too large or no number.
+    One,
+    /// A range whose ends do not rise, or are not in the range allowed.
+    Ends(Releases),
+    /// A range that is too long.
+    TooLong(Releases),
+    /// A range of this text, without two numbers.
+    NoNumbers(String),
+}
+
+impl fmt::Display for ReleasesFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ReleasesFault::One => write!(
+                f,
+                "must be a number from -{LARGEST} to {LARGEST}, but not 0, or a range such as 8..20"
+            ),
+            ReleasesFault::Ends(range) => write!(
+                f,
+                "a range must rise from a number above 0 to one up to {LARGEST}, as 8..20, got {range}"
+            ),
+            ReleasesFault::TooLong(range) => {
+                write!(f, "a range must not be longer than {LONGEST}, got {range}")
+            }
+            ReleasesFault::NoNumbers(text) => {
+                write!(f, "a range needs two numbers, as 8..20, got {text}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ReleasesFault {}
 
 /// The smallest odd number that is not below x.
 fn first_odd(x: f64) -> f64 {
@@ -137,10 +167,10 @@ impl fmt::Display for Releases {
 }
 
 impl FromStr for Releases {
-    type Err = String;
+    type Err = ReleasesFault;
 
     /// Reads `12` or `8..20`.
-    fn from_str(text: &str) -> Result<Releases, String> {
+    fn from_str(text: &str) -> Result<Releases, ReleasesFault> {
         // What is no number is refused as NaN is.
         let number = |text: &str| text.parse().unwrap_or(f64::NAN);
         let releases = match text.split_once("..") {
@@ -148,7 +178,7 @@ impl FromStr for Releases {
             Some((from, to)) => {
                 let ends = [from, to].map(number);
                 if ends.iter().any(|end| !end.is_finite()) {
-                    return Err(format!("a range needs two numbers, as 8..20, got {text}"));
+                    return Err(ReleasesFault::NoNumbers(text.to_owned()));
                 }
                 Releases::Range(ends[0], ends[1])
             }

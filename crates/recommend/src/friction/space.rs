@@ -1,10 +1,10 @@
 //! The candidates of a friction model, and their values in tables and studies.
 
-use super::laws::{which, width};
+use super::laws::{parameters, which, width};
 use super::{EVERY, Friction, MOST, Releases, WIDTHS, X0_DIFFERENCE, energy_gain, released};
 use crate::format::{is_positive_integer, plain};
 use crate::grid::decades;
-use crate::setting::{METHOD_PARAMETERS, sentence};
+use crate::setting::{has_sub_steps, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Further, Grid, Range, SearchSpace, Variant, Variants};
 use slipgap_solver::contact::WhichLaw;
 use slipgap_solver::problem::friction::FrictionOscillator;
@@ -73,23 +73,26 @@ impl SearchSpace for Friction {
     }
 
     fn table_parameters(&self) -> Vec<&'static str> {
-        let law = [
-            "law", "exponent", "alpha", "beta", "sigma0", "sigma1", "dT", "method",
-        ];
+        let mut names = vec!["law"];
+        let [listed, of_widths] = parameters();
+        names.extend(listed.into_iter().chain(of_widths));
+        names.extend(["dT", "method"]);
+        names.extend(method_parameters());
         // The release with the largest error.
-        let release: &[&str] = match self.releases {
-            Releases::One(_) => &[],
-            Releases::Range(..) => &["x0"],
-        };
-        [&law[..], &METHOD_PARAMETERS, release].concat()
+        if let Releases::Range(..) = self.releases {
+            names.push("x0");
+        }
+        names
     }
 
     fn study_parameters(&self) -> Vec<&str> {
-        let law = [
-            "law", "alpha", "beta", "exponent", "sigma0", "sigma1", "dT", "duration", "x0",
-            "method",
-        ];
-        [&law[..], &METHOD_PARAMETERS].concat()
+        let mut names = vec!["law"];
+        let searched = parameters().concat();
+        let rows = FrictionOscillator.parameters().iter();
+        names.extend(rows.filter_map(|row| searched.iter().find(|name| row.name == **name)));
+        names.extend(["dT", "duration", "x0", "method"]);
+        names.extend(method_parameters());
+        names
     }
 
     fn study_value(&self, case: &Case, name: &str) -> String {
@@ -131,11 +134,9 @@ impl SearchSpace for Friction {
     }
 
     fn cost_title(&self) -> &'static str {
-        let halves = self.variants.iter().any(|v| v.method.name == "bathe");
-        if halves {
-            "steps × sub-steps"
-        } else {
-            "steps"
+        match has_sub_steps(&self.variants) {
+            true => "steps × sub-steps",
+            false => "steps",
         }
     }
 

@@ -7,11 +7,12 @@ mod task;
 mod variants;
 
 pub use energy::energy_change;
-pub use task::{ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, bar};
+pub use task::{BarFault, ENERGY_GAIN, ENERGY_LOSS, ImpactTask, MOST_ELEMENTS, bar};
 
 use super::{Fixed, Grid, Setting, Variant};
 use mesh::{Mesh, meshes, most_cost};
 use slipgap_solver::contact::{Described, ImpactSpring};
+use slipgap_solver::methods::AverageAcceleration;
 use slipgap_solver::problem::impact::BarImpact;
 use slipgap_solver::problem::impact::scaled::Scaled;
 use slipgap_solver::problem::parameter::Value;
@@ -72,7 +73,7 @@ impl Impact {
     pub fn new(fixed: FixedParameters) -> Result<Impact, Vec<Violation>> {
         let usual = Variant {
             law: Setting::new(ImpactSpring::NAME),
-            method: Setting::new("average-acceleration"),
+            method: Setting::new(AverageAcceleration::NAME),
             mass: Some("lumped"),
         };
         let mut impact = Impact {

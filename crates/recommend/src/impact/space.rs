@@ -3,11 +3,12 @@
 use super::Impact;
 use super::energy::energy_change;
 use super::mesh::{MOST_ELEMENTS, Mesh, PASSES, WITH_EVERY_MESH};
-use super::variants::{is_rigid, masses};
+use super::variants::{has_impulses, is_rigid, masses};
 use crate::format::{digits, is_positive_integer, plain};
 use crate::grid::decades;
-use crate::setting::{METHOD_PARAMETERS, sentence};
+use crate::setting::{has_sub_steps, method_named, method_parameters, sentence};
 use crate::{CostLevel, EnergyChange, Grid, SearchSpace, Setting, Variant, Variants, metric};
+use slipgap_solver::methods::AverageAcceleration;
 use slipgap_solver::problem::impact::BarImpact;
 use slipgap_solver::problem::parameter::{Value, shortest};
 use slipgap_solver::problem::{Case, Problem, Solution};
@@ -35,7 +36,7 @@ impl SearchSpace for Impact {
         names.push("n");
         names.extend(self.time_ratio.map(|_| "right.n"));
         names.extend(["dt", "mass", "method"]);
-        names.extend(METHOD_PARAMETERS);
+        names.extend(method_parameters());
         names
     }
 
@@ -43,7 +44,7 @@ impl SearchSpace for Impact {
         let spring = self.fixed.spring.map_or("gamma", |(name, _)| name);
         let mut names = vec!["law", "restitution", spring, "n", "dt", "duration", "mass"];
         names.push("method");
-        names.extend(METHOD_PARAMETERS);
+        names.extend(method_parameters());
         let bars = self.fixed.bars.iter().map(|(name, _)| &**name);
         names.extend(bars.filter(|name| *name != "right.n"));
         names.extend(self.time_ratio.map(|_| "right.n"));
@@ -63,7 +64,7 @@ impl SearchSpace for Impact {
             ("dt", Some(x)) => fraction(x).unwrap_or_else(|| shortest(x)),
             // A study may not give it: the method ignores it.
             ("restitution", _)
-                if is_rigid(case.choice("law")) && plain(case, "method") != "moreau-jean" =>
+                if is_rigid(case.choice("law")) && !has_impulses(case.choice("method")) =>
             {
                 "-".into()
             }
@@ -132,8 +133,7 @@ impl SearchSpace for Impact {
     }
 
     fn cost_title(&self) -> &'static str {
-        let halves = self.variants.iter().any(|v| v.method.name == "bathe");
-        match halves {
+        match has_sub_steps(&self.variants) {
             true => "steps × modes × sub-steps",
             false => "steps × modes",
         }
@@ -160,7 +160,7 @@ impl SearchSpace for Impact {
             return [EnergyChange::UNKNOWN; 2];
         };
         // Other methods change the energy, too.
-        if case.choice("method") != "average-acceleration" {
+        if !method_named(case.choice("method")).is_some_and(|method| method.conserves()) {
             return [EnergyChange::NONE, EnergyChange::UNKNOWN];
         }
         // If a loss is larger than all gains, the gain is unknown.
@@ -230,7 +230,7 @@ impl Impact {
     /// A case whose rules are known to hold. They are not tested again, because the critical step of a method is slow to find.
     fn unruled(&self, variant: &Variant, spring: Spring, mesh: Mesh, into: f64) -> Case {
         let usual = Variant {
-            method: Setting::new("average-acceleration"),
+            method: Setting::new(AverageAcceleration::NAME),
             ..variant.clone()
         };
         let (mut case, _) = self.completed(&usual, spring, mesh, into);

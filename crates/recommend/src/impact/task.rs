@@ -9,6 +9,7 @@ use slipgap_solver::problem::impact::BarImpact;
 use slipgap_solver::problem::parameter::{Kind, Value, shortest};
 use slipgap_solver::problem::schema::Text;
 use slipgap_study::error::Error;
+use std::fmt;
 
 /// The exact motion keeps its energy. A gain of 1 % of the energy is 0.5 % of a velocity, less than most targets allow.
 pub const ENERGY_GAIN: f64 = 0.01;
@@ -78,16 +79,54 @@ fn names(parameter: &str) -> Vec<&'static str> {
 /// Parameters of the bars, apart from those of the right bar.
 const BARS: [&str; 6] = ["E", "A", "rho", "L", "V0", "right"];
 
+/// Why a name and a text are no parameter of the bars with its value. Displayed with what is allowed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BarFault {
+    /// A name that no parameter has.
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        allowed: Vec<Text>,
+    },
+    /// A text that the parameter does not allow.
+    NotAllowed {
+        /// Name of the parameter.
+        name: Text,
+        /// What it allows.
+        allowed: String,
+        /// The text.
+        got: String,
+    },
+}
+
+impl fmt::Display for BarFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BarFault::Unknown { name, allowed } => {
+                write!(f, "unknown {name}, allowed: {}", allowed.join(", "))
+            }
+            BarFault::NotAllowed { name, allowed, got } => {
+                write!(f, "{name} must be {allowed}, got {got}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for BarFault {}
+
 /// A parameter of the bars with its value, as `right.L` and `20`.
 ///
 /// # Errors
-/// What is allowed.
-pub fn bar(name: &str, value: &str) -> Result<(Text, Value), String> {
+/// An unknown name, or a value that its parameter does not allow.
+pub fn bar(name: &str, value: &str) -> Result<(Text, Value), BarFault> {
     let bars = |name: &str| BARS.contains(&name) || name.starts_with("right.");
     let mut table = BarImpact.parameters().iter().filter(|p| bars(&p.name));
     let Some(parameter) = table.clone().find(|p| p.name == name) else {
-        let names: Vec<&str> = table.by_ref().map(|p| &*p.name).collect();
-        return Err(format!("unknown {name}, allowed: {}", names.join(", ")));
+        return Err(BarFault::Unknown {
+            name: name.to_owned(),
+            allowed: table.by_ref().map(|p| p.name.clone()).collect(),
+        });
     };
     let number = value.parse::<f64>().ok().filter(|x| x.is_finite());
     let (parsed, allowed) = match parameter.kind {
@@ -105,7 +144,11 @@ pub fn bar(name: &str, value: &str) -> Result<(Text, Value), String> {
             (name.map(|choice| Value::Name(choice.0)), names.join(", "))
         }
     };
-    let value = parsed.ok_or_else(|| format!("{name} must be {allowed}, got {value}"))?;
+    let value = parsed.ok_or_else(|| BarFault::NotAllowed {
+        name: parameter.name.clone(),
+        allowed,
+        got: value.to_owned(),
+    })?;
     Ok((parameter.name.clone(), value))
 }
 

@@ -51,12 +51,17 @@ pub fn is_rigid(name: &str) -> bool {
     Offered::named(Place::Bars, name).is_some_and(|law| law.law == WhichLaw::Rigid)
 }
 
+/// Whether rigid contact has a restitution with the method of this name.
+pub fn has_impulses(method: &str) -> bool {
+    setting::method_named(method).is_some_and(|method| method.has_impulses())
+}
+
 /// A law with a short list of restitutions.
 fn law(name: &'static str, method: &str, one: bool) -> Vec<Setting> {
     let own = Offered::named(Place::Bars, name).and_then(|law| law.at(Place::Bars));
     let damped = own.is_some_and(|own| RESTITUTION.is_in(own.numbers));
     match is_rigid(name) {
-        true if method == "moreau-jean" => Setting::each(name, "restitution", &RIGID),
+        true if has_impulses(method) => Setting::each(name, "restitution", &RIGID),
         true => vec![Setting::new(name)],
         false if !damped => vec![Setting::new(name)],
         _ if one => Setting::each(name, "restitution", &RESTITUTIONS_OF_ONE),

@@ -186,7 +186,7 @@ macro_rules! laws {
                 }
             }
 
-            fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+            fn deflection(&self, s: f64) -> Option<Deflection> {
                 match self {
                     $(ContactLaw::$law(law) => law.deflection(s)),+
                 }
@@ -247,7 +247,7 @@ impl ContactLaw {
     }
 }
 
-impl<const L: usize> Answer<L> for AnyRunningLaw<L> {
+impl<const L: usize> ContactResponse<L> for AnyRunningLaw<L> {
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
         answer(self, part, trial)
     }

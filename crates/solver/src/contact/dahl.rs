@@ -128,6 +128,14 @@ impl Properties for Dahl {
     fn unbent_force(&self, _: f64) -> Option<f64> {
         Some(0.0)
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for Dahl {

@@ -49,23 +49,18 @@ pub trait Properties {
     fn over_velocity(&self) -> bool;
 
     /// Whether a step may have several roots.
-    fn falls(&self) -> bool {
-        false
-    }
+    fn falls(&self) -> bool;
 
-    /// Whether every step with these flexibilities has one root; false for a law that falls, where a step may have several.
+    /// Whether every step with these flexibilities has one root; false for a law that falls, where a step may have several. The default
+    /// is on the safe side: a law that falls and does not say which steps have one root is refused.
     fn has_one_root(&self, _on: &StepFlexibility<1>) -> bool {
-        true
+        !self.falls()
     }
 
     /// S(0) at a velocity of a law with a state, which is unbent; `None` where S follows from r and rdot.
-    fn unbent_force(&self, _rdot: f64) -> Option<f64> {
-        None
-    }
+    fn unbent_force(&self, rdot: f64) -> Option<f64>;
 
     /// Time for which two free masses touch, of 1/m = 1/m1 + 1/m2 and, where the time depends on it, the largest overlap; `None`
     /// without compliance, without this overlap, and for what is no impact.
-    fn touching_time(&self, _inverse_mass: f64, _overlap: Option<f64>) -> Option<f64> {
-        None
-    }
+    fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64>;
 }

@@ -98,6 +98,18 @@ impl Properties for DisplacementControl {
     fn over_velocity(&self) -> bool {
         false
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for DisplacementControl {

@@ -1,5 +1,6 @@
 //! Tests of the friction laws: one step, and an oscillator that a sine drives.
 
+use super::tests::dissipated_energy;
 use super::*;
 use crate::lane::Lane;
 use proptest::prelude::*;
@@ -677,7 +678,7 @@ fn loop_energy(law: impl Law, amplitude: f64, steps: u32) -> [f64; 2] {
             rate: Lane([0.0]),
         };
         let [end] = step.force(&trial, &mut memory).0;
-        let dissipated = law.dissipated_energy([r, s], [next, end]);
+        let dissipated = dissipated_energy(&law, [r, s], [next, end]);
         if s * end >= 0.0 {
             least = least.min(dissipated);
         }

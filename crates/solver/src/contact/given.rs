@@ -1,5 +1,6 @@
 //! The numbers of a contact in a case, of which a law is made.
 
+use super::LawFault;
 use super::number::{Number, Usual};
 
 /// The numbers of a contact in a case.
@@ -40,7 +41,7 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// It has neither.
-    pub fn need(&self, key: &str) -> Result<f64, String> {
+    pub fn need(&self, key: &'static str) -> Result<f64, LawFault> {
         let usual = || {
             let number = self.numbers.iter().find(|number| number.key == key)?;
             match number.usual {
@@ -49,7 +50,7 @@ impl GivenNumbers<'_> {
             }
         };
         let value = self.given(key).or_else(usual);
-        value.ok_or_else(|| format!("{} needs {key}", self.law))
+        value.ok_or(LawFault::Needs(self.law, key))
     }
 
     /// The friction limit at rest.
@@ -61,11 +62,11 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// Neither or both are given, or the limit at rest is 0.
-    pub fn stiffness(&self) -> Result<f64, String> {
+    pub fn stiffness(&self) -> Result<f64, LawFault> {
         match (self.given("k"), self.given("rE")) {
             (Some(k), None) => Ok(k),
             (None, Some(elastic)) => Ok(positive(self.limit(), "k")? / elastic),
-            _ => Err(format!("{} needs k or rE", self.law)),
+            _ => Err(LawFault::Needs(self.law, "k or rE")),
         }
     }
 
@@ -73,11 +74,11 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// Neither or both are given, or the limit at rest is 0.
-    pub fn viscosity(&self, limit: f64) -> Result<f64, String> {
+    pub fn viscosity(&self, limit: f64) -> Result<f64, LawFault> {
         match (self.given("c"), self.given("rdotE")) {
             (Some(c), None) => Ok(c),
             (None, Some(rate)) => Ok(positive(limit, "c")? / rate),
-            _ => Err(format!("{} needs c or rdotE", self.law)),
+            _ => Err(LawFault::Needs(self.law, "c or rdotE")),
         }
     }
 
@@ -85,27 +86,26 @@ impl GivenNumbers<'_> {
     ///
     /// # Errors
     /// Only one of both is given, or nu_min is above nu.
-    pub fn bearing(&self) -> Result<[f64; 2], String> {
+    pub fn bearing(&self) -> Result<[f64; 2], LawFault> {
         match (self.given("nu_min"), self.given("nu_rate")) {
             (None, None) => Ok([1.0, 0.0]),
             (Some(least), Some(rate)) => {
-                let nu = self.given("nu").ok_or("nu_min needs nu and N")?;
+                let nu = self.given("nu");
+                let nu = nu.ok_or(LawFault::Needs("nu_min", "nu and N"))?;
                 match least <= nu {
                     true => Ok([least / nu, rate]),
-                    false => Err(format!("nu_min must be at most nu = {nu}, got {least}")),
+                    false => Err(LawFault::LeastFriction { nu, least }),
                 }
             }
-            _ => Err("give nu_min and nu_rate together".into()),
+            _ => Err(LawFault::Together("nu_min", "nu_rate")),
         }
     }
 }
 
 /// The limit at rest, from which k or c follows.
-fn positive(limit: f64, instead: &str) -> Result<f64, String> {
+fn positive(limit: f64, instead: &'static str) -> Result<f64, LawFault> {
     match limit > 0.0 {
         true => Ok(limit),
-        false => Err(format!(
-            "the limit at rest is {limit}; give {instead} instead"
-        )),
+        false => Err(LawFault::NoLimit { limit, instead }),
     }
 }

@@ -5,8 +5,8 @@ use super::impact::{PUSHES, RigidImpact, stop};
 use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::{
-    ClosedForm, ContactKind, Cycle, Described, Law, Properties, StepFlexibility, StepLaw,
-    StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, Cycle, Deflection, Described, Law, LawFault, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 use std::f64::consts::PI;
@@ -27,14 +27,21 @@ pub struct Step<const L: usize> {
     stiffness: Lane<L>,
 }
 
+/// The numbers of which `impact` has one, in messages.
+const SPRING: &str = "k of the impact spring";
+const STOP: &str = "e of a rigid impact";
+
 impl StoredEnergy for ImpactSpring {
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
         s * r * 0.5
     }
 
     #[inline(always)]
-    fn deflection(&self, s: f64) -> Option<[f64; 2]> {
-        Some([s / self.stiffness, 1.0 / self.stiffness])
+    fn deflection(&self, s: f64) -> Option<Deflection> {
+        Some(Deflection {
+            r: s / self.stiffness,
+            slope: 1.0 / self.stiffness,
+        })
     }
 }
 
@@ -55,12 +62,8 @@ impl Described for ImpactSpring {
             form: |given| match (given.given("k"), given.given("e")) {
                 (Some(stiffness), None) => Ok(Form::Spring { stiffness }),
                 (None, Some(e)) => stop(e),
-                (None, None) => {
-                    Err("missing: k of the impact spring, or e of a rigid impact".into())
-                }
-                (Some(_), Some(_)) => {
-                    Err("give k of the impact spring or e of a rigid impact, not both".into())
-                }
+                (None, None) => Err(LawFault::Missing(SPRING, STOP)),
+                (Some(_), Some(_)) => Err(LawFault::Both(SPRING, STOP)),
             },
         },
         Offer {
@@ -113,6 +116,14 @@ impl Properties for ImpactSpring {
 
     fn touching_time(&self, inverse_mass: f64, _: Option<f64>) -> Option<f64> {
         Some(PI / (self.stiffness * inverse_mass).sqrt())
+    }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
     }
 }
 

@@ -23,6 +23,7 @@ mod dahl;
 mod described;
 mod displacement_control;
 pub mod element;
+mod fault;
 #[cfg(test)]
 mod friction_tests;
 mod given;
@@ -47,6 +48,7 @@ pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
 pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
+pub use fault::LawFault;
 pub use given::GivenNumbers;
 pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
 pub use impact_spring::ImpactSpring;
@@ -128,13 +130,6 @@ pub trait Law: Described + Properties {
         self
     }
 
-    /// Energy that the contact dissipates over a step between two states (r, S), the force being the mean of both as in the
-    /// constant average acceleration method.
-    fn dissipated_energy(&self, [r, s]: [f64; 2], [r_end, s_end]: [f64; 2]) -> f64 {
-        let work = 0.5 * (s + s_end) * (r_end - r);
-        work - (self.stored_energy(r_end, s_end) - self.stored_energy(r, s))
-    }
-
     /// The law as the papers print it, at r under S; `None` if they do not.
     fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
         None
@@ -145,13 +140,22 @@ pub trait Law: Described + Properties {
     fn cycle(&self, reach: f64) -> Cycle;
 }
 
+/// The deflection of a closed contact under S.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Deflection {
+    /// r.
+    pub r: f64,
+    /// dr/dS.
+    pub slope: f64,
+}
+
 /// What a contact stores.
 pub trait StoredEnergy: Copy {
     /// Energy that the contact stores at r under S.
     fn stored_energy(&self, r: f64, s: f64) -> f64;
 
-    /// r of the closed contact under S, and dr/dS there; `None` for a law whose r does not follow from S alone.
-    fn deflection(&self, _s: f64) -> Option<[f64; 2]> {
+    /// The deflection of the closed contact under S; `None` for a law whose r does not follow from S alone.
+    fn deflection(&self, _s: f64) -> Option<Deflection> {
         None
     }
 
@@ -174,7 +178,7 @@ pub trait StepLaw<const L: usize>: Copy {
 }
 
 /// What answers the trials of a run, step by step: a law with its memory.
-pub trait Answer<const L: usize> {
+pub trait ContactResponse<const L: usize> {
     /// S at the end of the sub-step `part`, 0 or 1; 0 in a method without sub-steps.
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L>;
 }
@@ -207,7 +211,7 @@ impl<S: StepLaw<L>, const L: usize> RunningLaw<S, L> {
     }
 }
 
-impl<S: StepLaw<L>, const L: usize> Answer<L> for RunningLaw<S, L> {
+impl<S: StepLaw<L>, const L: usize> ContactResponse<L> for RunningLaw<S, L> {
     #[inline(always)]
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
         self.parts[part].force(trial, &mut self.memory)
@@ -217,7 +221,7 @@ impl<S: StepLaw<L>, const L: usize> Answer<L> for RunningLaw<S, L> {
 /// Code that is compiled for each law separately.
 pub trait Visitor<const L: usize> {
     /// Runs with the law.
-    fn visit(self, law: &mut (impl Answer<L> + Copy));
+    fn visit(self, law: &mut (impl ContactResponse<L> + Copy));
 }
 
 /// Code that is compiled for each law separately, with the laws of L cases.
@@ -390,6 +394,17 @@ mod tests {
         assert_eq!(answer(law, &trial(2.0, 0.0, 1.0, 0.0)), 0.0);
     }
 
+    /// Energy that the contact dissipates over a step between two states (r, S), the force being the mean of both as in the
+    /// constant average acceleration method.
+    pub(super) fn dissipated_energy(
+        law: &impl StoredEnergy,
+        [r, s]: [f64; 2],
+        [r_end, s_end]: [f64; 2],
+    ) -> f64 {
+        let work = 0.5 * (s + s_end) * (r_end - r);
+        work - (law.stored_energy(r_end, s_end) - law.stored_energy(r, s))
+    }
+
     #[test]
     fn sticking_stores_and_sliding_dissipates() {
         let law = DisplacementControl {
@@ -397,14 +412,14 @@ mod tests {
             limit: 1.0,
         };
         // Elastic: S = r/0.5 from 0.1 to 0.4. Sliding at the limit over 0.3: the slip is 0.3.
-        assert!(law.dissipated_energy([0.1, 0.2], [0.4, 0.8]).abs() < 1e-16);
-        assert!((law.dissipated_energy([0.7, 1.0], [1.0, 1.0]) - 0.3).abs() < 1e-16);
+        assert!(dissipated_energy(&law, [0.1, 0.2], [0.4, 0.8]).abs() < 1e-16);
+        assert!((dissipated_energy(&law, [0.7, 1.0], [1.0, 1.0]) - 0.3).abs() < 1e-16);
         let law = VelocityControl {
             compliance: 0.5,
             limit: 1.0,
         };
-        assert!((law.dissipated_energy([0.0, 0.6], [0.1, 0.8]) - 0.07).abs() < 1e-16);
+        assert!((dissipated_energy(&law, [0.0, 0.6], [0.1, 0.8]) - 0.07).abs() < 1e-16);
         let law = ImpactSpring { stiffness: 4.0 };
-        assert!(law.dissipated_energy([-0.25, -1.0], [-0.5, -2.0]).abs() < 1e-16);
+        assert!(dissipated_energy(&law, [-0.25, -1.0], [-0.5, -2.0]).abs() < 1e-16);
     }
 }

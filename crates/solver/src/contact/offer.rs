@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::numbers::structure;
-use super::{ContactKind, ContactLaw, GivenNumbers, WhichLaw};
+use super::{ContactKind, ContactLaw, GivenNumbers, LawFault, WhichLaw};
 
 /// A law by a name of studies: what pages and messages say of it, its numbers, and the law of these numbers.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct Offer {
     /// In structures. Those of the limit of friction are not among its numbers.
     pub structure: Option<In>,
     /// The law of its numbers between bars or in structures, or the rule that they break.
-    pub form: fn(&GivenNumbers) -> Result<Form, String>,
+    pub form: fn(&GivenNumbers) -> Result<Form, LawFault>,
 }
 
 /// A law in a problem.

@@ -1,5 +1,7 @@
 //! A contact in series with a compliance: the motion of the contact from the motion behind the compliance.
 
+use super::Deflection;
+
 /// r, rdot and S of the contact, if a compliance c0 without mass is between it and a structure that moves by r_m and rdot_m.
 ///
 /// The motion of the structure is r_m = r + c0 S. A closed contact has r = r(S) with the slope C = dr/dS, so
@@ -18,12 +20,12 @@
 /// ```
 #[inline(always)]
 pub fn in_series(
-    deflection: impl Fn(f64) -> Option<[f64; 2]>,
+    deflection: impl Fn(f64) -> Option<Deflection>,
     compliance: f64,
     [r, rdot, s]: [f64; 3],
 ) -> [f64; 3] {
     match deflection(s) {
-        Some([closed, slope]) if s != 0.0 && compliance > 0.0 => {
+        Some(Deflection { r: closed, slope }) if s != 0.0 && compliance > 0.0 => {
             // A rigid contact has C = 0, and one that only begins to close may have an infinite C.
             [closed, rdot / (1.0 + compliance / slope), s]
         }
@@ -38,7 +40,7 @@ mod tests {
     #[test]
     fn limits_of_the_slope_and_of_the_compliance() {
         let state = [-0.3, 0.7, -2.0];
-        let slope = |c: f64| move |_: f64| Some([-0.1, c]);
+        let slope = |slope: f64| move |_: f64| Some(Deflection { r: -0.1, slope });
         // A rigid contact stands still.
         assert_eq!(in_series(slope(0.0), 0.5, state), [-0.1, 0.0, -2.0]);
         assert_eq!(

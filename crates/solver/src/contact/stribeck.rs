@@ -157,6 +157,14 @@ impl Properties for Stribeck {
     fn has_one_root(&self, on: &StepFlexibility<1>) -> bool {
         on.end.h_rate.0[0] * (self.static_limit - self.limit) < self.stribeck_velocity
     }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for Stribeck {

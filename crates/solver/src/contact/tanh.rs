@@ -136,6 +136,18 @@ impl Properties for Tanh {
     fn over_velocity(&self) -> bool {
         true
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for Tanh {

@@ -18,6 +18,11 @@ pub struct VelocityControl {
     pub limit: f64,
 }
 
+impl VelocityControl {
+    /// The name by which studies have the law without compliance.
+    pub const RIGID_NAME: &'static str = "coulomb";
+}
+
 /// The model over a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Step<const L: usize> {
@@ -77,7 +82,7 @@ impl Described for VelocityControl {
             },
         },
         Offer {
-            name: "coulomb",
+            name: VelocityControl::RIGID_NAME,
             also: &[],
             oscillator: Some(InOscillator {
                 of: In {
@@ -124,6 +129,18 @@ impl Properties for VelocityControl {
 
     fn over_velocity(&self) -> bool {
         true
+    }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
     }
 }
 

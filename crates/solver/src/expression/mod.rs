@@ -5,7 +5,6 @@
 
 mod formula;
 mod number;
-mod of_parameters;
 mod parser;
 mod plain;
 #[cfg(test)]
@@ -14,6 +13,5 @@ mod tokens;
 
 pub use formula::{ExpressionFault, Formula, UnknownName};
 pub use number::length_of_number;
-pub use of_parameters::{ParameterExpression, not_computed, values_used};
 pub use plain::{is_plain, printable, quoted, shortened, unprintable};
 pub use tokens::{CONSTANTS, FUNCTIONS, Function};

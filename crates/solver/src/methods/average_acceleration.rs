@@ -18,12 +18,12 @@
 use super::amplification::{Amplification, of_three};
 use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage};
 use super::{Coefficients, Description, Method, Scheme, SubStep};
-use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 
 /// Names and parameters.
 pub(super) const DESCRIPTION: Description = Description {
-    name: "average-acceleration",
+    name: AverageAcceleration::NAME,
     meaning: "constant average acceleration, Newmark's method with beta = 1/4, gamma = 1/2 [F section 4, I section 3]",
     parameters: &[],
     method: |_| Some(Method::AverageAcceleration(AverageAcceleration)),
@@ -34,6 +34,8 @@ pub(super) const DESCRIPTION: Description = Description {
 pub struct AverageAcceleration;
 
 impl AverageAcceleration {
+    /// Its name in studies.
+    pub const NAME: &'static str = "average-acceleration";
     /// Its coefficients in Newmark's family.
     pub const COEFFICIENTS: Coefficients = Coefficients::newmark(0.25, 0.5);
 }
@@ -217,7 +219,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     }
 
     #[inline(always)]
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L> {
         let before = self.contact;
         let trial = Trial {
             displacement: before.displacement,
@@ -279,7 +281,7 @@ mod tests {
     #[derive(Clone, Copy)]
     struct Prescribed(f64);
 
-    impl Answer<1> for Prescribed {
+    impl ContactResponse<1> for Prescribed {
         fn force(&mut self, _: usize, _: &Trial<1>) -> Lane<1> {
             Lane([self.0])
         }

@@ -17,7 +17,7 @@
 use super::amplification::{Amplification, of_two};
 use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage, sums};
 use super::{AverageAcceleration, Description, Method, Scheme, SubStep};
-use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 use nalgebra::Matrix2;
 
@@ -176,7 +176,10 @@ impl<const L: usize> ModeState<L> {
 impl<const L: usize, M: Storage<ModeState<L>>> Lanes<L, M> {
     /// The first sub-step; returns the contact at its end, and the sums of w1 - n/4 and of e without S2.
     #[inline(always)]
-    fn trapezoidal(&mut self, law: &mut impl Answer<L>) -> (ContactState<L>, [Lane<L>; 2]) {
+    fn trapezoidal(
+        &mut self,
+        law: &mut impl ContactResponse<L>,
+    ) -> (ContactState<L>, [Lane<L>; 2]) {
         let before = self.contact;
         let trial = Trial {
             displacement: before.displacement,
@@ -256,7 +259,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     }
 
     #[inline(always)]
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L> {
         let (middle, [w, e]) = self.trapezoidal(law);
         let trial = Trial {
             displacement: middle.displacement,

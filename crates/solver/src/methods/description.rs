@@ -1,6 +1,6 @@
 //! The names and parameters of a method.
 
-use super::Method;
+use super::{METHODS, Method};
 use crate::range::Range;
 
 /// A method as a study names it.
@@ -27,6 +27,22 @@ pub struct MethodParameter {
     pub range: Range,
     /// Its value if a study does not give it.
     pub default: f64,
+    /// Values that a search tries: weak, medium and strong numerical damping. Those at the same place of all parameters of a method
+    /// belong together.
+    pub tried: &'static [f64],
     /// What it is, in one sentence.
     pub meaning: &'static str,
+}
+
+impl Description {
+    /// The method of this name.
+    pub fn named(name: &str) -> Option<&'static Description> {
+        METHODS.iter().find(|method| method.name == name)
+    }
+
+    /// The method with the defaults of its parameters.
+    pub fn with_defaults(&self) -> Option<Method> {
+        let defaults = self.parameters.iter().map(|parameter| parameter.default);
+        (self.method)(&defaults.collect::<Vec<f64>>())
+    }
 }

@@ -18,7 +18,7 @@
 use super::amplification::{Amplification, of_two};
 use super::lanes::{ContactState, ModeCount, ModeStart, Recursion, Start, Storage, sums};
 use super::{Description, Method, MethodParameter, Scheme, SubStep};
-use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 use crate::range::Range;
 use nalgebra::Matrix2;
@@ -32,6 +32,7 @@ pub(super) const DESCRIPTION: Description = Description {
         symbol: "*θ*",
         range: Range::FromHalfToOne,
         default: 0.5,
+        tried: &[0.5, 1.0],
         meaning: "theta of the Moreau-Jean method; no numerical damping at 1/2",
     }],
     method: |numbers| match *numbers {
@@ -220,7 +221,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     }
 
     #[inline(always)]
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L> {
         let before = self.contact;
         let trial = Trial {
             displacement: before.displacement,

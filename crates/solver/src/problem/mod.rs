@@ -10,6 +10,7 @@ pub mod impact;
 mod laws;
 pub mod method;
 pub mod parameter;
+mod parameter_expression;
 pub mod schema;
 mod solution;
 pub mod structure;
@@ -17,6 +18,7 @@ mod text;
 pub mod unit;
 
 pub use case::{Case, Violation};
+pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
 pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
 pub use text::{Text, escape, interned};
@@ -91,6 +93,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// is none.
     fn exact_at(&self, case: &Case, times: &[f64]) -> Option<History> {
         self.exact(case, times)
+    }
+    /// The exact motion of a completed case with its own law, where [`Problem::exact`] has another one, at these times, which increase;
+    /// `None` where none is known.
+    fn exact_of_law(&self, _case: &Case, _times: &[f64]) -> Option<History> {
+        None
     }
     /// The columns of the history of a completed case, after the time.
     fn history_columns(&self, _case: &Case) -> Vec<HistoryColumn> {
@@ -202,6 +209,11 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 /// The problem called `name`.
 pub fn find(name: &str) -> Option<Arc<dyn Problem>> {
     PROBLEMS.iter().find(|p| p.name() == name).cloned()
+}
+
+/// Whether studies describe the system of the problem called `name`, see [`Schema::described`].
+pub fn is_described(name: &str) -> bool {
+    find(name).is_none() && names().any(|known| known == name)
 }
 
 /// Number of cases that were solved and have no contact: those without [`Schema::contact_metric`]. None for a

@@ -13,7 +13,7 @@ pub use track::{ContactTrack, Displacements, Track};
 pub use unsolvable::Unsolvable;
 pub use warning::{FEWEST_STEPS, TOO_FEW_STEPS, WARNINGS, Warning, Warnings};
 
-use crate::contact::{Answer, AnyRunningLaw, ContactLaw, StepFlexibility, Visitor};
+use crate::contact::{AnyRunningLaw, ContactLaw, ContactResponse, StepFlexibility, Visitor};
 use crate::lane::Lane;
 use crate::methods::{
     AverageAcceleration, ContactState, ContactWork, ManyModes, Method, ModeCount, ModeStart,
@@ -314,7 +314,7 @@ struct Steps<'a, const L: usize, N, T> {
 }
 
 impl<const L: usize, N: Recursion<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N, T> {
-    fn visit(self, law: &mut (impl Answer<L> + Copy)) {
+    fn visit(self, law: &mut (impl ContactResponse<L> + Copy)) {
         let sum = step_all::<L, N, T, _>(self.stepper, law, self.track, self.from, self.steps);
         *self.work = *self.work + sum;
     }
@@ -323,7 +323,7 @@ impl<const L: usize, N: Recursion<L>, T: Track<L>> Visitor<L> for Steps<'_, L, N
 // A separate small function: with other code around it, its loop compiles to slower instructions. Returns the work on the contact,
 // or zero in a method in which it is the energy that the modes lose.
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: Answer<L> + Copy>(
+fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> + Copy>(
     stepper: &mut N,
     law: &mut W,
     track: &mut T,

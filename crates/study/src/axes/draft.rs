@@ -2,7 +2,7 @@
 
 use super::interval::Interval;
 use crate::cases::design::Design;
-use crate::cases::group::{Axis, Group};
+use crate::cases::group::{Axis, AxisGroup};
 use crate::cases::values::{Sampled, Values};
 use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::parameter::Value;
@@ -78,7 +78,7 @@ impl BlockDraft {
     }
 
     /// The groups as axes, without places.
-    pub fn axes(&self) -> Vec<Group> {
+    pub fn axes(&self) -> Vec<AxisGroup> {
         let axis = |given: &ParameterDraft| Axis {
             parameter: given.parameter,
             values: match &given.sampled {
@@ -86,7 +86,7 @@ impl BlockDraft {
                 None => given.values.iter().map(|(value, _)| *value).collect(),
             },
         };
-        let group = |members: Vec<usize>| Group {
+        let group = |members: Vec<usize>| AxisGroup {
             axes: members.iter().map(|i| axis(&self.parameters[*i])).collect(),
         };
         self.groups().into_iter().map(group).collect()

@@ -2,7 +2,7 @@
 
 use super::derived::{Condition, Derived};
 use super::design::Design;
-use super::group::{Axis, Group};
+use super::group::{Axis, AxisGroup};
 use slipgap_solver::problem::parameter::{Default, Value};
 use slipgap_solver::problem::{Case, Problem};
 use std::sync::OnceLock;
@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 #[derive(Debug, Clone, std::default::Default)]
 pub struct Block {
     /// The axes of all parameters that have values. A single value is an axis of length 1.
-    pub groups: Vec<Group>,
+    pub groups: Vec<AxisGroup>,
     /// Parameters given by expressions. Each comes after those in its expression.
     pub derived: Vec<Derived>,
     /// The condition that a combination must meet to be a case.
@@ -54,7 +54,7 @@ impl Block {
 
     /// Number of raw combinations.
     pub fn raw_len(&self) -> u64 {
-        self.groups.iter().map(Group::len).product()
+        self.groups.iter().map(AxisGroup::len).product()
     }
 
     /// The position in each group of combination `raw`.

@@ -6,8 +6,7 @@
 
 use super::block::{Block, CaseCounts};
 use super::derived::Condition;
-use slipgap_solver::expression::not_computed;
-use slipgap_solver::problem::{Case, Problem, Violation};
+use slipgap_solver::problem::{Case, NotComputed, Problem, Violation};
 use std::ops::Range;
 
 /// Combinations between two counts of cases.
@@ -59,7 +58,7 @@ impl Block {
         let fault = when.formula.formula.value(&|row| case.values[row]).err()?;
         Some(Violation {
             parameter: "when".into(),
-            message: not_computed(&when.formula.formula, &when.text, case, &fault),
+            message: NotComputed::new(&when.formula.formula, &when.text, case, fault).to_string(),
             at: None,
         })
     }
@@ -70,8 +69,8 @@ impl Block {
             return Some(true);
         };
         let positions = self.positions(raw);
-        let tabled = when.tabled(&self.groups, &positions);
-        tabled.or_else(|| when.holds(&self.groups, &self.raw_case(problem, raw), &positions))
+        let looked_up = when.looked_up(&self.groups, &positions);
+        looked_up.or_else(|| when.holds(&self.groups, &self.raw_case(problem, raw), &positions))
     }
 
     fn counts(&self, problem: &dyn Problem) -> &CaseCounts {

@@ -1,13 +1,12 @@
 //! Parameters given by expressions of others, and conditions.
 
-use super::group::Group;
-use super::tabulated::Tabulated;
+use super::formula_table::FormulaTable;
+use super::group::AxisGroup;
 use crate::source::faults::quoted;
 use crate::value::value_of;
 use slipgap_solver::expression::Formula;
-use slipgap_solver::expression::{not_computed, values_used};
 use slipgap_solver::problem::parameter::{Parameter, Value, shortest};
-use slipgap_solver::problem::{Case, Violation};
+use slipgap_solver::problem::{Case, NotComputed, Violation, values_used};
 
 /// A parameter that an expression gives.
 #[derive(Debug, Clone)]
@@ -19,7 +18,7 @@ pub struct Derived {
     /// Whether the expression contains the alternative parameter, from which the problem computes this one anyway, as in
     /// `"k_I": "gamma * n * E * A / L"`. Both values must then agree.
     pub restates: bool,
-    pub(crate) formula: Tabulated,
+    pub(crate) formula: FormulaTable,
 }
 
 /// A condition that combinations must meet.
@@ -27,12 +26,17 @@ pub struct Derived {
 pub struct Condition {
     /// The condition as it is in the study.
     pub text: String,
-    pub(crate) formula: Tabulated,
+    pub(crate) formula: FormulaTable,
 }
 
 impl Derived {
     /// The value for a case that has the parameters of the expression.
-    pub(super) fn value(&self, groups: &[Group], case: &Case, positions: &[u64]) -> Option<Value> {
+    pub(super) fn value(
+        &self,
+        groups: &[AxisGroup],
+        case: &Case,
+        positions: &[u64],
+    ) -> Option<Value> {
         let x = self.formula.value(groups, case, positions)?;
         value_of(x, &case.schema.parameters[self.parameter]).ok()
     }
@@ -54,12 +58,17 @@ impl Derived {
 
 impl Condition {
     /// Whether the condition is met, if the table has its value.
-    pub(super) fn tabled(&self, groups: &[Group], positions: &[u64]) -> Option<bool> {
-        self.formula.tabled(groups, positions).map(|x| x != 0.0)
+    pub(super) fn looked_up(&self, groups: &[AxisGroup], positions: &[u64]) -> Option<bool> {
+        self.formula.looked_up(groups, positions).map(|x| x != 0.0)
     }
 
     /// Whether a case meets the condition; `None` if the condition has no value.
-    pub(super) fn holds(&self, groups: &[Group], case: &Case, positions: &[u64]) -> Option<bool> {
+    pub(super) fn holds(
+        &self,
+        groups: &[AxisGroup],
+        case: &Case,
+        positions: &[u64],
+    ) -> Option<bool> {
         self.formula
             .value(groups, case, positions)
             .map(|x| x == 1.0)
@@ -75,7 +84,7 @@ pub(crate) fn refused(
 ) -> Option<String> {
     let x = match formula.value(&|row| case.values[row]) {
         Ok(x) => x,
-        Err(fault) => return Some(not_computed(formula, text, case, &fault)),
+        Err(fault) => return Some(NotComputed::new(formula, text, case, fault).to_string()),
     };
     let allowed = value_of(x, parameter).err()?;
     let (x, values) = (shortest(x), values_used(formula, case));

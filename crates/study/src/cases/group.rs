@@ -5,7 +5,7 @@ use super::values::Values;
 
 /// Axes that advance together.
 #[derive(Debug, Clone)]
-pub struct Group {
+pub struct AxisGroup {
     /// At least one, all of one length.
     pub axes: Vec<Axis>,
 }
@@ -19,7 +19,7 @@ pub struct Axis {
     pub values: Values,
 }
 
-impl Group {
+impl AxisGroup {
     /// Number of values.
     pub fn len(&self) -> u64 {
         self.axes.first().map_or(0, |axis| axis.values.len() as u64)

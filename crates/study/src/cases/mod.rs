@@ -8,12 +8,12 @@ pub(super) mod derived;
 pub(super) mod design;
 pub(crate) mod ensemble;
 pub(super) mod filter;
+pub(super) mod formula_table;
 pub(super) mod group;
 pub(super) mod representative;
 pub mod scope;
 mod select;
-mod tabulate;
-pub(super) mod tabulated;
+
 #[cfg(test)]
 mod tests_sobol;
 pub(super) mod values;

@@ -1,7 +1,7 @@
 //! A few cases in place of all: the ends of the axes, where only a range matters.
 
 use super::block::Block;
-use super::group::{Axis, Group};
+use super::group::{Axis, AxisGroup};
 use super::select::distinct;
 use super::values::Values;
 use crate::Study;
@@ -34,13 +34,13 @@ impl Study {
 
 /// Whether the axes are independent of each other. A rule that holds at all their ends then holds everywhere.
 pub(crate) fn independent(block: &Block) -> bool {
-    let single = |group: &Group| group.axes.len() == 1;
+    let single = |group: &AxisGroup| group.axes.len() == 1;
     block.derived.is_empty() && block.when.is_none() && block.groups.iter().all(single)
 }
 
 /// All positions of every group.
 pub(crate) fn all_positions(block: &Block) -> Vec<Vec<usize>> {
-    let all = |group: &Group| (0..group.len() as usize).collect();
+    let all = |group: &AxisGroup| (0..group.len() as usize).collect();
     block.groups.iter().map(all).collect()
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn ends(block: &Block) -> Vec<Vec<usize>> {
         let largest = (0..numbers.len()).max_by(by_size);
         smallest.into_iter().chain(largest).collect()
     };
-    let of_group = |group: &Group| {
+    let of_group = |group: &AxisGroup| {
         let mut positions: Vec<usize> = group.axes.iter().flat_map(of_axis).collect();
         positions.sort_unstable();
         positions.dedup();
@@ -82,7 +82,7 @@ pub(crate) fn restricted(block: &Block, positions: &[Vec<usize>]) -> Block {
         },
     };
     let groups = block.groups.iter().zip(positions);
-    let groups = groups.map(|(group, positions)| Group {
+    let groups = groups.map(|(group, positions)| AxisGroup {
         axes: group.axes.iter().map(|a| axis(a, positions)).collect(),
     });
     let mut part = Block {

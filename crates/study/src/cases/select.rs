@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::filter::Filter;
-use super::group::Group;
+use super::group::AxisGroup;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_solver::problem::{Case, Problem};
 use std::collections::HashSet;
@@ -79,7 +79,7 @@ impl Block {
         filter: &Filter,
         parameter: usize,
     ) -> Vec<Value> {
-        let on_axis = |group: &&Group| group.len() > 1 && group.has(parameter);
+        let on_axis = |group: &&AxisGroup| group.len() > 1 && group.has(parameter);
         let group = self.groups.iter().find(on_axis);
         let derived = self.derived.iter().any(|d| d.parameter == parameter);
         let mut raws = self.select(problem, filter).map(|(raw, _)| raw);
@@ -109,7 +109,7 @@ impl Block {
     /// Whether the parameters in `from` decide a parameter among the cases that a filter selects: it advances together with one
     /// of them, or has an expression of them and of values that the filter fixes.
     pub fn follows(&self, filter: &Filter, parameter: usize, from: &[usize]) -> bool {
-        let decided = |group: &Group| {
+        let decided = |group: &AxisGroup| {
             group.positions(filter).len() == 1 || from.iter().any(|row| group.has(*row))
         };
         let mut groups = self.groups.iter();

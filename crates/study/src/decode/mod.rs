@@ -195,7 +195,7 @@ fn problem(
     let known: Vec<&str> = problem::names().collect();
     let node = object.need("problem", &format!("one of {}", known.join(", ")), faults)?;
     let row = name(node, "problem", "problem", &known, faults);
-    let of_structure = row.is_some_and(|row| known[row] == NAME);
+    let of_structure = row.is_some_and(|row| problem::is_described(known[row]));
     if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get("structure")) {
         let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
         faults.add(node.at, "structure", message);

@@ -4,12 +4,11 @@ use super::references::{check_given, report_circle, restates};
 use crate::Block;
 use crate::axes::draft::{BlockDraft, ParameterDraft};
 use crate::cases::derived::{Condition, Derived, refused};
-use crate::cases::tabulated::Tabulated;
+use crate::cases::formula_table::FormulaTable;
 use crate::source::faults::{Faults, quoted};
 use crate::value::value_of;
-use slipgap_solver::expression::not_computed;
 use slipgap_solver::expression::{ExpressionFault, Formula};
-use slipgap_solver::problem::{Case, Problem, Schema};
+use slipgap_solver::problem::{Case, NotComputed, Problem, Schema};
 use std::sync::Arc;
 
 /// The block of a draft; `None` if an expression has a fault or refers to a faulty parameter.
@@ -95,9 +94,11 @@ enum Unmet {
 }
 
 impl Unmet {
-    fn message(&self, formula: &Formula, text: &str) -> String {
+    fn message(self, formula: &Formula, text: &str) -> String {
         match self {
-            Unmet::NoValue(case, fault) => not_computed(formula, text, case, fault),
+            Unmet::NoValue(case, fault) => {
+                NotComputed::new(formula, text, &case, fault).to_string()
+            }
             Unmet::Never => format!("{}: no combination meets it", quoted(text)),
         }
     }
@@ -113,13 +114,13 @@ fn add_condition(
     text: &str,
     problem: &dyn Problem,
 ) -> Result<(), Unmet> {
-    let mut tabulated = Tabulated::new(formula.clone(), block);
-    if let Err((case, fault)) = tabulated.tabulate(block, problem.schema()) {
+    let mut formula_table = FormulaTable::new(formula.clone(), block);
+    if let Err((case, fault)) = formula_table.fill(block, problem.schema()) {
         return Err(Unmet::NoValue(case, fault));
     }
     block.when = Some(Condition {
         text: text.to_owned(),
-        formula: tabulated,
+        formula: formula_table,
     });
     if block.is_uncounted() {
         return Ok(());
@@ -147,14 +148,14 @@ fn derive(
     faulty: &[usize],
     faults: &mut Faults,
 ) {
-    let mut tabulated = Tabulated::new(formula.clone(), block);
+    let mut formula_table = FormulaTable::new(formula.clone(), block);
     let parameter = &schema.parameters[given.parameter];
-    let invalid = match tabulated.tabulate(block, schema) {
+    let invalid = match formula_table.fill(block, schema) {
         Err((case, _)) => Some(*case),
         Ok(()) => {
-            let mut values = tabulated.table.iter().flatten();
+            let mut values = formula_table.table.iter().flatten();
             let invalid = values.position(|x| value_of(*x, parameter).is_err());
-            invalid.map(|entry| tabulated.case(block, entry as u64, schema))
+            invalid.map(|entry| formula_table.case(block, entry as u64, schema))
         }
     };
     // A faulty parameter may decide which other ones have a value, and is reported itself.
@@ -167,6 +168,6 @@ fn derive(
         parameter: given.parameter,
         text: text.to_owned(),
         restates,
-        formula: tabulated,
+        formula: formula_table,
     });
 }

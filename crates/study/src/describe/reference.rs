@@ -12,7 +12,7 @@ use crate::decode::{self, checks, units};
 use crate::figure::keys::{COMMON, Key};
 use crate::figure::kinds::KINDS;
 use crate::figure::reduced;
-use crate::reduction::WORDS;
+use crate::reduction::OPERATORS;
 use slipgap_solver::expression::{CONSTANTS, FUNCTIONS};
 use slipgap_solver::problem::parameter::{Default, Parameter};
 use slipgap_solver::problem::{PROBLEMS, Problem};
@@ -40,7 +40,7 @@ pub fn reference() -> String {
         .replace("{{design}}", &pairs(&design::KEYS))
         .replace("{{common}}", &keys(&COMMON))
         .replace("{{kinds}}", &kinds.join("\n"))
-        .replace("{{words}}", &pairs(&WORDS))
+        .replace("{{words}}", &pairs(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
         .replace("{{checks}}", &pairs(&checks::KEYS))
         .replace("{{warnings}}", &warnings())

@@ -16,7 +16,7 @@ use crate::figure::decoded_value::MARKS;
 use crate::figure::extent::WIDTHS;
 use crate::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{self, KINDS};
-use crate::reduction::WORDS;
+use crate::reduction::OPERATORS;
 use crate::units::IN;
 use slipgap_solver::problem::parameter::{Kind, Parameter, Range};
 use slipgap_solver::problem::{self, Metric, PROBLEMS, Problem};
@@ -145,7 +145,7 @@ fn metric(problem: &dyn Problem) -> Json {
 
 /// The text of a reduction.
 pub(super) fn reduction() -> Json {
-    let words = WORDS.map(|word| word.0.replace('P', "[^ ]+"));
+    let words = OPERATORS.map(|word| word.0.replace('P', "[^ ]+"));
     json!({
         "type": "string",
         "pattern": format!("^({}) .+ over .+$", words.join("|")),

@@ -8,7 +8,7 @@ use crate::scope::{Scope, names};
 use crate::tree::{Node, Tree};
 use crate::units::NEEDS_UNITS;
 use crate::value::{name, number, text};
-use crate::{Column, Filter, Marks, Ridge, Scale};
+use crate::{ColumnRef, Filter, Marks, Ridge, Scale};
 use slipgap_solver::problem::parameter::{self, Range};
 
 /// Longest file name of a figure, well within the limits of file systems with an extension.
@@ -19,7 +19,7 @@ pub(crate) enum DecodedValue {
     Text(String),
     Filter(Filter),
     Rows(Vec<usize>),
-    Column(Column),
+    Column(ColumnRef),
     Numbers(Vec<f64>),
     Width(f64),
     Range([f64; 2]),
@@ -55,7 +55,7 @@ impl Values<'_> {
         self.rows(key)?.first().copied()
     }
 
-    pub fn column(&self, key: &str) -> Option<Column> {
+    pub fn column(&self, key: &str) -> Option<ColumnRef> {
         match self.get(key)? {
             DecodedValue::Column(column) => Some(*column),
             _ => None,
@@ -209,8 +209,8 @@ pub(crate) fn take(
             let all: Vec<&str> = named.chain(scope.metrics()).collect();
             let place = name(node, path, "parameter or metric", &all, faults)?;
             return Some(DecodedValue::Column(match rows.get(place) {
-                Some(row) => Column::Parameter(*row),
-                None => Column::Metric(place - rows.len()),
+                Some(row) => ColumnRef::Parameter(*row),
+                None => ColumnRef::Metric(place - rows.len()),
             }));
         }
         Takes::Quantity => {

@@ -3,7 +3,7 @@
 use super::checker::Checker;
 use super::decoded_value::Values;
 use super::keys::{Key, Takes};
-use crate::Column;
+use crate::ColumnRef;
 use crate::Reduction;
 use crate::faults::quoted;
 use crate::scope::Scope;
@@ -73,7 +73,7 @@ fn metrics(keys: &'static [Key], values: &Values) -> Vec<(&'static str, usize, u
                 found.extend(rows.iter().enumerate().map(|(i, row)| (key.name, i, *row)));
             }
             Takes::Column => {
-                if let Some(Column::Metric(row)) = values.column(key.name) {
+                if let Some(ColumnRef::Metric(row)) = values.column(key.name) {
                     found.push((key.name, 0, row));
                 }
             }

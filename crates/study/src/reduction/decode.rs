@@ -1,6 +1,6 @@
 //! The key `reductions` of a study.
 
-use super::{Reduction, WORDS, Word};
+use super::{OPERATORS, Operator, Reduction};
 use crate::cases::alike::unaffected;
 use crate::faults::{Faults, quoted, unknown};
 use crate::object::Object;
@@ -95,7 +95,7 @@ impl Scope<'_> {
     ) -> Option<Reduction> {
         let Some(parts) = parts(text) else {
             let first = text.split_whitespace().next().unwrap_or_default();
-            let words = WORDS.map(|word| word.0);
+            let words = OPERATORS.map(|word| word.0);
             let known = words
                 .iter()
                 .any(|word| word.split(' ').next() == Some(first));
@@ -107,19 +107,19 @@ impl Scope<'_> {
             return None;
         };
         let mut fault = |message: String| faults.add(node.at, path, message);
-        let word = self.word(&parts, &mut fault);
+        let operator = self.operator(&parts, &mut fault);
         let names: Vec<&str> = self.measures.iter().map(|m| m.name.as_str()).collect();
         let of = names.iter().position(|name| *name == parts.metric);
         if of.is_none() {
             fault(unknown("metric", parts.metric, &names));
         }
         let over = self.over(&parts.over, &mut fault);
-        let (word, of, over) = (word?, of?, over?);
+        let (operator, of, over) = (operator?, of?, over?);
         let kept = unaffected(self.problem, self.blocks, &over);
         let given = |row: &usize| self.blocks.iter().any(|block| block.gives(*row));
         let rows = 0..self.problem.parameters().len();
         Some(Reduction {
-            word,
+            operator,
             of,
             lost: rows
                 .filter(|row| given(row) && !kept.contains(row))
@@ -132,15 +132,15 @@ impl Scope<'_> {
         })
     }
 
-    fn word(&self, parts: &Parts, fault: &mut impl FnMut(String)) -> Option<Word> {
+    fn operator(&self, parts: &Parts, fault: &mut impl FnMut(String)) -> Option<Operator> {
         let Some(number) = parts.number else {
-            let words = WORDS.map(|word| word.0);
+            let words = OPERATORS.map(|word| word.0);
             let row = words.iter().position(|word| *word == parts.word);
-            let word = row.and_then(Word::at);
-            if word.is_none() {
+            let operator = row.and_then(Operator::at);
+            if operator.is_none() {
                 fault(unknown("word", parts.word, &words));
             }
-            return word;
+            return operator;
         };
         let p = Formula::number(number, &[]).and_then(|formula| formula.value(&|_| None));
         let p = p.ok().filter(|p| Range::UpToOne.contains(*p));
@@ -150,7 +150,7 @@ impl Scope<'_> {
                 "a quantile needs a number from 0 to 1, as in \"quantile 0.84 of\", got {number}"
             ));
         }
-        p.map(Word::Quantile)
+        p.map(Operator::Quantile)
     }
 
     fn over(&self, names: &[&str], fault: &mut impl FnMut(String)) -> Option<Vec<usize>> {
@@ -182,9 +182,11 @@ impl Scope<'_> {
         let of = reduction
             .as_ref()
             .map(|reduction| &self.measures[reduction.of]);
-        let word = reduction.as_ref().map(|reduction| reduction.word.title());
+        let word = reduction
+            .as_ref()
+            .map(|reduction| reduction.operator.title());
         let nothing = Reduction {
-            word: Word::Least,
+            operator: Operator::Least,
             of: 0,
             over: Vec::new(),
             lost: Vec::new(),

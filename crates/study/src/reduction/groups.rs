@@ -1,6 +1,6 @@
 //! The values of reductions, collected case by case.
 
-use super::{Reduction, Word};
+use super::{Operator, Reduction};
 use crate::cases::alike::Identity;
 use slipgap_solver::problem::Case;
 use std::collections::HashMap;
@@ -22,7 +22,7 @@ struct Group {
     values: Vec<Values>,
 }
 
-/// The values of a metric in a group, as far as its word needs them.
+/// The values of a metric in a group, as far as its operator needs them.
 #[derive(Debug)]
 enum Values {
     /// Case and value of the preferred one, and the number of values.
@@ -41,7 +41,7 @@ pub struct Reduced {
     pub empty: u64,
     /// The value of the others; `None` if no case has one.
     pub value: Option<f64>,
-    /// The first case with this value, for words that are the value of a case.
+    /// The first case with this value, for operators that are the value of a case.
     pub at: Option<u64>,
 }
 
@@ -74,7 +74,7 @@ impl<'a> Groups<'a> {
         let next = self.groups.len();
         let place = *self.places.entry(first.group(case)).or_insert(next);
         if place == next {
-            let empty = |reduction: &&Reduction| match reduction.word.is_of_a_case() {
+            let empty = |reduction: &&Reduction| match reduction.operator.is_of_a_case() {
                 true => Values::One(None, 0),
                 false => Values::All(Vec::new()),
             };
@@ -88,7 +88,7 @@ impl<'a> Groups<'a> {
         group.cases += 1;
         for (values, reduction) in group.values.iter_mut().zip(&self.reductions) {
             if let Some(x) = value(reduction.of).filter(|x| x.is_finite()) {
-                values.add(reduction.word, number, x);
+                values.add(reduction.operator, number, x);
             }
         }
         (place, place == next)
@@ -100,7 +100,7 @@ impl<'a> Groups<'a> {
             let (value, at, count) = match &group.values[which] {
                 Values::One(one, count) => (one.map(|one| one.1), one.map(|one| one.0), *count),
                 Values::All(all) => {
-                    let value = self.reductions[which].word.of(all);
+                    let value = self.reductions[which].operator.of(all);
                     (value, None, all.len() as u64)
                 }
             };
@@ -116,11 +116,11 @@ impl<'a> Groups<'a> {
 }
 
 impl Values {
-    fn add(&mut self, word: Word, number: u64, x: f64) {
+    fn add(&mut self, operator: Operator, number: u64, x: f64) {
         match self {
             Values::One(one, count) => {
                 *count += 1;
-                if one.is_none_or(|(_, before)| word.prefers(x, before)) {
+                if one.is_none_or(|(_, before)| operator.prefers(x, before)) {
                     *one = Some((number, x));
                 }
             }

@@ -2,13 +2,13 @@
 
 pub(super) mod decode;
 mod groups;
+mod operator;
 #[cfg(test)]
 mod tests;
-mod word;
 
 pub use groups::{Groups, Reduced};
-pub(super) use word::WORDS;
-pub use word::Word;
+pub(super) use operator::OPERATORS;
+pub use operator::Operator;
 
 use super::cases::alike::{Identity, identity};
 use super::{Measure, Study};
@@ -19,7 +19,7 @@ use slipgap_solver::problem::parameter::Default;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reduction {
     /// What the value is among those of the cases.
-    pub word: Word,
+    pub operator: Operator,
     /// Row of the study's measures: the metric that is reduced.
     pub of: usize,
     /// Parameters that it is reduced over; none if the text of the study has a fault.

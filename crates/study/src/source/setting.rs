@@ -2,7 +2,8 @@
 
 use super::faults::{Faults, join, quoted, shortened, shown};
 use super::tree::{self, Member, Node, SyntaxFault, Tree};
-use slipgap_solver::problem::structure::schema::NAME as STRUCTURE;
+use slipgap_solver::problem;
+use std::fmt;
 
 /// A parameter and its value, as written on the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,12 +13,24 @@ pub struct Setting {
     equals: usize,
 }
 
+/// A text that is not `NAME=VALUE`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SettingFault;
+
+impl fmt::Display for SettingFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("must be NAME=VALUE, as in dT=0.1 or alpha=[0.1, 1]")
+    }
+}
+
+impl std::error::Error for SettingFault {}
+
 impl Setting {
     /// Parses `NAME=VALUE`.
     ///
     /// # Errors
     /// There is no `=`, or no name before it.
-    pub fn new(text: &str) -> Result<Setting, String> {
+    pub fn new(text: &str) -> Result<Setting, SettingFault> {
         let name = |name: &str| {
             let mut parts = name.trim().split('.');
             parts.all(|part| {
@@ -29,7 +42,7 @@ impl Setting {
                 text: text.to_owned(),
                 equals,
             }),
-            None => Err("must be NAME=VALUE, as in dT=0.1 or alpha=[0.1, 1]".into()),
+            None => Err(SettingFault),
         }
     }
 
@@ -100,7 +113,7 @@ pub(crate) fn put_all(
 /// Puts a value into every block that gives the parameter, or into all blocks if none does.
 fn put(root: &mut Node, setting: &Setting, value: &Node, start: usize, faults: &mut Faults) {
     let names: Vec<&str> = setting.name().split('.').collect();
-    if let ([name, _, ..], true) = (&names[..], is_of_structure(root)) {
+    if let ([name, _, ..], true) = (&names[..], is_described(root)) {
         let message = format!(
             "a parameter of a structure has no key {}; --set changes parameters, as in {name}=2, and a part of the structure follows \
              by an expression that contains the parameter",
@@ -118,10 +131,10 @@ fn put(root: &mut Node, setting: &Setting, value: &Node, start: usize, faults: &
     }
 }
 
-/// Whether the study is one of structures, whose parameters have free names without keys.
-fn is_of_structure(root: &mut Node) -> bool {
+/// Whether the study describes its system, so that its parameters have free names without keys.
+fn is_described(root: &mut Node) -> bool {
     let problem = root.member("problem").map(|node| &node.tree);
-    matches!(problem, Some(Tree::Text(name)) if name == STRUCTURE)
+    matches!(problem, Some(Tree::Text(name)) if problem::is_described(name))
 }
 
 /// The `parameters` of a study that are objects, each with its path. Decoding reports the others.

@@ -6,7 +6,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{name, number, text, with_unit};
 use slipgap_solver::expression::Formula;
-use slipgap_solver::expression::ParameterExpression;
+use slipgap_solver::problem::ParameterExpression;
 use slipgap_solver::problem::parameter::{Parameter, Range};
 use slipgap_solver::problem::structure::amount::{Amount, Source};
 use slipgap_solver::problem::structure::names::Names;

@@ -80,8 +80,7 @@ fn read(
 ) -> Result<Arc<Signal>, Fault> {
     let bytes = bytes(&reader.folder.join(file), LARGEST).map_err(|why| (None, why))?;
     let record = loads::record::parse(file, &bytes, mean);
-    let record =
-        record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.message)))?;
+    let record = record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.cause)))?;
     let signal = loads::signal(&record, unit, 1.0 / reader.metre).map_err(|why| match why {
         SignalFault::TwoUnits { .. } => (Some("unit"), why.to_string()),
         SignalFault::NoUnit | SignalFault::NotFinite => (None, why.to_string()),

@@ -9,6 +9,7 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_solver::contact::numbers::oscillator::{ALPHA, BETA};
 use slipgap_solver::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use slipgap_solver::problem::parameter::Value;
 use slipgap_study::{Figure, Study};
@@ -112,8 +113,8 @@ impl Model {
     /// The parameter that is its elastic width.
     fn parameter(self) -> &'static str {
         match self {
-            Model::DisplacementControl => "alpha",
-            Model::VelocityControl => "beta",
+            Model::DisplacementControl => ALPHA.key,
+            Model::VelocityControl => BETA.key,
         }
     }
 

@@ -5,8 +5,8 @@ use super::{Free, PUSHES, RigidImpact, loop_of, resisting};
 use crate::contact::numbers::{bars, structure};
 use crate::contact::offer::{Form, In, Offer};
 use crate::contact::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Flexibility, Law, Properties,
-    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Deflection, Described, Flexibility, Law,
+    Properties, StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 
@@ -116,9 +116,12 @@ pub(super) fn bound<const L: usize>(mut e: Lane<L>, c: Lane<L>) -> Lane<L> {
 }
 
 impl StoredEnergy for Hertz {
-    fn deflection(&self, s: f64) -> Option<[f64; 2]> {
+    fn deflection(&self, s: f64) -> Option<Deflection> {
         let overlap = libm::pow(-s / self.stiffness, 2.0 / 3.0);
-        Some([0.0 - overlap, 2.0 / 3.0 * overlap / -s])
+        Some(Deflection {
+            r: 0.0 - overlap,
+            slope: 2.0 / 3.0 * overlap / -s,
+        })
     }
 
     fn stored_energy(&self, r: f64, _: f64) -> f64 {
@@ -186,6 +189,14 @@ impl Properties for Hertz {
 
     fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
         touching_time(self.stiffness, inverse_mass, overlap?)
+    }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
     }
 }
 

@@ -127,6 +127,14 @@ impl Properties for Jankowski {
     fn touching_time(&self, inverse_mass: f64, overlap: Option<f64>) -> Option<f64> {
         hertz::touching_time(self.stiffness, inverse_mass, overlap?)
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for Jankowski {

@@ -130,6 +130,14 @@ impl Properties for KelvinVoigt {
         let omega = (self.stiffness * inverse_mass).sqrt();
         Some(2.0 * damped(self.ratio(1.0 / inverse_mass)) / omega)
     }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
 }
 
 impl Law for KelvinVoigt {

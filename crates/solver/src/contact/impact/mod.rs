@@ -40,7 +40,7 @@ pub use rigid_impact::RigidImpact;
 pub use ye::Ye;
 
 use super::offer::Form;
-use super::{Flexibility, Trial};
+use super::{Flexibility, LawFault, Trial};
 use crate::lane::Lane;
 
 /// The end of a step without the force of this step.
@@ -68,10 +68,10 @@ impl<const L: usize> Free<L> {
 pub(super) const PUSHES: [f64; 2] = [f64::NEG_INFINITY, 0.0];
 
 /// A rigid impact.
-pub(super) fn stop(restitution: f64) -> Result<Form, String> {
+pub(super) fn stop(restitution: f64) -> Result<Form, LawFault> {
     match restitution <= 1.0 {
         true => Ok(Form::Stop { restitution }),
-        false => Err(format!("e must be from 0 to 1, got {restitution}")),
+        false => Err(LawFault::Restitution(restitution)),
     }
 }
 

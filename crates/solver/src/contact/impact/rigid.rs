@@ -4,8 +4,8 @@ use super::{Free, PUSHES, RigidImpact, loop_of, resisting, stop};
 use crate::contact::numbers::{bars, structure};
 use crate::contact::offer::{Form, In, Offer};
 use crate::contact::{
-    ClosedForm, ContactKind, Cycle, Described, Flexibility, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, Cycle, Deflection, Described, Flexibility, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 
@@ -39,8 +39,8 @@ impl StoredEnergy for Rigid {
         0.0
     }
 
-    fn deflection(&self, _: f64) -> Option<[f64; 2]> {
-        Some([0.0; 2])
+    fn deflection(&self, _: f64) -> Option<Deflection> {
+        Some(Deflection { r: 0.0, slope: 0.0 })
     }
 
     fn conservative_force(&self, _: f64, s: f64) -> f64 {
@@ -99,6 +99,18 @@ impl Properties for Rigid {
 
     fn over_velocity(&self) -> bool {
         false
+    }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
     }
 }
 

@@ -125,7 +125,9 @@ pub(super) fn integral(f: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
     use crate::contact::impact::*;
-    use crate::contact::{Answer, ContactLaw, Flexibility, StepFlexibility, StoredEnergy, Trial};
+    use crate::contact::{
+        ContactLaw, ContactResponse, Flexibility, StepFlexibility, StoredEnergy, Trial,
+    };
     use crate::lane::Lane;
 
     fn law(name: &str, k: f64, e: f64, m: f64) -> ContactLaw {

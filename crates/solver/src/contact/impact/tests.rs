@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::contact::{
-    Answer, ContactLaw, Flexibility, ImpactSpring, StepFlexibility, StoredEnergy, Trial,
+    ContactLaw, ContactResponse, Flexibility, ImpactSpring, StepFlexibility, StoredEnergy, Trial,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;

@@ -134,4 +134,8 @@ impl Properties for Lugre {
             false => 0.0,
         })
     }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
 }

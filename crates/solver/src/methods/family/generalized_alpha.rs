@@ -12,6 +12,7 @@ pub(in crate::methods) const DESCRIPTION: Description = Description {
         symbol: "*ρ*_∞_",
         range: Range::UpToOne,
         default: 0.8,
+        tried: &[0.0, 0.5, 0.8],
         meaning: "spectral radius of a mode of infinite frequency; no numerical damping at 1",
     }],
     method: |numbers| match *numbers {

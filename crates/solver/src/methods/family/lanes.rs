@@ -18,7 +18,7 @@
 //! known one step ahead, for each mode and in their sum. That sum and the sum of Q give the contact's motion without forces.
 
 use super::Coefficients;
-use crate::contact::{Answer, Flexibility, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, Flexibility, StepFlexibility, Trial};
 use crate::lane::Lane;
 use crate::methods::Method;
 use crate::methods::lanes::{ContactState, ModeStart, Recursion, Start, Storage, sums};
@@ -231,7 +231,7 @@ impl<const L: usize, M: Storage<ModeState<L>>> Recursion<L> for Lanes<L, M> {
     }
 
     #[inline(always)]
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L> {
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L> {
         let (before, weights) = (self.contact, self.weights);
         let trial = Trial {
             displacement: before.displacement,

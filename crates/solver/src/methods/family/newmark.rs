@@ -13,6 +13,8 @@ pub(in crate::methods) const DESCRIPTION: Description = Description {
             symbol: "*β*_N_",
             range: Range::NotNegative,
             default: 0.3025,
+            // The best damping of high frequencies at this gamma: beta = (gamma + 1/2)^2/4.
+            tried: &[0.3025],
             meaning: "Newmark's beta; the method is stable at every step if 2 beta >= gamma >= 1/2",
         },
         MethodParameter {
@@ -20,6 +22,7 @@ pub(in crate::methods) const DESCRIPTION: Description = Description {
             symbol: "*γ*_N_",
             range: Range::NotNegative,
             default: 0.6,
+            tried: &[0.6],
             meaning: "Newmark's gamma; numerical damping above 1/2",
         },
     ],

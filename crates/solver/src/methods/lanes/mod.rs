@@ -12,7 +12,7 @@ pub use storage::{ManyModes, ModeCount, OneMode, Storage};
 pub use work::ContactWork;
 
 use super::{Method, Scheme};
-use crate::contact::{Answer, StepFlexibility};
+use crate::contact::{ContactResponse, StepFlexibility};
 use crate::lane::Lane;
 
 /// Structures at t = 0, from which a method starts.
@@ -55,7 +55,7 @@ pub trait Recursion<const L: usize>: Clone {
     fn flexibilities(&self) -> [StepFlexibility<L>; 2];
 
     /// One step; `law` gives the force at the end of each sub-step.
-    fn step(&mut self, law: &mut impl Answer<L>) -> ContactState<L>;
+    fn step(&mut self, law: &mut impl ContactResponse<L>) -> ContactState<L>;
 
     /// Moves the state out. A loop over steps works on a local state: the compiler keeps it in registers, since what the loop
     /// writes elsewhere cannot change it.

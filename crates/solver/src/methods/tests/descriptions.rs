@@ -34,6 +34,11 @@ fn names_are_distinct_and_defaults_are_in_their_ranges() {
                 "{}",
                 parameter.name
             );
+            // The values of a search are tried together.
+            assert_eq!(parameter.tried.len(), parameters[0].tried.len());
+            assert!(!parameter.tried.is_empty(), "{}", parameter.name);
+            let allowed = |x: &f64| parameter.range.contains(*x);
+            assert!(parameter.tried.iter().all(allowed), "{}", parameter.name);
         }
         // Another count of numbers gives no method.
         if !parameters.is_empty() {

@@ -9,7 +9,7 @@ struct Stop {
     restitution: f64,
 }
 
-impl Answer<1> for Stop {
+impl ContactResponse<1> for Stop {
     fn force(&mut self, _: usize, trial: &Trial<1>) -> Lane<1> {
         assert!(self.on.by_impulse);
         let ([r], [rdot], [dt]) = (trial.displacement.0, trial.velocity.0, self.on.dt.0);

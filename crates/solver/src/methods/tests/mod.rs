@@ -13,7 +13,7 @@ use super::{
     AverageAcceleration, Bathe, Coefficients, ContactWork, ManyModes, Method, Mode, ModeStart,
     MoreauJean, Recursion, Scheme, Start, each,
 };
-use crate::contact::{Answer, StepFlexibility, Trial};
+use crate::contact::{ContactResponse, StepFlexibility, Trial};
 use crate::lane::Lane;
 
 /// Methods of the family, each with its largest omega dt.
@@ -89,7 +89,7 @@ type Lanes<S, const L: usize> = <S as Scheme>::Lanes<L, ManyModes>;
 #[derive(Clone, Copy)]
 struct Prescribed([f64; 2]);
 
-impl Answer<1> for Prescribed {
+impl ContactResponse<1> for Prescribed {
     fn force(&mut self, part: usize, _: &Trial<1>) -> Lane<1> {
         Lane([self.0[part]])
     }
@@ -101,7 +101,7 @@ struct Elastic<F> {
     law: F,
 }
 
-impl<F: Fn(f64) -> f64> Answer<1> for Elastic<F> {
+impl<F: Fn(f64) -> f64> ContactResponse<1> for Elastic<F> {
     fn force(&mut self, part: usize, trial: &Trial<1>) -> Lane<1> {
         let on = &self.on[part];
         let h = on.end.h.0[0];
@@ -140,7 +140,7 @@ fn lanes_are_the_same_alone_and_together() {
         })
         .collect();
     struct Own<'a>(&'a dyn Fn(usize, u32) -> f64, u32);
-    impl<const L: usize> Answer<L> for Own<'_> {
+    impl<const L: usize> ContactResponse<L> for Own<'_> {
         fn force(&mut self, _: usize, _: &Trial<L>) -> Lane<L> {
             let mut lane = Lane::splat(0.0);
             for l in 0..L {

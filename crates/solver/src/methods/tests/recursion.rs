@@ -167,7 +167,7 @@ impl WithMethod for Compare<'_> {
 /// Prescribed forces, and the trials that they answered.
 struct Recorder([f64; 2], Vec<Trial<1>>);
 
-impl Answer<1> for Recorder {
+impl ContactResponse<1> for Recorder {
     fn force(&mut self, part: usize, trial: &Trial<1>) -> Lane<1> {
         assert_eq!(part, self.1.len());
         self.1.push(*trial);

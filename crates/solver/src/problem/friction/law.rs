@@ -33,11 +33,13 @@ static OWN: LazyLock<Vec<Own>> = LazyLock::new(|| {
     };
     let own = LAWS.iter().filter_map(|law| {
         let offer = law.offer.oscillator?;
+        let rows = offer.of.numbers.iter().map(row);
         Some(Own {
             name: law.offer.name,
             law: offer.law,
             numbers: offer.of.numbers,
-            rows: offer.of.numbers.iter().filter_map(row).collect(),
+            // All or none: a number without a row would have the value of the next one.
+            rows: rows.collect::<Option<Vec<usize>>>()?,
             slips: !law.of_velocity,
         })
     });
@@ -122,5 +124,25 @@ fn release_force(initial_slip: InitialSlip, x0: f64) -> f64 {
         InitialSlip::Unloaded => 0.0,
         InitialSlip::Pulled => x0.signum(),
         InitialSlip::Sliding => -x0.signum(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_of_a_law_has_its_row() {
+        let offered = LAWS.iter().filter(|law| law.offer.oscillator.is_some());
+        assert_eq!(OWN.len(), offered.count());
+        for own in OWN.iter() {
+            assert!(own.rows.len() <= MOST, "{}", own.name);
+            let names = own.rows.iter().map(|row| &*SCHEMA.parameters[*row].name);
+            assert!(
+                names.eq(own.numbers.iter().map(|number| number.key)),
+                "{}",
+                own.name
+            );
+        }
     }
 }

@@ -87,18 +87,22 @@ impl Problem for FrictionOscillator {
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
         Some(coulomb(case.at(rows::X0)?, times))
     }
+
+    fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {
+        let case = OscillatorCase::new(case)?;
+        match case.law {
+            ContactLaw::VelocityControl(law) if law.compliance == 0.0 => {
+                Some(coulomb(case.x0, times))
+            }
+            _ => softened(&case, times),
+        }
+    }
 }
 
 impl FrictionOscillator {
     /// The system of a completed case, ready to be solved.
     pub fn system(&self, case: &Case) -> Result<System, Unsolvable> {
         Ok(self.lane_case(case)?.system())
-    }
-
-    /// The motion with the softened law of a completed case in continuous time, at these times, which increase; `None` for a
-    /// law without one, and outside the range of [`regularised::holds`].
-    pub fn softened(&self, case: &Case, times: &[f64]) -> Option<History> {
-        softened(&OscillatorCase::new(case)?, times)
     }
 
     fn lane_case(&self, case: &Case) -> Result<OscillatorCase, Unsolvable> {

@@ -1,8 +1,7 @@
 //! Numbers of a structure that may depend on the parameters of a case.
 
-use crate::expression::ParameterExpression;
 use crate::problem::parameter::{Range, shortest};
-use crate::problem::{Case, Violation};
+use crate::problem::{Case, ParameterExpression, Violation};
 use std::sync::Arc;
 
 /// A number of a structure, with its place in the study.
@@ -33,7 +32,9 @@ impl Amount {
         match &self.source {
             Source::Number(x) => Ok(*x),
             Source::Expression(expression) => {
-                let x = expression.value(case).map_err(|why| self.violation(why))?;
+                let x = expression
+                    .value(case)
+                    .map_err(|why| self.violation(why.to_string()))?;
                 if self.range.contains(x) {
                     return Ok(x);
                 }

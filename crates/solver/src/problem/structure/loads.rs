@@ -5,7 +5,8 @@ use super::signal_cache::SignalCache;
 use super::template::{Chosen, Scaled};
 use crate::problem::parameter::shortest;
 use crate::problem::{Case, Violation};
-use crate::system::loads::{pulse, synthetic};
+use crate::system::loads::pulse::{self, PulseFault};
+use crate::system::loads::synthetic;
 use crate::system::structure::{Signal, Table};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -153,13 +154,14 @@ impl Source {
 
     /// Most points of the function with these numbers.
     fn points(&self, numbers: &[f64]) -> Result<usize, Violation> {
+        let text = |fault: PulseFault| fault.to_string();
         let points = match (&self.kind, numbers) {
             (Kind::Table { t, .. }, _) => Ok(t.len()),
             (Kind::Ricker { .. }, &[amplitude, frequency, at, sampled]) => {
-                pulse::ricker_points(amplitude, frequency, at, sampled)
+                pulse::ricker_points(amplitude, frequency, at, sampled).map_err(text)
             }
             (Kind::Cosine { .. }, &[amplitude, period, sampled]) => {
-                pulse::cosine_points(amplitude, period, sampled)
+                pulse::cosine_points(amplitude, period, sampled).map_err(text)
             }
             (Kind::Synthetic { .. }, &[_, omega]) => {
                 match omega == synthetic::FIRM_GROUND || synthetic::passes(omega) {
@@ -209,6 +211,7 @@ impl Source {
     }
 
     fn make(&self, numbers: &[f64], metre: f64) -> Result<Signal, Violation> {
+        let text = |fault: PulseFault| fault.to_string();
         let none = || "the function has no finite values".to_owned();
         let table = match (&self.kind, numbers) {
             (Kind::Sine { .. }, &[amplitude, omega, phase]) => {
@@ -225,10 +228,10 @@ impl Source {
                 return table.map(Signal::Table).ok_or_else(|| self.violation(rise));
             }
             (Kind::Ricker { .. }, &[amplitude, frequency, at, sampled]) => {
-                pulse::ricker(amplitude, frequency, at, sampled)
+                pulse::ricker(amplitude, frequency, at, sampled).map_err(text)
             }
             (Kind::Cosine { .. }, &[amplitude, period, sampled]) => {
-                pulse::cosine(amplitude, period, sampled)
+                pulse::cosine(amplitude, period, sampled).map_err(text)
             }
             (Kind::Synthetic { .. }, &[seed, omega]) => {
                 let record = synthetic::synthetic(seed as u64, omega);

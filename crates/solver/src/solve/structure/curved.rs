@@ -5,7 +5,8 @@
 
 use crate::contact::coupled::curved::{CurvedForces, Laws};
 use crate::contact::{
-    Answer, AnyRunningLaw, ContactKind, ContactLaw, Flexibility, StepFlexibility, Trial, Unsolved,
+    AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Flexibility, StepFlexibility, Trial,
+    Unsolved,
 };
 use crate::lane::Lane;
 use crate::system::structure::{Structure, StructureLaw};
@@ -147,7 +148,7 @@ impl Curved {
             .solve(&self.d, &self.size, &laws, &mut self.force)?;
         for (i, contact) in self.contacts.iter_mut().enumerate() {
             let trial = contact.trial(self.forces.argument(i), self.scale);
-            Answer::force(&mut contact.law, 0, &trial);
+            ContactResponse::force(&mut contact.law, 0, &trial);
         }
         Ok(&self.force)
     }
@@ -205,7 +206,7 @@ impl Contact {
                 trial(&motion, just, rate)
             }
         };
-        Answer::force(&mut self.law, 0, &touching);
+        ContactResponse::force(&mut self.law, 0, &touching);
     }
 
     fn stored_energy(&self, r: f64, s: f64) -> f64 {
@@ -232,7 +233,7 @@ impl Laws for Contacts<'_> {
         let contact = &self.0[contact];
         // The memory changes when the step is done.
         let mut law = contact.law;
-        let Lane([force]) = Answer::force(&mut law, 0, &contact.trial(y, self.1));
+        let Lane([force]) = ContactResponse::force(&mut law, 0, &contact.trial(y, self.1));
         force
     }
 
@@ -246,7 +247,7 @@ impl Laws for Contacts<'_> {
         let change = y - contact.own * force;
         let at = |change: f64| {
             let mut law = contact.law;
-            let Lane([force]) = Answer::force(&mut law, 1, &contact.trial(change, self.1));
+            let Lane([force]) = ContactResponse::force(&mut law, 1, &contact.trial(change, self.1));
             force
         };
         2.0 * width / (at(change + width) - at(change - width))
@@ -284,6 +285,6 @@ pub(super) fn first_force(relation: &StructureLaw, r: f64, rdot: f64) -> f64 {
         velocity: rdot,
         ..Motion::default()
     };
-    let Lane([force]) = Answer::force(&mut law, 1, &trial(&motion, 0.0, rdot));
+    let Lane([force]) = ContactResponse::force(&mut law, 1, &trial(&motion, 0.0, rdot));
     force
 }

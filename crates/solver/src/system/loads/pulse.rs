@@ -4,14 +4,43 @@ use super::signal::zero_beyond;
 use crate::system::structure::Table;
 use libm::{exp, sin};
 use std::f64::consts::PI;
+use std::fmt;
 
 /// Points that a pulse may have; more are a slip of the study.
 const MOST: f64 = 1e7;
 
+/// Why numbers make no pulse.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PulseFault {
+    /// A number, by its name, that is not > 0 and finite.
+    NotPositive(&'static str, f64),
+    /// So many intervals from its start to its end.
+    TooManyPoints(f64),
+    /// An acceleration that is not finite.
+    NotFinite,
+}
+
+impl fmt::Display for PulseFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            PulseFault::NotPositive(name, value) => write!(f, "{name} must be > 0, got {value}"),
+            PulseFault::TooManyPoints(intervals) => {
+                write!(
+                    f,
+                    "sampled must give at most {MOST} points, got {intervals}"
+                )
+            }
+            PulseFault::NotFinite => f.write_str("the pulse must be finite"),
+        }
+    }
+}
+
+impl std::error::Error for PulseFault {}
+
 /// A Ricker wavelet a (1 - 2x) exp(-x) with x = (pi f (t - at))^2 `[Ricker 1953]` for amplitude a and frequency f, from 0 to 2 at.
 ///
 /// Its peak a is at t = `at`. It is straight between samples at distances `sampled`, and 0 after 2 at.
-pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<Table, String> {
+pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<Table, PulseFault> {
     ricker_points(amplitude, frequency, at, sampled)?;
     table(2.0 * at, sampled, |t| {
         let root = PI * frequency * (t - at);
@@ -28,7 +57,7 @@ pub fn ricker(amplitude: f64, frequency: f64, at: f64, sampled: f64) -> Result<T
 /// One sine cycle of acceleration, amplitude sin(2 pi t/period) from 0 to `period`, so that the velocity is 1 - cos.
 ///
 /// It is straight between samples at distances `sampled`, and 0 after the period.
-pub fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, String> {
+pub fn cosine(amplitude: f64, period: f64, sampled: f64) -> Result<Table, PulseFault> {
     cosine_points(amplitude, period, sampled)?;
     table(period, sampled, |t| {
         if t < period {
@@ -48,7 +77,7 @@ pub fn ricker_points(
     frequency: f64,
     at: f64,
     sampled: f64,
-) -> Result<usize, String> {
+) -> Result<usize, PulseFault> {
     positive("frequency", frequency)?;
     positive("at", at)?;
     points(amplitude, 2.0 * at, sampled)
@@ -58,17 +87,17 @@ pub fn ricker_points(
 ///
 /// # Errors
 /// It does not make a pulse of them.
-pub fn cosine_points(amplitude: f64, period: f64, sampled: f64) -> Result<usize, String> {
+pub fn cosine_points(amplitude: f64, period: f64, sampled: f64) -> Result<usize, PulseFault> {
     positive("period", period)?;
     points(amplitude, period, sampled)
 }
 
 /// The intervals, their ends, and a jump.
-fn points(amplitude: f64, end: f64, sampled: f64) -> Result<usize, String> {
+fn points(amplitude: f64, end: f64, sampled: f64) -> Result<usize, PulseFault> {
     let intervals = intervals(end, sampled)?;
     match amplitude.abs() <= LARGEST {
         true => Ok(intervals + 2),
-        false => Err("the pulse must be finite".into()),
+        false => Err(PulseFault::NotFinite),
     }
 }
 
@@ -76,32 +105,30 @@ fn points(amplitude: f64, end: f64, sampled: f64) -> Result<usize, String> {
 const LARGEST: f64 = 1e300;
 
 /// Samples of a function from 0 to `end`, which is the last one also where it is no multiple of `sampled`.
-fn table(end: f64, sampled: f64, value: impl Fn(f64) -> f64) -> Result<Table, String> {
+fn table(end: f64, sampled: f64, value: impl Fn(f64) -> f64) -> Result<Table, PulseFault> {
     let inner = (0..intervals(end, sampled)?).map(|i| i as f64 * sampled);
     let times: Vec<f64> = inner.chain([end]).collect();
     let values = times.iter().map(|t| value(*t)).collect();
-    zero_beyond(times, values).ok_or_else(|| "the pulse must be finite".into())
+    zero_beyond(times, values).ok_or(PulseFault::NotFinite)
 }
 
 /// Number of intervals from 0 to `end`.
-fn intervals(end: f64, sampled: f64) -> Result<usize, String> {
+fn intervals(end: f64, sampled: f64) -> Result<usize, PulseFault> {
     positive("sampled", sampled)?;
     // A quotient just above a whole number is round-off, not a further interval.
     let intervals = (end / sampled * (1.0 - 1e-12)).ceil();
     match intervals <= MOST {
         true => Ok(intervals as usize),
-        false => Err(format!(
-            "sampled must give at most {MOST} points, got {intervals}"
-        )),
+        false => Err(PulseFault::TooManyPoints(intervals)),
     }
 }
 
 /// Refuses a number that is not > 0 and finite.
-fn positive(name: &str, value: f64) -> Result<(), String> {
+fn positive(name: &'static str, value: f64) -> Result<(), PulseFault> {
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(format!("{name} must be > 0, got {value}"))
+    Err(PulseFault::NotPositive(name, value))
 }
 
 #[cfg(test)]
@@ -193,7 +220,7 @@ mod tests {
                 "sampled must give at most 10000000 points, got 100000000",
             ),
         ] {
-            assert_eq!(pulse.unwrap_err(), fault);
+            assert_eq!(pulse.unwrap_err().to_string(), fault);
         }
         // Far from the peak the wavelet is 0, also where x overflows.
         assert_eq!(

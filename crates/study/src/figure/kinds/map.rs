@@ -4,7 +4,7 @@ use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
 use crate::figure::keys::{Takes, X, X_SCALE, Y_SCALE, key};
 use crate::figure::{limits, sampled, vary};
-use crate::{Column, Marks, Ridge, Scale};
+use crate::{ColumnRef, Marks, Ridge, Scale};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
@@ -116,9 +116,9 @@ impl Decoded for Map {
         }
     }
 
-    fn columns(&self) -> Option<Vec<Column>> {
-        let [x, y] = [self.x, self.y].map(Column::Parameter);
-        Some(vec![x, y, Column::Metric(self.z)])
+    fn columns(&self) -> Option<Vec<ColumnRef>> {
+        let [x, y] = [self.x, self.y].map(ColumnRef::Parameter);
+        Some(vec![x, y, ColumnRef::Metric(self.z)])
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

@@ -24,7 +24,7 @@ use super::checker::Checker;
 use super::decoded_value::Values;
 use super::keys::{COMMON, Key};
 use crate::scope::Scope;
-use crate::{Column, Scale};
+use crate::{ColumnRef, Scale};
 use slipgap_solver::problem::{Case, Problem};
 
 /// One kind of figure.
@@ -72,7 +72,7 @@ pub(crate) trait Decoded {
     }
 
     /// The columns of the results that it reads; `None` for all of them.
-    fn columns(&self) -> Option<Vec<Column>> {
+    fn columns(&self) -> Option<Vec<ColumnRef>> {
         None
     }
 
@@ -150,7 +150,7 @@ impl FigureKind {
     }
 
     /// The columns of the results that the figure reads; `None` for all of them.
-    pub fn columns(&self) -> Option<Vec<Column>> {
+    pub fn columns(&self) -> Option<Vec<ColumnRef>> {
         self.decoded().columns()
     }
 

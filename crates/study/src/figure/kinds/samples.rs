@@ -4,7 +4,7 @@ use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
 use crate::figure::keys::{Takes, key};
 use crate::figure::{limits, sampled};
-use crate::{Column, Scale};
+use crate::{ColumnRef, Scale};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
@@ -58,10 +58,10 @@ impl Decoded for Samples {
         sampled::check(self.parameters.len(), checker);
     }
 
-    fn columns(&self) -> Option<Vec<Column>> {
+    fn columns(&self) -> Option<Vec<ColumnRef>> {
         let parameters = self.parameters.iter();
-        let parameters = parameters.map(|(row, _)| Column::Parameter(*row));
-        Some(parameters.chain([Column::Metric(self.y)]).collect())
+        let parameters = parameters.map(|(row, _)| ColumnRef::Parameter(*row));
+        Some(parameters.chain([ColumnRef::Metric(self.y)]).collect())
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

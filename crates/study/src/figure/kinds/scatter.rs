@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
 use crate::figure::keys::{Takes, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key};
-use crate::{Column, Scale};
+use crate::{ColumnRef, Scale};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
@@ -54,18 +54,18 @@ pub(super) const KIND: Kind = Kind {
 #[derive(Debug)]
 pub struct Scatter {
     /// Along the horizontal axis.
-    pub x: Column,
+    pub x: ColumnRef,
     /// Along the vertical axis.
-    pub y: Column,
+    pub y: ColumnRef,
     /// Shown by the colour of the dots, if any.
-    pub colour: Option<Column>,
+    pub colour: Option<ColumnRef>,
     /// Scales of the two axes and of the colours.
     pub scales: [Scale; 3],
 }
 
 impl Scatter {
     /// The columns with their keys.
-    fn columns(&self) -> [(&'static str, Option<Column>); 3] {
+    fn columns(&self) -> [(&'static str, Option<ColumnRef>); 3] {
         [
             ("x", Some(self.x)),
             ("y", Some(self.y)),
@@ -81,7 +81,7 @@ impl Decoded for Scatter {
 
     fn check_cases(&self, checker: &mut Checker) {
         for ((key, column), scale) in self.columns().into_iter().zip(self.scales) {
-            if let Some(Column::Parameter(row)) = column {
+            if let Some(ColumnRef::Parameter(row)) = column {
                 checker.has_values(key, row);
                 checker.suits_scale(key, row, scale);
                 if key == "x" {
@@ -97,7 +97,7 @@ impl Decoded for Scatter {
         }
     }
 
-    fn columns(&self) -> Option<Vec<Column>> {
+    fn columns(&self) -> Option<Vec<ColumnRef>> {
         let columns = Scatter::columns(self).into_iter();
         Some(columns.filter_map(|(_, column)| column).collect())
     }
@@ -105,8 +105,8 @@ impl Decoded for Scatter {
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {
         let columns = self.columns().into_iter().filter_map(|(_, column)| column);
         let metric = |column| match column {
-            Column::Metric(row) => Some(row),
-            Column::Parameter(_) => None,
+            ColumnRef::Metric(row) => Some(row),
+            ColumnRef::Parameter(_) => None,
         };
         columns.filter_map(metric).collect()
     }

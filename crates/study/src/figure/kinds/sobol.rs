@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
 use crate::figure::keys::METRICS;
-use crate::{Block, Column, Sampling, Scale};
+use crate::{Block, ColumnRef, Sampling, Scale};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
@@ -45,8 +45,8 @@ impl Decoded for Sobol {
         }
     }
 
-    fn columns(&self) -> Option<Vec<Column>> {
-        Some(self.y.iter().copied().map(Column::Metric).collect())
+    fn columns(&self) -> Option<Vec<ColumnRef>> {
+        Some(self.y.iter().copied().map(ColumnRef::Metric).collect())
     }
 
     fn measures(&self, _: &dyn Problem) -> Vec<usize> {

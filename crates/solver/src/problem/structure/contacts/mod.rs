@@ -85,7 +85,7 @@ pub fn relation(
         values: &values,
         others: &others,
     };
-    let form = (law.offer.form)(&given).map_err(|message| violation(contact, message))?;
+    let form = (law.offer.form)(&given).map_err(|fault| violation(contact, fault.to_string()))?;
     Ok(StructureLaw::new(form, limit))
 }
 

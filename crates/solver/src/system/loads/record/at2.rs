@@ -1,7 +1,8 @@
 //! PEER AT2: a header of four lines, the last with NPTS and DT, then the accelerations in rows.
 
+use super::Record;
+use super::fault::{LineFault, RecordCause, fault};
 use super::number::{all, number};
-use super::{LineFault, Record, fault};
 use crate::system::loads::Unit;
 
 /// Lines that are searched for NPTS and DT. PEER has them in line 4; an editor or a mail may have added some.
@@ -38,16 +39,14 @@ fn keys(line: &str) -> impl Iterator<Item = Key> + '_ {
 pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> {
     let titles = &lines[..header];
     for (index, title) in titles.iter().enumerate() {
-        let title = title.to_ascii_uppercase();
-        for other in ["VELOCITY", "DISPLACEMENT"] {
-            if title.contains(&format!("{other} TIME")) {
-                let other = other.to_ascii_lowercase();
-                let message = format!("the file has a {other}; it must have an acceleration");
-                return Err(fault(index, message));
+        let title = title.to_ascii_lowercase();
+        for other in ["velocity", "displacement"] {
+            if title.contains(&format!("{other} time")) {
+                return Err(fault(index, RecordCause::Quantity(other)));
             }
         }
     }
-    let (npts, dt) = counts(lines[header]).map_err(|message| fault(header, message))?;
+    let (npts, dt) = counts(lines[header]).map_err(|cause| fault(header, cause))?;
     let source = format!("NPTS of line {}", header + 1);
     let values = all(lines, header + 1, npts, &source)?;
     Ok(Record {
@@ -59,25 +58,23 @@ pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> 
 }
 
 /// NPTS and DT: the first two numbers of the line, in the order of the names, which are before, between or after them.
-fn counts(line: &str) -> Result<(f64, f64), String> {
+fn counts(line: &str) -> Result<(f64, f64), RecordCause> {
     let fields = line.split(|c: char| c.is_whitespace() || ",;:=".contains(c));
     let numbers: Vec<f64> = fields
         .filter_map(|field| number(without_second(field)).ok())
         .collect();
     let [first, second, ..] = numbers[..] else {
-        return Err(
-            "needs NPTS and DT with a number each, as in \"NPTS= 4000, DT= .005 SEC\"".into(),
-        );
+        return Err(RecordCause::NoCounts);
     };
     let (npts, dt) = match keys(line).next() {
         Some(Key::Dt) => (second, first),
         _ => (first, second),
     };
     if npts < 2.0 || npts.fract() != 0.0 {
-        return Err(format!("NPTS must be a whole number >= 2, got {npts}"));
+        return Err(RecordCause::Npts(npts));
     }
     if dt <= 0.0 || !(npts * dt).is_finite() {
-        return Err(format!("DT must be > 0 and finite, got {dt}"));
+        return Err(RecordCause::Dt(dt));
     }
     Ok((npts, dt))
 }

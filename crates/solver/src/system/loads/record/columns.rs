@@ -1,7 +1,8 @@
 //! Two columns, t and a, after any header: with blanks, tabs, commas or semicolons.
 
+use super::fault::{LineFault, RecordCause, fault};
 use super::number::number;
-use super::{LineFault, Record, end, fault};
+use super::{Record, end};
 use crate::system::loads::Unit;
 
 /// The record of a file with two columns.
@@ -11,7 +12,7 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, LineFault> {
         fields.len() >= 2 && fields.into_iter().all(is_numeric)
     };
     let Some(from) = lines.iter().position(is_row) else {
-        return Err(fault(end(lines), NO_ROW));
+        return Err(fault(end(lines), RecordCause::NoRow));
     };
     let mut record = Record {
         times: Vec::new(),
@@ -23,17 +24,15 @@ pub(super) fn parse(lines: &[&str]) -> Result<Record, LineFault> {
         if line.trim().is_empty() {
             continue;
         }
-        let (t, a) = row(line).map_err(|message| fault(index, message))?;
-        if let Some(last) = record.times.last().filter(|last| t <= **last) {
-            let message = format!("the times must rise, got {t} after {last}");
-            return Err(fault(index, message));
+        let (t, a) = row(line).map_err(|cause| fault(index, cause))?;
+        if let Some(&last) = record.times.last().filter(|last| t <= **last) {
+            return Err(fault(index, RecordCause::Time { t, last }));
         }
         record.times.push(t);
         record.values.push(a);
     }
     if record.times.len() < 2 {
-        let message = "the file has one row of numbers; a record needs two or more";
-        return Err(fault(from, message));
+        return Err(fault(from, RecordCause::OneRow));
     }
     Ok(record)
 }
@@ -45,18 +44,11 @@ fn unit(line: &str) -> Option<Unit> {
     inner.find_map(Unit::spelled)
 }
 
-const NO_ROW: &str = "the file has no row of two numbers; allowed: two columns t and a with decimal points, PEER AT2, K-NET ASCII";
-
 /// t and a of a row.
-fn row(line: &str) -> Result<(f64, f64), String> {
+fn row(line: &str) -> Result<(f64, f64), RecordCause> {
     match fields(line)[..] {
         [t, a] => Ok((number(t)?, number(a)?)),
-        ref fields => {
-            let count = fields.len();
-            Err(format!(
-                "a row must have two numbers, t and a, with decimal points, got {count}"
-            ))
-        }
+        ref fields => Err(RecordCause::Fields(fields.len())),
     }
 }
 

@@ -1,7 +1,8 @@
 //! K-NET and KiK-net ASCII: a header of 17 lines, the last one `Memo.`, then counts of the digitiser in rows.
 
+use super::fault::{LineFault, RecordCause, Shown, fault};
 use super::number::{all, number};
-use super::{LineFault, Mean, Record, end, fault, mean as means, shown};
+use super::{Mean, Record, end, mean as means};
 use crate::system::loads::Unit;
 
 /// Lines of the header.
@@ -26,8 +27,7 @@ fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
 pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
     let memo = lines.get(HEADER - 1).map(|line| line.trim());
     if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
-        let message = "a K-NET header must have 17 lines, the last one \"Memo.\"";
-        return Err(fault(end(lines).min(HEADER - 1), message));
+        return Err(fault(end(lines).min(HEADER - 1), RecordCause::Header));
     }
     let frequency = positive(lines, "Sampling Freq(Hz)", |text| {
         number(text.strip_suffix("Hz").unwrap_or(text).trim())
@@ -38,7 +38,7 @@ pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
     let source = "Duration Time(s) times Sampling Freq(Hz)";
     let counts = all(lines, HEADER, count, source)?;
     if counts.len() < 2 {
-        return Err(fault(end(lines), "a record needs two or more numbers"));
+        return Err(fault(end(lines), RecordCause::OneNumber));
     }
     let dt = 1.0 / frequency;
     let offset = match mean {
@@ -59,40 +59,30 @@ pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
         .iter()
         .chain(&record.values)
         .all(|x| x.is_finite());
-    let message = "the numbers are too large with this frequency and scale factor";
     finite
         .then_some(record)
-        .ok_or_else(|| fault(HEADER, message))
+        .ok_or_else(|| fault(HEADER, RecordCause::TooLarge))
 }
 
 /// The number > 0 of the line of the header that begins with `label`.
 fn positive(
     lines: &[&str],
-    label: &str,
-    read: impl Fn(&str) -> Result<f64, String>,
+    label: &'static str,
+    read: impl Fn(&str) -> Result<f64, RecordCause>,
 ) -> Result<f64, LineFault> {
     let Some((index, text)) = header(lines, label) else {
-        return Err(fault(
-            HEADER - 1,
-            format!("the header needs the line \"{label}\""),
-        ));
+        return Err(fault(HEADER - 1, RecordCause::NoLine(label)));
     };
-    let number = read(text).map_err(|message| fault(index, message))?;
+    let number = read(text).map_err(|cause| fault(index, cause))?;
     if number <= 0.0 {
-        let message = format!("{label} must be > 0, got {number}");
-        return Err(fault(index, message));
+        return Err(fault(index, RecordCause::NotPositive(label, number)));
     }
     Ok(number)
 }
 
 /// a/b of a scale factor `a(gal)/b`.
-fn scale(text: &str) -> Result<f64, String> {
-    let form = || {
-        format!(
-            "the scale factor must have the form \"a(gal)/b\", got {}",
-            shown(text)
-        )
-    };
+fn scale(text: &str) -> Result<f64, RecordCause> {
+    let form = || RecordCause::Scale(Shown::new(text));
     let (gal, count) = text.split_once("(gal)/").ok_or_else(form)?;
     let scale = number(gal.trim())? / number(count.trim())?;
     if scale.is_finite() {

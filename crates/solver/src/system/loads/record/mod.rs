@@ -5,14 +5,16 @@
 
 mod at2;
 mod columns;
+mod fault;
 mod knet;
 mod mean;
 mod number;
 
+pub use fault::{RecordCause, RecordFault, Shown};
 pub use mean::Mean;
 
 use super::Unit;
-use std::fmt;
+use fault::LineFault;
 
 /// A recorded acceleration. It is straight between its points.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,23 +41,6 @@ impl Record {
     }
 }
 
-/// Why a file is no record: displayed as `FILE:LINE: MESSAGE`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RecordFault {
-    /// The file.
-    pub name: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// What is wrong; what is allowed.
-    pub message: String,
-}
-
-impl fmt::Display for RecordFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}", self.name, self.line, self.message)
-    }
-}
-
 /// The content of a record file; `name` is for messages only. Without `mean`, the mean of K-NET is removed, because its counts have
 /// the offset of the digitiser, and that of the other formats is kept.
 pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, RecordFault> {
@@ -73,37 +58,16 @@ pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, Rec
         Some(Mean::Removed) => record.without_mean(),
         Some(Mean::Kept) | None => record,
     });
-    record.map_err(|LineFault { line, message }| RecordFault {
+    record.map_err(|LineFault { line, cause }| RecordFault {
         name: name.to_owned(),
         line,
-        message,
+        cause,
     })
-}
-
-/// A fault with its line, from 1, in a file without a name.
-#[derive(Debug)]
-struct LineFault {
-    line: usize,
-    message: String,
-}
-
-/// A fault in the line with this index, from 0.
-fn fault(index: usize, message: impl Into<String>) -> LineFault {
-    LineFault {
-        line: index + 1,
-        message: message.into(),
-    }
 }
 
 /// The last line of a file, as an index.
 fn end(lines: &[&str]) -> usize {
     lines.len().saturating_sub(1)
-}
-
-/// The start of a text for a message.
-fn shown(text: &str) -> String {
-    let short: String = text.chars().take(30).collect();
-    format!("\"{}\"", short.escape_debug())
 }
 
 #[cfg(test)]

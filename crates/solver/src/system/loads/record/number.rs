@@ -1,13 +1,13 @@
 //! Numbers of record files, as Fortran and others write them.
 
-use super::{LineFault, fault, shown};
+use super::fault::{LineFault, RecordCause, Shown, fault};
 
 /// A finite number, also with `D` before its exponent; else why not.
-pub(super) fn number(text: &str) -> Result<f64, String> {
+pub(super) fn number(text: &str) -> Result<f64, RecordCause> {
     match text.replace(['d', 'D'], "e").parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!("not a finite number: {}", shown(text))),
-        Err(_) => Err(format!("not a number: {}", shown(text))),
+        Ok(_) => Err(RecordCause::NotFinite(Shown::new(text))),
+        Err(_) => Err(RecordCause::NoNumber(Shown::new(text))),
     }
 }
 
@@ -25,18 +25,15 @@ pub(super) fn all(
         let fields = line.split(|c: char| c.is_whitespace() || c == ',');
         for text in fields.flat_map(signed).filter(|text| !text.is_empty()) {
             if numbers.len() as f64 >= count {
-                let message = format!("more numbers than {source}, {count}");
-                return Err(fault(index, message));
+                let more = RecordCause::MoreNumbers(source.to_owned(), count);
+                return Err(fault(index, more));
             }
-            numbers.push(number(text).map_err(|message| fault(index, message))?);
+            numbers.push(number(text).map_err(|cause| fault(index, cause))?);
         }
     }
     if (numbers.len() as f64) < count {
-        let message = format!(
-            "the file ends after {} numbers; {source} is {count}",
-            numbers.len()
-        );
-        return Err(fault(super::end(lines), message));
+        let fewer = RecordCause::FewerNumbers(numbers.len(), source.to_owned(), count);
+        return Err(fault(super::end(lines), fewer));
     }
     Ok(numbers)
 }

@@ -374,6 +374,6 @@ fn holds(parsed: &Result<Record, RecordFault>) {
                     .all(|x| x.is_finite())
             );
         }
-        Err(fault) => assert!(fault.line >= 1 && !fault.message.is_empty()),
+        Err(fault) => assert!(fault.line >= 1 && !fault.cause.to_string().is_empty()),
     }
 }

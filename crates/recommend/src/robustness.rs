@@ -5,7 +5,7 @@ use slipgap_solver::problem::cases::Cases;
 
 /// An answer over a range of a parameter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Elsewhere {
+pub struct Robustness {
     /// The parameter.
     pub parameter: &'static str,
     /// What its values are called, in the plural.
@@ -25,11 +25,11 @@ pub struct Elsewhere {
 }
 
 /// Solves the case of a candidate at all values of its range; `None` if the space has no range.
-pub fn elsewhere(
+pub fn robustness(
     space: &dyn SearchSpace,
     request: &Request,
     candidate: &Candidate,
-) -> Option<Elsewhere> {
+) -> Option<Robustness> {
     let range = space.range(candidate.cases.first()?)?;
     let mut cases = Cases::new(space.problem().schema());
     for case in &range.cases {
@@ -38,7 +38,7 @@ pub fn elsewhere(
     let rows: Vec<u32> = (0..range.cases.len() as u32).collect();
     let table = space.problem().sweep(&cases, &rows);
     let value = |case: usize| range.cases.get(case)?.number(range.parameter);
-    let mut found = Elsewhere {
+    let mut found = Robustness {
         parameter: range.parameter,
         title: range.title,
         ends: [value(0)?, value(range.cases.len().checked_sub(1)?)?],

@@ -1,10 +1,10 @@
-//! The words of reductions: the table that decoding, schema and documentation read.
+//! The operators of reductions: the table that decoding, schema and documentation read.
 
 use slipgap_solver::problem::parameter::shortest;
 use slipgap_statistics::quantile::quantile;
 
-/// The words, each with its meaning.
-pub(crate) const WORDS: [(&str, &str); 7] = [
+/// The words of the operators, each with its meaning.
+pub(crate) const OPERATORS: [(&str, &str); 7] = [
     ("least", "the smallest value"),
     ("greatest", "the largest value"),
     (
@@ -25,7 +25,7 @@ pub(crate) const WORDS: [(&str, &str); 7] = [
 
 /// What a reduced value is among the values of the cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Word {
+pub enum Operator {
     /// The smallest.
     Least,
     /// The largest.
@@ -40,16 +40,16 @@ pub enum Word {
     Quantile(f64),
 }
 
-impl Word {
-    /// The word in a row of [`WORDS`]; `None` for the last one, which needs a number.
-    pub(super) fn at(row: usize) -> Option<Word> {
+impl Operator {
+    /// The operator in a row of [`OPERATORS`]; `None` for the last one, which needs a number.
+    pub(super) fn at(row: usize) -> Option<Operator> {
         let all = [
-            Word::Least,
-            Word::Greatest,
-            Word::Best,
-            Word::Worst,
-            Word::Mean,
-            Word::Quantile(0.5),
+            Operator::Least,
+            Operator::Greatest,
+            Operator::Best,
+            Operator::Worst,
+            Operator::Mean,
+            Operator::Quantile(0.5),
         ];
         all.get(row).copied()
     }
@@ -57,13 +57,13 @@ impl Word {
     /// How figures write it before the symbol of a metric.
     pub fn title(self) -> String {
         match self {
-            Word::Least => "smallest".into(),
-            Word::Greatest => "largest".into(),
-            Word::Best => "best".into(),
-            Word::Worst => "worst".into(),
-            Word::Mean => "mean".into(),
-            Word::Quantile(0.5) => "median".into(),
-            Word::Quantile(p) => format!("quantile {} of", shortest(p)),
+            Operator::Least => "smallest".into(),
+            Operator::Greatest => "largest".into(),
+            Operator::Best => "best".into(),
+            Operator::Worst => "worst".into(),
+            Operator::Mean => "mean".into(),
+            Operator::Quantile(0.5) => "median".into(),
+            Operator::Quantile(p) => format!("quantile {} of", shortest(p)),
         }
     }
 
@@ -71,25 +71,25 @@ impl Word {
     pub fn is_of_a_case(self) -> bool {
         matches!(
             self,
-            Word::Least | Word::Greatest | Word::Best | Word::Worst
+            Operator::Least | Operator::Greatest | Operator::Best | Operator::Worst
         )
     }
 
-    /// Whether `value` replaces the one before it, for words that are the value of a case.
+    /// Whether `value` replaces the one before it, for operators that are the value of a case.
     pub(super) fn prefers(self, value: f64, before: f64) -> bool {
         match self {
-            Word::Least => value < before,
-            Word::Greatest => value > before,
-            Word::Best => value.abs() < before.abs(),
-            Word::Worst => value.abs() > before.abs(),
-            Word::Mean | Word::Quantile(_) => false,
+            Operator::Least => value < before,
+            Operator::Greatest => value > before,
+            Operator::Best => value.abs() < before.abs(),
+            Operator::Worst => value.abs() > before.abs(),
+            Operator::Mean | Operator::Quantile(_) => false,
         }
     }
 
     /// The value of several, for the other words.
     pub(super) fn of(self, values: &[f64]) -> Option<f64> {
         match self {
-            Word::Quantile(p) => {
+            Operator::Quantile(p) => {
                 let mut rising = values.to_vec();
                 rising.sort_by(f64::total_cmp);
                 quantile(&rising, p)

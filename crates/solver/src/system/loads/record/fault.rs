@@ -1,0 +1,157 @@
+//! Faults of record files.
+
+use std::fmt;
+
+/// Why a file is no record: displayed as `FILE:LINE: MESSAGE`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordFault {
+    /// The file.
+    pub name: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// What is wrong there.
+    pub cause: RecordCause,
+}
+
+impl fmt::Display for RecordFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.name, self.line, self.cause)
+    }
+}
+
+impl std::error::Error for RecordFault {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.cause)
+    }
+}
+
+/// What is wrong with a line of a record: displayed with what is allowed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RecordCause {
+    /// A text instead of a number.
+    NoNumber(Shown),
+    /// A number that is not finite.
+    NotFinite(Shown),
+    /// More numbers than the header has, which is from this source.
+    MoreNumbers(String, f64),
+    /// So many numbers, less than the header has, which is from this source.
+    FewerNumbers(usize, String, f64),
+    /// Less than two numbers.
+    OneNumber,
+    /// A time series of another quantity than acceleration.
+    Quantity(&'static str),
+    /// No numbers for NPTS and DT.
+    NoCounts,
+    /// An NPTS that is no whole number >= 2.
+    Npts(f64),
+    /// A DT that is not > 0, or too large.
+    Dt(f64),
+    /// No row of two numbers.
+    NoRow,
+    /// One row of two numbers.
+    OneRow,
+    /// A row with so many numbers instead of two.
+    Fields(usize),
+    /// A time that is not after the one before it.
+    Time {
+        /// The time.
+        t: f64,
+        /// The one before it.
+        last: f64,
+    },
+    /// A header of another length than that of K-NET.
+    Header,
+    /// No line of the header that begins with this label.
+    NoLine(&'static str),
+    /// A number of the line with this label that is not > 0.
+    NotPositive(&'static str, f64),
+    /// A scale factor of another form.
+    Scale(Shown),
+    /// Times or accelerations beyond the range of numbers.
+    TooLarge,
+}
+
+impl fmt::Display for RecordCause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RecordCause::NoNumber(text) => write!(f, "not a number: {text}"),
+            RecordCause::NotFinite(text) => write!(f, "not a finite number: {text}"),
+            RecordCause::MoreNumbers(source, count) => {
+                write!(f, "more numbers than {source}, {count}")
+            }
+            RecordCause::FewerNumbers(numbers, source, count) => {
+                write!(f, "the file ends after {numbers} numbers; {source} is {count}")
+            }
+            RecordCause::OneNumber => f.write_str("a record needs two or more numbers"),
+            RecordCause::Quantity(other) => {
+                write!(f, "the file has a {other}; it must have an acceleration")
+            }
+            RecordCause::NoCounts => f.write_str(
+                "needs NPTS and DT with a number each, as in \"NPTS= 4000, DT= .005 SEC\"",
+            ),
+            RecordCause::Npts(npts) => write!(f, "NPTS must be a whole number >= 2, got {npts}"),
+            RecordCause::Dt(dt) => write!(f, "DT must be > 0 and finite, got {dt}"),
+            RecordCause::NoRow => f.write_str(
+                "the file has no row of two numbers; allowed: two columns t and a with decimal points, PEER AT2, K-NET ASCII",
+            ),
+            RecordCause::OneRow => {
+                f.write_str("the file has one row of numbers; a record needs two or more")
+            }
+            RecordCause::Fields(count) => write!(
+                f,
+                "a row must have two numbers, t and a, with decimal points, got {count}"
+            ),
+            RecordCause::Time { t, last } => {
+                write!(f, "the times must rise, got {t} after {last}")
+            }
+            RecordCause::Header => {
+                f.write_str("a K-NET header must have 17 lines, the last one \"Memo.\"")
+            }
+            RecordCause::NoLine(label) => write!(f, "the header needs the line \"{label}\""),
+            RecordCause::NotPositive(label, number) => {
+                write!(f, "{label} must be > 0, got {number}")
+            }
+            RecordCause::Scale(text) => write!(
+                f,
+                "the scale factor must have the form \"a(gal)/b\", got {text}"
+            ),
+            RecordCause::TooLarge => {
+                f.write_str("the numbers are too large with this frequency and scale factor")
+            }
+        }
+    }
+}
+
+impl std::error::Error for RecordCause {}
+
+/// The start of a text of a file: displayed in quotes on one line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shown(String);
+
+impl Shown {
+    /// Of a text, of any length.
+    pub(super) fn new(text: &str) -> Shown {
+        Shown(text.chars().take(30).collect())
+    }
+}
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\"{}\"", self.0.escape_debug())
+    }
+}
+
+/// A fault with its line, from 1, in a file without a name.
+#[derive(Debug)]
+pub(super) struct LineFault {
+    pub line: usize,
+    pub cause: RecordCause,
+}
+
+/// A fault in the line with this index, from 0.
+pub(super) fn fault(index: usize, cause: RecordCause) -> LineFault {
+    LineFault {
+        line: index + 1,
+        cause,
+    }
+}
