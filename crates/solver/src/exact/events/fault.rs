@@ -36,6 +36,23 @@ pub enum EventsFault {
         /// r at t = 0.
         r: f64,
     },
+    /// M is not positive definite.
+    Mass,
+    /// A node without mass has damping, or mass that couples it.
+    MasslessDamping {
+        /// Name of the node.
+        node: String,
+    },
+    /// Viscous friction at a node without mass: its force is not linear in the motion.
+    MasslessViscous {
+        /// Name of the contact.
+        contact: String,
+    },
+    /// Nothing holds a node without mass.
+    Unheld {
+        /// Name of the node.
+        node: String,
+    },
     /// The exact motion does not know a law.
     Law {
         /// Name of the contact.
@@ -69,6 +86,22 @@ impl fmt::Display for EventsFault {
             EventsFault::Overlap { contact, r } => write!(
                 f,
                 "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
+            ),
+            EventsFault::Mass => write!(
+                f,
+                "the exact motion needs a mass matrix that is positive definite for the nodes with mass"
+            ),
+            EventsFault::MasslessDamping { node } => write!(
+                f,
+                "node {node} without mass has a damper or a coupled mass; for the exact motion, give it a mass or remove them"
+            ),
+            EventsFault::MasslessViscous { contact } => write!(
+                f,
+                "contact {contact} is velocity-control at a node without mass; for the exact motion, give the node a mass or the contact the law displacement-control or coulomb"
+            ),
+            EventsFault::Unheld { node } => write!(
+                f,
+                "nothing holds node {node} without mass; give it a mass, a spring or a contact"
             ),
             EventsFault::Law { contact } => write!(
                 f,

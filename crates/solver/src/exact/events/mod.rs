@@ -10,13 +10,18 @@ mod bernstein;
 mod book;
 mod cholesky;
 mod fault;
+mod flexible;
+mod kernel;
 mod least;
+mod matrix;
+mod modal;
 mod model;
 mod motion;
 mod phase;
 mod resting_contact;
 mod rigid;
 mod rigid_phases;
+mod row;
 mod scales;
 mod series;
 mod settle;
@@ -125,18 +130,40 @@ pub struct Summary {
 pub fn run(
     structure: &Structure,
     times: &[f64],
+    visit: impl FnMut(usize, &State),
+) -> Result<Summary, EventsFault> {
+    let nodes: Vec<usize> = (0..structure.len()).collect();
+    refuse_laws(structure)?;
+    run_model(Model::new(structure)?, (&nodes, true), times, visit)
+}
+
+/// The same without the energy book, where only these nodes matter: u and u' of others have no meaning. Both save time for many
+/// nodes.
+pub fn run_of(
+    structure: &Structure,
+    nodes: &[usize],
+    times: &[f64],
+    visit: impl FnMut(usize, &State),
+) -> Result<(), EventsFault> {
+    refuse_laws(structure)?;
+    run_model(Model::new(structure)?, (nodes, false), times, visit).map(|_| ())
+}
+
+fn run_model(
+    model: Model,
+    (nodes, book): (&[usize], bool),
+    times: &[f64],
     mut visit: impl FnMut(usize, &State),
 ) -> Result<Summary, EventsFault> {
-    refuse_laws(structure)?;
     let end = times.last().copied().unwrap_or(0.0);
-    let mut motion = Motion::start(structure, end)?;
-    let mut room = StateBuffers::new(structure);
+    let mut room = StateBuffers::new(&model);
+    let mut motion = Motion::start(model, end, book)?;
     let mut times = times.iter().enumerate().peekable();
     loop {
         motion.advance()?;
         let reached = motion.reached();
         while let Some((i, time)) = times.next_if(|(_, time)| **time < reached || reached >= end) {
-            motion.at(*time, &mut room);
+            motion.at(*time, nodes, &mut room);
             visit(i, &room.state());
         }
         if reached >= end {
@@ -163,7 +190,7 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
             ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
     let phases: Vec<ContactState> = phases.collect();
-    let pieces = Model::new(structure).pieces(&phases, end);
+    let pieces = Model::of_nodes(structure).pieces(&phases, end);
     match refuse_laws(structure).is_ok() && pieces <= MOST_PIECES as f64 {
         true => pieces,
         false => 0.0,

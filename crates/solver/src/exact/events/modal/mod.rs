@@ -1,0 +1,171 @@
+//! The modes of a structure as coordinates: unit masses, K diagonal, C diagonal for damping by modes or by M and K.
+
+mod condense;
+
+use super::EventsFault;
+use super::flexible::Flexible;
+use super::matrix::Matrix;
+use super::model::{Bounds, Model};
+use super::row::{LANES, Row, dot};
+use super::signals;
+use super::sparse::Rows;
+use crate::system::structure::{Contact, Structure, StructureLaw, Symmetric};
+use condense::{Condensed, entries};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use std::borrow::Cow;
+
+/// Damping between two modes over that of both is round-off below this.
+const COUPLED: f64 = 1e-11;
+
+/// What the motion of modes is at nodes.
+#[derive(Debug)]
+pub struct Modes {
+    /// Shape of each node, a number for each mode.
+    shapes: Vec<Vec<f64>>,
+    /// Nodes without mass: u for a load, a contact and a plate of 1.
+    massless: Vec<Option<[Vec<f64>; 3]>>,
+}
+
+impl Modes {
+    /// u of a node for u of the modes, signals of the loads, forces and u of the plates; or the rates.
+    pub fn at(&self, node: usize, modes: &[f64], others: [&[f64]; 3]) -> f64 {
+        let own = dot(&self.shapes[node], modes);
+        let parts = self.massless[node].iter().flatten().zip(others);
+        parts.fold(own, |sum, (row, values)| sum + dot(row, values))
+    }
+}
+
+/// A structure in coordinates of its modes.
+pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
+    let condensed = Condensed::new(structure)?;
+    let mass = condense::block(&structure.mass(), &condensed.kept);
+    let not_positive = EventsFault::Mass;
+    let lower = match structure.coupled_mass.is_empty() {
+        true => DMatrix::from_diagonal(&mass.diagonal().map(f64::sqrt)),
+        false => mass.clone().cholesky().ok_or(not_positive.clone())?.unpack(),
+    };
+    let eigen = SymmetricEigen::new(scaled(&lower, &condensed.stiffness).ok_or(not_positive.clone())?);
+    let n = condensed.kept.len();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|i, j| eigen.eigenvalues[*i].total_cmp(&eigen.eigenvalues[*j]));
+    let mut shapes = DMatrix::zeros(n, n);
+    for (column, i) in order.iter().enumerate() {
+        shapes.set_column(column, &eigen.eigenvectors.column(*i));
+    }
+    if !lower.tr_solve_lower_triangular_mut(&mut shapes) {
+        return Err(not_positive);
+    }
+    // Round-off of a mode of a rigid body is below 0.
+    let mut squares: Vec<f64> = order.iter().map(|i| eigen.eigenvalues[*i].max(0.0)).collect();
+    let fastest = squares.last().copied().unwrap_or(0.0);
+    // Modes without motion, so that loops over vectors of modes have no rest.
+    let count = n.next_multiple_of(LANES);
+    squares.resize(count, 0.0);
+    let shapes = shapes.resize_horizontally(count, 0.0);
+    let damping = damping(structure, &condensed, &shapes, &squares);
+    let columns: Vec<Row> = condensed.columns.iter().map(|b| Row::Dense(project(&shapes, b))).collect();
+    let start = [&structure.displacement, &structure.velocity].map(|x| {
+        let kept = DVector::from_iterator(n, condensed.kept.iter().map(|node| x[*node]));
+        project(&shapes, &product(&mass, &kept))
+    });
+    let couplings = columns.iter().flat_map(|a| columns.iter().map(|b| a.form(&vec![1.0; count], b).abs()));
+    let largest_damping = match &damping {
+        Matrix::Diagonal(diagonal) => diagonal.iter().copied().fold(0.0, f64::max),
+        Matrix::Dense(rows) => rows.chunks(count).map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max),
+        Matrix::Sparse(_) => 0.0,
+    };
+    Ok(Model {
+        bounds: Bounds::Modes {
+            largest: [fastest, largest_damping],
+            couplings: couplings.collect(),
+        },
+        inverse_masses: vec![1.0; count],
+        stiffness: Matrix::Diagonal(squares),
+        damping,
+        contacts: Cow::Owned(laws(structure, condensed.flexible.as_ref())?),
+        columns,
+        patterns: condensed.patterns.iter().map(|p| Row::Dense(project(&shapes, p))).collect(),
+        start,
+        modes: Some(condensed.modes(structure, &shapes)),
+        flexible: condensed.flexible,
+        points: signals::points(structure),
+        fastest_load: signals::fastest(structure),
+        structure,
+    })
+}
+
+/// L^-1 K L^-T, symmetric; `None` if L is singular.
+fn scaled(lower: &DMatrix<f64>, stiffness: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let mut half = stiffness.clone();
+    lower.solve_lower_triangular_mut(&mut half).then_some(())?;
+    let mut whole = half.transpose();
+    lower.solve_lower_triangular_mut(&mut whole).then_some(())?;
+    let n = whole.nrows();
+    Some(DMatrix::from_fn(n, n, |i, j| 0.5 * (whole[(i, j)] + whole[(j, i)])))
+}
+
+/// The columns of a matrix.
+fn columns(matrix: &DMatrix<f64>) -> impl Iterator<Item = &[f64]> {
+    matrix.as_slice().chunks_exact(matrix.nrows().max(1))
+}
+
+/// The products of all shapes with a vector.
+fn project(shapes: &DMatrix<f64>, x: &DVector<f64>) -> Vec<f64> {
+    columns(shapes).map(|shape| dot(shape, x.as_slice())).collect()
+}
+
+/// A symmetric matrix times a vector.
+fn product(matrix: &DMatrix<f64>, x: &DVector<f64>) -> DVector<f64> {
+    DVector::from_iterator(x.len(), columns(matrix).map(|column| dot(column, x.as_slice())))
+}
+
+/// C between modes.
+fn damping(structure: &Structure, condensed: &Condensed, shapes: &DMatrix<f64>, squares: &[f64]) -> Matrix {
+    let n = squares.len();
+    if structure.damping.entries().all(|(_, value)| value == 0.0) {
+        return Matrix::Sparse(Rows::new(&Symmetric::zeros(n)));
+    }
+    let rows = entries(&structure.damping, &condensed.places);
+    let mut products = DMatrix::zeros(shapes.nrows(), n);
+    for (shape, mut product) in shapes.column_iter().zip(products.column_iter_mut()) {
+        for (i, j, value) in &rows {
+            product[*i] += value * shape[*j];
+        }
+    }
+    let mut all = vec![0.0; n * n];
+    for (i, shape) in columns(shapes).enumerate() {
+        for (j, product) in columns(&products).enumerate().take(i + 1) {
+            let value = dot(shape, product);
+            (all[i * n + j], all[j * n + i]) = (value, value);
+        }
+    }
+    let largest = (0..n).map(|i| all[i * n + i]).fold(0.0, f64::max);
+    let coupled = (0..n).any(|i| (0..i).any(|j| all[i * n + j].abs() > COUPLED * largest));
+    match coupled {
+        true => Matrix::Dense(all),
+        false => Matrix::Diagonal((0..n).map(|i| all[i * n + i].max(0.0)).collect()),
+    }
+}
+
+/// The contacts with the laws that they have in series with nodes without mass: there, no contact is rigid, and none has impacts.
+fn laws(structure: &Structure, flexible: Option<&Flexible>) -> Result<Vec<Contact>, EventsFault> {
+    let mut contacts = structure.contacts.clone();
+    for i in flexible.iter().flat_map(|flexible| &flexible.contacts) {
+        let contact = &mut contacts[*i];
+        contact.law = match &contact.law {
+            StructureLaw::RigidStop { .. } => StructureLaw::ImpactSpring {
+                stiffness: f64::INFINITY,
+            },
+            StructureLaw::Coulomb { limit } => StructureLaw::DisplacementControl {
+                stiffness: f64::INFINITY,
+                limit: limit.clone(),
+            },
+            StructureLaw::VelocityControl { .. } => {
+                let contact = contact.name.clone();
+                return Err(EventsFault::MasslessViscous { contact });
+            }
+            other => other.clone(),
+        };
+    }
+    Ok(contacts)
+}
