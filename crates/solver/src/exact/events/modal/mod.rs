@@ -6,7 +6,7 @@ use super::EventsFault;
 use super::flexible::Flexible;
 use super::matrix::Matrix;
 use super::model::{Bounds, Model};
-use super::row::{LANES, Row, dot};
+use super::row::{LANES, Row, dot, sum};
 use super::signals;
 use super::sparse::Rows;
 use crate::system::structure::{Contact, Structure, StructureLaw, Symmetric};
@@ -92,6 +92,25 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
         fastest_load: signals::fastest(structure),
         structure,
     })
+}
+
+/// Whether damping couples no modes of a structure with lumped masses: C M^-1 K is symmetric. Two vectors without any symmetry
+/// show it.
+pub fn is_classical(structure: &Structure) -> bool {
+    let masses = structure.nodes.iter().map(|node| node.mass);
+    let mut products = [Vec::new(), Vec::new()];
+    let vectors = [0.618_033_988_749_894_9, 0.414_213_562_373_095_1]
+        .map(|step| (1..=structure.len()).map(|i| (i as f64 * step).fract() - 0.4).collect::<Vec<f64>>());
+    for (x, product) in vectors.iter().zip(&mut products) {
+        let mut stiffness = vec![0.0; x.len()];
+        structure.stiffness.add_product(x, &mut stiffness);
+        let accelerations: Vec<f64> = stiffness.iter().zip(masses.clone()).map(|(k, m)| k / m).collect();
+        *product = vec![0.0; x.len()];
+        structure.damping.add_product(&accelerations, product);
+    }
+    let [left, right] = [dot(&vectors[0], &products[1]), dot(&vectors[1], &products[0])];
+    let size = sum(&vectors[0], &products[1], |a, b| (a * b).abs());
+    (left - right).abs() <= COUPLED * size
 }
 
 /// L^-1 K L^-T, symmetric; `None` if L is singular.
