@@ -111,7 +111,11 @@ fn contact_work(
 /// Kinetic energy, energy of K, and of the springs of the contacts.
 pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f64 {
     let kinetic = match &model.modes {
-        None => v.iter().zip(&model.inverse_masses).map(|(v, w)| v * v / w).sum(),
+        None => v
+            .iter()
+            .zip(&model.inverse_masses)
+            .map(|(v, w)| v * v / w)
+            .sum(),
         Some(_) => dot(v, v),
     };
     let contacts = model.contacts.iter().zip(states);

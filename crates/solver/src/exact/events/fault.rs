@@ -36,7 +36,12 @@ pub enum EventsFault {
         /// r at t = 0.
         r: f64,
     },
-    /// M is not positive definite.
+    /// The modes of the structure are too many to compute.
+    TooManyModes {
+        /// The largest number of nodes.
+        most: usize,
+    },
+    /// M is not positive definite, or M or K is not finite.
     Mass,
     /// A node without mass has damping, or mass that couples it.
     MasslessDamping {
@@ -87,9 +92,13 @@ impl fmt::Display for EventsFault {
                 f,
                 "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
             ),
+            EventsFault::TooManyModes { most } => write!(
+                f,
+                "the exact motion of a structure with coupled masses or nodes without mass takes at most {most} degrees of freedom; reduce the structure"
+            ),
             EventsFault::Mass => write!(
                 f,
-                "the exact motion needs a mass matrix that is positive definite for the nodes with mass"
+                "the exact motion needs a mass matrix that is positive definite for the nodes with mass, and matrices of finite numbers"
             ),
             EventsFault::MasslessDamping { node } => write!(
                 f,

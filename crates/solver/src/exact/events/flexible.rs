@@ -34,6 +34,50 @@ impl Flexible {
         1.0 / (1.0 / k + self.compliance[(contact, contact)])
     }
 
+    /// The contacts in these phases whose force is linear in r, and the matrix of the equations for their forces and the plates.
+    fn equations(
+        &self,
+        contacts: &[Contact],
+        states: &[ContactState],
+    ) -> (Vec<usize>, DMatrix<f64>) {
+        let linear = |i: &usize| matches!(states[*i].law(&contacts[*i].law), Force::Spring { .. });
+        let closed: Vec<usize> = self.contacts.iter().copied().filter(linear).collect();
+        let (m, plates) = (closed.len(), self.plates.ncols());
+        let mut matrix = DMatrix::zeros(m + plates, m + plates);
+        for (row, i) in closed.iter().enumerate() {
+            for (column, j) in closed.iter().enumerate() {
+                matrix[(row, column)] = self.compliance[(*i, *j)];
+            }
+            if let Force::Spring { k, .. } = states[*i].law(&contacts[*i].law) {
+                matrix[(row, row)] += 1.0 / k;
+            }
+            for plate in 0..plates {
+                matrix[(row, m + plate)] = -self.plates[(*i, plate)];
+                matrix[(m + plate, row)] = self.plates[(*i, plate)];
+            }
+        }
+        (closed, matrix)
+    }
+
+    /// A bound of what these contacts add to the largest eigenvalue of K, from |b_i^T b_j| of all contacts: the trace of B P B^T,
+    /// where forces are P r.
+    pub fn bound(&self, contacts: &[Contact], states: &[ContactState], couplings: &[f64]) -> f64 {
+        let (closed, matrix) = self.equations(contacts, states);
+        if closed.is_empty() {
+            return 0.0;
+        }
+        let Some(inverse) = matrix.try_inverse() else {
+            return f64::INFINITY;
+        };
+        let mut sum = 0.0;
+        for (row, i) in closed.iter().enumerate() {
+            for (column, j) in closed.iter().enumerate() {
+                sum += inverse[(row, column)].abs() * couplings[i * contacts.len() + j];
+            }
+        }
+        sum
+    }
+
     /// S^T F S.
     pub fn stored(&self, states: &[ContactState]) -> f64 {
         let force = DVector::from_iterator(states.len(), states.iter().map(|state| state.force));
@@ -87,27 +131,16 @@ impl FlexibleSeries {
         contacts: &[Contact],
         states: &[ContactState],
     ) -> Result<(), Singular> {
-        let linear = |i: &usize| matches!(states[*i].law(&contacts[*i].law), Force::Spring { .. });
-        self.closed = flexible.contacts.iter().copied().filter(linear).collect();
-        let (m, plates) = (self.closed.len(), flexible.plates.ncols());
-        let mut matrix = DMatrix::zeros(m + plates, m + plates);
-        for (row, i) in self.closed.iter().enumerate() {
-            for (column, j) in self.closed.iter().enumerate() {
-                matrix[(row, column)] = flexible.compliance[(*i, *j)];
+        let matrix;
+        (self.closed, matrix) = flexible.equations(contacts, states);
+        self.factor = None;
+        if !matrix.is_empty() {
+            let factor = matrix.lu();
+            if !factor.is_invertible() {
+                return Err(Singular);
             }
-            if let Force::Spring { k, .. } = states[*i].law(&contacts[*i].law) {
-                matrix[(row, row)] += 1.0 / k;
-            }
-            for plate in 0..plates {
-                matrix[(row, m + plate)] = -flexible.plates[(*i, plate)];
-                matrix[(m + plate, row)] = flexible.plates[(*i, plate)];
-            }
+            self.factor = Some(factor);
         }
-        let factor = matrix.lu();
-        if !factor.is_invertible() {
-            return Err(Singular);
-        }
-        self.factor = Some(factor);
         Ok(())
     }
 
@@ -127,7 +160,9 @@ impl FlexibleSeries {
         }
         let known = |i: usize, force: &[f64]| -> f64 {
             let others = flexible.contacts.iter();
-            others.map(|j| flexible.compliance[(i, *j)] * force[*j]).sum()
+            others
+                .map(|j| flexible.compliance[(i, *j)] * force[*j])
+                .sum()
         };
         let mut x = DVector::zeros(m + plates);
         for (row, i) in self.closed.iter().enumerate() {
@@ -135,7 +170,10 @@ impl FlexibleSeries {
             x[row] = self.free[*i][k] - origin - known(*i, force);
         }
         for plate in 0..plates {
-            let limits = flexible.contacts.iter().map(|i| flexible.plates[(*i, plate)] * force[*i]);
+            let limits = flexible
+                .contacts
+                .iter()
+                .map(|i| flexible.plates[(*i, plate)] * force[*i]);
             x[m + plate] = self.loads[plate][k] - limits.sum::<f64>();
         }
         if let Some(factor) = &self.factor {
@@ -148,7 +186,8 @@ impl FlexibleSeries {
             u[k] = x[m + plate];
         }
         for i in &flexible.contacts {
-            let moved = (self.plates.iter().enumerate()).map(|(plate, u)| flexible.plates[(*i, plate)] * u[k]);
+            let moved = (self.plates.iter().enumerate())
+                .map(|(plate, u)| flexible.plates[(*i, plate)] * u[k]);
             r[*i] = self.free[*i][k] + moved.sum::<f64>() - known(*i, force);
         }
     }

@@ -19,15 +19,19 @@ use std::borrow::Cow;
 /// Largest product of the bound of the frequencies and the length of a piece: the terms left out are below 2^27/27! = 1e-20.
 pub const LONGEST: f64 = 2.0;
 
-/// From this number of nodes on, modes are faster, their computation included: a chain of 300 masses takes half the time, one of
-/// 1000 a fifth. Results of smaller structures with lumped masses have had the form of nodes since before there was another.
+/// From this number of nodes on, modes are faster, their computation included: a chain of 300 masses took 0.9 s in place of 1.6 s,
+/// one of 1000 7 s in place of 17 s. Smaller structures with lumped masses keep the form of nodes, and so the bits of their results.
 const MANY: usize = 200;
+
+/// Most modes: their matrices have this number squared, and their computation takes the time of its cube.
+pub const MOST_MODES: usize = 4000;
 
 /// Whether the coordinates of a structure are its modes. Damping that couples modes costs more than all products between nodes, so
 /// that large structures with it, but lumped masses, stay with their nodes.
 pub fn uses_modes(structure: &Structure) -> bool {
-    let lumped = structure.coupled_mass.is_empty() && structure.nodes.iter().all(|node| node.mass > 0.0);
-    !lumped || structure.len() >= MANY && modal::is_classical(structure)
+    let lumped =
+        structure.coupled_mass.is_empty() && structure.nodes.iter().all(|node| node.mass > 0.0);
+    !lumped || (MANY..=MOST_MODES).contains(&structure.len()) && modal::is_classical(structure)
 }
 
 /// A structure with the inverse masses of its coordinates, K, C, B, and the times of the points of its tables.
@@ -90,8 +94,14 @@ impl<'a> Model<'a> {
             Rows::new(&structure.stiffness),
             Rows::new(&structure.damping),
         );
-        let columns = structure.contacts.iter().map(|contact| Row::Sparse(contact.along.clone()));
-        let patterns = structure.loads.iter().map(|load| Row::Sparse(load.pattern.clone()));
+        let columns = structure
+            .contacts
+            .iter()
+            .map(|contact| Row::Sparse(contact.along.clone()));
+        let patterns = structure
+            .loads
+            .iter()
+            .map(|load| Row::Sparse(load.pattern.clone()));
         Model {
             bounds: Bounds::Nodes(
                 [&stiffness, &damping].map(|matrix| RowSums::new(matrix, &inverse_masses)),
@@ -121,7 +131,11 @@ impl<'a> Model<'a> {
     /// With bounds w^2 of M^-1 K and g of M^-1 C, the derivatives grow at most as powers of x, x^2 = g x + w^2. Constraints only
     /// lower the bounds.
     pub fn piece_length(&self, contacts: &[ContactState]) -> f64 {
-        let forces = self.contacts.iter().zip(contacts).map(|(contact, state)| state.law(&contact.law));
+        let forces = self
+            .contacts
+            .iter()
+            .zip(contacts)
+            .map(|(contact, state)| state.law(&contact.law));
         let [square, damping] = match &self.bounds {
             Bounds::Nodes(sums) => {
                 let [mut stiffness, mut damping] = sums.clone();
@@ -139,13 +153,20 @@ impl<'a> Model<'a> {
                 let [mut springs, mut dashpots] = [(); 2].map(|()| vec![0.0; self.contacts.len()]);
                 for (i, force) in forces.enumerate() {
                     match force {
-                        Force::Spring { k, .. } => springs[i] = self.stiffness_of(i, k),
+                        Force::Spring { k, .. } if !self.is_flexible(i) => springs[i] = k,
+                        Force::Spring { .. } => {}
                         Force::Dashpot { c } => dashpots[i] = c,
                         Force::None | Force::Limit(_) | Force::Constraint => {}
                     }
                 }
-                let [stiffness, damping] = *largest;
-                [stiffness + bound(couplings, &springs), damping + bound(couplings, &dashpots)]
+                let [mut stiffness, damping] = *largest;
+                if let Some(flexible) = &self.flexible {
+                    stiffness += flexible.bound(&self.contacts, contacts, couplings);
+                }
+                [
+                    stiffness + bound(couplings, &springs),
+                    damping + bound(couplings, &dashpots),
+                ]
             }
         };
         let half = 0.5 * damping;
@@ -158,6 +179,12 @@ impl<'a> Model<'a> {
     pub fn pieces(&self, contacts: &[ContactState], end: f64) -> f64 {
         let points = self.points.iter().filter(|point| **point < end).count();
         (end / self.piece_length(contacts)).max(points as f64)
+    }
+
+    /// Whether a contact is at a node without mass.
+    fn is_flexible(&self, contact: usize) -> bool {
+        let flexible = self.flexible.as_ref();
+        flexible.is_some_and(|flexible| flexible.contacts.contains(&contact))
     }
 
     /// The stiffness k of a contact, with the compliance of nodes without mass.
@@ -198,10 +225,14 @@ impl<'a> Model<'a> {
 
 /// A bound of the largest eigenvalue of sum c_i b_i b_i^T from the |b_i^T b_j| (Gershgorin).
 fn bound(couplings: &[f64], coefficients: &[f64]) -> f64 {
-    let rows = couplings.chunks_exact(coefficients.len().max(1)).zip(coefficients);
+    let rows = couplings
+        .chunks_exact(coefficients.len().max(1))
+        .zip(coefficients);
     let rows = rows.map(|(row, c)| {
         let terms = row.iter().zip(coefficients);
-        terms.map(|(coupling, other)| coupling * (c * other).sqrt()).sum()
+        terms
+            .map(|(coupling, other)| coupling * (c * other).sqrt())
+            .sum()
     });
     rows.fold(0.0, f64::max)
 }

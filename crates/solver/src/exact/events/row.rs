@@ -25,11 +25,18 @@ impl Row {
     pub fn form(&self, weights: &[f64], other: &Row) -> f64 {
         let terms = |row: &Vec<(usize, f64)>, other: &Row| -> f64 {
             let terms = row.iter();
-            terms.map(|(i, value)| value * other.at(*i) * weights[*i]).sum()
+            terms
+                .map(|(i, value)| value * other.at(*i) * weights[*i])
+                .sum()
         };
         match (self, other) {
             (Row::Sparse(row), other) => terms(row, other),
-            (Row::Dense(a), Row::Dense(b)) => a.iter().zip(b).zip(weights).map(|((a, b), w)| a * b * w).sum(),
+            (Row::Dense(a), Row::Dense(b)) => a
+                .iter()
+                .zip(b)
+                .zip(weights)
+                .map(|((a, b), w)| a * b * w)
+                .sum(),
             (Row::Dense(_), Row::Sparse(_)) => other.form(weights, self),
         }
     }
@@ -56,7 +63,10 @@ impl Row {
     pub fn add(&self, factor: f64, to: &mut [f64]) {
         match self {
             Row::Sparse(row) => row.iter().for_each(|(i, value)| to[*i] += value * factor),
-            Row::Dense(row) => to.iter_mut().zip(row).for_each(|(to, value)| *to += value * factor),
+            Row::Dense(row) => to
+                .iter_mut()
+                .zip(row)
+                .for_each(|(to, value)| *to += value * factor),
         }
     }
 
@@ -71,8 +81,13 @@ impl Row {
     /// Adds the absolute values of the row times a factor.
     pub fn add_terms(&self, factor: f64, to: &mut [f64]) {
         match self {
-            Row::Sparse(row) => row.iter().for_each(|(i, value)| to[*i] += (value * factor).abs()),
-            Row::Dense(row) => to.iter_mut().zip(row).for_each(|(to, value)| *to += (value * factor).abs()),
+            Row::Sparse(row) => row
+                .iter()
+                .for_each(|(i, value)| to[*i] += (value * factor).abs()),
+            Row::Dense(row) => to
+                .iter_mut()
+                .zip(row)
+                .for_each(|(to, value)| *to += (value * factor).abs()),
         }
     }
 

@@ -114,7 +114,11 @@ impl Scales {
         let motion = match &model.contacts[contact].law {
             StructureLaw::ImpactSpring { stiffness: k }
             | StructureLaw::DisplacementControl { stiffness: k, .. } => {
-                model.stiffness_of(contact, *k) * self.r(model, contact, length)
+                // Infinite for rigid contacts of nodes without mass that only contacts hold.
+                match model.stiffness_of(contact, *k) {
+                    f64::INFINITY => TOLERANCE * self.force,
+                    k => k * self.r(model, contact, length),
+                }
             }
             StructureLaw::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
             StructureLaw::RigidStop { .. }

@@ -2,19 +2,18 @@
 //!
 //! Coefficients belong to powers of s, the time from the start over the length h, so that they neither overflow nor underflow.
 
-use super::bernstein::{Polynomial, TERMS, slope, value};
+use super::bernstein::{Polynomial, TERMS};
 use super::cholesky::Cholesky;
-use super::flexible::{Flexible, FlexibleSeries};
-use super::least::Singular;
-use super::model::Model;
-use super::phase::{ContactState, Force};
+use super::flexible::FlexibleSeries;
 use super::kernel::{self, Order};
 use super::matrix::Matrix;
+use super::model::Model;
+use super::phase::{ContactState, Force};
 use super::row::{LANES, Row};
 use super::signals::{self, add_signal};
 
 /// Most terms of u.
-const ORDERS: usize = TERMS + 2;
+pub const ORDERS: usize = TERMS + 2;
 
 /// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
 const FEWEST: usize = 6;
@@ -86,7 +85,10 @@ impl Series {
             contacts: vec![contact; model.contacts.len()],
             loads: vec![[0.0; TERMS]; model.structure.loads.len()],
             acceleration: vec![0.0; nodes],
-            flexible: model.flexible.as_ref().map(|f| FlexibleSeries::new(f, model.contacts.len())),
+            flexible: model
+                .flexible
+                .as_ref()
+                .map(|f| FlexibleSeries::new(f, model.contacts.len())),
         }
     }
 
@@ -115,58 +117,6 @@ impl Series {
             series.r[1] = length * model.relative(i, v);
         }
         self.begin_flexible(model);
-    }
-
-    /// The terms of order 0 and 1 of contacts at nodes without mass, and the loads of plates.
-    fn begin_flexible(&mut self, model: &Model) {
-        let (Some(of), Some(series)) = (&model.flexible, &mut self.flexible) else { return };
-        for i in &of.contacts {
-            let gap = Flexible::combine(of.gaps.rows(*i, 1), &self.loads);
-            let r = &mut self.contacts[*i].r;
-            series.free[*i] = [0.0; ORDERS];
-            series.free[*i][..TERMS].copy_from_slice(&gap);
-            series.free[*i][0] += r[0];
-            series.free[*i][1] += r[1];
-            let plates = of.start.iter().enumerate().map(|(plate, u)| of.plates[(*i, plate)] * u);
-            r[0] = match series.known.get(*i) {
-                Some(r) => *r,
-                None => series.free[*i][0] + plates.sum::<f64>(),
-            };
-            r[1] = series.free[*i][1];
-        }
-        for (plate, load) in series.loads.iter_mut().enumerate() {
-            *load = Flexible::combine(of.plate_loads.rows(plate, 1), &self.loads);
-        }
-    }
-
-    /// Prepares the forces of contacts in these phases at nodes without mass.
-    pub fn couple(&mut self, model: &Model, states: &[ContactState]) -> Result<(), Singular> {
-        match (&model.flexible, &mut self.flexible) {
-            (Some(of), Some(series)) => series.couple(of, &model.contacts, states),
-            _ => Ok(()),
-        }
-    }
-
-    /// Keeps r at s for the next piece, since nodes without mass have no u of their own.
-    pub fn keep(&mut self, s: f64) {
-        if let Some(flexible) = &mut self.flexible {
-            let r = self.contacts.iter().map(|contact| contact.r[..TERMS].iter().rev().fold(0.0, |sum, c| sum * s + c));
-            flexible.known = r.collect();
-        }
-    }
-
-    /// The work of loads at nodes without mass that contacts feel, on 0..=s of a piece.
-    pub fn flexible_work(&self, model: &Model, points: &[[f64; 2]]) -> f64 {
-        let (Some(of), Some(series)) = (&model.flexible, &self.flexible) else { return 0.0 };
-        let work = |force: &Polynomial, path: &Polynomial| -> f64 {
-            points.iter().map(|[s, w]| w * value(force, *s) * slope(path, *s)).sum()
-        };
-        let contacts = of.contacts.iter().map(|i| {
-            let gap = Flexible::combine(of.gaps.rows(*i, 1), &self.loads);
-            work(&self.contacts[*i].force, &gap)
-        });
-        let plates = series.loads.iter().zip(&series.plates);
-        contacts.sum::<f64>() + plates.map(|(load, u)| work(load, u)).sum::<f64>()
     }
 
     /// All terms from order 0 on. `constraints` are the contacts with [`Force::Constraint`] and the factor of their B^T M^-1 B.
@@ -281,17 +231,6 @@ impl Series {
         self.flexible_forces(k, model, states);
     }
 
-    /// The forces of order k at nodes without mass.
-    fn flexible_forces(&mut self, k: usize, model: &Model, states: &[ContactState]) {
-        let (Some(of), Some(series)) = (&model.flexible, &mut self.flexible) else { return };
-        let mut force: Vec<f64> = self.contacts.iter().map(|contact| contact.force[k]).collect();
-        let mut r: Vec<f64> = self.contacts.iter().map(|contact| contact.r[k]).collect();
-        series.solve(k, of, |i| states[i].origin, &mut force, &mut r);
-        for ((contact, force), r) in self.contacts.iter_mut().zip(force).zip(r) {
-            (contact.force[k], contact.r[k]) = (force, r);
-        }
-    }
-
     /// r'' of a contact, of the present order.
     pub fn relative_acceleration(&self, contact: usize, model: &Model) -> f64 {
         model.relative(contact, &self.acceleration)
@@ -316,17 +255,13 @@ impl Series {
         self.advance_flexible(k, model);
     }
 
-    fn advance_flexible(&mut self, k: usize, model: &Model) {
-        if let (Some(of), Some(flexible)) = (&model.flexible, &mut self.flexible) {
-            for i in &of.contacts {
-                flexible.free[*i][k + 2] += self.contacts[*i].r[k + 2];
-            }
-        }
-    }
-
     /// u and u' of all nodes at s.
     pub fn motion_at(&self, s: f64, u: &mut [f64], v: &mut [f64]) {
-        kernel::motion(&self.u[..self.orders * self.nodes], [s, self.length], [u, v]);
+        kernel::motion(
+            &self.u[..self.orders * self.nodes],
+            [s, self.length],
+            [u, v],
+        );
     }
 
     /// A combination of u.
@@ -337,17 +272,6 @@ impl Series {
             }
             pattern.dot(&self.u[k * self.nodes..(k + 1) * self.nodes])
         })
-    }
-
-    /// r and rdot of a contact at s.
-    pub fn relative_at(&self, contact: usize, s: f64) -> [f64; 2] {
-        let r = &self.contacts[contact].r;
-        let mut sums = [0.0; 2];
-        for k in (1..ORDERS).rev() {
-            sums[0] = (sums[0] + r[k]) * s;
-            sums[1] = sums[1] * s + k as f64 * r[k] / self.length;
-        }
-        [sums[0] + r[0], sums[1]]
     }
 
     /// The polynomial of rdot of a contact.

@@ -32,7 +32,9 @@ impl Motion<'_> {
         review.friction(states);
         let time = self.t;
         let singular = |Singular| EventsFault::Singular { time };
-        self.series.couple(&self.model, &self.states).map_err(singular)?;
+        self.series
+            .couple(&self.model, &self.states)
+            .map_err(singular)?;
         let mut contacts = self.model.contacts.iter();
         if contacts.any(|contact| is_rigid(&contact.law)) {
             self.settle_rigid().map_err(singular)?;

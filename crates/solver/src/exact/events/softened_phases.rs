@@ -28,7 +28,11 @@ impl SoftenedPhases<'_> {
             {
                 state.phase = Phase::Closed;
                 // Nodes without mass move at once: their forces come with the first piece.
-                state.force = if stiffness.is_finite() { stiffness * r } else { 0.0 };
+                state.force = if stiffness.is_finite() {
+                    stiffness * r
+                } else {
+                    0.0
+                };
             }
         }
     }
@@ -90,12 +94,7 @@ impl SoftenedPhases<'_> {
             .is_some_and(|l| *l > 0.0)
     }
 
-    fn displacement_control(
-        &mut self,
-        i: usize,
-        k: f64,
-        state: &mut ContactState,
-    ) {
+    fn displacement_control(&mut self, i: usize, k: f64, state: &mut ContactState) {
         let series = &self.series.contacts[i];
         let [r, change] = [series.r[0], k * series.r[1]];
         let limit = series.limit[0].max(0.0);
@@ -124,8 +123,9 @@ impl SoftenedPhases<'_> {
     fn drop_force(&mut self, i: usize, state: &mut ContactState, limit: f64) {
         if let StructureLaw::DisplacementControl { stiffness, .. } = &self.model.contacts[i].law {
             let force = state.force;
-            self.book
-                .dissipate(0.5 * (force - limit) * (force + limit) / self.model.stiffness_of(i, *stiffness));
+            self.book.dissipate(
+                0.5 * (force - limit) * (force + limit) / self.model.stiffness_of(i, *stiffness),
+            );
             state.force = limit.copysign(force);
         }
     }

@@ -38,11 +38,22 @@ impl StateBuffers {
     pub fn modes_at(&mut self, modes: &Modes, series: &Series, s: f64, nodes: &[usize]) {
         let [u, v] = &mut self.modes;
         series.motion_at(s, u, v);
-        let forces: Vec<Polynomial> = series.contacts.iter().map(|contact| contact.force).collect();
-        let plates = series.flexible.as_ref().map_or(&[][..], |flexible| &flexible.plates);
+        let forces: Vec<Polynomial> = series
+            .contacts
+            .iter()
+            .map(|contact| contact.force)
+            .collect();
+        let plates = series
+            .flexible
+            .as_ref()
+            .map_or(&[][..], |flexible| &flexible.plates);
         let all = [&series.loads[..], &forces, plates];
         let values = all.map(|list| list.iter().map(|p| value(p, s)).collect::<Vec<f64>>());
-        let rates = all.map(|list| list.iter().map(|p| slope(p, s) / series.length).collect::<Vec<f64>>());
+        let rates = all.map(|list| {
+            list.iter()
+                .map(|p| slope(p, s) / series.length)
+                .collect::<Vec<f64>>()
+        });
         for node in nodes {
             self.u[*node] = modes.at(*node, u, values.each_ref().map(|list| &list[..]));
             self.v[*node] = modes.at(*node, v, rates.each_ref().map(|list| &list[..]));

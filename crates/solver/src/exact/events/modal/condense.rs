@@ -79,7 +79,11 @@ fn between(matrix: &Symmetric, rows: &[usize], columns: &[usize]) -> DMatrix<f64
 }
 
 /// Some nodes of patterns, a column for each pattern.
-fn rows<'a>(patterns: impl Iterator<Item = &'a Vec<(usize, f64)>>, nodes: &[usize], size: usize) -> DMatrix<f64> {
+fn rows<'a>(
+    patterns: impl Iterator<Item = &'a Vec<(usize, f64)>>,
+    nodes: &[usize],
+    size: usize,
+) -> DMatrix<f64> {
     let mut places = vec![None; size];
     for (place, node) in nodes.iter().enumerate() {
         places[*node] = Some(place);
@@ -106,8 +110,15 @@ impl Condensed {
         for (place, node) in kept.iter().enumerate() {
             places[*node] = Some(place);
         }
-        for ((i, j), value) in structure.damping.entries().chain(structure.coupled_mass.entries()) {
-            if let (true, Some(node)) = (value != 0.0, [i, j].into_iter().find(|node| !has_mass(node))) {
+        for ((i, j), value) in structure
+            .damping
+            .entries()
+            .chain(structure.coupled_mass.entries())
+        {
+            if let (true, Some(node)) = (
+                value != 0.0,
+                [i, j].into_iter().find(|node| !has_mass(node)),
+            ) {
                 let node = structure.nodes[node].name.clone();
                 return Err(EventsFault::MasslessDamping { node });
             }
@@ -118,7 +129,10 @@ impl Condensed {
         let patterns = || structure.loads.iter().map(|load| &load.pattern);
         let factor = block(k, &nodes).cholesky();
         let solve = |matrix: DMatrix<f64>| solve(factor.as_ref(), matrix);
-        let [of_contacts, of_loads] = [rows(columns(), &nodes, size), rows(patterns(), &nodes, size)];
+        let [of_contacts, of_loads] = [
+            rows(columns(), &nodes, size),
+            rows(patterns(), &nodes, size),
+        ];
         let held = Held {
             by_kept: solve(between(k, &nodes, &kept)),
             by_plates: solve(between(k, &nodes, &plates)),
@@ -126,15 +140,32 @@ impl Condensed {
             by_contacts: solve(of_contacts.clone()),
             nodes,
         };
-        let stiffness = symmetric(block(k, &kept) - dots(&between(k, &held.nodes, &kept), &held.by_kept));
-        let reduced = |patterns: DMatrix<f64>, of_held: &DMatrix<f64>, by: &DMatrix<f64>| patterns - dots(by, of_held);
+        let stiffness =
+            symmetric(block(k, &kept) - dots(&between(k, &held.nodes, &kept), &held.by_kept));
+        let reduced = |patterns: DMatrix<f64>, of_held: &DMatrix<f64>, by: &DMatrix<f64>| {
+            patterns - dots(by, of_held)
+        };
         let kept_columns = reduced(rows(columns(), &kept, size), &of_contacts, &held.by_kept);
         let kept_patterns = reduced(rows(patterns(), &kept, size), &of_loads, &held.by_kept);
-        let plate_columns = reduced(rows(columns(), &plates, size), &of_contacts, &held.by_plates);
+        let plate_columns = reduced(
+            rows(columns(), &plates, size),
+            &of_contacts,
+            &held.by_plates,
+        );
         let plate_loads = reduced(rows(patterns(), &plates, size), &of_loads, &held.by_plates);
-        let at_massless = |column: &Vec<(usize, f64)>| column.iter().any(|(node, factor)| !has_mass(node) && *factor != 0.0);
-        let contacts: Vec<usize> = columns().enumerate().filter(|(_, c)| at_massless(c)).map(|(i, _)| i).collect();
-        if let Some(plate) = (0..plates.len()).find(|i| plate_columns.row(*i).iter().all(|x| *x == 0.0)) {
+        let at_massless = |column: &Vec<(usize, f64)>| {
+            column
+                .iter()
+                .any(|(node, factor)| !has_mass(node) && *factor != 0.0)
+        };
+        let contacts: Vec<usize> = columns()
+            .enumerate()
+            .filter(|(_, c)| at_massless(c))
+            .map(|(i, _)| i)
+            .collect();
+        if let Some(plate) =
+            (0..plates.len()).find(|i| plate_columns.row(*i).iter().all(|x| *x == 0.0))
+        {
             let node = structure.nodes[plates[plate]].name.clone();
             return Err(EventsFault::Unheld { node });
         }
@@ -144,9 +175,17 @@ impl Condensed {
             plates: plate_columns.transpose(),
             gaps: dots(&held.by_contacts, &of_loads),
             plate_loads,
-            start: plates.iter().map(|node| structure.displacement[*node]).collect(),
+            start: plates
+                .iter()
+                .map(|node| structure.displacement[*node])
+                .collect(),
         });
-        let to_vectors = |matrix: DMatrix<f64>| matrix.column_iter().map(|column| column.into_owned()).collect();
+        let to_vectors = |matrix: DMatrix<f64>| {
+            matrix
+                .column_iter()
+                .map(|column| column.into_owned())
+                .collect()
+        };
         Ok(Condensed {
             kept,
             places,
@@ -169,9 +208,14 @@ impl Condensed {
         for (place, node) in self.kept.iter().enumerate() {
             modes.shapes[*node] = shapes.row(place).iter().copied().collect();
         }
-        let list = |row: nalgebra::DMatrixView<f64>, sign: f64| row.iter().map(|x| sign * x).collect::<Vec<f64>>();
+        let list = |row: nalgebra::DMatrixView<f64>, sign: f64| {
+            row.iter().map(|x| sign * x).collect::<Vec<f64>>()
+        };
         for (row, node) in self.held.nodes.iter().enumerate() {
-            let by_kept = DVector::from_iterator(self.kept.len(), self.held.by_kept.row(row).iter().map(|x| -x));
+            let by_kept = DVector::from_iterator(
+                self.kept.len(),
+                self.held.by_kept.row(row).iter().map(|x| -x),
+            );
             modes.shapes[*node] = project(shapes, &by_kept);
             modes.massless[*node] = Some([
                 list(self.held.by_loads.rows(row, 1), 1.0),
@@ -216,7 +260,7 @@ fn held(stiffness: &Symmetric, massless: &[usize]) -> (Vec<usize>, Vec<usize>) {
 
 /// K_ss^-1 times a matrix.
 fn solve(factor: Option<&Cholesky<f64, Dyn>>, mut matrix: DMatrix<f64>) -> DMatrix<f64> {
-    if let Some(factor) = factor {
+    if let (Some(factor), false) = (factor, matrix.is_empty()) {
         factor.solve_mut(&mut matrix);
     }
     matrix
@@ -226,7 +270,12 @@ fn solve(factor: Option<&Cholesky<f64, Dyn>>, mut matrix: DMatrix<f64>) -> DMatr
 fn dots(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(a.ncols(), b.ncols());
     for (i, a) in a.column_iter().enumerate() {
-        let entries: Vec<(usize, f64)> = a.iter().copied().enumerate().filter(|(_, x)| *x != 0.0).collect();
+        let entries: Vec<(usize, f64)> = a
+            .iter()
+            .copied()
+            .enumerate()
+            .filter(|(_, x)| *x != 0.0)
+            .collect();
         for (j, b) in b.column_iter().enumerate() {
             all[(i, j)] = entries.iter().map(|(row, x)| x * b[*row]).sum();
         }
@@ -235,5 +284,7 @@ fn dots(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 fn symmetric(matrix: DMatrix<f64>) -> DMatrix<f64> {
-    DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]))
+    DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| {
+        0.5 * (matrix[(i, j)] + matrix[(j, i)])
+    })
 }
