@@ -3,6 +3,7 @@
 use super::bernstein::{slope, value};
 use super::model::Model;
 use super::phase::{ContactState, Force};
+use super::row::dot;
 use super::series::Series;
 use crate::system::structure::StructureLaw;
 
@@ -57,21 +58,21 @@ impl Book {
                 ]
             })
             .collect();
-        for (load, signal) in model.structure.loads.iter().zip(&series.loads) {
-            let path = series.combine(&load.pattern);
+        for (pattern, signal) in model.patterns.iter().zip(&series.loads) {
+            let path = series.combine(pattern);
             let terms = points
                 .iter()
                 .map(|[s, w]| w * value(signal, *s) * slope(&path, *s));
             self.work += terms.sum::<f64>();
         }
         if !model.damping.is_zero() {
-            let mut u = vec![0.0; model.structure.len()];
-            let mut v = u.clone();
+            let [mut u, mut v] = [(); 2].map(|()| vec![0.0; model.len()]);
             for [s, w] in &points {
                 series.motion_at(*s, &mut u, &mut v);
-                self.dissipated += w * series.length * model.damping.form(&v, &v);
+                self.dissipated += w * series.length * model.damping.form(&v);
             }
         }
+        self.work += series.flexible_work(model, &points);
         for (i, state) in states.iter().enumerate() {
             self.dissipated += contact_work(model, series, i, state, &points);
         }
@@ -93,7 +94,7 @@ fn contact_work(
     state: &ContactState,
     points: &[[f64; 2]],
 ) -> f64 {
-    let law = &model.structure.contacts[i].law;
+    let law = &model.contacts[i].law;
     let elastic = match (state.law(law), law) {
         (Force::Limit(_), StructureLaw::DisplacementControl { stiffness, .. }) => 1.0 / stiffness,
         (Force::Limit(_) | Force::Dashpot { .. }, _) => 0.0,
@@ -109,12 +110,21 @@ fn contact_work(
 
 /// Kinetic energy, energy of K, and of the springs of the contacts.
 pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f64 {
-    let kinetic = v.iter().zip(&model.inverse_masses).map(|(v, w)| v * v / w);
-    let contacts = model.structure.contacts.iter().zip(states);
+    let kinetic = match &model.modes {
+        None => v
+            .iter()
+            .zip(&model.inverse_masses)
+            .map(|(v, w)| v * v / w)
+            .sum(),
+        Some(_) => dot(v, v),
+    };
+    let contacts = model.contacts.iter().zip(states);
     let stored = contacts.map(|(contact, state)| match contact.law {
         StructureLaw::ImpactSpring { stiffness: k }
         | StructureLaw::DisplacementControl { stiffness: k, .. } => state.force * state.force / k,
         _ => 0.0,
     });
-    0.5 * (kinetic.sum::<f64>() + model.stiffness.form(u, u) + stored.sum::<f64>())
+    let flexible = model.flexible.as_ref();
+    let flexible = flexible.map_or(0.0, |flexible| 0.5 * flexible.stored(states));
+    flexible + 0.5 * (kinetic + model.stiffness.form(u) + stored.sum::<f64>())
 }

@@ -36,6 +36,28 @@ pub enum EventsFault {
         /// r at t = 0.
         r: f64,
     },
+    /// The modes of the structure are too many to compute.
+    TooManyModes {
+        /// The largest number of nodes.
+        most: usize,
+    },
+    /// M is not positive definite, or M or K is not finite.
+    Mass,
+    /// A node without mass has damping, or mass that couples it.
+    MasslessDamping {
+        /// Name of the node.
+        node: String,
+    },
+    /// Viscous friction at a node without mass: its force is not linear in the motion.
+    MasslessViscous {
+        /// Name of the contact.
+        contact: String,
+    },
+    /// Nothing holds a node without mass.
+    Unheld {
+        /// Name of the node.
+        node: String,
+    },
     /// The exact motion does not know a law.
     Law {
         /// Name of the contact.
@@ -69,6 +91,26 @@ impl fmt::Display for EventsFault {
             EventsFault::Overlap { contact, r } => write!(
                 f,
                 "the rigid stop {contact} overlaps at the start: r must be >= 0, got {r}"
+            ),
+            EventsFault::TooManyModes { most } => write!(
+                f,
+                "the exact motion of a structure with coupled masses or nodes without mass takes at most {most} degrees of freedom; reduce the structure"
+            ),
+            EventsFault::Mass => write!(
+                f,
+                "the exact motion needs a mass matrix that is positive definite for the nodes with mass, and matrices of finite numbers"
+            ),
+            EventsFault::MasslessDamping { node } => write!(
+                f,
+                "node {node} without mass has a damper or a coupled mass; for the exact motion, give it a mass or remove them"
+            ),
+            EventsFault::MasslessViscous { contact } => write!(
+                f,
+                "contact {contact} is velocity-control at a node without mass; for the exact motion, give the node a mass or the contact the law displacement-control or coulomb"
+            ),
+            EventsFault::Unheld { node } => write!(
+                f,
+                "nothing holds node {node} without mass; give it a mass, a spring or a contact"
             ),
             EventsFault::Law { contact } => write!(
                 f,

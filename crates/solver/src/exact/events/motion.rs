@@ -9,7 +9,7 @@ use super::series::Series;
 use super::state_buffers::StateBuffers;
 use super::watch::{Found, first_event};
 use super::{Event, EventsFault, bernstein};
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::StructureLaw;
 
 /// Most events of a motion.
 pub const MOST_EVENTS: usize = 1_000_000;
@@ -40,6 +40,7 @@ pub struct Motion<'a> {
     /// The end of the present piece: its s, and the event there.
     reached: (f64, Option<Found>),
     pub book: Book,
+    has_book: bool,
     pub events: Vec<Event>,
     pub pieces: usize,
     pub least_impact_rate: Option<f64>,
@@ -47,11 +48,12 @@ pub struct Motion<'a> {
 
 impl<'a> Motion<'a> {
     /// The motion at t = 0, up to `end`.
-    pub fn start(structure: &'a Structure, end: f64) -> Result<Motion<'a>, EventsFault> {
-        let model = Model::new(structure);
+    pub fn start(model: Model<'a>, end: f64, has_book: bool) -> Result<Motion<'a>, EventsFault> {
         let open = ContactState::in_phase(Phase::Open);
+        let contacts = model.contacts.len();
+        let [u, v] = model.start.clone();
         // Contacts only shorten the pieces.
-        if model.pieces(&vec![open; structure.contacts.len()], end) > MOST_PIECES as f64 {
+        if model.pieces(&vec![open; contacts], end) > MOST_PIECES as f64 {
             return Err(EventsFault::TooManyPieces {
                 most: MOST_PIECES,
                 time: end,
@@ -59,18 +61,19 @@ impl<'a> Motion<'a> {
         }
         let mut motion = Motion {
             series: Series::new(&model),
-            scales: Scales::new(structure.contacts.len()),
-            states: vec![open; structure.contacts.len()],
+            scales: Scales::new(contacts),
+            states: vec![open; contacts],
             constraints: Constraints::default(),
             end,
             t: 0.0,
-            u: structure.displacement.clone(),
-            v: structure.velocity.clone(),
+            u,
+            v,
             length: 1.0,
             point: 0,
             at_once: 0,
             reached: (0.0, None),
             book: Book::default(),
+            has_book,
             events: Vec::new(),
             pieces: 0,
             least_impact_rate: None,
@@ -120,7 +123,7 @@ impl<'a> Motion<'a> {
     }
 
     fn refuse_overlaps(&self) -> Result<(), EventsFault> {
-        for (i, contact) in self.model.structure.contacts.iter().enumerate() {
+        for (i, contact) in self.model.contacts.iter().enumerate() {
             let rigid = matches!(contact.law, StructureLaw::RigidStop { .. });
             let r = self.series.contacts[i].r[0];
             if rigid && r < -self.scales.r(&self.model, i, self.series.length) {
@@ -155,9 +158,12 @@ impl<'a> Motion<'a> {
     pub fn finish(&mut self) -> Result<(), EventsFault> {
         let (s, found) = self.reached;
         let reached = self.reached();
-        self.book
-            .add_piece(&self.model, &self.series, &self.states, s);
+        if self.has_book {
+            self.book
+                .add_piece(&self.model, &self.series, &self.states, s);
+        }
         self.series.motion_at(s, &mut self.u, &mut self.v);
+        self.series.keep(s);
         for (state, series) in self.states.iter_mut().zip(&self.series.contacts) {
             state.force = bernstein::value(&series.force, s);
         }
@@ -179,8 +185,10 @@ impl<'a> Motion<'a> {
         if found.is_some() || self.point > before {
             self.settle(found)?;
         }
-        self.book
-            .close(energy(&self.model, &self.states, &self.u, &self.v));
+        if self.has_book {
+            self.book
+                .close(energy(&self.model, &self.states, &self.u, &self.v));
+        }
         if self.events.len() > MOST_EVENTS {
             return Err(EventsFault::TooManyEvents {
                 most: MOST_EVENTS,
@@ -193,16 +201,25 @@ impl<'a> Motion<'a> {
         Ok(())
     }
 
-    /// The state at a time of the present piece.
-    pub fn at(&self, time: f64, room: &mut StateBuffers) {
+    /// The state at a time of the present piece; of modes, u and u' of these nodes only.
+    pub fn at(&self, time: f64, nodes: &[usize], room: &mut StateBuffers) {
         let s = ((time - self.t) / self.series.length).clamp(0.0, self.reached.0);
-        self.series.motion_at(s, &mut room.u, &mut room.v);
-        for (i, contact) in self.model.structure.contacts.iter().enumerate() {
+        match &self.model.modes {
+            None => self.series.motion_at(s, &mut room.u, &mut room.v),
+            Some(modes) => room.modes_at(modes, &self.series, s, nodes),
+        }
+        for (i, contact) in self.model.contacts.iter().enumerate() {
             let force = bernstein::value(&self.series.contacts[i].force, s);
-            let r = self.model.relative(i, &room.u) + contact.gap;
+            let [r, rate] = match &self.model.modes {
+                None => [
+                    self.model.relative(i, &room.u) + contact.gap,
+                    self.model.relative(i, &room.v),
+                ],
+                Some(_) => self.series.relative_at(i, s),
+            };
             room.force[i] = force;
             room.r[i] = r;
-            room.rate[i] = self.model.relative(i, &room.v);
+            room.rate[i] = rate;
             room.slip[i] = match contact.law {
                 StructureLaw::DisplacementControl { stiffness, .. } => r - force / stiffness,
                 _ => r,

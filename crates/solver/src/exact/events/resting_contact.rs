@@ -38,7 +38,7 @@ pub fn candidates(
     let mut candidates = Vec::new();
     for (contact, state) in states.iter_mut().enumerate() {
         let [r, change] = [0, 1].map(|k| series.contacts[contact].r[k]);
-        match model.structure.contacts[contact].law {
+        match model.contacts[contact].law {
             StructureLaw::RigidStop { .. } => {
                 if r > scales.r(model, contact, series.length) || change > tolerance {
                     state.phase = Phase::Open;
@@ -55,7 +55,7 @@ pub fn candidates(
             _ => continue,
         }
         state.phase = Phase::Closed;
-        let friction = model.structure.contacts[contact].law.kind() == ContactKind::Friction;
+        let friction = model.contacts[contact].law.kind() == ContactKind::Friction;
         candidates.push(RestingContact {
             contact,
             at: [friction, true],
@@ -76,7 +76,7 @@ pub fn stop(model: &Model, candidates: &[RestingContact], u: &mut [f64], v: &mut
             let rate = model.relative(*contact, v);
             model.subtract_force(*contact, rate / flexibility, v);
             if !friction {
-                let r = model.relative(*contact, u) + model.structure.contacts[*contact].gap;
+                let r = model.relative(*contact, u) + model.contacts[*contact].gap;
                 model.subtract_force(*contact, r / flexibility, u);
             }
         }

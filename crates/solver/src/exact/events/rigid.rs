@@ -25,7 +25,7 @@ pub struct Constraints {
 impl Constraints {
     /// The constraints of these phases.
     pub fn new(model: &Model, states: &[ContactState]) -> Result<Constraints, Singular> {
-        let contacts = model.structure.contacts.iter().zip(states).enumerate();
+        let contacts = model.contacts.iter().zip(states).enumerate();
         let closed = contacts
             .filter(|(_, (contact, state))| is_rigid(&contact.law) && state.phase == Phase::Closed);
         let contacts: Vec<usize> = closed.map(|(i, _)| i).collect();
@@ -53,7 +53,7 @@ pub fn impacts(
 ) -> Result<Impacts, Singular> {
     let mut touching = Vec::new();
     let (mut d, mut before) = (Vec::new(), Vec::new());
-    for (i, contact) in model.structure.contacts.iter().enumerate() {
+    for (i, contact) in model.contacts.iter().enumerate() {
         let StructureLaw::RigidStop { restitution } = contact.law else {
             continue;
         };

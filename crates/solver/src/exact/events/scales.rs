@@ -38,26 +38,25 @@ impl Scales {
     /// Takes the motion at a time into account; `forces` are the sums of the absolute values of the forces on each node.
     pub fn include(&mut self, model: &Model, u: &[f64], v: &[f64], series: &Series) {
         let largest = |x: &[f64]| x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        self.displacement = self.displacement.max(largest(u));
-        self.velocity = self.velocity.max(largest(v));
         for (largest, series) in self.limits.iter_mut().zip(&series.contacts) {
             *largest = largest.max(series.limit[0].abs());
         }
-        let mut forces = vec![0.0; u.len()];
-        for (i, force) in forces.iter_mut().enumerate() {
-            let terms = |row: &[(usize, f64)], x: &[f64]| -> f64 {
-                row.iter().map(|(j, value)| (value * x[*j]).abs()).sum()
-            };
-            *force = terms(model.stiffness.row(i), u) + terms(model.damping.row(i), v);
+        if model.modes.is_some() {
+            return self.include_modes(model, u, v, series);
         }
+        self.displacement = self.displacement.max(largest(u));
+        self.velocity = self.velocity.max(largest(v));
+        let mut forces = vec![0.0; u.len()];
+        model.stiffness.add_terms(u, &mut forces);
+        model.damping.add_terms(v, &mut forces);
         for (load, signal) in model.structure.loads.iter().zip(&series.loads) {
             for (node, factor) in &load.pattern {
                 forces[*node] += (factor * signal[0]).abs();
             }
         }
-        for (i, limit) in self.limits.iter().enumerate() {
-            for (node, _) in model.structure.column(i) {
-                forces[node] += limit;
+        for (contact, limit) in model.contacts.iter().zip(&self.limits) {
+            for (node, _) in &contact.along {
+                forces[*node] += limit;
             }
         }
         for (force, w) in forces.iter().zip(&model.inverse_masses) {
@@ -66,9 +65,32 @@ impl Scales {
         }
     }
 
+    /// The same of modes: r, rdot and r'' of the contacts are sums over all modes, and have the round-off of their terms.
+    fn include_modes(&mut self, model: &Model, u: &[f64], v: &[f64], series: &Series) {
+        let mut accelerations = vec![0.0; u.len()];
+        model.stiffness.add_terms(u, &mut accelerations);
+        model.damping.add_terms(v, &mut accelerations);
+        for (pattern, signal) in model.patterns.iter().zip(&series.loads) {
+            pattern.add_terms(signal[0], &mut accelerations);
+        }
+        for (limit, column) in self.limits.iter().zip(&model.columns) {
+            column.add_terms(*limit, &mut accelerations);
+        }
+        for (i, column) in model.columns.iter().enumerate() {
+            self.displacement = self.displacement.max(column.terms(u));
+            self.velocity = self.velocity.max(column.terms(v));
+            let acceleration = column.terms(&accelerations);
+            self.acceleration = self.acceleration.max(acceleration);
+            let flexibility = model.own_flexibility(i);
+            if flexibility > 0.0 {
+                self.force = self.force.max(acceleration / flexibility);
+            }
+        }
+    }
+
     /// Tolerance of r of a contact on a piece of this length.
     pub fn r(&self, model: &Model, contact: usize, length: f64) -> f64 {
-        let gap = model.structure.contacts[contact].gap.abs();
+        let gap = model.contacts[contact].gap.abs();
         TOLERANCE * self.displacement.max(gap) + ROUND_OFF * self.acceleration * length * length
     }
 
@@ -89,10 +111,14 @@ impl Scales {
 
     /// Tolerance of S of a contact on a piece of this length.
     pub fn contact_force(&self, model: &Model, contact: usize, length: f64) -> f64 {
-        let motion = match &model.structure.contacts[contact].law {
+        let motion = match &model.contacts[contact].law {
             StructureLaw::ImpactSpring { stiffness: k }
             | StructureLaw::DisplacementControl { stiffness: k, .. } => {
-                k * self.r(model, contact, length)
+                // Infinite for rigid contacts of nodes without mass that only contacts hold.
+                match model.stiffness_of(contact, *k) {
+                    f64::INFINITY => TOLERANCE * self.force,
+                    k => k * self.r(model, contact, length),
+                }
             }
             StructureLaw::VelocityControl { viscosity, .. } => viscosity * self.rate(length),
             StructureLaw::RigidStop { .. }

@@ -4,12 +4,16 @@
 
 use super::bernstein::{Polynomial, TERMS};
 use super::cholesky::Cholesky;
+use super::flexible::FlexibleSeries;
+use super::kernel::{self, Order};
+use super::matrix::Matrix;
 use super::model::Model;
 use super::phase::{ContactState, Force};
+use super::row::{LANES, Row};
 use super::signals::{self, add_signal};
 
 /// Most terms of u.
-const ORDERS: usize = TERMS + 2;
+pub const ORDERS: usize = TERMS + 2;
 
 /// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
 const FEWEST: usize = 6;
@@ -58,12 +62,14 @@ pub struct Series {
     /// The signals of the loads.
     pub loads: Vec<Polynomial>,
     acceleration: Vec<f64>,
+    /// Contacts at nodes without mass.
+    pub flexible: Option<FlexibleSeries>,
 }
 
 impl Series {
     /// StateBuffers for the motion of a structure.
     pub fn new(model: &Model) -> Series {
-        let nodes = model.structure.len();
+        let nodes = model.len();
         let contact = ContactSeries {
             r: [0.0; ORDERS],
             force: [0.0; TERMS],
@@ -76,9 +82,13 @@ impl Series {
             nodes,
             orders: ORDERS,
             u: vec![0.0; ORDERS * nodes],
-            contacts: vec![contact; model.structure.contacts.len()],
+            contacts: vec![contact; model.contacts.len()],
             loads: vec![[0.0; TERMS]; model.structure.loads.len()],
             acceleration: vec![0.0; nodes],
+            flexible: model
+                .flexible
+                .as_ref()
+                .map(|f| FlexibleSeries::new(f, model.contacts.len())),
         }
     }
 
@@ -97,7 +107,7 @@ impl Series {
             *to = [0.0; TERMS];
             add_signal(&load.signal, 1.0, [start, length], to);
         }
-        for (i, contact) in model.structure.contacts.iter().enumerate() {
+        for (i, contact) in model.contacts.iter().enumerate() {
             let limit = contact.law.limit();
             let series = &mut self.contacts[i];
             (series.r, series.force) = ([0.0; ORDERS], [0.0; TERMS]);
@@ -106,6 +116,7 @@ impl Series {
             series.r[0] = model.relative(i, u) + contact.gap;
             series.r[1] = length * model.relative(i, v);
         }
+        self.begin_flexible(model);
     }
 
     /// All terms from order 0 on. `constraints` are the contacts with [`Force::Constraint`] and the factor of their B^T M^-1 B.
@@ -115,6 +126,9 @@ impl Series {
         states: &[ContactState],
         (constraints, factor): (&[usize], &Cholesky),
     ) {
+        if constraints.is_empty() && self.complete_modes(model, states) {
+            return;
+        }
         let mut forces = vec![0.0; constraints.len()];
         for k in 0..self.orders - 2 {
             self.free_acceleration(k, model, states);
@@ -131,27 +145,79 @@ impl Series {
         }
     }
 
+    /// All terms of modes without constraints and with damping by modes, in one pass for each order; false for others.
+    fn complete_modes(&mut self, model: &Model, states: &[ContactState]) -> bool {
+        let (Matrix::Diagonal(squares), Some(_)) = (&model.stiffness, &model.modes) else {
+            return false;
+        };
+        let damping = match &model.damping {
+            Matrix::Diagonal(damping) => Some(&damping[..]),
+            Matrix::Sparse(rows) if rows.is_zero() => None,
+            Matrix::Sparse(_) | Matrix::Dense(_) => return false,
+        };
+        let mut r = vec![[0.0; LANES]; self.contacts.len()];
+        for k in 0..self.orders - 2 {
+            self.forces(k, model, states);
+            let loads: Vec<(f64, &[f64])> = (model.patterns.iter().zip(&self.loads))
+                .filter(|(_, signal)| signal[k] != 0.0)
+                .map(|(pattern, signal)| (signal[k], pattern.dense()))
+                .collect();
+            let contacts: Vec<(f64, &[f64])> = (model.columns.iter().zip(&self.contacts))
+                .map(|(column, contact)| (contact.force[k], column.dense()))
+                .collect();
+            let n = self.nodes;
+            let (before, next) = self.u.split_at_mut((k + 2) * n);
+            let of = Order {
+                squares,
+                damping,
+                rate: (k + 1) as f64 / self.length,
+                factor: self.length * self.length / ((k + 1) * (k + 2)) as f64,
+                u: [&before[k * n..(k + 1) * n], &before[(k + 1) * n..]],
+                loads: &loads,
+                contacts: &contacts,
+            };
+            kernel::order(&of, &mut next[..n], &mut r);
+            for (series, r) in self.contacts.iter_mut().zip(&r) {
+                series.r[k + 2] = r.iter().sum();
+            }
+            self.advance_flexible(k, model);
+        }
+        true
+    }
+
     /// The acceleration of order k without the forces of constraints.
     pub fn free_acceleration(&mut self, k: usize, model: &Model, states: &[ContactState]) {
-        let (n, structure) = (self.nodes, model.structure);
+        self.forces(k, model, states);
+        let n = self.nodes;
         let a = &mut self.acceleration;
         a.fill(0.0);
-        for (load, signal) in structure.loads.iter().zip(&self.loads) {
+        for (pattern, signal) in model.patterns.iter().zip(&self.loads) {
             if signal[k] != 0.0 {
-                for (node, factor) in &load.pattern {
-                    a[*node] += factor * signal[k];
-                }
+                pattern.add(signal[k], a);
             }
         }
         let at = |k: usize| &self.u[k * n..(k + 1) * n];
-        let rate = (k + 1) as f64 / self.length;
         model.stiffness.subtract_product(1.0, at(k), a);
         if !model.damping.is_zero() {
+            let rate = (k + 1) as f64 / self.length;
             model.damping.subtract_product(rate, at(k + 1), a);
         }
+        for (series, column) in self.contacts.iter().zip(&model.columns) {
+            if series.force[k] != 0.0 {
+                column.add(-series.force[k], a);
+            }
+        }
+        for (a, w) in a.iter_mut().zip(&model.inverse_masses) {
+            *a *= w;
+        }
+    }
+
+    /// The forces of order k without those of constraints.
+    fn forces(&mut self, k: usize, model: &Model, states: &[ContactState]) {
+        let rate = (k + 1) as f64 / self.length;
         for (i, state) in states.iter().enumerate() {
             let series = &mut self.contacts[i];
-            let force = match state.law(&structure.contacts[i].law) {
+            series.force[k] = match state.law(&model.contacts[i].law) {
                 Force::None | Force::Constraint => 0.0,
                 Force::Spring {
                     k: stiffness,
@@ -161,16 +227,8 @@ impl Series {
                 Force::Dashpot { c } => c * rate * series.r[k + 1],
                 Force::Limit(direction) => direction * series.limit[k],
             };
-            series.force[k] = force;
-            if force != 0.0 {
-                for (node, sign) in structure.column(i) {
-                    a[node] -= sign * force;
-                }
-            }
         }
-        for (a, w) in a.iter_mut().zip(&model.inverse_masses) {
-            *a *= w;
-        }
+        self.flexible_forces(k, model, states);
     }
 
     /// r'' of a contact, of the present order.
@@ -194,36 +252,25 @@ impl Series {
         for (i, series) in self.contacts.iter_mut().enumerate() {
             series.r[k + 2] = model.relative(i, next);
         }
+        self.advance_flexible(k, model);
     }
 
     /// u and u' of all nodes at s.
     pub fn motion_at(&self, s: f64, u: &mut [f64], v: &mut [f64]) {
-        u.fill(0.0);
-        v.fill(0.0);
-        for k in (1..self.orders).rev() {
-            let terms = &self.u[k * self.nodes..(k + 1) * self.nodes];
-            let factor = k as f64 / self.length;
-            for ((u, v), term) in u.iter_mut().zip(v.iter_mut()).zip(terms) {
-                *u = (*u + term) * s;
-                *v = *v * s + factor * term;
-            }
-        }
-        for (u, term) in u.iter_mut().zip(&self.u) {
-            *u += term;
-        }
+        kernel::motion(
+            &self.u[..self.orders * self.nodes],
+            [s, self.length],
+            [u, v],
+        );
     }
 
     /// A combination of u.
-    pub fn combine(&self, pattern: &[(usize, f64)]) -> Polynomial {
+    pub fn combine(&self, pattern: &Row) -> Polynomial {
         std::array::from_fn(|k| {
             if k >= self.orders {
                 return 0.0;
             }
-            let row = &self.u[k * self.nodes..];
-            pattern
-                .iter()
-                .map(|(node, factor)| factor * row[*node])
-                .sum()
+            pattern.dot(&self.u[k * self.nodes..(k + 1) * self.nodes])
         })
     }
 

@@ -30,11 +30,14 @@ impl Motion<'_> {
         }
         let (mut review, states) = self.review();
         review.friction(states);
-        let mut contacts = self.model.structure.contacts.iter();
+        let time = self.t;
+        let singular = |Singular| EventsFault::Singular { time };
+        self.series
+            .couple(&self.model, &self.states)
+            .map_err(singular)?;
+        let mut contacts = self.model.contacts.iter();
         if contacts.any(|contact| is_rigid(&contact.law)) {
-            let time = self.t;
-            self.settle_rigid()
-                .map_err(|Singular| EventsFault::Singular { time })?;
+            self.settle_rigid().map_err(singular)?;
         }
         self.length = self.model.piece_length(&self.states);
         for (contact, before) in before.into_iter().enumerate() {
@@ -73,7 +76,7 @@ impl Motion<'_> {
     /// The new phase of the contact of an event, if it is softened.
     fn cross(&mut self, found: &Found) {
         let (series, contact) = (&self.series, found.contact);
-        let rigid = is_rigid(&self.model.structure.contacts[contact].law);
+        let rigid = is_rigid(&self.model.contacts[contact].law);
         if found.crossing == Crossing::Touch && !rigid {
             self.close(series.contacts[contact].r[1] / series.length);
         }

@@ -23,11 +23,16 @@ impl SoftenedPhases<'_> {
         for (i, state) in states.iter_mut().enumerate() {
             let r = self.series.contacts[i].r[0];
             state.origin = r;
-            if let StructureLaw::ImpactSpring { stiffness } = self.model.structure.contacts[i].law
+            if let StructureLaw::ImpactSpring { stiffness } = self.model.contacts[i].law
                 && r < 0.0
             {
                 state.phase = Phase::Closed;
-                state.force = stiffness * r;
+                // Nodes without mass move at once: their forces come with the first piece.
+                state.force = if stiffness.is_finite() {
+                    stiffness * r
+                } else {
+                    0.0
+                };
             }
         }
     }
@@ -36,7 +41,7 @@ impl SoftenedPhases<'_> {
     pub fn cross(&self, found: &Found, states: &mut [ContactState]) {
         let i = found.contact;
         let (series, state) = (&self.series.contacts[i], &mut states[i]);
-        match (&self.model.structure.contacts[i].law, found.crossing) {
+        match (&self.model.contacts[i].law, found.crossing) {
             (StructureLaw::ImpactSpring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
             (StructureLaw::ImpactSpring { .. }, Crossing::Release) => state.phase = Phase::Open,
             (
@@ -55,18 +60,18 @@ impl SoftenedPhases<'_> {
     /// Friction contacts that open or close, or whose limit or rdot has jumped.
     pub fn friction(&mut self, states: &mut [ContactState]) {
         for (i, state) in states.iter_mut().enumerate() {
-            let law = &self.model.structure.contacts[i].law;
+            let law = &self.model.contacts[i].law;
             if law.kind() != ContactKind::Friction {
                 continue;
             }
             if !self.presses(i) {
-                self.drop_force(law, state, 0.0);
+                self.drop_force(i, state, 0.0);
                 state.phase = Phase::Open;
                 continue;
             }
             match law {
                 StructureLaw::DisplacementControl { stiffness, .. } => {
-                    self.displacement_control(i, law, *stiffness, state);
+                    self.displacement_control(i, *stiffness, state);
                 }
                 StructureLaw::VelocityControl { viscosity, .. } => {
                     self.velocity_control(i, *viscosity, state);
@@ -89,13 +94,7 @@ impl SoftenedPhases<'_> {
             .is_some_and(|l| *l > 0.0)
     }
 
-    fn displacement_control(
-        &mut self,
-        i: usize,
-        law: &StructureLaw,
-        k: f64,
-        state: &mut ContactState,
-    ) {
+    fn displacement_control(&mut self, i: usize, k: f64, state: &mut ContactState) {
         let series = &self.series.contacts[i];
         let [r, change] = [series.r[0], k * series.r[1]];
         let limit = series.limit[0].max(0.0);
@@ -110,7 +109,7 @@ impl SoftenedPhases<'_> {
             }
             Phase::Closed | Phase::Sliding(_) => {
                 if state.force.abs() > limit + tolerance {
-                    self.drop_force(law, state, limit);
+                    self.drop_force(i, state, limit);
                     state.phase = Phase::Sliding(1.0_f64.copysign(state.force));
                 } else if state.force.abs() < limit - tolerance && state.phase != Phase::Closed {
                     state.origin = r - state.force / k;
@@ -121,11 +120,12 @@ impl SoftenedPhases<'_> {
     }
 
     /// The friction spring relaxes to a smaller force; S^2/2k falls by the work of the slip.
-    fn drop_force(&mut self, law: &StructureLaw, state: &mut ContactState, limit: f64) {
-        if let StructureLaw::DisplacementControl { stiffness, .. } = law {
+    fn drop_force(&mut self, i: usize, state: &mut ContactState, limit: f64) {
+        if let StructureLaw::DisplacementControl { stiffness, .. } = &self.model.contacts[i].law {
             let force = state.force;
-            self.book
-                .dissipate(0.5 * (force - limit) * (force + limit) / stiffness);
+            self.book.dissipate(
+                0.5 * (force - limit) * (force + limit) / self.model.stiffness_of(i, *stiffness),
+            );
             state.force = limit.copysign(force);
         }
     }

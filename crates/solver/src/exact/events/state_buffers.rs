@@ -1,7 +1,10 @@
 //! StateBuffers for a state.
 
 use super::State;
-use crate::system::structure::Structure;
+use super::bernstein::{Polynomial, slope, value};
+use super::modal::Modes;
+use super::model::Model;
+use super::series::Series;
 
 /// The numbers of a state.
 pub struct StateBuffers {
@@ -11,13 +14,15 @@ pub struct StateBuffers {
     pub rate: Vec<f64>,
     pub force: Vec<f64>,
     pub slip: Vec<f64>,
+    /// Values and rates of the modes.
+    modes: [Vec<f64>; 2],
 }
 
 impl StateBuffers {
     /// Zeros.
-    pub fn new(structure: &Structure) -> StateBuffers {
-        let [u, v] = [(); 2].map(|()| vec![0.0; structure.len()]);
-        let [r, rate, force, slip] = [(); 4].map(|()| vec![0.0; structure.contacts.len()]);
+    pub fn new(model: &Model) -> StateBuffers {
+        let [u, v] = [(); 2].map(|()| vec![0.0; model.structure.len()]);
+        let [r, rate, force, slip] = [(); 4].map(|()| vec![0.0; model.contacts.len()]);
         StateBuffers {
             u,
             v,
@@ -25,6 +30,33 @@ impl StateBuffers {
             rate,
             force,
             slip,
+            modes: [(); 2].map(|()| vec![0.0; model.len()]),
+        }
+    }
+
+    /// u and u' of these nodes at s of a piece of modes.
+    pub fn modes_at(&mut self, modes: &Modes, series: &Series, s: f64, nodes: &[usize]) {
+        let [u, v] = &mut self.modes;
+        series.motion_at(s, u, v);
+        let forces: Vec<Polynomial> = series
+            .contacts
+            .iter()
+            .map(|contact| contact.force)
+            .collect();
+        let plates = series
+            .flexible
+            .as_ref()
+            .map_or(&[][..], |flexible| &flexible.plates);
+        let all = [&series.loads[..], &forces, plates];
+        let values = all.map(|list| list.iter().map(|p| value(p, s)).collect::<Vec<f64>>());
+        let rates = all.map(|list| {
+            list.iter()
+                .map(|p| slope(p, s) / series.length)
+                .collect::<Vec<f64>>()
+        });
+        for node in nodes {
+            self.u[*node] = modes.at(*node, u, values.each_ref().map(|list| &list[..]));
+            self.v[*node] = modes.at(*node, v, rates.each_ref().map(|list| &list[..]));
         }
     }
 

@@ -76,7 +76,7 @@ struct Watched<'a> {
 impl Watched<'_> {
     /// Calls `test` with each event function and its tolerance.
     fn functions(&self, phase: Phase, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
-        let law = &self.model.structure.contacts[self.contact].law;
+        let law = &self.model.contacts[self.contact].law;
         let of = &self.series.contacts[self.contact];
         let (limit, force) = (&of.limit, &of.force);
         let scales = self.scales;

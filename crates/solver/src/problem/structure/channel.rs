@@ -200,6 +200,16 @@ pub enum Number {
     Contact(usize, Quantity),
 }
 
+impl Number {
+    /// The node whose motion it is; `None` for a contact.
+    pub fn node(&self) -> Option<usize> {
+        match self {
+            Number::Displacement(node) | Number::Velocity(node) => Some(*node),
+            Number::Contact(..) => None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,6 +8,7 @@ use crate::methods::Method;
 use crate::solve::Unsolvable;
 use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run};
 use crate::system::structure::{Structure, StructureLaw};
+use std::collections::BTreeSet;
 
 /// Cases side by side.
 pub const LANES: usize = 16;
@@ -153,8 +154,10 @@ pub fn exact(
             series.push(exact_value(structure, times[i], state, *number));
         }
     };
-    let summary = events::run(structure, times, record);
-    summary.map_err(|why| Unsolvable::Reference(why.to_string()))?;
+    let nodes: BTreeSet<usize> = numbers.iter().filter_map(Number::node).collect();
+    let nodes: Vec<usize> = nodes.into_iter().collect();
+    let ended = events::run_of(structure, &nodes, times, record);
+    ended.map_err(|why| Unsolvable::Reference(why.to_string()))?;
     Ok(Recorded::new(numbers, series, times.len()))
 }
 

@@ -91,9 +91,7 @@ impl StructureProblem {
             .filter_map(|source| Some(source.samples(case).ok()?.1))
             .sum();
         let duration = case.at(self.schema.duration).unwrap_or_default();
-        let pieces = events::pieces(&outline, duration).max(points as f64);
-        // Measured: 3 us for a piece of one node, and about 1 us for each further node or contact.
-        pieces * (1500.0 + 500.0 * (outline.len() + outline.contacts.len()) as f64)
+        events::work(&outline, duration, points)
     }
 
     /// The quantities that the metrics with these reductions need.
