@@ -178,7 +178,10 @@ class Recommendation(NamedTuple):
 
 
 def _plain(value: object) -> object:
-    """What JSON has for numbers and arrays of NumPy, and for other mappings and paths."""
+    """What JSON has for numbers and arrays of NumPy, sparse matrices of SciPy, other mappings and paths."""
+    to_coordinates = getattr(value, "tocoo", None)
+    if callable(to_coordinates):
+        return _matrix_market(to_coordinates())
     to_list = getattr(value, "tolist", None)
     if callable(to_list):
         return to_list()
@@ -187,6 +190,16 @@ def _plain(value: object) -> object:
     if isinstance(value, PathLike):
         return fspath(value)
     raise TypeError(f"a study cannot contain {type(value)}")
+
+
+def _matrix_market(matrix: Any) -> str:
+    """The content of a Matrix Market file of a sparse matrix by coordinates."""
+    rows, columns = matrix.shape
+    matrix.sum_duplicates()
+    entries = zip(matrix.row.tolist(), matrix.col.tolist(), matrix.data.tolist(), strict=True)
+    lines = [f"{i + 1} {j + 1} {float(x)!r}" for i, j, x in entries]
+    header = ["%%MatrixMarket matrix coordinate real general", f"{rows} {columns} {len(lines)}"]
+    return "\n".join([*header, *lines])
 
 
 def dumps(value: object) -> str:

@@ -76,13 +76,13 @@ const DIRECTION: (&str, &str) = (
 pub(crate) const MATRICES: Keys = &[
     (
         "M",
-        "file of the mass matrix, or a parameter that chooses one; so for K and C",
+        "file of the mass matrix, a parameter that chooses one, or the content of a file; so for K and C",
     ),
     ("K", "file of the stiffness matrix"),
     ("C", "file of the damping matrix, if there is one"),
     (
         "dofs",
-        "CSV file with the header node,direction and, if wanted, support and X,Y,Z: one row for each row of the matrices",
+        "CSV file with the header node,direction and, if wanted, support and X,Y,Z: one row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]",
     ),
 ];
 

@@ -6,6 +6,7 @@ use super::parts::Part;
 use super::reader::{Reader, open};
 use crate::source::faults::Faults;
 use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::structure::template::{Matrices, Variant};
@@ -30,6 +31,9 @@ pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> 
     parts.iter().filter_map(one).collect()
 }
 
+/// How the content of a Matrix Market file begins.
+const BEGINNING: &str = "%%MatrixMarket";
+
 /// The file of a matrix, and the row of the parameter that chooses it.
 type File = (Option<usize>, &'static str, Arc<Symmetric>);
 
@@ -47,18 +51,27 @@ fn variants(
     let dofs = object.need("dofs", meaning("dofs"), faults);
     let dofs = dofs.and_then(|node| {
         let path = object.path("dofs");
+        if let Tree::List(rows) = &node.tree {
+            return inline(&listed(rows), (node, &path), faults, Dofs::parse);
+        }
         let file = text(node, &path, faults)?;
         files::read(&file, (node, &path), LARGEST, reader, faults, Dofs::parse)
     });
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
         let path = object.path(key);
+        let parse = |bytes: &[u8]| checked(Matrix::parse(bytes)?, name, key, dofs.as_ref());
+        if let Tree::Text(content) = &node.tree
+            && content.starts_with(BEGINNING)
+        {
+            let matrix = inline(content, (node, &path), faults, parse)?;
+            return Some(vec![(None, "", Arc::new(matrix))]);
+        }
         let given = text(node, &path, faults)?;
         let (row, names) = match reader.choices(&given) {
             Some((row, names)) => (Some(row), names.iter().map(|file| file.0).collect()),
             None => (None, vec![interned(&given)]),
         };
-        let parse = |bytes: &[u8]| checked(Matrix::parse(bytes)?, name, key, dofs.as_ref());
         let before = faults.count();
         let files = names.into_iter().filter_map(|file| {
             let matrix = files::read(file, (node, &path), LARGEST, reader, faults, parse)?;
@@ -93,6 +106,42 @@ fn variants(
         }
     }
     Some(variants)
+}
+
+/// The content of a file that stands in the study itself, as notebooks give it.
+fn inline<T>(
+    content: &str,
+    (node, path): (&Node, &str),
+    faults: &mut Faults,
+    parse: impl FnOnce(&[u8]) -> Result<T, ImportFault>,
+) -> Option<T> {
+    let parsed = parse(content.as_bytes());
+    parsed
+        .map_err(|why| faults.add(node.at, path, why.to_string()))
+        .ok()
+}
+
+/// The text of a file of rows from lists of node and direction, or of node, direction, X, Y and Z.
+fn listed(rows: &[Node]) -> String {
+    let cell = |node: &Node| match &node.tree {
+        Tree::Text(text) => text.clone(),
+        Tree::Number(number) => number.clone(),
+        _ => String::new(),
+    };
+    let row = |node: &Node| match &node.tree {
+        Tree::List(cells) => cells.iter().map(cell).collect::<Vec<_>>().join(","),
+        _ => String::new(),
+    };
+    let places = rows
+        .first()
+        .is_some_and(|first| matches!(&first.tree, Tree::List(cells) if cells.len() == 5));
+    let header = if places {
+        "node,direction,X,Y,Z"
+    } else {
+        "node,direction"
+    };
+    let lines = std::iter::once(header.to_owned()).chain(rows.iter().map(row));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// A matrix that fits the rows and has no negative pivot.

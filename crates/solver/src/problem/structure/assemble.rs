@@ -121,7 +121,9 @@ fn draft(
     draft.matrices();
     draft.springs();
     draft.contacts();
-    massless::hold(&mut draft.structure);
+    if draft.is_built() {
+        massless::hold(&mut draft.structure);
+    }
     draft.rayleigh();
     draft.loads();
     draft.start();
