@@ -176,6 +176,7 @@ pages! {
     conventions "docs/conventions.md",
     errata "docs/errata.md",
     findings "docs/findings.md",
+    findings_blocks "docs/findings-blocks.md",
     findings_friction "docs/findings-friction.md",
     findings_laws "docs/findings-laws.md",
     findings_structures "docs/findings-structures.md",
