@@ -44,7 +44,7 @@ fn imported(name: &str, object: &Object, reader: &Reader, faults: &mut Faults) -
             LARGEST,
             reader,
             faults,
-            Dofs::parse,
+            |bytes| supported(Dofs::parse(bytes)?, reader),
         )
     });
     let of_file = |key: &str, faults: &mut Faults| -> Option<Symmetric> {
@@ -64,6 +64,36 @@ fn imported(name: &str, object: &Object, reader: &Reader, faults: &mut Faults) -
         stiffness: stiffness?,
         damping,
         dofs: dofs?,
+    })
+}
+
+/// Rows whose supports the study gives.
+fn supported(dofs: Dofs, reader: &Reader) -> Result<Dofs, ImportFault> {
+    let given = &reader.names.supports;
+    let is_given = |support: usize| {
+        let name = &dofs.supports[support];
+        given.iter().any(|own| own.0 == *name)
+    };
+    let mut rows = dofs.rows().iter();
+    let unknown = rows.find_map(|dof| Some((dof, dof.support.filter(|own| !is_given(*own))?)));
+    let Some((dof, support)) = unknown else {
+        return Ok(dofs);
+    };
+    let names: Vec<&str> = given.iter().map(|own| own.0.as_str()).collect();
+    let message = match names.is_empty() {
+        true => format!(
+            "the study has no \"supports\", which give the motion of support {}",
+            dofs.supports[support]
+        ),
+        false => format!(
+            "no support {} under \"supports\"; there are {}",
+            dofs.supports[support],
+            names.join(", ")
+        ),
+    };
+    Err(ImportFault {
+        line: dof.line,
+        message,
     })
 }
 

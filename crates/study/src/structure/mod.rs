@@ -11,6 +11,7 @@ mod names;
 mod parts;
 mod reader;
 mod records;
+mod supports;
 #[cfg(test)]
 mod tests;
 
@@ -23,6 +24,7 @@ use reader::{Reader, named, open};
 use slipgap_solver::problem::Problem;
 use slipgap_solver::problem::structure::StructureProblem;
 use slipgap_solver::problem::structure::names::Names;
+use slipgap_solver::problem::structure::rows::Rows;
 use slipgap_solver::problem::structure::schema::{self, Named};
 use slipgap_solver::problem::structure::template::{
     DampingStiffness, Matrices, Reference, Template,
@@ -54,6 +56,11 @@ pub(super) fn problem(
     let bars = parts("bars", "bar", faults);
     let of_matrices = parts("matrices", "model", faults);
     let contacts = parts("contacts", "contact", faults);
+    let of_supports = parts("supports", "support", faults);
+    supports::refuse_ground(&object, faults);
+    let directions = of_supports.iter();
+    let directions = directions.map(|(name, node, _)| (name.clone(), supports::directions(node)));
+    let directions: Vec<_> = directions.collect();
     if masses.is_empty() && bars.is_empty() && of_matrices.is_empty() && faults.count() == before {
         object.fault("has no node; give masses, bars or matrices", faults);
     }
@@ -65,7 +72,8 @@ pub(super) fn problem(
             masses.iter().map(name).collect(),
             bars.iter().map(name).collect(),
             Vec::new(),
-        ),
+        )
+        .with_supports(directions.clone()),
         metre,
         folder,
         used: Default::default(),
@@ -79,7 +87,7 @@ pub(super) fn problem(
         return None;
     }
     let (masses_named, bars_named) = (reader.names.masses, reader.names.bars);
-    reader.names = Names::new(masses_named, bars_named, imported.clone());
+    reader.names = Names::new(masses_named, bars_named, imported.clone()).with_supports(directions);
     let reader = reader;
     let matrices = imported.into_iter();
     let template = Template {
@@ -88,7 +96,15 @@ pub(super) fn problem(
         masses: parts::masses(&masses, &reader, faults),
         bars: parts::bars(&bars, &reader, faults),
         matrices: matrices
-            .map(|(name, imported)| Matrices { name, imported })
+            .map(|(name, imported)| {
+                let motion = |support: &str, direction| reader.names.motion(support, direction);
+                let rows = Arc::new(Rows::new(&imported.dofs, motion));
+                Matrices {
+                    name,
+                    imported,
+                    rows,
+                }
+            })
             .collect(),
         springs: object.items("springs", faults, |node, path, faults| {
             parts::spring(node, path, &reader, faults)
@@ -106,6 +122,7 @@ pub(super) fn problem(
             loads::load(node, path, &reader, faults)
         }),
         ground: loads::ground(&object, &reader, faults),
+        supports: supports::supports(&of_supports, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
     };

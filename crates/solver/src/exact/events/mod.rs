@@ -10,6 +10,7 @@ mod bernstein;
 mod book;
 mod cholesky;
 mod fault;
+mod gaps;
 mod least;
 mod model;
 mod motion;
@@ -43,7 +44,7 @@ use state_buffers::StateBuffers;
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State<'a> {
-    /// u of each node.
+    /// u of each node; with supports that move, the rest w.
     pub u: &'a [f64],
     /// u' of each node.
     pub v: &'a [f64],
@@ -115,6 +116,7 @@ pub struct Summary {
 ///     loads: Vec::new(),
 ///     displacement: vec![0.0],
 ///     velocity: vec![2.0],
+///     supports: Vec::new(),
 /// };
 /// let mut u = 0.0;
 /// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;

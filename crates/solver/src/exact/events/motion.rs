@@ -199,10 +199,14 @@ impl<'a> Motion<'a> {
         self.series.motion_at(s, &mut room.u, &mut room.v);
         for (i, contact) in self.model.structure.contacts.iter().enumerate() {
             let force = bernstein::value(&self.series.contacts[i].force, s);
-            let r = self.model.relative(i, &room.u) + contact.gap;
+            let mut r = self.model.relative(i, &room.u) + contact.gap;
+            let mut rate = self.model.relative(i, &room.v);
+            if let Some([gap, of_gap]) = self.series.gaps.at(i, s) {
+                (r, rate) = (r + gap, rate + of_gap);
+            }
             room.force[i] = force;
             room.r[i] = r;
-            room.rate[i] = self.model.relative(i, &room.v);
+            room.rate[i] = rate;
             room.slip[i] = match contact.law {
                 StructureLaw::DisplacementControl { stiffness, .. } => r - force / stiffness,
                 _ => r,

@@ -4,12 +4,13 @@
 
 use super::bernstein::{Polynomial, TERMS};
 use super::cholesky::Cholesky;
+use super::gaps::Gaps;
 use super::model::Model;
 use super::phase::{ContactState, Force};
 use super::signals::{self, add_signal};
 
 /// Most terms of u.
-const ORDERS: usize = TERMS + 2;
+pub const ORDERS: usize = TERMS + 2;
 
 /// Terms of a motion without stiffness: a load that is straight in time gives a cubic.
 const FEWEST: usize = 6;
@@ -58,6 +59,10 @@ pub struct Series {
     /// The signals of the loads.
     pub loads: Vec<Polynomial>,
     acceleration: Vec<f64>,
+    /// The order of this acceleration.
+    order: usize,
+    /// What supports move the gaps.
+    pub gaps: Gaps,
 }
 
 impl Series {
@@ -79,6 +84,8 @@ impl Series {
             contacts: vec![contact; model.structure.contacts.len()],
             loads: vec![[0.0; TERMS]; model.structure.loads.len()],
             acceleration: vec![0.0; nodes],
+            order: 0,
+            gaps: Gaps::default(),
         }
     }
 
@@ -105,6 +112,11 @@ impl Series {
                 limit.map_or([0.0; TERMS], |limit| signals::limit(limit, [start, length]));
             series.r[0] = model.relative(i, u) + contact.gap;
             series.r[1] = length * model.relative(i, v);
+        }
+        self.gaps.begin(model.structure, [start, length]);
+        for k in 0..2 {
+            let contacts = &mut self.contacts;
+            self.gaps.add_order(k, |i, term| contacts[i].r[k] += term);
         }
     }
 
@@ -134,6 +146,7 @@ impl Series {
     /// The acceleration of order k without the forces of constraints.
     pub fn free_acceleration(&mut self, k: usize, model: &Model, states: &[ContactState]) {
         let (n, structure) = (self.nodes, model.structure);
+        self.order = k;
         let a = &mut self.acceleration;
         a.fill(0.0);
         for (load, signal) in structure.loads.iter().zip(&self.loads) {
@@ -175,7 +188,11 @@ impl Series {
 
     /// r'' of a contact, of the present order.
     pub fn relative_acceleration(&self, contact: usize, model: &Model) -> f64 {
-        model.relative(contact, &self.acceleration)
+        let of_nodes = model.relative(contact, &self.acceleration);
+        match self.gaps.acceleration(contact, self.order) {
+            None => of_nodes,
+            Some(of_gap) => of_nodes + of_gap,
+        }
     }
 
     /// Applies the force of a constraint, of order k.
@@ -194,6 +211,9 @@ impl Series {
         for (i, series) in self.contacts.iter_mut().enumerate() {
             series.r[k + 2] = model.relative(i, next);
         }
+        let contacts = &mut self.contacts;
+        self.gaps
+            .add_order(k + 2, |i, term| contacts[i].r[k + 2] += term);
     }
 
     /// u and u' of all nodes at s.
