@@ -38,6 +38,7 @@ impl Units {
             Dimension::Time => self.time.clone(),
             Dimension::Length => self.length.clone(),
             Dimension::Velocity => format!("{}{over}{}", self.length, self.time),
+            Dimension::Acceleration => format!("{}{over}{}2", self.length, self.time),
             Dimension::Force => self.force.clone(),
         }
     }

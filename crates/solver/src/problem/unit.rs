@@ -11,6 +11,8 @@ pub enum Dimension {
     Length,
     /// A length over a time.
     Velocity,
+    /// A length over a time squared.
+    Acceleration,
     /// A force.
     Force,
 }

@@ -170,6 +170,7 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "contacts" => named(contact.clone()),
         "loads" => json!({ "type": "array", "items": load() }),
         "ground" => function.clone(),
+        "supports" => named(support(function)),
         "start" => named(all_numbers(keys::START, &[])),
         "contacts_reference" => json!({ "enum": keys::REFERENCES }),
         "damping_stiffness" => {
@@ -179,6 +180,28 @@ fn structure(function: &Json, contact: &Json) -> Json {
         _ => any(),
     };
     described(keys::STRUCTURE, value, &[])
+}
+
+/// A support: a function of time in x, or one in each direction, with its delay.
+fn support(function: &Json) -> Json {
+    let mut schema = described(keys::FUNCTION, function_value, &[]);
+    let directions = described(keys::GROUND, |_| function.clone(), &[]);
+    let own = described(
+        keys::SUPPORT,
+        |key| match key {
+            "baseline" => json!({ "enum": keys::BASELINES }),
+            _ => any(),
+        },
+        &[],
+    );
+    for more in [directions, own] {
+        if let (Json::Object(to), Json::Object(from)) =
+            (&mut schema["properties"], &more["properties"])
+        {
+            to.extend(from.clone());
+        }
+    }
+    schema
 }
 
 /// The name of a metric.
@@ -299,8 +322,13 @@ pub(super) fn reference() -> String {
     text += &table("`ricker`:", keys::RICKER);
     text += &table("`cosine`:", keys::COSINE);
     text += &table("`synthetic`:", keys::SYNTHETIC);
+    text += &table(
+        "A support has the keys of a function of time, its acceleration in x, or accelerations by direction:",
+        keys::GROUND,
+    );
+    text += &table("Both have:", keys::SUPPORT);
     text += &table("`start`, for each node or bar:", keys::START);
-    text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, the following of a contact, and sums and differences such as \
+    text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, also of supports, `.a` of supports, the following of a contact, and sums and differences such as \
              `g1.right - p2`:\n";
     text += &table("`CONTACT.` and one of:", &QUANTITIES);
     text += "\nHistory figures and curves draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \

@@ -54,6 +54,10 @@ pub(crate) const STRUCTURE: Keys = &[
         "acceleration of the ground in x, or an object with accelerations in x, y and z; u is then relative to the ground",
     ),
     (
+        "supports",
+        "supports with motions of their own, by name: an acceleration in x, or an object with accelerations in x, y and z; each is a node NAME, NAME.x, NAME.y, NAME.z, and u is then absolute",
+    ),
+    (
         "start",
         "displacement and velocity at t = 0 of nodes, of all nodes of a bar, or of all nodes of matrices in a direction, such as tower.x",
     ),
@@ -91,6 +95,21 @@ pub(crate) const GROUND: Keys = &[
     ("x", "acceleration in x"),
     ("y", "acceleration in y"),
     ("z", "acceleration in z"),
+];
+
+/// Names of the baselines of supports.
+pub(crate) const BASELINES: [&str; 1] = ["linear"];
+
+/// Keys of a support besides those of a function, or of the directions.
+pub(crate) const SUPPORT: Keys = &[
+    (
+        "delay",
+        "time >= 0 by which all of the motion is later; the support is at rest before",
+    ),
+    (
+        "baseline",
+        "\"linear\" removes the mean slope of the velocity up to the end of the function, after which the support moves no more",
+    ),
 ];
 
 /// Keys of a bar.

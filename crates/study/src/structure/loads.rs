@@ -92,7 +92,8 @@ const OF_RECORDS: [(&str, &str); 2] = [
     ("mean", "only the mean of a record is removed or kept"),
 ];
 
-fn function(
+/// The function of an object, whose other keys belong to something else.
+pub(super) fn function(
     object: &Object,
     at: usize,
     path: &str,

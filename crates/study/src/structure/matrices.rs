@@ -9,6 +9,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::interned;
+use slipgap_solver::problem::structure::rows::Rows;
 use slipgap_solver::problem::structure::template::{Matrices, Variant};
 use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix};
 use slipgap_solver::system::structure::Symmetric;
@@ -22,9 +23,12 @@ pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> 
     let one = |(name, node, path): &Part| {
         let object = open(node, path, MATRICES, faults)?;
         let variants = variants(name, &object, reader, faults)?;
+        let imported = variants.first()?.1.clone();
+        let motion = |support: &str, direction| reader.names.motion(support, direction);
         Some(Matrices {
             name: name.clone(),
-            imported: variants.first()?.1.clone(),
+            rows: Arc::new(Rows::new(&imported.dofs, motion)),
+            imported,
             variants,
         })
     };
@@ -51,11 +55,12 @@ fn variants(
     let dofs = object.need("dofs", meaning("dofs"), faults);
     let dofs = dofs.and_then(|node| {
         let path = object.path("dofs");
+        let parse = |bytes: &[u8]| supported(Dofs::parse(bytes)?, reader);
         if let Tree::List(rows) = &node.tree {
-            return inline(&listed(rows), (node, &path), faults, Dofs::parse);
+            return inline(&listed(rows), (node, &path), faults, parse);
         }
         let file = text(node, &path, faults)?;
-        files::read(&file, (node, &path), LARGEST, reader, faults, Dofs::parse)
+        files::read(&file, (node, &path), LARGEST, reader, faults, parse)
     });
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
@@ -142,6 +147,36 @@ fn listed(rows: &[Node]) -> String {
     };
     let lines = std::iter::once(header.to_owned()).chain(rows.iter().map(row));
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Rows whose supports the study gives.
+fn supported(dofs: Dofs, reader: &Reader) -> Result<Dofs, ImportFault> {
+    let given = &reader.names.supports;
+    let is_given = |support: usize| {
+        let name = &dofs.supports[support];
+        given.iter().any(|own| own.0 == *name)
+    };
+    let mut rows = dofs.rows().iter();
+    let unknown = rows.find_map(|dof| Some((dof, dof.support.filter(|own| !is_given(*own))?)));
+    let Some((dof, support)) = unknown else {
+        return Ok(dofs);
+    };
+    let names: Vec<&str> = given.iter().map(|own| own.0.as_str()).collect();
+    let message = match names.is_empty() {
+        true => format!(
+            "the study has no \"supports\", which give the motion of support {}",
+            dofs.supports[support]
+        ),
+        false => format!(
+            "no support {} under \"supports\"; there are {}",
+            dofs.supports[support],
+            names.join(", ")
+        ),
+    };
+    Err(ImportFault {
+        line: dof.line,
+        message,
+    })
 }
 
 /// A matrix that fits the rows and has no negative pivot.

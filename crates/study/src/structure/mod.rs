@@ -11,6 +11,7 @@ mod names;
 mod parts;
 mod reader;
 mod records;
+mod supports;
 #[cfg(test)]
 mod tests;
 
@@ -52,6 +53,11 @@ pub(super) fn problem(
     let bars = parts("bars", "bar", faults);
     let of_matrices = parts("matrices", "model", faults);
     let contacts = parts("contacts", "contact", faults);
+    let of_supports = parts("supports", "support", faults);
+    supports::refuse_ground(&object, faults);
+    let directions = of_supports.iter();
+    let directions = directions.map(|(name, node, _)| (name.clone(), supports::directions(node)));
+    let directions: Vec<_> = directions.collect();
     if masses.is_empty() && bars.is_empty() && of_matrices.is_empty() && faults.count() == before {
         object.fault("has no node; give masses, bars or matrices", faults);
     }
@@ -63,7 +69,8 @@ pub(super) fn problem(
             masses.iter().map(name).collect(),
             bars.iter().map(name).collect(),
             Vec::new(),
-        ),
+        )
+        .with_supports(directions.clone()),
         metre,
         folder,
         used: Default::default(),
@@ -80,7 +87,7 @@ pub(super) fn problem(
     let named = imported
         .iter()
         .map(|own| (own.name.clone(), own.imported.clone()));
-    reader.names = Names::new(masses_named, bars_named, named.collect());
+    reader.names = Names::new(masses_named, bars_named, named.collect()).with_supports(directions);
     let reader = reader;
     let template = Template {
         units,
@@ -104,6 +111,7 @@ pub(super) fn problem(
             loads::load(node, path, &reader, faults)
         }),
         ground: loads::ground(&object, &reader, faults),
+        supports: supports::supports(&of_supports, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
     };

@@ -130,7 +130,8 @@ impl Reader<'_> {
         let ends = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
         let ends: Vec<String> = ends.collect();
         let masses = self.names.masses.iter().map(String::as_str);
-        let known = ["ground"].into_iter().chain(masses);
+        let supports = self.names.supports.iter().map(|own| own.0.as_str());
+        let known = ["ground"].into_iter().chain(supports).chain(masses);
         let known: Vec<&str> = known.chain(ends.iter().map(String::as_str)).collect();
         unknown("node", name, &known)
     }
@@ -152,6 +153,11 @@ impl Reader<'_> {
                 return None;
             }
             return Some(Moved::Rows(matrices, direction));
+        }
+        if self.names.is_support(name) {
+            let message = "a support moves as \"supports\" says";
+            faults.add(at, path, message);
+            return None;
         }
         let name = self.named_node(name, at, path, faults)?;
         if name.node == NodeRef::Ground {

@@ -47,6 +47,11 @@ impl Book {
         self.dissipated += energy;
     }
 
+    /// Adds work of the supports.
+    pub fn add_work(&mut self, work: f64) {
+        self.work += work;
+    }
+
     /// Adds the work on 0..=s of a piece.
     pub fn add_piece(&mut self, model: &Model, series: &Series, states: &[ContactState], s: f64) {
         let rule = if series.phase > SHORT { TEN } else { FIVE };
@@ -75,6 +80,13 @@ impl Book {
         self.work += series.flexible_work(model, &points);
         for (i, state) in states.iter().enumerate() {
             self.dissipated += contact_work(model, series, i, state, &points);
+            if let Some(gap) = series.gaps.polynomial(i) {
+                let force = &series.contacts[i].force;
+                let terms = points
+                    .iter()
+                    .map(|[s, w]| w * value(force, *s) * slope(&gap, *s));
+                self.work += terms.sum::<f64>();
+            }
         }
     }
 

@@ -43,6 +43,8 @@ pub enum EventsFault {
     },
     /// M is not positive definite, or M or K is not finite.
     Mass,
+    /// Supports move, and a contact is at a node without mass.
+    MasslessSupports,
     /// A node without mass has damping, or mass that couples it.
     MasslessDamping {
         /// Name of the node.
@@ -99,6 +101,10 @@ impl fmt::Display for EventsFault {
             EventsFault::Mass => write!(
                 f,
                 "the exact motion needs a mass matrix that is positive definite for the nodes with mass, and matrices of finite numbers"
+            ),
+            EventsFault::MasslessSupports => write!(
+                f,
+                "the exact motion has no supports that move where a contact is at a node without mass; give the node a mass"
             ),
             EventsFault::MasslessDamping { node } => write!(
                 f,

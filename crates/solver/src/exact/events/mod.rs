@@ -13,6 +13,7 @@ mod cholesky;
 mod fault;
 mod flexible;
 mod flexible_pieces;
+mod gaps;
 mod kernel;
 mod least;
 mod matrix;
@@ -50,7 +51,7 @@ use state_buffers::StateBuffers;
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State<'a> {
-    /// u of each node.
+    /// u of each node; with supports that move, the rest w.
     pub u: &'a [f64],
     /// u' of each node.
     pub v: &'a [f64],
@@ -122,6 +123,7 @@ pub struct Summary {
 ///     loads: Vec::new(),
 ///     displacement: vec![0.0],
 ///     velocity: vec![2.0],
+///     supports: Vec::new(),
 /// };
 /// let mut u = 0.0;
 /// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;

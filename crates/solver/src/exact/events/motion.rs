@@ -211,10 +211,12 @@ impl<'a> Motion<'a> {
         for (i, contact) in self.model.contacts.iter().enumerate() {
             let force = bernstein::value(&self.series.contacts[i].force, s);
             let [r, rate] = match &self.model.modes {
-                None => [
-                    self.model.relative(i, &room.u) + contact.gap,
-                    self.model.relative(i, &room.v),
-                ],
+                None => {
+                    let [gap, of_gap] = self.series.gaps.at(i, s).unwrap_or_default();
+                    let r = self.model.relative(i, &room.u) + contact.gap;
+                    [r + gap, self.model.relative(i, &room.v) + of_gap]
+                }
+                // Their series contain what supports move.
                 Some(_) => self.series.relative_at(i, s),
             };
             room.force[i] = force;

@@ -1,5 +1,6 @@
 //! Rigid contacts that do not move.
 
+use super::gaps::Gaps;
 use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
@@ -66,17 +67,24 @@ pub fn candidates(
 }
 
 /// Sets rdot of the candidates to 0, and r of stops. They are round-off, so that two passes over the contacts suffice.
-pub fn stop(model: &Model, candidates: &[RestingContact], u: &mut [f64], v: &mut [f64]) {
+pub fn stop(
+    model: &Model,
+    gaps: &Gaps,
+    candidates: &[RestingContact],
+    u: &mut [f64],
+    v: &mut [f64],
+) {
     for RestingContact {
         contact, friction, ..
     } in candidates.iter().chain(candidates)
     {
         let flexibility = model.flexibility(&[*contact])[0];
         if flexibility > 0.0 {
-            let rate = model.relative(*contact, v);
+            let [moved, moving] = gaps.at(*contact, 0.0).unwrap_or_default();
+            let rate = model.relative(*contact, v) + moving;
             model.subtract_force(*contact, rate / flexibility, v);
             if !friction {
-                let r = model.relative(*contact, u) + model.contacts[*contact].gap;
+                let r = model.relative(*contact, u) + (model.contacts[*contact].gap + moved);
                 model.subtract_force(*contact, r / flexibility, u);
             }
         }

@@ -51,6 +51,7 @@ pub fn impacts(
     book: &mut Book,
     v: &mut [f64],
 ) -> Result<Impacts, Singular> {
+    let gap_rate = |i: usize| series.gaps.at(i, 0.0).map_or(0.0, |[_, rate]| rate);
     let mut touching = Vec::new();
     let (mut d, mut before) = (Vec::new(), Vec::new());
     for (i, contact) in model.contacts.iter().enumerate() {
@@ -58,7 +59,7 @@ pub fn impacts(
             continue;
         };
         if series.contacts[i].r[0] <= scales.r(model, i, series.length) {
-            let rate = model.relative(i, v);
+            let rate = model.relative(i, v) + gap_rate(i);
             let e = if rate < -SHUT * scales.velocity {
                 restitution
             } else {
@@ -88,7 +89,9 @@ pub fn impacts(
         model.subtract_force(*i, *impulse, v);
     }
     for ((i, impulse), before) in touching.iter().zip(&impulses).zip(&before) {
-        book.dissipate(0.5 * impulse * (before + model.relative(*i, v)));
+        let moved = gap_rate(*i);
+        book.dissipate(0.5 * impulse * (before + (model.relative(*i, v) + moved)));
+        book.add_work(impulse * moved);
     }
     let closing = touching.into_iter().zip(before);
     Ok(closing.filter(|(_, rate)| *rate < -tolerance).collect())

@@ -34,7 +34,7 @@ pub fn determine_rigid_phases(
     if candidates.is_empty() {
         return Ok(());
     }
-    stop(model, &candidates, u, v);
+    stop(model, &series.gaps, &candidates, u, v);
     series.begin(model, [series.start, series.length, series.phase], [u, v]);
     for order in 0..ORDERS {
         series.free_acceleration(order, model, states);

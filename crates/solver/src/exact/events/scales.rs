@@ -38,6 +38,15 @@ impl Scales {
     /// Takes the motion at a time into account; `forces` are the sums of the absolute values of the forces on each node.
     pub fn include(&mut self, model: &Model, u: &[f64], v: &[f64], series: &Series) {
         let largest = |x: &[f64]| x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for i in 0..series.contacts.len() {
+            if let Some([gap, rate]) = series.gaps.at(i, 0.0) {
+                self.displacement = self.displacement.max(gap.abs());
+                self.velocity = self.velocity.max(rate.abs());
+            }
+            if let Some(of_gap) = series.gaps.acceleration(i, 0) {
+                self.acceleration = self.acceleration.max(of_gap.abs());
+            }
+        }
         for (largest, series) in self.limits.iter_mut().zip(&series.contacts) {
             *largest = largest.max(series.limit[0].abs());
         }

@@ -5,6 +5,7 @@
 use super::bernstein::{Polynomial, TERMS};
 use super::cholesky::Cholesky;
 use super::flexible::FlexibleSeries;
+use super::gaps::Gaps;
 use super::kernel::{self, Order};
 use super::matrix::Matrix;
 use super::model::Model;
@@ -64,6 +65,10 @@ pub struct Series {
     acceleration: Vec<f64>,
     /// Contacts at nodes without mass.
     pub flexible: Option<FlexibleSeries>,
+    /// The order of this acceleration.
+    order: usize,
+    /// What supports move the gaps.
+    pub gaps: Gaps,
 }
 
 impl Series {
@@ -89,6 +94,8 @@ impl Series {
                 .flexible
                 .as_ref()
                 .map(|f| FlexibleSeries::new(f, model.contacts.len())),
+            order: 0,
+            gaps: Gaps::default(),
         }
     }
 
@@ -115,6 +122,11 @@ impl Series {
                 limit.map_or([0.0; TERMS], |limit| signals::limit(limit, [start, length]));
             series.r[0] = model.relative(i, u) + contact.gap;
             series.r[1] = length * model.relative(i, v);
+        }
+        self.gaps.begin(model.structure, [start, length]);
+        for k in 0..2 {
+            let contacts = &mut self.contacts;
+            self.gaps.add_order(k, |i, term| contacts[i].r[k] += term);
         }
         self.begin_flexible(model);
     }
@@ -180,6 +192,9 @@ impl Series {
             for (series, r) in self.contacts.iter_mut().zip(&r) {
                 series.r[k + 2] = r.iter().sum();
             }
+            let contacts = &mut self.contacts;
+            self.gaps
+                .add_order(k + 2, |i, term| contacts[i].r[k + 2] += term);
             self.advance_flexible(k, model);
         }
         true
@@ -187,6 +202,7 @@ impl Series {
 
     /// The acceleration of order k without the forces of constraints.
     pub fn free_acceleration(&mut self, k: usize, model: &Model, states: &[ContactState]) {
+        self.order = k;
         self.forces(k, model, states);
         let n = self.nodes;
         let a = &mut self.acceleration;
@@ -233,7 +249,11 @@ impl Series {
 
     /// r'' of a contact, of the present order.
     pub fn relative_acceleration(&self, contact: usize, model: &Model) -> f64 {
-        model.relative(contact, &self.acceleration)
+        let of_nodes = model.relative(contact, &self.acceleration);
+        match self.gaps.acceleration(contact, self.order) {
+            None => of_nodes,
+            Some(of_gap) => of_nodes + of_gap,
+        }
     }
 
     /// Applies the force of a constraint, of order k.
@@ -252,6 +272,9 @@ impl Series {
         for (i, series) in self.contacts.iter_mut().enumerate() {
             series.r[k + 2] = model.relative(i, next);
         }
+        let contacts = &mut self.contacts;
+        self.gaps
+            .add_order(k + 2, |i, term| contacts[i].r[k + 2] += term);
         self.advance_flexible(k, model);
     }
 

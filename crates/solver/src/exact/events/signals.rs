@@ -30,6 +30,15 @@ pub fn add_signal(signal: &Signal, factor: f64, [start, length]: [f64; 2], to: &
                 to[1] += factor * slope * length;
             }
         }
+        Signal::Motion(motion, quantity) => {
+            let u: [f64; TERMS + 2] = motion.taylor([start, length]);
+            // Differentiated once for v, twice for a.
+            let order = *quantity as usize;
+            for (k, to) in to.iter_mut().enumerate() {
+                let factors = (k + 1..=k + order).map(|i| i as f64 / length);
+                *to += factor * factors.fold(u[k + order], |u, i| u * i);
+            }
+        }
     }
 }
 
@@ -60,9 +69,13 @@ fn signals(structure: &Structure) -> impl Iterator<Item = &Signal> {
 pub fn points(structure: &Structure) -> Vec<f64> {
     let tables = signals(structure).filter_map(|signal| match signal {
         Signal::Table(table) => Some(table.times()),
-        Signal::Sine { .. } => None,
+        // Those of supports follow.
+        Signal::Sine { .. } | Signal::Motion(..) => None,
     });
-    let mut times: Vec<f64> = tables.flatten().copied().filter(|t| *t > 0.0).collect();
+    let of_supports = structure.supports.iter();
+    let of_supports = of_supports.flat_map(|support| support.motion.points());
+    let all = tables.flatten().copied().chain(of_supports);
+    let mut times: Vec<f64> = all.filter(|t| *t > 0.0).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
@@ -72,7 +85,9 @@ pub fn points(structure: &Structure) -> Vec<f64> {
 pub fn fastest(structure: &Structure) -> f64 {
     let frequencies = signals(structure).map(|signal| match signal {
         Signal::Sine { omega, .. } => omega.abs(),
-        Signal::Table(_) => 0.0,
+        Signal::Table(_) | Signal::Motion(..) => 0.0,
     });
-    frequencies.fold(0.0, f64::max)
+    let of_supports = structure.supports.iter();
+    let of_supports = of_supports.map(|support| support.motion.omega().abs());
+    frequencies.chain(of_supports).fold(0.0, f64::max)
 }

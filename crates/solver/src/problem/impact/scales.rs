@@ -39,6 +39,7 @@ impl Scales {
             Dimension::Time => self.time,
             Dimension::Length => 0.5 * self.speed * self.time,
             Dimension::Velocity => self.speed,
+            Dimension::Acceleration => self.speed / self.time,
             Dimension::Force => self.force,
         }
     }

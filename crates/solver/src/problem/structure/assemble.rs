@@ -11,6 +11,7 @@ use crate::system::structure::Direction;
 use crate::system::structure::{Along, Load, Node, Structure, StructureLaw, Symmetric};
 use std::borrow::Cow;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Most elements of a bar, and most nodes of a structure.
 pub const MOST_NODES: u32 = 100_000;
@@ -91,12 +92,13 @@ fn draft(
     if !violations.is_empty() {
         return Err(violations);
     }
-    let rows = template.matrices.iter().map(|own| own.imported.len());
+    let rows = template.matrices.iter().map(|own| own.rows.clone());
     let numbering = Numbering::new(template.masses.len(), elements, finer, rows.collect());
     let nodes = numbering.nodes();
+    // The supports come after the nodes, until their motions are prescribed.
     let size = match detail {
         Detail::Numbers => 0,
-        Detail::WithoutSamples | Detail::Whole => nodes,
+        Detail::WithoutSamples | Detail::Whole => nodes + template.supports.len(),
     };
     let mut draft = Draft {
         detail,
@@ -113,6 +115,7 @@ fn draft(
             // Overlaps are checked also where nothing is built.
             displacement: vec![0.0; nodes],
             velocity: vec![0.0; nodes],
+            supports: Vec::new(),
         },
         violations,
     };
@@ -126,6 +129,7 @@ fn draft(
     }
     draft.rayleigh();
     draft.loads();
+    draft.supports();
     draft.start();
     draft.modal_damping();
     draft.overlaps();
@@ -143,10 +147,12 @@ pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> C
     }
 }
 
-/// Adds the entries of a matrix to another one, from row and column `first` on.
-fn add_block(from: &Symmetric, first: usize, to: &mut Symmetric) {
+/// Adds the entries of a matrix to another one with these numbers of its rows; those of rows without a number are left out.
+fn add_block(from: &Symmetric, number: impl Fn(usize) -> Option<usize>, to: &mut Symmetric) {
     for ((i, j), value) in from.entries().filter(|(_, value)| *value != 0.0) {
-        to.add(first + i, first + j, value);
+        if let (Some(i), Some(j)) = (number(i), number(j)) {
+            to.add(i, j, value);
+        }
     }
 }
 
@@ -228,7 +234,11 @@ impl Draft<'_> {
             return;
         }
         for (place, matrices) in self.template.matrices.iter().enumerate() {
-            let first = self.numbering.first_row(place);
+            let numbering = &self.numbering;
+            let numbers: Vec<_> = (0..matrices.imported.len())
+                .map(|row| numbering.row(place, row))
+                .collect();
+            let number = |row: usize| numbers[row];
             let own = matrices.in_case(self.case);
             let Structure {
                 nodes,
@@ -237,21 +247,24 @@ impl Draft<'_> {
                 damping,
                 ..
             } = &mut self.structure;
-            nodes.extend((0..own.len()).map(|row| Node {
+            nodes.extend(matrices.rows.nodes().map(|row| Node {
                 name: format!("{}.{}", matrices.name, own.dofs.name(row)),
                 mass: 0.0,
                 direction: own.dofs.rows()[row].direction,
             }));
             for ((i, j), m) in own.mass.entries() {
-                match i == j {
-                    true => nodes[first + i].mass = m,
-                    false if m != 0.0 => coupled_mass.add(first + i, first + j, m),
-                    false => {}
+                let (Some(i), Some(j)) = (number(i), number(j)) else {
+                    continue;
+                };
+                match nodes.get_mut(i) {
+                    Some(node) if i == j => node.mass = m,
+                    _ if i != j && m != 0.0 => coupled_mass.add(i, j, m),
+                    _ => {}
                 }
             }
-            add_block(&own.stiffness, first, stiffness);
+            add_block(&own.stiffness, number, stiffness);
             if let Some(of_damping) = &own.damping {
-                add_block(of_damping, first, damping);
+                add_block(of_damping, number, damping);
             }
         }
     }
@@ -328,8 +341,12 @@ impl Draft<'_> {
     fn contacts(&mut self) {
         for contact in &self.template.contacts {
             let along = self.along(&contact.along);
-            if along.is_empty() && self.violations.is_empty() {
-                let message = "a contact needs two different nodes";
+            let nodes = self.numbering.nodes();
+            if along.iter().all(|(node, _)| *node >= nodes) && self.violations.is_empty() {
+                let message = match along.is_empty() {
+                    true => "a contact needs two different nodes",
+                    false => "a contact needs a node that is not a support",
+                };
                 self.violations.push(contacts::violation(contact, message));
             }
             let gap = self.optional(&contact.gap);
@@ -389,6 +406,25 @@ impl Draft<'_> {
         shaken
     }
 
+    /// Prescribes the motions of the supports.
+    fn supports(&mut self) {
+        let mut motions = Vec::with_capacity(self.template.supports.len());
+        for support in &self.template.supports {
+            let motion =
+                support.in_case(self.case, self.template.metre, self.detail == Detail::Whole);
+            if let Some(motion) = self.checked(motion) {
+                motions.push((support.full_name(), Arc::new(motion)));
+            }
+        }
+        if self.is_built() && self.violations.is_empty() {
+            self.structure.prescribe(motions);
+        }
+        let nodes = self.numbering.nodes();
+        for contact in &mut self.structure.contacts {
+            contact.along.retain(|(node, _)| *node < nodes);
+        }
+    }
+
     /// The nodes that a start moves or a load acts on.
     fn moved(&mut self, of: &Moved) -> Vec<usize> {
         match of {
@@ -399,10 +435,11 @@ impl Draft<'_> {
             }
             Moved::Rows(matrices, direction) => {
                 let first = self.numbering.first_row(*matrices);
-                let rows = self.template.matrices[*matrices].imported.dofs.rows();
-                let rows = rows.iter().enumerate();
-                let own = rows.filter(|(_, dof)| dof.direction == *direction);
-                own.map(|(row, _)| first + row).collect()
+                let own = &self.template.matrices[*matrices];
+                let dofs = own.imported.dofs.rows();
+                let nodes = own.rows.nodes().enumerate();
+                let chosen = nodes.filter(|(_, row)| dofs[*row].direction == *direction);
+                chosen.map(|(node, _)| first + node).collect()
             }
         }
     }

@@ -20,6 +20,8 @@ pub enum Term {
     Displacement(NodeRef),
     /// u' of a node.
     Velocity(NodeRef),
+    /// u'' of a support, or of the ground.
+    Acceleration(NodeRef),
     /// A quantity of a contact, by its place in the list.
     Contact(usize, Quantity),
 }
@@ -142,6 +144,13 @@ impl Term {
         if let Some(found) = of(".v") {
             return Ok(Term::Velocity(found));
         }
+        if let Some(found) = of(".a") {
+            let name = word.strip_suffix(".a").unwrap_or(word);
+            return match names.is_support(name) {
+                true => Ok(Term::Acceleration(found)),
+                false => Err(format!("only a support has an acceleration, got '{word}'")),
+            };
+        }
         if let Some(why) = names.why_no_dof(word) {
             return Err(format!("no channel '{word}': {why}"));
         }
@@ -155,7 +164,9 @@ impl Term {
             format!("{name}.{first} and the other dofs of {name}")
         });
         let contacts = names.contacts.iter().map(|contact| format!("{contact}.S"));
-        let known = masses.chain(bars).chain(dofs).chain(contacts);
+        let supports = names.supports.iter().map(|(name, _)| format!("{name}.u"));
+        let known = masses.chain(bars).chain(dofs).chain(supports);
+        let known = known.chain(contacts);
         let known: Vec<String> = known.take(MOST_NAMES).collect();
         Err(format!(
             "no node or contact '{word}'; channels are u and v of nodes and {} of contacts: {}",
@@ -168,6 +179,7 @@ impl Term {
         match self {
             Term::Displacement(_) => Dimension::Length,
             Term::Velocity(_) => Dimension::Velocity,
+            Term::Acceleration(_) => Dimension::Acceleration,
             Term::Contact(_, quantity) => match quantity {
                 Quantity::Displacement | Quantity::Slip => Dimension::Length,
                 Quantity::Velocity => Dimension::Velocity,
@@ -184,6 +196,8 @@ impl Term {
         Ok(match self {
             Term::Displacement(node) => numbering.find(node)?.map(Number::Displacement),
             Term::Velocity(node) => numbering.find(node)?.map(Number::Velocity),
+            Term::Acceleration(NodeRef::Support(support)) => Some(Number::Acceleration(support)),
+            Term::Acceleration(_) => None,
             Term::Contact(contact, quantity) => Some(Number::Contact(contact, quantity)),
         })
     }
@@ -192,10 +206,12 @@ impl Term {
 /// A quantity of a numbered structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Number {
-    /// u of a node.
+    /// u of a node, or of a support after the nodes.
     Displacement(usize),
     /// u' of a node.
     Velocity(usize),
+    /// u'' of a support that moves, by its place among them.
+    Acceleration(usize),
     /// A quantity of a contact.
     Contact(usize, Quantity),
 }
@@ -205,7 +221,7 @@ impl Number {
     pub fn node(&self) -> Option<usize> {
         match self {
             Number::Displacement(node) | Number::Velocity(node) => Some(*node),
-            Number::Contact(..) => None,
+            Number::Acceleration(_) | Number::Contact(..) => None,
         }
     }
 }

@@ -5,14 +5,14 @@ use super::damping::modes;
 use crate::contact::ContactLaw;
 use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
-use crate::system::structure::{Contact, Limit, Structure, StructureLaw};
+use crate::system::structure::{Contact, Limit, Load, Motion, Signal, Structure, StructureLaw};
 use std::f64::consts::PI;
 
 /// Most lines of a list.
 const MOST_LINES: usize = 12;
 
 /// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
-pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
+pub fn describe(structure: &Structure, [dt, end]: [f64; 2], units: &str) -> String {
     let mass: f64 = structure.nodes.iter().map(|node| node.mass).sum();
     let units = match units {
         "" => String::new(),
@@ -23,7 +23,7 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
         count(structure.len(), "node"),
         short(mass),
         count(structure.contacts.len(), "contact"),
-        count(structure.loads.len(), "load"),
+        count(loads(structure), "load"),
     );
     let nodes = structure
         .nodes
@@ -42,20 +42,37 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
             modes.omega2,
         );
     }
-    let contacts = structure.contacts.iter().map(|contact| {
-        let law = law(&contact.law);
-        let gap = match contact.gap {
-            0.0 => String::new(),
-            gap => format!(", gap {}", short(gap)),
-        };
-        let touch = touch(structure, contact, dt);
+    let contacts = structure
+        .contacts
+        .iter()
+        .enumerate()
+        .map(|(place, contact)| {
+            let law = law(&contact.law);
+            let gap = match contact.gap {
+                0.0 => String::new(),
+                gap => format!(", gap {}", short(gap)),
+            };
+            let touch = touch(structure, contact, dt);
+            format!(
+                "{}: {}{gap}, {law}{touch}",
+                contact.name,
+                ends(structure, place),
+            )
+        });
+    text += &lines("contacts", contacts.collect());
+    let supports = structure.supports.iter().map(|support| {
+        let [u, v] = largest(&support.motion, end);
+        let start = support.motion.start();
         format!(
-            "{}: {}{gap}, {law}{touch}",
-            contact.name,
-            ends(structure, &contact.along),
+            "{}: moves from t = {} on, largest |u| {}, |v| {} up to t = {}",
+            support.name,
+            short(start),
+            short(u),
+            short(v),
+            short(end),
         )
     });
-    text += &lines("contacts", contacts.collect());
+    text += &lines("supports", supports.collect());
     for part in structure.unheld_parts() {
         text += &format!("nothing holds {part}: without contact and load it moves on freely\n");
     }
@@ -63,17 +80,49 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
     text
 }
 
+/// Number of loads that are not of supports.
+fn loads(structure: &Structure) -> usize {
+    let own = |load: &&Load| !matches!(*load.signal, Signal::Motion(..));
+    structure.loads.iter().filter(own).count()
+}
+
+/// The largest |u| and |v| of a motion up to a time, at its points and at some between.
+fn largest(motion: &Motion, end: f64) -> [f64; 2] {
+    const TIMES: u32 = 2000;
+    let times = (0..=TIMES).map(|i| end * f64::from(i) / f64::from(TIMES));
+    let times = times.chain(motion.points()).filter(|t| *t <= end);
+    times.fold([0.0; 2], |[u, v], t| {
+        let [own_u, own_v, _] = motion.at(t);
+        [u.max(own_u.abs()), v.max(own_v.abs())]
+    })
+}
+
 /// The two ends of a contact, or its nodes with their factors.
-fn ends(structure: &Structure, along: &[(usize, f64)]) -> String {
-    let name = |node: usize| &structure.nodes[node].name;
-    match *along {
-        [(i, -1.0), (j, 1.0)] => format!("{} to {}", name(i), name(j)),
-        [(i, -1.0)] => format!("{} to ground", name(i)),
-        [(j, 1.0)] => format!("ground to {}", name(j)),
+fn ends(structure: &Structure, contact: usize) -> String {
+    let along = &structure.contacts[contact].along;
+    let nodes = along.iter();
+    let nodes = nodes.map(|(node, factor)| (&structure.nodes[*node].name, *factor));
+    let supports = structure.supports.iter().filter_map(|support| {
+        let carried = along
+            .iter()
+            .map(|(node, factor)| factor * support.carried[*node]);
+        let own = support.gaps[contact] - carried.sum::<f64>();
+        // Round-off of what the nodes are carried.
+        let own = (own * 1e9).round() / 1e9;
+        (own != 0.0).then_some((&support.name, own))
+    });
+    let mut terms: Vec<(&String, f64)> = nodes.chain(supports).collect();
+    if let [(_, 1.0), (_, -1.0)] = terms[..] {
+        terms.reverse();
+    }
+    match terms[..] {
+        [(i, -1.0), (j, 1.0)] => format!("{i} to {j}"),
+        [(i, -1.0)] => format!("{i} to ground"),
+        [(j, 1.0)] => format!("ground to {j}"),
         _ => {
-            let terms = along
+            let terms = terms
                 .iter()
-                .map(|(node, x)| format!("{} {}", short(*x), name(*node)));
+                .map(|(name, x)| format!("{} {name}", short(*x)));
             format!("along {}", terms.collect::<Vec<_>>().join(", "))
         }
     }

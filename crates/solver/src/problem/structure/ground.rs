@@ -28,6 +28,7 @@ pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<
     let (signal, scale) = ground.in_case(case, template.metre).ok()?;
     let acceleration = match &*signal {
         Signal::Table(table) => table.clone().scaled(scale)?,
+        Signal::Motion(..) => return None,
         Signal::Sine { omega, .. } => {
             let points = (duration * omega.abs() / (2.0 * PI) * POINTS)
                 .ceil()

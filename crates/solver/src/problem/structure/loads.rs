@@ -244,7 +244,8 @@ impl Source {
         Ok(Signal::Table(table))
     }
 
-    fn violation(&self, message: impl Into<String>) -> Violation {
+    /// A broken rule at its place.
+    pub fn violation(&self, message: impl Into<String>) -> Violation {
         Violation {
             parameter: self.place.1.clone().into(),
             message: message.into(),

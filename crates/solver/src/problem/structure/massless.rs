@@ -11,7 +11,8 @@ const KEEPS_PLACE: f64 = 1e-7;
 /// Gives each node without mass that only contacts hold a weak spring parallel to its softest contact: while all of its contacts are
 /// open or slide, no equation says where it is.
 pub fn hold(structure: &mut Structure) {
-    let mut is_held = vec![false; structure.len()];
+    // Supports come after the nodes.
+    let mut is_held = vec![false; structure.stiffness.size().max(structure.len())];
     for ((i, j), value) in structure.stiffness.entries() {
         if value != 0.0 {
             (is_held[i], is_held[j]) = (true, true);

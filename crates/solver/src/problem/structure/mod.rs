@@ -17,10 +17,12 @@ mod metric_values;
 mod motion;
 pub mod names;
 pub mod node;
+pub mod rows;
 pub mod schema;
 pub mod scheme;
 mod signal_cache;
 mod solve;
+mod supports;
 mod sweep;
 pub mod template;
 pub mod unit_consistency;
@@ -374,7 +376,7 @@ impl Problem for StructureProblem {
 
     fn description(&self, case: &Case) -> Option<String> {
         let (structure, _) = self.structure(case, 1).ok()?;
-        let dt = case.at(self.schema.step)?;
-        Some(describe::describe(&structure, dt, &self.template.units))
+        let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
+        Some(describe::describe(&structure, times, &self.template.units))
     }
 }

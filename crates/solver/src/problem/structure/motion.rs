@@ -126,6 +126,7 @@ fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L> {
     match number {
         Number::Displacement(node) => state.displacement(node),
         Number::Velocity(node) => state.velocity(node),
+        Number::Acceleration(support) => state.support_acceleration(support),
         Number::Contact(contact, quantity) => {
             let contact = state.contact(contact);
             match quantity {
@@ -155,7 +156,9 @@ pub fn exact(
         }
     };
     let nodes: BTreeSet<usize> = numbers.iter().filter_map(Number::node).collect();
-    let nodes: Vec<usize> = nodes.into_iter().collect();
+    // Those behind the nodes are supports.
+    let nodes = nodes.into_iter().filter(|node| *node < structure.len());
+    let nodes: Vec<usize> = nodes.collect();
     let ended = events::run_of(structure, &nodes, times, record);
     ended.map_err(|why| Unsolvable::Reference(why.to_string()))?;
     Ok(Recorded::new(numbers, series, times.len()))
@@ -163,8 +166,9 @@ pub fn exact(
 
 fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Number) -> f64 {
     match number {
-        Number::Displacement(node) => state.u[node],
-        Number::Velocity(node) => state.v[node],
+        Number::Displacement(node) => structure.total(node, t, 0, state.u),
+        Number::Velocity(node) => structure.total(node, t, 1, state.v),
+        Number::Acceleration(support) => structure.supports[support].motion.at(t)[2],
         Number::Contact(contact, quantity) => match quantity {
             Quantity::Displacement => state.r[contact],
             Quantity::Velocity => state.rate[contact],
@@ -208,6 +212,10 @@ pub fn perturbed(structure: &Structure) -> Structure {
     let larger = |x: &mut f64| *x *= 1.0 + DIFFERENCE;
     other.displacement.iter_mut().for_each(larger);
     other.velocity.iter_mut().for_each(larger);
+    for support in &mut other.supports {
+        let moved = support.gaps.iter_mut().chain(&mut support.carried);
+        moved.for_each(larger);
+    }
     for load in &mut other.loads {
         load.pattern.iter_mut().for_each(|(_, x)| larger(x));
     }

@@ -2,6 +2,7 @@
 
 use super::node::{GROUND, NodeRef};
 use crate::system::import::Imported;
+use crate::system::structure::Direction;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -14,6 +15,8 @@ pub struct Names {
     pub bars: Vec<String>,
     /// Matrices of other programs.
     pub matrices: Vec<(String, Arc<Imported>)>,
+    /// Supports that the study gives, each with the places of its motions in x, y and z.
+    pub supports: Vec<(String, [Option<usize>; 3])>,
     /// Contacts.
     pub contacts: Vec<String>,
     parts: HashMap<String, Part>,
@@ -26,6 +29,7 @@ enum Part {
     Mass(usize),
     Bar(usize),
     Matrices(usize),
+    Support(usize),
 }
 
 impl Names {
@@ -51,6 +55,7 @@ impl Names {
             masses,
             bars,
             matrices,
+            supports: Vec::new(),
             contacts: Vec::new(),
             places: HashMap::new(),
         }
@@ -64,17 +69,67 @@ impl Names {
         self
     }
 
+    /// The same with these supports, whose motions have the directions x, y and z.
+    pub fn with_supports(mut self, supports: Vec<(String, [bool; 3])>) -> Names {
+        let mut motions = 0;
+        for (name, directions) in supports {
+            let place = Part::Support(self.supports.len());
+            self.parts.insert(name.clone(), place);
+            let motion = |given: bool| {
+                given.then(|| {
+                    motions += 1;
+                    motions - 1
+                })
+            };
+            self.supports.push((name, directions.map(motion)));
+        }
+        self
+    }
+
+    /// The place of the motion of a support in a direction; `None` if it does not move so.
+    pub fn motion(&self, support: &str, direction: Direction) -> Option<usize> {
+        let Some(Part::Support(support)) = self.parts.get(support) else {
+            return None;
+        };
+        self.moving(*support, direction)
+    }
+
+    fn moving(&self, support: usize, direction: Direction) -> Option<usize> {
+        let mut directions = Direction::TRANSLATIONS.iter();
+        let place = directions.position(|own| *own == direction)?;
+        self.supports[support].1[place]
+    }
+
+    /// Whether a name is that of a support, with or without a direction.
+    pub fn is_support(&self, name: &str) -> bool {
+        let part = name.split_once('.').map_or(name, |(part, _)| part);
+        matches!(self.parts.get(part), Some(Part::Support(_))) && self.node(name).is_some()
+    }
+
+    /// A support as a node: where it does not move, it is the ground.
+    fn support(&self, support: usize, direction: Direction) -> NodeRef {
+        let motion = self.moving(support, direction);
+        motion.map_or(NodeRef::Ground, NodeRef::Support)
+    }
+
     /// The node with this name; `None` if there is none.
     pub fn node(&self, name: &str) -> Option<NodeRef> {
         if name == GROUND {
             return Some(NodeRef::Ground);
         }
-        if let Some(Part::Mass(mass)) = self.parts.get(name) {
-            return Some(NodeRef::Mass(*mass));
+        match self.parts.get(name) {
+            Some(Part::Mass(mass)) => return Some(NodeRef::Mass(*mass)),
+            Some(Part::Support(support)) => return Some(self.support(*support, Direction::X)),
+            _ => {}
         }
         let (part, place) = name.split_once('.')?;
         match *self.parts.get(part)? {
             Part::Mass(_) => None,
+            Part::Support(support) => {
+                let direction = Direction::named(place)?;
+                let moves = Direction::TRANSLATIONS.contains(&direction);
+                moves.then(|| self.support(support, direction))
+            }
             Part::Matrices(matrices) => {
                 let row = self.matrices[matrices].1.dofs.row(place)?;
                 Some(NodeRef::Dof(matrices, row))

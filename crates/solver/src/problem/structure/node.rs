@@ -1,6 +1,8 @@
 //! Nodes of a structure by their names, and their numbers in a case.
 
+use super::rows::{RowNumber, Rows};
 use crate::problem::Violation;
+use std::sync::Arc;
 
 /// A node as the study names it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,12 +30,15 @@ pub enum NodeRef {
     Inner(usize, u32),
     /// A row of matrices, by their place in the list.
     Dof(usize, usize),
+    /// A support that moves in a direction, by its place among all of them.
+    Support(usize),
 }
 
 /// The node that does not move.
 pub const GROUND: &str = "ground";
 
-/// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right, then the rows of matrices.
+/// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right, then the rows of matrices that
+/// belong to no support. The supports that move follow the nodes.
 #[derive(Debug, Clone)]
 pub struct Numbering {
     masses: usize,
@@ -41,14 +46,14 @@ pub struct Numbering {
     elements: Vec<u32>,
     /// How many elements an element of the study is divided into.
     finer: u32,
-    /// Number of rows of each of the matrices.
-    rows: Vec<usize>,
+    /// The rows of each of the matrices.
+    rows: Vec<Arc<Rows>>,
 }
 
 impl Numbering {
     /// The numbering of `masses` masses and bars of so many elements, each divided into `finer` ones. Inner nodes keep their
     /// places along the bar.
-    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<usize>) -> Numbering {
+    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<Arc<Rows>>) -> Numbering {
         let elements = elements.iter().map(|n| n * finer).collect();
         Numbering {
             masses,
@@ -71,7 +76,17 @@ impl Numbering {
     /// Number of the first row of matrices, by their place in the list.
     pub fn first_row(&self, matrices: usize) -> usize {
         let before = self.rows[..matrices].iter();
+        let before = before.map(|rows| rows.free());
         self.first(self.elements.len()) + before.sum::<usize>()
+    }
+
+    /// Number of a row of matrices: of a node or, after all nodes, of a support; `None` for a row that does not move.
+    pub fn row(&self, matrices: usize, row: usize) -> Option<usize> {
+        match self.rows[matrices].number(row) {
+            RowNumber::Free(place) => Some(self.first_row(matrices) + place),
+            RowNumber::Support(support) => Some(self.nodes() + support),
+            RowNumber::Fixed => None,
+        }
     }
 
     /// Number of the left node of a bar.
@@ -80,7 +95,7 @@ impl Numbering {
         self.masses + before.map(|n| *n as usize + 1).sum::<usize>()
     }
 
-    /// Number of a node; `None` for the ground.
+    /// Number of a node; `None` for the ground. Those of supports follow the nodes.
     ///
     /// # Errors
     /// The bar has no such inner node.
@@ -97,7 +112,8 @@ impl Numbering {
         match node {
             NodeRef::Ground => Ok(None),
             NodeRef::Mass(mass) => Ok(Some(mass)),
-            NodeRef::Dof(matrices, row) => Ok(Some(self.first_row(matrices) + row)),
+            NodeRef::Dof(matrices, row) => Ok(self.row(matrices, row)),
+            NodeRef::Support(support) => Ok(Some(self.nodes() + support)),
             NodeRef::Left(bar) => Ok(Some(self.first(bar))),
             NodeRef::Right(bar) => Ok(Some(self.first(bar) + self.elements[bar] as usize)),
             NodeRef::Inner(bar, i) if i >= 1 && i < self.elements[bar] / self.finer => {

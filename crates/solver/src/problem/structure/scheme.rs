@@ -102,7 +102,8 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
     }));
     let masses = template.masses.len();
     let end = |node: NodeRef| match node {
-        NodeRef::Ground => End::Ground,
+        // A support is drawn as ground.
+        NodeRef::Ground | NodeRef::Support(_) => End::Ground,
         NodeRef::Mass(mass) => End::Part(mass, Place::Mass),
         NodeRef::Left(bar) => End::Part(masses + bar, Place::Left),
         NodeRef::Right(bar) => End::Part(masses + bar, Place::Right),
@@ -155,7 +156,7 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         links,
         loads,
         parts,
-        ground_moves: !template.ground.is_empty(),
+        ground_moves: !template.ground.is_empty() || !template.supports.is_empty(),
     })
 }
 

@@ -3,9 +3,10 @@
 use super::amount::Amount;
 use super::loads::Source;
 use super::node::NodeName;
+use super::rows::Rows;
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
-use crate::system::structure::Direction;
+use crate::system::structure::{Baseline, Direction};
 use std::sync::Arc;
 
 /// The structure of all cases of a study.
@@ -35,6 +36,8 @@ pub struct Template {
     pub loads: Vec<Load>,
     /// Accelerations of the ground, each in its direction.
     pub ground: Vec<(Direction, Scaled)>,
+    /// Motions of supports, one for each support and direction.
+    pub supports: Vec<Support>,
     /// Displacements and velocities at t = 0.
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
@@ -66,7 +69,8 @@ impl Template {
                 Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
                 Some(Normal::Constant(_)) | None => None,
             });
-        let all = loads.chain(ground).chain(normals);
+        let supports = self.supports.iter().map(|own| &own.acceleration.source);
+        let all = loads.chain(ground).chain(supports).chain(normals);
         all.filter(|source| source.is_sampled())
     }
 }
@@ -110,6 +114,8 @@ pub struct Matrices {
     pub imported: Arc<Imported>,
     /// The matrices by the files that parameters choose.
     pub variants: Vec<Variant>,
+    /// Which rows are nodes.
+    pub rows: Arc<Rows>,
 }
 
 /// Matrices, and the rows of the parameters that choose their files with the names of these files.
@@ -121,6 +127,28 @@ impl Matrices {
         let chosen = |of: &&Variant| of.0.iter().all(|(row, file)| case.name_at(*row) == *file);
         let variant = self.variants.iter().find(chosen);
         variant.map_or(&self.imported, |variant| &variant.1)
+    }
+}
+
+/// The motion of a support in a direction.
+#[derive(Debug, Clone)]
+pub struct Support {
+    /// Name of the support.
+    pub name: String,
+    /// The direction.
+    pub direction: Direction,
+    /// Its acceleration.
+    pub acceleration: Scaled,
+    /// Time by which all of it is later, >= 0; none for 0.
+    pub delay: Option<Amount>,
+    /// What is removed from its velocity.
+    pub baseline: Baseline,
+}
+
+impl Support {
+    /// Its name with its direction, such as `left.x`.
+    pub fn full_name(&self) -> String {
+        format!("{}.{}", self.name, self.direction.name())
     }
 }
 

@@ -33,6 +33,7 @@ impl UnitNames<'_> {
             Dimension::Time => self.time.to_owned(),
             Dimension::Length => self.length.to_owned(),
             Dimension::Velocity => format!("{}/{}", self.length, self.time),
+            Dimension::Acceleration => format!("{}/{}2", self.length, self.time),
             Dimension::Force => self.force.to_owned(),
         }
     }

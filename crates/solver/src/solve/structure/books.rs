@@ -12,7 +12,8 @@ use crate::lane::Lane;
 /// E(i+1) - E(i) = du^T p_mean - du^T C v_mean - S_mean^T dr - (numerical dissipation of the step)
 /// ```
 ///
-/// with the means of both ends of a step (of each sub-step). The constant average acceleration method has no numerical dissipation:
+/// with the means of both ends of a step (of each sub-step). With supports that move, u is the rest w beside what the supports carry,
+/// and the work of the supports on moving gaps, S_mean^T dG, is added on the right. The constant average acceleration method has no numerical dissipation:
 /// both sides differ by round-off for any forces. An impulse does its work on the mean of the velocities before and after it.
 ///
 /// For the other methods the energy error is the work of the unbalanced forces of the equations that they solve, which is round-off,
@@ -112,10 +113,15 @@ impl<const L: usize> Books<L> {
             supplied = supplied - both * (2.0 * coupling.c);
         }
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
-        for ((before, work), [r, s]) in contacts.zip(state.contact_states()) {
-            let step = (before[1] + s) * 0.5 * (r - before[0]);
+        for (c, ((before, work), [r, s])) in contacts.zip(state.contact_states()).enumerate() {
+            let mean = (before[1] + s) * 0.5;
+            let step = mean * (r - before[0]);
             *work = *work + step;
             supplied = supplied - step;
+            if let Some(moving) = &state.moving {
+                // Supports do the part of the work by which they move the gap.
+                supplied = supplied + mean * (moving.end[c][0] - moving.start[c][0]);
+            }
             *before = [r, s];
         }
         self.supplied = supplied;

@@ -84,7 +84,7 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
     let mut problem = CoupledForces::new(rows.collect(), active.len());
     let d: Vec<f64> = active
         .iter()
-        .map(|i| structure.relative(*i, &acceleration))
+        .map(|i| structure.relative(*i, &acceleration) + structure.gap_acceleration(*i))
         .collect();
     let bound = |k: usize| -> Vec<f64> {
         let bounds = active

@@ -45,6 +45,7 @@
 //!     loads: Vec::new(),
 //!     displacement: vec![0.0],
 //!     velocity: vec![2.0],
+//!     supports: Vec::new(),
 //! };
 //! let prepared = Prepared::new(&block, 0.01)?;
 //! let mut last = [0.0; 2];
@@ -66,6 +67,7 @@ mod laws;
 mod links;
 mod loads;
 mod massless;
+mod moving;
 mod prepared;
 mod run;
 mod state;

@@ -173,6 +173,9 @@ impl<const L: usize> Average<'_, L> {
                 + contact.w * line.by_increment
                 + (contact.p * line.by_displacement + contact.force * line.by_force);
         }
+        if self.moving.is_some() {
+            self.move_gaps(step);
+        }
         let contacts = &self.contacts;
         let size = |c: usize, l: usize| {
             let contact: &ContactState<L> = &contacts[c];
@@ -208,8 +211,16 @@ impl<const L: usize> Average<'_, L> {
             let Some(curved) = &mut self.curved[l] else {
                 continue;
             };
-            let contacts = &self.contacts;
-            let motion = |c: usize| contacts[c].motion(l, dt);
+            let (contacts, moving) = (&self.contacts, &self.moving);
+            let motion = |c: usize| {
+                let mut motion = contacts[c].motion(l, dt);
+                if let Some(moving) = moving {
+                    let [by_r, by_rate] = moving.excess(c);
+                    motion.change += by_r.0[l];
+                    motion.rate += 2.0 * by_rate.0[l] / dt;
+                }
+                motion
+            };
             meet_lane(curved, motion, &mut self.force, &mut self.forces, (l, step));
         }
     }
@@ -249,6 +260,9 @@ impl<const L: usize> Average<'_, L> {
                 w = w + self.w[*at] * *factor;
             }
             (contact.p, contact.w) = (p + contact.gap, w);
+        }
+        if self.moving.is_some() {
+            self.add_gaps();
         }
     }
 }

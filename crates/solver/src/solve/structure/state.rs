@@ -6,6 +6,7 @@ use super::forces::Forces;
 use super::initial;
 use super::laws::{Line, bounds};
 use super::loads::Inputs;
+use super::moving::Moving;
 use super::{ContactStep, Prepared};
 use crate::lane::Lane;
 use crate::system::structure::Structure;
@@ -31,6 +32,8 @@ pub(super) struct Average<'a, const L: usize> {
     pub(super) force: Vec<Lane<L>>,
     /// Changes of u of the nodes without mass over the last step by place, and 0 of the others; empty if all have mass.
     pub(super) moved: Vec<Lane<L>>,
+    /// Supports that move.
+    pub(super) moving: Option<Moving<L>>,
 }
 
 /// The motion of a contact, and its law.
@@ -214,6 +217,7 @@ impl<'a, const L: usize> Average<'a, L> {
                 true => Vec::new(),
                 false => vec![zero; n + 1],
             },
+            moving: Moving::new(cases, dt),
         };
         state.touch();
         state

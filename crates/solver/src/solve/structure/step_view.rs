@@ -1,6 +1,7 @@
 //! The state that a run shows after each step.
 
 use super::general::General;
+use super::moving::Moving;
 use super::state::Average;
 use crate::lane::Lane;
 
@@ -33,21 +34,42 @@ pub struct ContactStep<const L: usize> {
 }
 
 impl<const L: usize> State<'_, L> {
-    /// Displacement of a node, numbered as in the structure.
+    /// Displacement of a node, numbered as in the structure; the supports that move follow the nodes.
     #[inline(always)]
     pub fn displacement(&self, node: usize) -> Lane<L> {
-        match &self.0 {
+        let rest = |node| match &self.0 {
             Kind::Average(state) => state.displacement(node),
             Kind::General(state) => state.displacement(node),
+        };
+        match self.moving() {
+            None => rest(node),
+            Some(moving) => moving.total(node, 0, rest),
         }
     }
 
-    /// Velocity of a node.
+    /// Velocity of a node, numbered in the same way.
     #[inline(always)]
     pub fn velocity(&self, node: usize) -> Lane<L> {
-        match &self.0 {
+        let rest = |node| match &self.0 {
             Kind::Average(state) => state.velocity(node),
             Kind::General(state) => state.velocity(node),
+        };
+        match self.moving() {
+            None => rest(node),
+            Some(moving) => moving.total(node, 1, rest),
+        }
+    }
+
+    /// Acceleration of a support that moves; 0 without it.
+    pub fn support_acceleration(&self, support: usize) -> Lane<L> {
+        let moving = self.moving();
+        moving.map_or(Lane::splat(0.0), |moving| moving.acceleration(support))
+    }
+
+    fn moving(&self) -> Option<&Moving<L>> {
+        match &self.0 {
+            Kind::Average(state) => state.moving.as_ref(),
+            Kind::General(state) => state.moving.as_ref(),
         }
     }
 
@@ -60,7 +82,7 @@ impl<const L: usize> State<'_, L> {
         }
     }
 
-    /// Kinetic and strain energy, without the contacts.
+    /// Kinetic and strain energy, without the contacts; of the motion beside what supports carry.
     #[inline(always)]
     pub fn energy(&self) -> Lane<L> {
         match &self.0 {

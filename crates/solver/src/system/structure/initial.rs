@@ -21,7 +21,7 @@ impl Contact {
     }
 
     /// Whether it holds its nodes together at rest: it is elastic, or Coulomb friction that sticks.
-    fn holds(&self) -> bool {
+    pub(super) fn holds(&self) -> bool {
         let sticks = |limit: &super::Limit| limit.at(0.0) > 0.0;
         self.initial_stiffness() > 0.0
             || matches!(&self.law, StructureLaw::Coulomb { limit } if sticks(limit))
@@ -208,6 +208,7 @@ mod tests {
                 loads: Vec::new(),
                 displacement: vec![0.0; 4],
                 velocity: vec![0.0; 4],
+                supports: Vec::new(),
             }
         };
         let all = ["a", "b to c", "d"];

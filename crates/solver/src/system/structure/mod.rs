@@ -9,14 +9,18 @@ mod inertia;
 mod initial;
 pub mod lists;
 mod matrix;
+mod motion;
 mod signal;
 mod structure_law;
+mod support;
 
 pub use direction::Direction;
 pub use inertia::Inertia;
 pub use matrix::Symmetric;
+pub use motion::{Baseline, Motion, MotionFault, Quantity};
 pub use signal::{Signal, Table};
 pub use structure_law::{Limit, Pressure, StructureLaw};
+pub use support::Support;
 
 use std::sync::Arc;
 
@@ -39,6 +43,8 @@ pub struct Structure {
     pub displacement: Vec<f64>,
     /// u'(0) of each node.
     pub velocity: Vec<f64>,
+    /// The supports that move. With them, u of the nodes is the rest w of their displacement.
+    pub supports: Vec<Support>,
 }
 
 /// A node: a degree of freedom.

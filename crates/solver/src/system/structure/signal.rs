@@ -1,6 +1,8 @@
 //! Loads as functions of time.
 
+use super::{Motion, Quantity};
 use libm::sin;
+use std::sync::Arc;
 
 /// A function of time.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +18,8 @@ pub enum Signal {
     },
     /// Straight lines between points.
     Table(Table),
+    /// A quantity of the motion of a support.
+    Motion(Arc<Motion>, Quantity),
 }
 
 /// Straight lines between points (t, f); constant before the first one and after the last one.
@@ -80,6 +84,22 @@ impl Signal {
                 phase,
             } => amplitude * sin(omega * t + phase),
             Signal::Table(table) => table.at(t),
+            Signal::Motion(motion, quantity) => motion.quantity(*quantity, t),
+        }
+    }
+
+    /// The times at which it jumps, with the values before and after.
+    fn jumps(&self) -> Vec<(f64, [f64; 2])> {
+        match self {
+            Signal::Table(table) => {
+                let pairs = table.times.windows(2).zip(table.values.windows(2));
+                let jumps = pairs.filter(|(times, _)| times[0] == times[1]);
+                jumps
+                    .map(|(times, values)| (times[0], [values[0], values[1]]))
+                    .collect()
+            }
+            Signal::Motion(motion, Quantity::Acceleration) => motion.jumps(),
+            Signal::Motion(..) | Signal::Sine { .. } => Vec::new(),
         }
     }
 
@@ -99,15 +119,13 @@ impl Signal {
         let after = self.at_steps(dt, steps);
         let mut before = after.clone();
         let mut after = after;
-        if let Signal::Table(table) = self {
-            for (k, pair) in table.times.windows(2).enumerate() {
-                let step = (pair[0] / dt).round();
-                // Round-off of i dt.
-                let at_step = (step * dt - pair[0]).abs() <= 1e-9 * dt;
-                if pair[0] == pair[1] && at_step && step >= 0.0 && step <= steps as f64 {
-                    before[step as usize] = table.values[k];
-                    after[step as usize] = table.values[k + 1];
-                }
+        for (time, [left, right]) in self.jumps() {
+            let step = (time / dt).round();
+            // Round-off of i dt.
+            let at_step = (step * dt - time).abs() <= 1e-9 * dt;
+            if at_step && step >= 0.0 && step <= steps as f64 {
+                before[step as usize] = left;
+                after[step as usize] = right;
             }
         }
         [before, after]
@@ -129,6 +147,10 @@ impl Signal {
                     table.after(after, t)
                 };
                 times.map(value).collect()
+            }
+            Signal::Motion(motion, quantity) => {
+                let all = motion.at_steps(dt, steps).into_iter();
+                all.map(|values| values[*quantity as usize]).collect()
             }
         }
     }

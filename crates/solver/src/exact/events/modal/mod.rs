@@ -109,6 +109,9 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
         let kept = DVector::from_iterator(n, condensed.kept.iter().map(|node| x[*node]));
         project(&shapes, &product(&mass, &kept))
     });
+    if condensed.flexible.is_some() && !structure.supports.is_empty() {
+        return Err(EventsFault::MasslessSupports);
+    }
     let couplings = columns
         .iter()
         .flat_map(|a| columns.iter().map(|b| a.form(&vec![1.0; count], b).abs()));

@@ -32,6 +32,7 @@ pub fn masses(masses: &[f64]) -> Structure {
         loads: Vec::new(),
         displacement: vec![0.0; masses.len()],
         velocity: vec![0.0; masses.len()],
+        supports: Vec::new(),
     }
 }
 

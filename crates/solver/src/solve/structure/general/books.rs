@@ -83,6 +83,9 @@ impl<const L: usize> General<'_, L> {
                 let step = self.contact_work(part, c);
                 *work = *work + step;
                 supplied = supplied - step;
+                if self.moving.is_some() {
+                    supplied = supplied + self.work_of_supports(part, c);
+                }
                 let mut change = zero;
                 for (at, factor) in self.prepared.along.list(c) {
                     change = change + moved(*at) * *factor;
@@ -101,9 +104,28 @@ impl<const L: usize> General<'_, L> {
     /// The work of the structure on a contact in a sub-step of the last step.
     #[inline(always)]
     fn contact_work(&self, part: usize, c: usize) -> Lane<L> {
+        let ends = [part, part + 1].map(|stage| {
+            let [r, rdot, _] = self.stages[stage].contacts[c];
+            [r, rdot]
+        });
+        self.work_over(part, c, ends)
+    }
+
+    /// The work of the supports on a contact in a sub-step of the last step, by which they move its gap.
+    fn work_of_supports(&self, part: usize, c: usize) -> Lane<L> {
+        self.work_over(
+            part,
+            c,
+            [part, part + 1].map(|stage| self.stages[stage].gaps[c]),
+        )
+    }
+
+    /// The work of the force of a contact in a sub-step over displacements and velocities at its ends.
+    #[inline(always)]
+    fn work_over(&self, part: usize, c: usize, ends: [[Lane<L>; 2]; 2]) -> Lane<L> {
         let length = self.prepared.sub_steps[part].sub_step.length;
-        let [[r, rdot, s], [r_end, rdot_end, s_end]] =
-            [part, part + 1].map(|stage| self.stages[stage].contacts[c]);
+        let [[r, rdot], [r_end, rdot_end]] = ends;
+        let [s, s_end] = [part, part + 1].map(|stage| self.stages[stage].contacts[c][2]);
         let by = |form: ContactWork<L>| {
             form.force([s, s_end]) * form.displacement([r, r_end], [rdot, rdot_end])
         };

@@ -59,6 +59,9 @@ impl<const L: usize> General<'_, L> {
                 let moved = places.map(|(place, factor)| (factor * nodes[*place][0].0[l]).abs());
                 let size = &mut impacts.size[c][l];
                 *size = moved.fold(size.max(contact.gap.0[l].abs()), f64::max);
+                if let Some([gap, _]) = self.stages[part].gaps.get(c) {
+                    *size = size.max(gap.0[l].abs());
+                }
                 let least = if before[l] { ROUND_OFF * *size } else { 0.0 };
                 impacts.active[c][l] = r + half * rdot <= least;
             }

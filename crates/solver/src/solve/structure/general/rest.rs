@@ -23,7 +23,12 @@ impl<const L: usize> General<'_, L> {
                 && low < s
                 && s < high
                 && (!contact.stop[l] || impacts.is_active(c, l) && bounce == 0.0);
-            if !rests {
+            // Nodes at a gap that moves have different velocities.
+            let moves = self
+                .moving
+                .as_ref()
+                .is_some_and(|moving| moving.moves(c, l));
+            if !rests || moves {
                 continue;
             }
             // Nodes with other factors do not have equal velocities.

@@ -9,6 +9,7 @@ use crate::lane::Lane;
 use crate::solve::Unsolvable;
 use crate::solve::structure::forces::Forces;
 use crate::solve::structure::loads::Inputs;
+use crate::solve::structure::moving::Moving;
 use crate::solve::structure::{Prepared, initial};
 use crate::system::structure::Structure;
 
@@ -47,9 +48,13 @@ impl<'a, const L: usize> General<'a, L> {
             Forces::new(&linear.flexibility, of)
         });
         let mut forces: Vec<_> = forces.collect();
+        let moving = Moving::new(cases, prepared.dt / parts.len() as f64);
         let mut stage = Stage {
             nodes: vec![[zero; 3]; n + 1],
             contacts: vec![[zero; 3]; m],
+            gaps: moving
+                .as_ref()
+                .map_or(Vec::new(), |moving| moving.end.clone()),
         };
         let mut refused = [const { None }; L];
         for (l, case) in cases.iter().enumerate() {
@@ -94,6 +99,7 @@ impl<'a, const L: usize> General<'a, L> {
             work: vec![zero; n + 1],
             trial: vec![zero; m],
             force: vec![zero; m],
+            moving,
             refused,
         };
         state.touch(parts.len());

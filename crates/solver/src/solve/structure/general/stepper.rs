@@ -12,6 +12,7 @@ use crate::solve::structure::forces::Forces;
 use crate::solve::structure::laws::friction;
 use crate::solve::structure::links::Link;
 use crate::solve::structure::loads::Inputs;
+use crate::solve::structure::moving::Moving;
 
 /// The state of L structures after a step.
 #[derive(Debug)]
@@ -39,6 +40,8 @@ pub(in crate::solve::structure) struct General<'a, const L: usize> {
     pub(super) work: Vec<Lane<L>>,
     pub(super) trial: Vec<Lane<L>>,
     pub(super) force: Vec<Lane<L>>,
+    /// Supports that move.
+    pub(in crate::solve::structure) moving: Option<Moving<L>>,
     /// Why a lane cannot start.
     pub(super) refused: [Option<Unsolvable>; L],
 }
@@ -50,6 +53,8 @@ pub(super) struct Stage<const L: usize> {
     pub(super) nodes: Vec<[Lane<L>; 3]>,
     /// r, rdot, S of the contacts.
     pub(super) contacts: Vec<[Lane<L>; 3]>,
+    /// What supports moved the gaps, and the rates of it; empty without supports that move.
+    pub(super) gaps: Vec<[Lane<L>; 2]>,
 }
 
 /// u* - u and v* - v of a place.
@@ -99,6 +104,10 @@ impl<const L: usize> General<'_, L> {
     fn prescribe(&mut self, part: usize, end: usize) {
         let linear: &Linear = &self.prepared.sub_steps[part];
         let sub_step = &linear.sub_step;
+        if let Some(moving) = &mut self.moving {
+            moving.advance(end);
+            self.stages[part + 1].gaps.clone_from(&moving.end);
+        }
         if end > 1 && self.inputs.loads_jump() {
             self.jump(part, end - 1);
         }
@@ -210,6 +219,10 @@ impl<const L: usize> General<'_, L> {
                 let [u, v] = self.predicted[*at];
                 (du, dv) = (du + u * *factor, dv + v * *factor);
             }
+            if let Some(moving) = &self.moving {
+                let ([g0, v0], [g1, v1]) = (moving.start[c], moving.end[c]);
+                (du, dv) = (du + (g1 - g0), dv + (v1 - v0));
+            }
             let [r, rdot, s] = start.contacts[c];
             let line = &self.lines[part][c];
             let (change, rate) = (du + a * d2, rdot + dv + a * d1);
@@ -298,7 +311,11 @@ impl<const L: usize> General<'_, L> {
     /// The contacts at a stage.
     #[inline(always)]
     pub(super) fn touch(&mut self, stage: usize) {
-        let Stage { nodes, contacts } = &mut self.stages[stage];
+        let Stage {
+            nodes,
+            contacts,
+            gaps: moved,
+        } = &mut self.stages[stage];
         let gaps = self.contacts.iter().zip(self.prepared.along.iter());
         for ([r, rdot, _], (contact, along)) in contacts.iter_mut().zip(gaps) {
             let [mut u, mut v] = [Lane::splat(0.0); 2];
@@ -307,6 +324,9 @@ impl<const L: usize> General<'_, L> {
                 v = v + nodes[*at][1] * *factor;
             }
             (*r, *rdot) = (u + contact.gap, v);
+        }
+        for ([r, rdot, _], [gap, rate]) in contacts.iter_mut().zip(moved) {
+            (*r, *rdot) = (*r + *gap, *rdot + *rate);
         }
     }
 }

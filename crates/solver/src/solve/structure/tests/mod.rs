@@ -34,6 +34,7 @@ fn masses(masses: &[f64]) -> Structure {
         loads: Vec::new(),
         displacement: vec![0.0; n],
         velocity: vec![0.0; n],
+        supports: Vec::new(),
     }
 }
 

@@ -1,0 +1,441 @@
+//! Motions of supports: an acceleration with its integrals from rest.
+
+use super::{Signal, Table};
+use libm::{cos, sin};
+use std::fmt;
+
+/// The motion of a support: at rest up to its start, from there on a given acceleration with its exact integrals.
+///
+/// Between the points of a table the acceleration is straight, v a parabola and u a cubic. The acceleration of a table is that of a
+/// ground with the same table: constant before its first point and after its last one, but 0 before the start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion(Course);
+
+#[derive(Debug, Clone, PartialEq)]
+enum Course {
+    /// amplitude sin(omega (t - start) + phase).
+    Sine {
+        amplitude: f64,
+        omega: f64,
+        phase: f64,
+        start: f64,
+    },
+    /// Pieces with rising times; the last one has no end.
+    Pieces(Vec<Piece>),
+}
+
+/// A cubic from a time on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Piece {
+    time: f64,
+    /// u, v, a and the rate of a at this time.
+    values: [f64; 4],
+}
+
+/// A quantity of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// u.
+    Displacement,
+    /// v.
+    Velocity,
+    /// a.
+    Acceleration,
+}
+
+/// What is removed from the velocity of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Baseline {
+    /// Nothing.
+    #[default]
+    None,
+    /// Its mean slope up to the last point, after which the velocity stays 0.
+    Linear,
+}
+
+/// Why a function is no motion of a support.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MotionFault {
+    /// The baseline of a function without an end.
+    NoEnd,
+    /// A number is not finite.
+    NotFinite,
+}
+
+impl fmt::Display for MotionFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            MotionFault::NoEnd => {
+                "a baseline needs a function with an end after t = 0; a sine has none"
+            }
+            MotionFault::NotFinite => {
+                "the displacement of the support is not finite; use a smaller scale"
+            }
+        })
+    }
+}
+
+impl Motion {
+    /// The motion with `scale` times this acceleration, from the time `delay` on.
+    ///
+    /// # Errors
+    /// The function has no such motion.
+    pub fn new(
+        acceleration: &Signal,
+        scale: f64,
+        delay: f64,
+        baseline: Baseline,
+    ) -> Result<Motion, MotionFault> {
+        let course = match acceleration {
+            Signal::Sine {
+                amplitude,
+                omega,
+                phase,
+            } => {
+                if baseline == Baseline::Linear {
+                    return Err(MotionFault::NoEnd);
+                }
+                Course::Sine {
+                    amplitude: scale * amplitude,
+                    omega: *omega,
+                    phase: *phase,
+                    start: delay,
+                }
+            }
+            Signal::Table(table) => Course::Pieces(pieces(table, scale, delay, baseline)?),
+            // No study has the motion of a support as a function of time.
+            Signal::Motion(..) => return Err(MotionFault::NotFinite),
+        };
+        let motion = Motion(course);
+        let end = match &motion.0 {
+            Course::Sine { start, .. } => motion.at(*start),
+            Course::Pieces(pieces) => pieces.last().map_or([0.0; 3], |last| last.at(last.time)),
+        };
+        match end.iter().all(|x| x.is_finite()) {
+            true => Ok(motion),
+            false => Err(MotionFault::NotFinite),
+        }
+    }
+
+    /// u, v and a at time t; where a jumps, the value from then on.
+    pub fn at(&self, t: f64) -> [f64; 3] {
+        match &self.0 {
+            Course::Sine {
+                amplitude,
+                omega,
+                phase,
+                start,
+            } if t >= *start => sine([*amplitude, *omega, *phase], t - start),
+            Course::Sine { .. } => [0.0; 3],
+            Course::Pieces(pieces) => {
+                let after = pieces.partition_point(|piece| piece.time <= t);
+                let piece = after.checked_sub(1).map(|i| pieces[i]);
+                piece.map_or([0.0; 3], |piece| piece.at(t))
+            }
+        }
+    }
+
+    /// u, v and a at 0, dt, .. steps dt.
+    pub fn at_steps(&self, dt: f64, steps: usize) -> Vec<[f64; 3]> {
+        let mut found = 0;
+        let times = (0..=steps).map(|i| i as f64 * dt);
+        times.map(|t| self.at_later(t, &mut found)).collect()
+    }
+
+    /// u, v and a at a time that is not before the one for which `found` was written last; 0 at first.
+    pub fn at_later(&self, t: f64, found: &mut usize) -> [f64; 3] {
+        let Course::Pieces(pieces) = &self.0 else {
+            return self.at(t);
+        };
+        let passed = pieces[*found..].iter().take_while(|piece| piece.time <= t);
+        *found += passed.count();
+        let piece = found.checked_sub(1).map(|i| pieces[i]);
+        piece.map_or([0.0; 3], |piece| piece.at(t))
+    }
+
+    /// A quantity at time t.
+    pub fn quantity(&self, quantity: Quantity, t: f64) -> f64 {
+        self.at(t)[quantity as usize]
+    }
+
+    /// The times from which on the motion has another form.
+    pub fn points(&self) -> Vec<f64> {
+        match &self.0 {
+            Course::Sine { start, .. } => vec![*start],
+            Course::Pieces(pieces) => pieces.iter().map(|piece| piece.time).collect(),
+        }
+    }
+
+    /// The time up to which the support is at rest.
+    pub fn start(&self) -> f64 {
+        match &self.0 {
+            Course::Sine { start, .. } => *start,
+            Course::Pieces(pieces) => pieces.first().map_or(0.0, |piece| piece.time),
+        }
+    }
+
+    /// Times after 0 at which a jumps, with the values before and after.
+    pub fn jumps(&self) -> Vec<(f64, [f64; 2])> {
+        let acceleration = |time: f64| self.at(time)[2];
+        let all = match &self.0 {
+            Course::Sine { start, .. } => vec![(*start, [0.0, acceleration(*start)])],
+            Course::Pieces(pieces) => {
+                let first = pieces.iter().take(1);
+                let first = first.map(|piece| (piece.time, [0.0, piece.values[2]]));
+                let others = pieces.windows(2).map(|pair| {
+                    let time = pair[1].time;
+                    (time, [pair[0].at(time)[2], pair[1].values[2]])
+                });
+                first.chain(others).collect()
+            }
+        };
+        let jumps = all.into_iter().filter(|(time, [before, after])| {
+            // Round-off of a line at its end.
+            *time > 0.0 && (after - before).abs() > 1e-12 * before.abs().max(after.abs())
+        });
+        jumps.collect()
+    }
+
+    /// The circular frequency of a sine; 0 of other motions.
+    pub fn omega(&self) -> f64 {
+        match &self.0 {
+            Course::Sine { omega, .. } => *omega,
+            Course::Pieces(_) => 0.0,
+        }
+    }
+
+    /// Coefficients of u for the times `start` + `length` s, in powers of s; no point of the motion lies between.
+    pub fn taylor<const N: usize>(&self, [start, length]: [f64; 2]) -> [f64; N] {
+        let [u, v, a] = self.at(start);
+        let mut derivatives = [0.0; N];
+        for (to, x) in derivatives.iter_mut().zip([u, v, a]) {
+            *to = x;
+        }
+        match &self.0 {
+            Course::Sine {
+                amplitude,
+                omega,
+                phase,
+                start: own,
+            } if start >= *own => {
+                let angle = omega * (start - own) + phase;
+                let cycle = [sin(angle), cos(angle), -sin(angle), -cos(angle)];
+                let mut factor = *amplitude;
+                for (k, to) in derivatives.iter_mut().skip(2).enumerate() {
+                    *to = factor * cycle[k % 4];
+                    factor *= omega;
+                }
+            }
+            Course::Sine { .. } => {}
+            Course::Pieces(pieces) => {
+                let after = pieces.partition_point(|piece| piece.time <= start);
+                if let (Some(i), Some(to)) = (after.checked_sub(1), derivatives.get_mut(3)) {
+                    *to = pieces[i].values[3];
+                }
+            }
+        }
+        let mut factor = 1.0;
+        for (k, to) in derivatives.iter_mut().enumerate() {
+            if k > 0 {
+                factor *= length / k as f64;
+            }
+            *to *= factor;
+        }
+        derivatives
+    }
+}
+
+impl Piece {
+    fn at(&self, t: f64) -> [f64; 3] {
+        let ([u, v, a, rate], t) = (self.values, t - self.time);
+        [
+            u + t * (v + t * (0.5 * a + t * (rate / 6.0))),
+            v + t * (a + t * (0.5 * rate)),
+            a + t * rate,
+        ]
+    }
+}
+
+/// The pieces of a table from rest.
+fn pieces(
+    table: &Table,
+    scale: f64,
+    delay: f64,
+    baseline: Baseline,
+) -> Result<Vec<Piece>, MotionFault> {
+    let mut points = vec![(0.0, scale * table.at(0.0))];
+    let own = table.times().iter().zip(table.values());
+    let own = own.filter(|(time, _)| **time > 0.0);
+    points.extend(own.map(|(time, a)| (*time, scale * a)));
+    if baseline == Baseline::Linear {
+        let last = points.last().copied().unwrap_or_default();
+        if last.0 <= 0.0 {
+            return Err(MotionFault::NoEnd);
+        }
+        let areas = points
+            .windows(2)
+            .map(|pair| 0.5 * (pair[0].1 + pair[1].1) * (pair[1].0 - pair[0].0));
+        let mean = areas.sum::<f64>() / last.0;
+        points.iter_mut().for_each(|(_, a)| *a -= mean);
+        points.push((last.0, 0.0));
+    }
+    let [mut u, mut v] = [0.0; 2];
+    let mut pieces: Vec<Piece> = Vec::with_capacity(points.len());
+    for (i, (time, a)) in points.iter().enumerate() {
+        let next = points.get(i + 1);
+        let rate = match next {
+            // A jump.
+            Some((next, _)) if next == time => continue,
+            Some((next, b)) => (b - a) / (next - time),
+            None => 0.0,
+        };
+        let piece = Piece {
+            time: delay + time,
+            values: [u, v, *a, rate],
+        };
+        if let Some((next, _)) = next {
+            let end = Piece {
+                time: *time,
+                ..piece
+            };
+            [u, v, _] = end.at(*next);
+        }
+        pieces.push(piece);
+    }
+    if let (Baseline::Linear, Some(last)) = (baseline, pieces.last_mut()) {
+        // Without the round-off of the sum, which would become a drift.
+        last.values[1] = 0.0;
+    }
+    Ok(pieces)
+}
+
+/// u, v and a of a sine at the time t after its start: the integrals from rest, without differences of nearly equal numbers.
+fn sine([amplitude, omega, phase]: [f64; 3], t: f64) -> [f64; 3] {
+    let x = omega * t;
+    let (half, a) = (sin(0.5 * x), amplitude * sin(x + phase));
+    if x.abs() < 1e-150 {
+        // Its square is 0.
+        return [0.5 * a * t * t, a * t, a];
+    }
+    let v = 2.0 * amplitude / omega * sin(phase + 0.5 * x) * half;
+    let shape = cos(phase) * x_minus_sine(x) + sin(phase) * (2.0 * half * half);
+    [amplitude / (omega * omega) * shape, v, a]
+}
+
+/// x - sin x.
+fn x_minus_sine(x: f64) -> f64 {
+    if x.abs() > 1.0 {
+        return x - sin(x);
+    }
+    let square = x * x;
+    let (mut term, mut sum): (f64, f64) = (x * square / 6.0, 0.0);
+    let mut k = 4.0;
+    while term.abs() > 1e-18 * sum.abs() && k < 40.0 {
+        sum += term;
+        term *= -square / (k * (k + 1.0));
+        k += 2.0;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// u and v by Simpson's rule over short intervals of v and a.
+    fn integrals(a: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
+        let n = 4000;
+        let h = end / f64::from(n);
+        let [mut u, mut v] = [0.0; 2];
+        for i in 0..n {
+            let t = f64::from(i) * h;
+            let [a0, a1, a2] = [t, t + 0.5 * h, t + h].map(&a);
+            // The cubic through a, exact for a parabola.
+            u += h * v + h * h * (a0 + 2.0 * a1) / 6.0;
+            v += h * (a0 + 4.0 * a1 + a2) / 6.0;
+        }
+        [u, v]
+    }
+
+    #[test]
+    fn a_sine_has_its_integrals_from_rest() {
+        for (omega, phase, delay) in [(3.0, 0.0, 0.0), (0.7, 1.1, 0.4), (1e-3, 0.3, 0.0)] {
+            let signal = Signal::Sine {
+                amplitude: 1.3,
+                omega,
+                phase,
+            };
+            let motion = Motion::new(&signal, 2.0, delay, Baseline::None).unwrap();
+            assert_eq!(motion.at(delay)[..2], [0.0; 2]);
+            if delay > 0.0 {
+                assert_eq!(motion.at(0.99 * delay), [0.0; 3]);
+            }
+            for t in [0.01, 0.5, 2.0, 6.0] {
+                let [u, v] = integrals(|t| 2.6 * (omega * t + phase).sin(), t);
+                let own = motion.at(delay + t);
+                // Simpson's rule: (omega h)^4/180 = 3e-12, and its round-off.
+                assert!(
+                    (own[0] - u).abs() < 1e-10 && (own[1] - v).abs() < 1e-10,
+                    "{t}: {own:?} {u} {v}"
+                );
+                let taylor: [f64; 27] = motion.taylor([delay + t, 0.8]);
+                let at = taylor.iter().rev().fold(0.0, |sum, c| sum * 0.6 + c);
+                let [u, ..] = motion.at(delay + t + 0.48);
+                assert!((at - u).abs() <= 1e-14 * (1.0 + u.abs()), "{t}: {at} {u}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_table_has_cubics_and_its_delay_shifts_them() {
+        // a = 6 t up to 1, then -2: u = t^3, v = 3 t^2; later 1 + 3 s - s^2.
+        let table = Table::new(vec![0.0, 1.0, 1.0], vec![0.0, 6.0, -2.0]).unwrap();
+        let signal = Signal::Table(table);
+        for delay in [0.0, 0.5] {
+            let motion = Motion::new(&signal, 1.0, delay, Baseline::None).unwrap();
+            let at = |t: f64| motion.at(delay + t);
+            assert_eq!(at(0.5), [0.125, 0.75, 3.0]);
+            assert_eq!(at(1.0), [1.0, 3.0, -2.0]);
+            assert_eq!(at(3.0), [3.0, -1.0, -2.0]);
+            assert_eq!(motion.at(-0.1), [0.0; 3]);
+            let jumps = motion.jumps();
+            assert_eq!(jumps, [(delay + 1.0, [6.0, -2.0])]);
+            let steps = motion.at_steps(0.25, 12);
+            let expected: Vec<_> = (0..=12).map(|i| motion.at(0.25 * f64::from(i))).collect();
+            assert_eq!(steps, expected);
+        }
+    }
+
+    #[test]
+    fn a_linear_baseline_leaves_no_velocity_at_the_end() {
+        let table = Table::new(vec![0.0, 1.0, 3.0], vec![1.0, 3.0, 0.0]).unwrap();
+        let motion = Motion::new(&Signal::Table(table), 1.0, 0.2, Baseline::Linear).unwrap();
+        // The area is 2 + 3, its mean over 3 s is 5/3.
+        assert!((motion.at(0.2)[2] - (1.0 - 5.0 / 3.0)).abs() < 1e-15);
+        let [u, v, a] = motion.at(3.2);
+        assert_eq!([v, a], [0.0; 2]);
+        assert_eq!(motion.at(9.0), [u, 0.0, 0.0]);
+        // By parts, u(3) is the integral of (3 - t) a: of the lines, and of the mean.
+        let expected = {
+            let by = |t: f64| {
+                (3.0 - t)
+                    * if t < 1.0 {
+                        1.0 + 2.0 * t
+                    } else {
+                        4.5 - 1.5 * t
+                    }
+            };
+            let simpson =
+                |a: f64, b: f64| (b - a) / 6.0 * (by(a) + 4.0 * by(0.5 * (a + b)) + by(b));
+            simpson(0.0, 1.0) + simpson(1.0, 3.0) - 5.0 / 3.0 * 4.5
+        };
+        assert!((u - expected).abs() < 1e-14, "{u} {expected}");
+        let sine = Signal::Sine {
+            amplitude: 1.0,
+            omega: 1.0,
+            phase: 0.0,
+        };
+        let refused = Motion::new(&sine, 1.0, 0.0, Baseline::Linear);
+        assert_eq!(refused, Err(MotionFault::NoEnd));
+    }
+}

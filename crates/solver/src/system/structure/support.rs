@@ -1,0 +1,255 @@
+//! Supports with motions of their own.
+//!
+//! With rows f of free nodes and s of supports, u_s is given and
+//!
+//! ```text
+//! M a + C v + K u + B S = p - (M_fs a_s + C_fs v_s + K_fs u_s)
+//! ```
+//!
+//! The nodes of a [`Structure`] have w = u - R u_s, where R u_s is how the nodes follow slow supports: K R = -K_fs. Then no load
+//! depends on the displacements of the supports, which may be large against w and against the gaps:
+//!
+//! ```text
+//! M a_w + C v_w + K w + B S = p - (M R + M_fs) a_s - (C R + C_fs) v_s,   r = B^T w + gap + (B^T R + B_s^T) u_s
+//! ```
+//!
+//! For equal motions of all supports R u_s is this motion at every node, and w is the displacement relative to the ground.
+//!
+//! Any R gives the same u. Where K is singular, because springs do not hold a part in some direction, the contacts that hold it at
+//! rest say what it follows, or else all of its contacts, by weak springs in their places; without any, it follows nothing. What is
+//! left of K R + K_fs is then a load by u_s.
+
+use super::factor::Factor;
+use super::{Along, Load, Motion, Quantity, Signal, Structure, Symmetric};
+use std::sync::Arc;
+
+/// A support that moves in a direction.
+#[derive(Debug, Clone)]
+pub struct Support {
+    /// Its name, such as `left.x`.
+    pub name: String,
+    /// Its motion.
+    pub motion: Arc<Motion>,
+    /// u of each node beside w for a unit of its displacement: its column of R.
+    pub carried: Vec<f64>,
+    /// r of each contact beside B^T w for a unit of its displacement.
+    pub gaps: Vec<f64>,
+}
+
+/// Pivots below this part of the diagonal are round-off: of a chain of n springs they are 1/n of it.
+const SINGULAR: f64 = 1e-12;
+
+/// Stiffness of the springs in the places of contacts, over the largest entry of K.
+const WEAK: f64 = 1e-6;
+
+/// Most directions in which a part that nothing holds may move.
+const MOST_PINS: usize = 64;
+
+/// Sums below this part of their terms are round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+impl Structure {
+    /// The acceleration by which supports move the gap of a contact at t = 0.
+    pub fn gap_acceleration(&self, contact: usize) -> f64 {
+        let supports = self.supports.iter();
+        let terms = supports.map(|support| support.gaps[contact] * support.motion.at(0.0)[2]);
+        terms.sum()
+    }
+
+    /// u (`which` = 0) or v (1) at time t of a node with the rest `w`, or of a support, whose numbers follow those of the nodes.
+    pub fn total(&self, node: usize, t: f64, which: usize, w: &[f64]) -> f64 {
+        if let Some(support) = node.checked_sub(self.len()) {
+            return self.supports[support].motion.at(t)[which];
+        }
+        let supports = self.supports.iter();
+        let carried = supports.map(|own| own.motion.at(t)[which] * own.carried[node]);
+        carried.fold(w[node], |sum, x| sum + x)
+    }
+
+    /// Takes the supports out of the equations. Before, rows of matrices and places of contacts from the number of nodes on are
+    /// those of the supports in this order.
+    pub fn prescribe(&mut self, motions: Vec<(String, Arc<Motion>)>) {
+        if motions.is_empty() {
+            return;
+        }
+        let n = self.len();
+        let count = motions.len();
+        let [mass, damping, stiffness] =
+            [&self.coupled_mass, &self.damping, &self.stiffness].map(|all| Split::new(all, n));
+        let carried = carried(self, &stiffness, count);
+        (self.coupled_mass, self.damping) = (mass.free, damping.free);
+        self.stiffness = stiffness.free;
+        let mass_of_nodes = self.mass();
+        for (s, (name, motion)) in motions.into_iter().enumerate() {
+            let r = &carried[s];
+            for (quantity, matrix, column) in [
+                (Quantity::Acceleration, &mass_of_nodes, &mass.columns),
+                (Quantity::Velocity, &self.damping, &damping.columns),
+                (Quantity::Displacement, &self.stiffness, &stiffness.columns),
+            ] {
+                let pattern = pattern(matrix, r, column.get(s).map_or(&[], |own| &own[..]));
+                if !pattern.is_empty() {
+                    let signal = Arc::new(Signal::Motion(motion.clone(), quantity));
+                    self.loads.push(Load { pattern, signal });
+                }
+            }
+            let contacts = self.contacts.iter();
+            let gaps = contacts.map(|contact| gap(&contact.along, r, n, s));
+            let gaps = gaps.collect();
+            self.supports.push(Support {
+                name,
+                motion,
+                carried: r.clone(),
+                gaps,
+            });
+        }
+        for contact in &mut self.contacts {
+            contact.along.retain(|(node, _)| *node < n);
+        }
+    }
+}
+
+/// A matrix of nodes and supports.
+struct Split {
+    /// The rows and columns of the nodes.
+    free: Symmetric,
+    /// The columns of the supports in the rows of the nodes.
+    columns: Vec<Along>,
+}
+
+impl Split {
+    fn new(all: &Symmetric, n: usize) -> Split {
+        let mut free = Symmetric::zeros(n);
+        let mut columns = vec![Vec::new(); all.size().saturating_sub(n)];
+        for ((i, j), value) in all.entries() {
+            // i >= j.
+            if i < n {
+                free.add(i, j, value);
+            } else if j < n {
+                columns[i - n].push((j, value));
+            }
+        }
+        Split { free, columns }
+    }
+}
+
+/// -(A r + column) without its round-off.
+fn pattern(matrix: &Symmetric, r: &[f64], column: &[(usize, f64)]) -> Along {
+    let n = r.len();
+    let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
+    let mut add = |row: usize, value: f64| {
+        sums[row] -= value;
+        sizes[row] += f64::abs(value);
+    };
+    for ((i, j), value) in matrix.entries() {
+        add(i, value * r[j]);
+        if i != j {
+            add(j, value * r[i]);
+        }
+    }
+    for (row, value) in column {
+        add(*row, *value);
+    }
+    let all = sums.into_iter().zip(sizes).enumerate();
+    let kept = all.filter(|(_, (sum, size))| sum.abs() > ROUND_OFF * size);
+    kept.map(|(row, (sum, _))| (row, sum)).collect()
+}
+
+/// B^T r + B_s^T of support `s` for a contact, without its round-off.
+fn gap(along: &[(usize, f64)], r: &[f64], n: usize, s: usize) -> f64 {
+    let terms = along
+        .iter()
+        .map(|(node, factor)| match node.checked_sub(n) {
+            None => factor * r[*node],
+            Some(own) if own == s => *factor,
+            Some(_) => 0.0,
+        });
+    let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), x| (sum + x, size + f64::abs(x)));
+    if f64::abs(sum) > ROUND_OFF * size {
+        sum
+    } else {
+        0.0
+    }
+}
+
+/// R by columns: from K, from K and the contacts that hold, from K and all contacts, until the matrix is regular.
+fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f64>> {
+    let n = structure.len();
+    let columns = |columns: &[Along]| -> Vec<Vec<f64>> {
+        let dense = |own: &Along| {
+            let mut column = vec![0.0; n];
+            own.iter().for_each(|(row, value)| column[*row] -= value);
+            column
+        };
+        columns.iter().map(dense).collect()
+    };
+    if let Some(factor) = regular(&stiffness.free) {
+        return solved(&factor, columns(&stiffness.columns));
+    }
+    let entries = stiffness.free.entries();
+    let largest = entries.fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
+    let weak = if largest > 0.0 { WEAK * largest } else { 1.0 };
+    let mut with_contacts = Split {
+        free: stiffness.free.clone(),
+        columns: stiffness.columns.clone(),
+    };
+    for all in [false, true] {
+        let mut springs = Symmetric::zeros(n + count);
+        for contact in structure.contacts.iter().filter(|c| c.holds() != all) {
+            springs.add_along(&contact.along, weak);
+        }
+        let springs = Split::new(&springs, n);
+        with_contacts.free.add_matrix(&springs.free, 1.0);
+        for (own, more) in with_contacts.columns.iter_mut().zip(springs.columns) {
+            own.extend(more);
+        }
+        if let Some(factor) = regular(&with_contacts.free) {
+            return solved(&factor, columns(&with_contacts.columns));
+        }
+    }
+    match pinned(&with_contacts.free) {
+        Some(factor) => solved(&factor, columns(&with_contacts.columns)),
+        // Then all is a load.
+        None => vec![vec![0.0; n]; count],
+    }
+}
+
+fn solved(factor: &Factor, mut columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    columns.iter_mut().for_each(|column| factor.solve(column));
+    columns
+}
+
+/// The factor of a matrix, or a row whose pivot is round-off.
+fn factor(matrix: &Symmetric) -> Result<Factor, usize> {
+    let n = matrix.size();
+    let factor = Factor::new(matrix, &vec![false; n]).map_err(|why| why.row)?;
+    let mut diagonal = vec![0.0; n];
+    for ((i, j), value) in matrix.entries() {
+        if i == j {
+            diagonal[i] = value;
+        }
+    }
+    let mut pivots = factor.order().iter().zip(factor.reciprocals());
+    match pivots.find(|(row, reciprocal)| 1.0 < SINGULAR * diagonal[**row] * **reciprocal) {
+        Some((row, _)) => Err(*row),
+        None => Ok(factor),
+    }
+}
+
+fn regular(matrix: &Symmetric) -> Option<Factor> {
+    factor(matrix).ok()
+}
+
+/// The factor with springs that hold the nodes with which a part moves freely. No force of them is needed, so that the nodes stay.
+fn pinned(matrix: &Symmetric) -> Option<Factor> {
+    let mut matrix = matrix.clone();
+    let entries = matrix.entries();
+    let largest = entries.fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
+    for _ in 0..MOST_PINS {
+        match factor(&matrix) {
+            Ok(factor) => return Some(factor),
+            Err(row) => matrix.add(row, row, if largest > 0.0 { largest } else { 1.0 }),
+        }
+    }
+    None
+}

@@ -1,0 +1,98 @@
+//! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
+
+use super::keys::{BASELINES, FUNCTION, GROUND, SUPPORT, names};
+use super::loads::{function, scaled};
+use super::parts::Part;
+use super::reader::Reader;
+use crate::source::faults::{Faults, join};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::value::name;
+use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::template::Support;
+use slipgap_solver::system::structure::{Baseline, Direction};
+
+/// The directions x, y and z in which a support moves.
+pub(super) fn directions(node: &Node) -> [bool; 3] {
+    let Tree::Object(members) = &node.tree else {
+        return [true, false, false];
+    };
+    let given = |direction: Direction| members.iter().any(|one| one.key == direction.name());
+    match Direction::TRANSLATIONS.map(given) {
+        [false, false, false] => [true, false, false],
+        by_directions => by_directions,
+    }
+}
+
+/// The motions of the supports, in the order of their numbers.
+pub(super) fn supports(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Support> {
+    let all = parts.iter();
+    all.flat_map(|part| support(part, reader, faults).unwrap_or_default())
+        .collect()
+}
+
+/// `ground` together with `supports`.
+pub(super) fn refuse_ground(object: &Object, faults: &mut Faults) {
+    if let (Some(_), Some(supports)) = (object.get("ground"), object.get("supports")) {
+        let message = "give ground or supports, not both: u is relative to the ground, but absolute with supports; \"ground\" is a node that does not move there";
+        faults.add(supports.at, &object.path("supports"), message);
+    }
+}
+
+fn support(
+    (own_name, node, path): &Part,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Vec<Support>> {
+    let mut keys = names(FUNCTION);
+    keys.extend(names(GROUND).into_iter().chain(names(SUPPORT)));
+    let object = Object::open(node, path, &keys, faults)?;
+    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
+    let baseline = match object.get("baseline") {
+        None => Baseline::None,
+        Some(node) => {
+            name(
+                node,
+                &object.path("baseline"),
+                "baseline",
+                &BASELINES,
+                faults,
+            )?;
+            Baseline::Linear
+        }
+    };
+    let support = |direction, acceleration| Support {
+        name: own_name.clone(),
+        direction,
+        acceleration,
+        delay: delay.clone(),
+        baseline,
+    };
+    let given = directions(node);
+    let members = object.members.iter();
+    let plain = members
+        .clone()
+        .find(|member| FUNCTION.iter().any(|key| key.0 == member.key));
+    let by_directions = members
+        .clone()
+        .any(|member| GROUND.iter().any(|key| key.0 == member.key));
+    if !by_directions {
+        let acceleration = function(&object, node.at, path, reader, faults)?;
+        return Some(vec![support(Direction::X, acceleration)]);
+    }
+    if let Some(member) = plain {
+        let message = "give a function of time, which is the motion in x, or x, y and z, not both";
+        faults.add(member.at, &join(path, &member.key), message);
+        return None;
+    }
+    let one = |(direction, given): (Direction, bool)| {
+        let node = object.get(direction.name()).filter(|_| given)?;
+        let path = object.path(direction.name());
+        let acceleration = scaled(node, &path, reader, faults)?;
+        Some(support(direction, acceleration))
+    };
+    let all: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
+        .filter_map(one)
+        .collect();
+    Some(all)
+}
