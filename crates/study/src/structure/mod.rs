@@ -82,13 +82,18 @@ pub(super) fn problem(
     reader.names = Names::new(masses_named, bars_named, imported.clone());
     let reader = reader;
     let matrices = imported.into_iter();
-    let template = Template {
+    let modes = matrices::modes(&of_matrices, &reader, faults);
+    let mut template = Template {
         units,
         metre,
         masses: parts::masses(&masses, &reader, faults),
         bars: parts::bars(&bars, &reader, faults),
         matrices: matrices
-            .map(|(name, imported)| Matrices { name, imported })
+            .map(|(name, imported)| Matrices {
+                name,
+                imported,
+                reduce: None,
+            })
             .collect(),
         springs: object.items("springs", faults, |node, path, faults| {
             parts::spring(node, path, &reader, faults)
@@ -113,6 +118,8 @@ pub(super) fn problem(
     let known = reader.names.clone().with_contacts(contacts.collect());
     let metrics = named_metrics::metrics(root, &known, faults);
     let drawn = named_metrics::drawn(root, &known, faults);
+    let reduced = (&of_matrices[..], modes);
+    matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);
     named_metrics::report_errors_without_reference(
         root,
         &drawn,

@@ -4,9 +4,11 @@ use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
 use super::massless;
-use super::node::{NodeName, Numbering};
-use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template, Term};
+use super::node::{NodeName, Numbering, Rows};
+use super::reduce::Start as DirectionStart;
+use super::template::{DampingStiffness, Matrices, Moved, Scaled, SpringNumbers, Template, Term};
 use crate::problem::{Case, Violation};
+use crate::system::reduction::Reduced;
 use crate::system::structure::Direction;
 use crate::system::structure::{Along, Load, Node, Structure, StructureLaw, Symmetric};
 use std::borrow::Cow;
@@ -14,6 +16,17 @@ use std::f64::consts::PI;
 
 /// Most elements of a bar, and most nodes of a structure.
 pub const MOST_NODES: u32 = 100_000;
+
+/// Which model of a case is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Model {
+    /// That of the study.
+    Study,
+    /// With so many times the elements in each bar; the contacts are those of the study.
+    Finer(u32),
+    /// With the whole matrices, not reduced ones.
+    Unreduced,
+}
 
 /// What of a structure is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +45,8 @@ struct Draft<'a> {
     template: &'a Template,
     case: &'a Case,
     numbering: Numbering,
+    /// The reduction of each of the matrices.
+    reduced: Vec<Option<Reduced>>,
     structure: Structure,
     violations: Vec<Violation>,
 }
@@ -41,34 +56,37 @@ struct Draft<'a> {
 /// # Errors
 /// Every rule that the case breaks.
 pub fn check(template: &Template, case: &Case) -> Result<Numbering, Vec<Violation>> {
-    draft(template, case, 1, Detail::Numbers).map(|(_, numbering)| numbering)
+    draft(template, case, Model::Study, Detail::Numbers).map(|(_, numbering)| numbering)
 }
 
-/// The structure of a case, without modal damping, and the numbers of its nodes. Each bar has `finer` times its elements;
-/// the contacts are those of the case itself.
+/// The structure of a case, without modal damping, and the numbers of its nodes.
 ///
 /// # Errors
 /// Every rule that the case breaks.
 pub fn assemble(
     template: &Template,
     case: &Case,
-    finer: u32,
+    model: Model,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
-    draft(template, case, finer, Detail::Whole)
+    draft(template, case, model, Detail::Whole)
 }
 
 /// The structure of a case without its sampled loads, for the cost of its motion.
 ///
 /// # Errors
 /// Every rule that the case breaks.
-pub fn outline(template: &Template, case: &Case, finer: u32) -> Result<Structure, Vec<Violation>> {
-    draft(template, case, finer, Detail::WithoutSamples).map(|(structure, _)| structure)
+pub fn outline(
+    template: &Template,
+    case: &Case,
+    model: Model,
+) -> Result<Structure, Vec<Violation>> {
+    draft(template, case, model, Detail::WithoutSamples).map(|(structure, _)| structure)
 }
 
 fn draft(
     template: &Template,
     case: &Case,
-    finer: u32,
+    model: Model,
     detail: Detail,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
     let mut violations = Vec::new();
@@ -88,10 +106,26 @@ fn draft(
             ))
         }));
     }
+    let mut reduced = Vec::with_capacity(template.matrices.len());
+    for Matrices { reduce, .. } in &template.matrices {
+        let wanted = reduce.as_ref().filter(|_| model != Model::Unreduced);
+        match wanted.map(|own| own.reduced(case)).transpose() {
+            Ok(own) => reduced.push(own),
+            Err(violation) => violations.push(violation),
+        }
+    }
     if !violations.is_empty() {
         return Err(violations);
     }
-    let rows = template.matrices.iter().map(|own| own.imported.len());
+    let rows = template.matrices.iter().zip(&reduced);
+    let rows = rows.map(|(own, reduced)| match reduced {
+        Some(reduced) => Rows::Kept(reduced.kept().clone(), reduced.modes()),
+        None => Rows::All(own.imported.len()),
+    });
+    let finer = match model {
+        Model::Finer(finer) => finer,
+        Model::Study | Model::Unreduced => 1,
+    };
     let numbering = Numbering::new(template.masses.len(), elements, finer, rows.collect());
     let nodes = numbering.nodes();
     let size = match detail {
@@ -103,6 +137,7 @@ fn draft(
         template,
         case,
         numbering,
+        reduced,
         structure: Structure {
             nodes: Vec::with_capacity(size),
             coupled_mass: Symmetric::zeros(size),
@@ -138,6 +173,26 @@ pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> C
     match template.damping_stiffness {
         DampingStiffness::WithoutContacts => Cow::Borrowed(&structure.stiffness),
         DampingStiffness::Initial => Cow::Owned(structure.initial_stiffness()),
+    }
+}
+
+/// Adds M, K and C, from row and column `first` on, to those of a structure that has the nodes.
+fn add_matrices(
+    to: &mut Structure,
+    first: usize,
+    [mass, stiffness]: [&Symmetric; 2],
+    damping: Option<&Symmetric>,
+) {
+    for ((i, j), m) in mass.entries() {
+        match i == j {
+            true => to.nodes[first + i].mass = m,
+            false if m != 0.0 => to.coupled_mass.add(first + i, first + j, m),
+            false => {}
+        }
+    }
+    add_block(stiffness, first, &mut to.stiffness);
+    if let Some(damping) = damping {
+        add_block(damping, first, &mut to.damping);
     }
 }
 
@@ -228,28 +283,39 @@ impl Draft<'_> {
         for (place, matrices) in self.template.matrices.iter().enumerate() {
             let first = self.numbering.first_row(place);
             let own = &matrices.imported;
-            let Structure {
-                nodes,
-                coupled_mass,
-                stiffness,
-                damping,
-                ..
-            } = &mut self.structure;
-            nodes.extend((0..own.len()).map(|row| Node {
-                name: format!("{}.{}", matrices.name, own.dofs.name(row)),
+            let node = |row: &usize| Node {
+                name: format!("{}.{}", matrices.name, own.dofs.name(*row)),
                 mass: 0.0,
-                direction: own.dofs.rows()[row].direction,
-            }));
-            for ((i, j), m) in own.mass.entries() {
-                match i == j {
-                    true => nodes[first + i].mass = m,
-                    false if m != 0.0 => coupled_mass.add(first + i, first + j, m),
-                    false => {}
+                direction: own.dofs.rows()[*row].direction,
+            };
+            let nodes = &mut self.structure.nodes;
+            match &self.reduced[place] {
+                None => {
+                    nodes.extend((0..own.len()).map(|row| node(&row)));
+                    let damping = own.damping.as_ref();
+                    add_matrices(
+                        &mut self.structure,
+                        first,
+                        [&own.mass, &own.stiffness],
+                        damping,
+                    );
                 }
-            }
-            add_block(&own.stiffness, first, stiffness);
-            if let Some(of_damping) = &own.damping {
-                add_block(of_damping, first, damping);
+                Some(reduced) => {
+                    nodes.extend(reduced.kept().iter().map(node));
+                    nodes.extend((1..=reduced.modes()).map(|mode| Node {
+                        name: format!("{}.mode{mode}", matrices.name),
+                        mass: 0.0,
+                        direction: Direction::Modal,
+                    }));
+                    let (mass, stiffness) = (reduced.mass(), reduced.stiffness());
+                    let damping = reduced.damping();
+                    add_matrices(
+                        &mut self.structure,
+                        first,
+                        [&mass, &stiffness],
+                        damping.as_ref(),
+                    );
+                }
             }
         }
     }
@@ -352,9 +418,12 @@ impl Draft<'_> {
 
     fn loads(&mut self) {
         for load in &self.template.loads {
-            let nodes = self.moved(&load.at);
+            let nodes = self.loaded(&load.at);
             self.load(&load.force, |_, scale| {
-                nodes.iter().map(|node| (*node, scale)).collect()
+                nodes
+                    .iter()
+                    .map(|(node, share)| (*node, scale * share))
+                    .collect()
             });
         }
         for (direction, ground) in &self.template.ground {
@@ -384,10 +453,34 @@ impl Draft<'_> {
                 }
             }
         }
+        for (place, reduced) in self.reduced.iter().enumerate() {
+            if let Some(reduced) = reduced {
+                let first = self.numbering.first_row(place);
+                shaken[first..first + reduced.len()].copy_from_slice(&reduced.inertia(direction));
+            }
+        }
         shaken
     }
 
-    /// The nodes that a start moves or a load acts on.
+    /// The nodes on which a load acts, with the forces of a load of 1.
+    fn loaded(&mut self, of: &Moved) -> Vec<(usize, f64)> {
+        if let Moved::Rows(matrices, direction) = of
+            && let Some(reduced) = &self.reduced[*matrices]
+        {
+            let first = self.numbering.first_row(*matrices);
+            let forces = match self.is_built() {
+                true => reduced.forces(*direction),
+                false => Vec::new(),
+            };
+            let forces = forces.into_iter().enumerate();
+            return forces
+                .map(|(place, force)| (first + place, force))
+                .collect();
+        }
+        self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
+    }
+
+    /// The nodes that a start moves, or on which a load acts; of reduced matrices the kept ones.
     fn moved(&mut self, of: &Moved) -> Vec<usize> {
         match of {
             Moved::Node(name) => self.node(name).into_iter().collect(),
@@ -400,7 +493,8 @@ impl Draft<'_> {
                 let rows = self.template.matrices[*matrices].imported.dofs.rows();
                 let rows = rows.iter().enumerate();
                 let own = rows.filter(|(_, dof)| dof.direction == *direction);
-                own.map(|(row, _)| first + row).collect()
+                let own = own.filter_map(|(row, _)| self.numbering.place(*matrices, row));
+                own.map(|place| first + place).collect()
             }
         }
     }
@@ -419,6 +513,7 @@ impl Draft<'_> {
     }
 
     fn start(&mut self) {
+        let mut starts = vec![DirectionStart::default(); self.reduced.len()];
         for start in &self.template.start {
             let mut given =
                 |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
@@ -431,6 +526,26 @@ impl Draft<'_> {
                 } = &mut self.structure;
                 displacement[node] = u.unwrap_or(displacement[node]);
                 velocity[node] = v.unwrap_or(velocity[node]);
+            }
+            if let Moved::Rows(matrices, direction) = &start.of {
+                starts[*matrices].set(*direction, [u, v]);
+            }
+        }
+        if !self.is_built() {
+            return;
+        }
+        for (place, start) in starts.iter().enumerate() {
+            if let Some(reduced) = &self.reduced[place] {
+                let first = self.numbering.first_row(place);
+                let Structure {
+                    displacement,
+                    velocity,
+                    ..
+                } = &mut self.structure;
+                start.project(
+                    reduced,
+                    [&mut displacement[first..], &mut velocity[first..]],
+                );
             }
         }
     }

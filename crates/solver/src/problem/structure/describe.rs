@@ -163,7 +163,7 @@ fn count(number: usize, what: &str) -> String {
 }
 
 /// Six significant digits.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     shortest(rounded)
 }

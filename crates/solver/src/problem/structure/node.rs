@@ -1,6 +1,7 @@
 //! Nodes of a structure by their names, and their numbers in a case.
 
 use crate::problem::Violation;
+use std::sync::Arc;
 
 /// A node as the study names it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,7 +34,8 @@ pub enum NodeRef {
 /// The node that does not move.
 pub const GROUND: &str = "ground";
 
-/// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right, then the rows of matrices.
+/// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right, then the rows of matrices and, if they are reduced,
+/// their modes.
 #[derive(Debug, Clone)]
 pub struct Numbering {
     masses: usize,
@@ -41,14 +43,44 @@ pub struct Numbering {
     elements: Vec<u32>,
     /// How many elements an element of the study is divided into.
     finer: u32,
-    /// Number of rows of each of the matrices.
-    rows: Vec<usize>,
+    /// Rows of each of the matrices.
+    rows: Vec<Rows>,
+}
+
+/// The nodes that matrices have in a case.
+#[derive(Debug, Clone)]
+pub enum Rows {
+    /// All rows, so many.
+    All(usize),
+    /// These rows, which rise, and so many modes.
+    Kept(Arc<[usize]>, usize),
+}
+
+impl Rows {
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        match self {
+            Rows::All(rows) => *rows,
+            Rows::Kept(kept, modes) => kept.len() + modes,
+        }
+    }
+
+    /// The place of a row among the nodes.
+    fn place(&self, row: usize) -> Result<usize, String> {
+        match self {
+            Rows::All(_) => Ok(row),
+            Rows::Kept(kept, _) => {
+                let place = kept.binary_search(&row);
+                place.map_err(|_| "the reduction leaves this dof out".to_owned())
+            }
+        }
+    }
 }
 
 impl Numbering {
     /// The numbering of `masses` masses and bars of so many elements, each divided into `finer` ones. Inner nodes keep their
     /// places along the bar.
-    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<usize>) -> Numbering {
+    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<Rows>) -> Numbering {
         let elements = elements.iter().map(|n| n * finer).collect();
         Numbering {
             masses,
@@ -71,7 +103,12 @@ impl Numbering {
     /// Number of the first row of matrices, by their place in the list.
     pub fn first_row(&self, matrices: usize) -> usize {
         let before = self.rows[..matrices].iter();
-        self.first(self.elements.len()) + before.sum::<usize>()
+        self.first(self.elements.len()) + before.map(Rows::nodes).sum::<usize>()
+    }
+
+    /// The place of a row among the nodes of its matrices; `None` if a reduction leaves it out.
+    pub fn place(&self, matrices: usize, row: usize) -> Option<usize> {
+        self.rows[matrices].place(row).ok()
     }
 
     /// Number of the left node of a bar.
@@ -97,7 +134,10 @@ impl Numbering {
         match node {
             NodeRef::Ground => Ok(None),
             NodeRef::Mass(mass) => Ok(Some(mass)),
-            NodeRef::Dof(matrices, row) => Ok(Some(self.first_row(matrices) + row)),
+            NodeRef::Dof(matrices, row) => {
+                let place = self.rows[matrices].place(row)?;
+                Ok(Some(self.first_row(matrices) + place))
+            }
             NodeRef::Left(bar) => Ok(Some(self.first(bar))),
             NodeRef::Right(bar) => Ok(Some(self.first(bar) + self.elements[bar] as usize)),
             NodeRef::Inner(bar, i) if i >= 1 && i < self.elements[bar] / self.finer => {

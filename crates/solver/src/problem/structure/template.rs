@@ -3,6 +3,7 @@
 use super::amount::Amount;
 use super::loads::Source;
 use super::node::NodeName;
+use super::reduce::Reduce;
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
 use crate::system::structure::Direction;
@@ -108,6 +109,8 @@ pub struct Matrices {
     pub name: String,
     /// The matrices and the names of their rows.
     pub imported: Arc<Imported>,
+    /// Their reduction, if the study asks for one.
+    pub reduce: Option<Reduce>,
 }
 
 /// A node with its factor in a relative displacement.
