@@ -16,6 +16,7 @@ mod lanes;
 mod massless;
 mod mesh;
 mod recommend_laws;
+mod reduction;
 mod regularised;
 mod spring;
 mod structures;
