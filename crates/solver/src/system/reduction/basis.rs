@@ -3,6 +3,7 @@
 use super::ReductionFault;
 use super::held::Held;
 use super::modes::{Mode, lowest};
+use super::rayleigh::rayleigh;
 use super::vectors::dot;
 use crate::system::import::Imported;
 use crate::system::structure::{Direction, Symmetric};
@@ -25,14 +26,23 @@ pub(super) struct Basis {
     pub(super) mass: DMatrix<f64>,
     /// Y^T K Y of the held rows. In the modes it is omega^2; between both it is 0.
     pub(super) stiffness: DMatrix<f64>,
-    /// Y^T C Y.
-    pub(super) damping: Option<DMatrix<f64>>,
+    /// C, if there is one.
+    pub(super) damping: Option<Damping>,
     /// Displacements of the loose rows in Y.
     pub(super) loose_displacement: DMatrix<f64>,
     /// Phi^T M of the free rows times the displacements of the held rows.
     pub(super) coupling: DMatrix<f64>,
     /// What belongs to each direction of the rows.
     pub(super) directions: Vec<OfDirection>,
+}
+
+/// Damping of the matrices.
+#[derive(Debug)]
+pub(super) enum Damping {
+    /// Factors of M and K.
+    Rayleigh([f64; 2]),
+    /// Y^T C Y.
+    Full(DMatrix<f64>),
 }
 
 /// Vectors of a direction: 1 in its rows, 0 in the others.
@@ -67,7 +77,12 @@ impl Basis {
         let all: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
         let mass = projected(&imported.mass, &with_mass, &with_mass[..held]);
         let stiffness = projected(&imported.stiffness, &all[..held], &all[..held]);
-        let damping = imported.damping.as_ref().map(|c| projected(c, &all, &all));
+        let damping = imported.damping.as_ref().map(|c| {
+            match rayleigh(c, &imported.mass, &imported.stiffness) {
+                Some(factors) => Damping::Rayleigh(factors),
+                None => Damping::Full(projected(c, &all, &all)),
+            }
+        });
         let shapes: Vec<&[f64]> = modes.iter().map(|mode| &mode.shape[..]).collect();
         let constrained: Vec<&[f64]> = of.constrained.iter().map(|own| &own[..]).collect();
         let coupling = projected(&of.mass, &shapes, &constrained);

@@ -12,6 +12,7 @@ mod dense;
 mod held;
 mod lanczos;
 mod modes;
+mod rayleigh;
 mod reduced;
 #[cfg(test)]
 mod tests;

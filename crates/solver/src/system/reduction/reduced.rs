@@ -1,9 +1,9 @@
 //! The reduced matrices with the modes of a case.
 
 use super::ReductionFault;
-use super::basis::{Basis, OfDirection};
+use super::basis::{Basis, Damping, OfDirection};
 use crate::system::structure::{Direction, Symmetric};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DMatrixView};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -116,7 +116,8 @@ impl Reduced {
             force,
         }) = &self.loose
         {
-            add_lower(&(displacement.transpose() * force), &mut stiffness);
+            let own = displacement.transpose() * force;
+            add_lower(own.as_view(), &mut stiffness);
         }
         stiffness
     }
@@ -124,14 +125,23 @@ impl Reduced {
     /// C, if there is one.
     pub fn damping(&self) -> Option<Symmetric> {
         let mut damping = Symmetric::zeros(self.len());
-        let own = self.basis.damping.as_ref()?;
-        let size = self.basis.held.len() + self.basis.loose.len() + self.modes;
-        let own = own.view((0, 0), (size, size));
-        let transformation = self.transformation();
-        add_lower(
-            &(transformation.transpose() * own * &transformation),
-            &mut damping,
-        );
+        match self.basis.damping.as_ref()? {
+            Damping::Rayleigh([mass, stiffness]) => {
+                damping.add_matrix(&self.mass(), *mass);
+                damping.add_matrix(&self.stiffness(), *stiffness);
+            }
+            Damping::Full(own) => {
+                let own = own.view((0, 0), (self.len(), self.len()));
+                match self.loose {
+                    None => add_lower(own, &mut damping),
+                    Some(_) => {
+                        let transformation = self.transformation();
+                        let product = transformation.transpose() * own * &transformation;
+                        add_lower(product.as_view(), &mut damping);
+                    }
+                }
+            }
+        }
         Some(damping)
     }
 
@@ -175,6 +185,10 @@ impl Reduced {
         let Some(own) = own.map(which) else {
             return vec![0.0; self.len()];
         };
+        // Without loose rows the coordinates are those of the basis.
+        if self.loose.is_none() {
+            return own[..self.len()].to_vec();
+        }
         let transformation = self.transformation();
         let column = |column: usize| {
             let terms = transformation.column(column);
@@ -253,7 +267,7 @@ impl Reduced {
 }
 
 /// Adds the entries on and below the diagonal.
-fn add_lower(from: &DMatrix<f64>, to: &mut Symmetric) {
+fn add_lower(from: DMatrixView<f64>, to: &mut Symmetric) {
     for j in 0..from.ncols() {
         for i in j..from.nrows() {
             if from[(i, j)] != 0.0 {
