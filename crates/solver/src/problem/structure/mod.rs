@@ -379,9 +379,10 @@ impl Problem for StructureProblem {
     }
 
     fn description(&self, case: &Case) -> Option<String> {
-        let (structure, _) = self.structure(case, Model::Study).ok()?;
+        let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let dt = case.at(self.schema.step)?;
-        let mut text = describe::describe(&structure, dt, &self.template.units);
+        let mass = reduce::total_mass(&self.template, &structure, &numbering);
+        let mut text = describe::describe(&structure, mass, dt, &self.template.units);
         text += &reduce::described(&self.template, case, describe::short);
         Some(text)
     }
