@@ -179,6 +179,7 @@ pages! {
     findings_blocks "docs/findings-blocks.md",
     findings_friction "docs/findings-friction.md",
     findings_laws "docs/findings-laws.md",
+    findings_own_structure "docs/findings-own-structure.md",
     findings_structures "docs/findings-structures.md",
     from_your_model "docs/from-your-model.md",
     guide "docs/guide.md",

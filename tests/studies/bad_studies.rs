@@ -1479,3 +1479,74 @@ fn a_list_of_names_that_is_empty_says_so() {
         "{found:#?}"
     );
 }
+
+#[test]
+fn a_reduction_says_what_it_lacks() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/own_structure");
+    let found = |reduce: &str, rest: &str| {
+        let text = format!(
+            "{{\n\"problem\": \"structure\", \"parameters\": {{ \"n\": [1, 2], \"x\": 0.5, \"dt\": 0.1, \"duration\": \"n + x\" }},\n\"structure\": {{ \"matrices\": {{ \"f\": {{ \"M\": \"frames.M.mtx\", \"K\": \"frames.K.mtx\", \"dofs\": \"frames.dofs.csv\",\n{reduce} }} }} }},\n{rest}\n}}"
+        );
+        let faults = match parse(&format!("{folder}/s.json"), &text) {
+            Err(Error::Faults(faults)) => faults.iter().map(ToString::to_string).collect(),
+            Ok(_) => Vec::new(),
+            Err(other) => vec![other.to_string()],
+        };
+        let faults: Vec<String> = faults;
+        faults.concat()
+    };
+    let metrics = "\"metrics\": [\"peak(f.132.x)\"]";
+    let compared = "\"metrics\": [\"reduction_error(f.132.x)\"]";
+    for (reduce, rest, expected) in [
+        (
+            "\"reduce\": { \"modes\": -1 }",
+            metrics,
+            "reduce.modes: must be",
+        ),
+        (
+            "\"reduce\": { \"modes\": 1.5 }",
+            metrics,
+            "reduce.modes: must be a whole number",
+        ),
+        (
+            "\"reduce\": { \"modes\": \"x\" }",
+            metrics,
+            "reduce.modes: must be a whole number",
+        ),
+        (
+            "\"reduce\": { \"up_to\": 0 }",
+            metrics,
+            "reduce.up_to: must be",
+        ),
+        (
+            "\"reduce\": { \"modes\": 1, \"up_to\": 5 }",
+            metrics,
+            "give modes or up_to, not both",
+        ),
+        ("\"reduce\": {}", metrics, "missing: modes, or up_to"),
+        ("\"reduce\": 5", metrics, "reduce: must be an object"),
+        ("\"reduce\": { \"mode\": 5 }", metrics, "mode"),
+        (
+            "\"reduce\": { \"modes\": 5 }",
+            "\"metrics\": [\"energy_error\"]",
+            "no dof of f is kept",
+        ),
+        (
+            "\"C\": \"frames.C.mtx\"",
+            compared,
+            "needs \"reduce\" in \"matrices\"",
+        ),
+    ] {
+        let found = found(reduce, rest);
+        assert!(found.contains(expected), "{reduce}: {found}");
+    }
+    for reduce in [
+        "\"modes\": 1000",
+        "\"modes\": \"n\"",
+        "\"up_to\": 1e9",
+        "\"up_to\": 1e-9",
+    ] {
+        let found = found(&format!("\"reduce\": {{ {reduce} }}"), compared);
+        assert!(found.is_empty(), "{reduce}: {found}");
+    }
+}

@@ -7,6 +7,7 @@ pub mod import;
 pub mod loads;
 pub mod massless;
 mod modes;
+pub mod reduction;
 pub mod structure;
 
 pub use crate::methods::Mode;

@@ -158,6 +158,18 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "units" => json!({ "type": "string" }),
         "masses" => named(any()),
         "bars" => named(all_numbers(keys::BAR, &["L", "EA", "mass", "n"])),
+        "matrices" => {
+            let value = |key: &str| match key {
+                "reduce" => {
+                    let mut reduce = all_numbers(keys::REDUCE, &[]);
+                    reduce["minProperties"] = 1.into();
+                    reduce["maxProperties"] = 1.into();
+                    reduce
+                }
+                _ => json!({ "type": "string" }),
+            };
+            named(described(keys::MATRICES, value, &["M", "K", "dofs"]))
+        }
         "springs" => {
             let spring = |key: &str| match key {
                 "between" => between(),
@@ -303,6 +315,8 @@ pub(super) fn reference() -> String {
     );
     text += &table("The keys of `structure`:", keys::STRUCTURE);
     text += &table("A bar:", keys::BAR);
+    text += &table("`matrices`, for each model:", keys::MATRICES);
+    text += &table("`reduce`, one of:", keys::REDUCE);
     text += &table("A spring:", keys::SPRING);
     text += &table("`rayleigh`:", keys::RAYLEIGH);
     text += &table("A contact:", &keys::CONTACT);

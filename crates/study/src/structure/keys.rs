@@ -88,6 +88,22 @@ pub(crate) const MATRICES: Keys = &[
         "dofs",
         "CSV file with the header node,direction and, if wanted, support and X,Y,Z: one row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]",
     ),
+    (
+        "reduce",
+        "if given, only the dofs that a contact, spring, load, start, metric or figure names are kept, and the lowest modes with these dofs held (Craig and Bampton); the other dofs follow",
+    ),
+];
+
+/// Keys of `reduce`, of which one is given.
+pub(crate) const REDUCE: Keys = &[
+    (
+        "modes",
+        "number of modes; all if there are fewer; an amount, so that a parameter may be it",
+    ),
+    (
+        "up_to",
+        "the modes up to this frequency, in cycles per unit of time (omega/(2 pi), not omega)",
+    ),
 ];
 
 /// Keys of the ground by directions.

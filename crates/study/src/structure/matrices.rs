@@ -1,16 +1,20 @@
 //! Matrices of other programs: the files of M, K and C, and the names of their rows.
 
 use super::files;
-use super::keys::MATRICES;
+use super::keys::{MATRICES, REDUCE};
 use super::parts::Part;
 use super::reader::{Reader, open};
-use crate::source::faults::Faults;
+use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::interned;
+use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric};
+use slipgap_solver::problem::structure::reduce::{Modes, Reduce, named_rows};
 use slipgap_solver::problem::structure::rows::Rows;
-use slipgap_solver::problem::structure::template::{Matrices, Variant};
+use slipgap_solver::problem::structure::schema::Drawn;
+use slipgap_solver::problem::structure::template::{Matrices, Template, Variant};
 use slipgap_solver::system::import::{Dofs, ImportFault, Imported, Matrix};
 use slipgap_solver::system::structure::Symmetric;
 use std::sync::Arc;
@@ -30,9 +34,77 @@ pub(super) fn matrices(parts: &[Part], reader: &Reader, faults: &mut Faults) -> 
             rows: Arc::new(Rows::new(&imported.dofs, motion)),
             imported,
             variants,
+            reduce: None,
         })
     };
     parts.iter().filter_map(one).collect()
+}
+
+/// The modes that each of the matrices is reduced to; `None` without a reduction.
+pub(super) fn modes(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Option<Modes>> {
+    let mut one = |(_, node, path): &Part| {
+        let object = open(node, path, MATRICES, faults)?;
+        let node = object.get("reduce")?;
+        let reduce = open(node, &object.path("reduce"), REDUCE, faults)?;
+        match (reduce.get("modes"), reduce.get("up_to")) {
+            (Some(_), None) => reader
+                .optional(&reduce, "modes", Range::NotNegative, faults)
+                .map(Modes::Number),
+            (None, Some(_)) => reader
+                .optional(&reduce, "up_to", Range::Positive, faults)
+                .map(Modes::UpTo),
+            (Some(_), Some(_)) => {
+                reduce.fault("give modes or up_to, not both", faults);
+                None
+            }
+            (None, None) => {
+                reduce.fault("missing: modes, or up_to, a frequency", faults);
+                None
+            }
+        }
+    };
+    parts.iter().map(&mut one).collect()
+}
+
+/// Adds the reductions to a template, which keep what the template, the metrics and the figures name. Other kept dofs make another
+/// model: their names belong to the identity of the structure.
+pub(super) fn reduce(
+    template: &mut Template,
+    (parts, modes): (&[Part], Vec<Option<Modes>>),
+    (metrics, drawn): (&[StructureMetric], &[Drawn]),
+    reader: &Reader,
+    faults: &mut Faults,
+) {
+    let reduced = modes.iter().any(Option::is_some);
+    let compares = |metric: &&StructureMetric| metric.reduction == Reduction::ReductionError;
+    if let (Some(metric), false) = (metrics.iter().find(compares), reduced) {
+        let (at, path) = &metric.place;
+        let message = format!("{} needs \"reduce\" in \"matrices\"", quoted(&metric.name));
+        faults.add(*at, path, message);
+    }
+    let named = named_rows(template, metrics, drawn);
+    let matrices = template.matrices.iter_mut().zip(named);
+    for (((matrices, kept), modes), part) in matrices.zip(modes).zip(parts) {
+        let Some(modes) = modes else {
+            continue;
+        };
+        let (name, node, path) = part;
+        if kept.is_empty() {
+            let message = format!(
+                "no dof of {name} is kept: no contact, spring, load, start, metric or figure names one"
+            );
+            faults.add(node.at, &join(path, "reduce"), message);
+            continue;
+        }
+        if matrices.variants.len() > 1 {
+            let message = "a reduction needs files that no parameter chooses";
+            faults.add(node.at, &join(path, "reduce"), message);
+            continue;
+        }
+        let rows: Vec<String> = kept.iter().map(|row| row.to_string()).collect();
+        reader.keep(&format!("{name}\0kept"), rows.join(",").into_bytes());
+        matrices.reduce = Some(Reduce::new(matrices.imported.clone(), kept, modes));
+    }
 }
 
 /// How the content of a Matrix Market file begins.

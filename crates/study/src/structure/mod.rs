@@ -89,7 +89,8 @@ pub(super) fn problem(
         .map(|own| (own.name.clone(), own.imported.clone()));
     reader.names = Names::new(masses_named, bars_named, named.collect()).with_supports(directions);
     let reader = reader;
-    let template = Template {
+    let modes = matrices::modes(&of_matrices, &reader, faults);
+    let mut template = Template {
         units,
         metre,
         masses: parts::masses(&masses, &reader, faults),
@@ -119,6 +120,8 @@ pub(super) fn problem(
     let known = reader.names.clone().with_contacts(contacts.collect());
     let metrics = named_metrics::metrics(root, &known, faults);
     let drawn = named_metrics::drawn(root, &known, faults);
+    let reduced = (&of_matrices[..], modes);
+    matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);
     named_metrics::report_errors_without_reference(
         root,
         &drawn,

@@ -4,9 +4,11 @@ use super::amount::Amount;
 use super::contacts;
 use super::damping::MOST_MODES;
 use super::massless;
-use super::node::{NodeName, Numbering};
-use super::template::{DampingStiffness, Moved, Scaled, SpringNumbers, Template, Term};
+use super::node::{NodeName, Numbering, RowsInCase};
+use super::reduce::Start as DirectionStart;
+use super::template::{DampingStiffness, Matrices, Moved, Scaled, SpringNumbers, Template, Term};
 use crate::problem::{Case, Violation};
+use crate::system::reduction::Reduced;
 use crate::system::structure::Direction;
 use crate::system::structure::{Along, Load, Node, Structure, StructureLaw, Symmetric};
 use std::borrow::Cow;
@@ -15,6 +17,17 @@ use std::sync::Arc;
 
 /// Most elements of a bar, and most nodes of a structure.
 pub const MOST_NODES: u32 = 100_000;
+
+/// Which model of a case is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Model {
+    /// That of the study.
+    Study,
+    /// With so many times the elements in each bar; the contacts are those of the study.
+    Finer(u32),
+    /// With the whole matrices, not reduced ones.
+    Unreduced,
+}
 
 /// What of a structure is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,6 +46,8 @@ struct Draft<'a> {
     template: &'a Template,
     case: &'a Case,
     numbering: Numbering,
+    /// The reduction of each of the matrices.
+    reduced: Vec<Option<Reduced>>,
     structure: Structure,
     violations: Vec<Violation>,
 }
@@ -42,34 +57,37 @@ struct Draft<'a> {
 /// # Errors
 /// Every rule that the case breaks.
 pub fn check(template: &Template, case: &Case) -> Result<Numbering, Vec<Violation>> {
-    draft(template, case, 1, Detail::Numbers).map(|(_, numbering)| numbering)
+    draft(template, case, Model::Study, Detail::Numbers).map(|(_, numbering)| numbering)
 }
 
-/// The structure of a case, without modal damping, and the numbers of its nodes. Each bar has `finer` times its elements;
-/// the contacts are those of the case itself.
+/// The structure of a case, without modal damping, and the numbers of its nodes.
 ///
 /// # Errors
 /// Every rule that the case breaks.
 pub fn assemble(
     template: &Template,
     case: &Case,
-    finer: u32,
+    model: Model,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
-    draft(template, case, finer, Detail::Whole)
+    draft(template, case, model, Detail::Whole)
 }
 
 /// The structure of a case without its sampled loads, for the cost of its motion.
 ///
 /// # Errors
 /// Every rule that the case breaks.
-pub fn outline(template: &Template, case: &Case, finer: u32) -> Result<Structure, Vec<Violation>> {
-    draft(template, case, finer, Detail::WithoutSamples).map(|(structure, _)| structure)
+pub fn outline(
+    template: &Template,
+    case: &Case,
+    model: Model,
+) -> Result<Structure, Vec<Violation>> {
+    draft(template, case, model, Detail::WithoutSamples).map(|(structure, _)| structure)
 }
 
 fn draft(
     template: &Template,
     case: &Case,
-    finer: u32,
+    model: Model,
     detail: Detail,
 ) -> Result<(Structure, Numbering), Vec<Violation>> {
     let mut violations = Vec::new();
@@ -89,10 +107,26 @@ fn draft(
             ))
         }));
     }
+    let mut reduced = Vec::with_capacity(template.matrices.len());
+    for Matrices { reduce, .. } in &template.matrices {
+        let wanted = reduce.as_ref().filter(|_| model != Model::Unreduced);
+        match wanted.map(|own| own.reduced(case)).transpose() {
+            Ok(own) => reduced.push(own),
+            Err(violation) => violations.push(violation),
+        }
+    }
     if !violations.is_empty() {
         return Err(violations);
     }
-    let rows = template.matrices.iter().map(|own| own.rows.clone());
+    let rows = template.matrices.iter().zip(&reduced);
+    let rows = rows.map(|(own, reduced)| match reduced {
+        Some(reduced) => RowsInCase::kept(&own.rows, reduced.kept(), reduced.modes()),
+        None => RowsInCase::All(own.rows.clone()),
+    });
+    let finer = match model {
+        Model::Finer(finer) => finer,
+        Model::Study | Model::Unreduced => 1,
+    };
     let numbering = Numbering::new(template.masses.len(), elements, finer, rows.collect());
     let nodes = numbering.nodes();
     // The supports come after the nodes, until their motions are prescribed.
@@ -105,6 +139,7 @@ fn draft(
         template,
         case,
         numbering,
+        reduced,
         structure: Structure {
             nodes: Vec::with_capacity(size),
             coupled_mass: Symmetric::zeros(size),
@@ -144,6 +179,29 @@ pub fn damping_stiffness<'a>(template: &Template, structure: &'a Structure) -> C
     match template.damping_stiffness {
         DampingStiffness::WithoutContacts => Cow::Borrowed(&structure.stiffness),
         DampingStiffness::Initial => Cow::Owned(structure.initial_stiffness()),
+    }
+}
+
+/// Adds M, K and C with these numbers of their rows to those of a structure that has the nodes. Rows without a number are left out.
+fn add_matrices(
+    to: &mut Structure,
+    number: impl Fn(usize) -> Option<usize> + Copy,
+    [mass, stiffness]: [&Symmetric; 2],
+    damping: Option<&Symmetric>,
+) {
+    for ((i, j), m) in mass.entries() {
+        let (Some(i), Some(j)) = (number(i), number(j)) else {
+            continue;
+        };
+        match to.nodes.get_mut(i) {
+            Some(node) if i == j => node.mass = m,
+            _ if i != j && m != 0.0 => to.coupled_mass.add(i, j, m),
+            _ => {}
+        }
+    }
+    add_block(stiffness, number, &mut to.stiffness);
+    if let Some(damping) = damping {
+        add_block(damping, number, &mut to.damping);
     }
 }
 
@@ -234,37 +292,53 @@ impl Draft<'_> {
             return;
         }
         for (place, matrices) in self.template.matrices.iter().enumerate() {
-            let numbering = &self.numbering;
-            let numbers: Vec<_> = (0..matrices.imported.len())
-                .map(|row| numbering.row(place, row))
-                .collect();
-            let number = |row: usize| numbers[row];
+            let first = self.numbering.first_row(place);
             let own = matrices.in_case(self.case);
-            let Structure {
-                nodes,
-                coupled_mass,
-                stiffness,
-                damping,
-                ..
-            } = &mut self.structure;
-            nodes.extend(matrices.rows.nodes().map(|row| Node {
+            let node = |row: usize| Node {
                 name: format!("{}.{}", matrices.name, own.dofs.name(row)),
                 mass: 0.0,
                 direction: own.dofs.rows()[row].direction,
-            }));
-            for ((i, j), m) in own.mass.entries() {
-                let (Some(i), Some(j)) = (number(i), number(j)) else {
-                    continue;
-                };
-                match nodes.get_mut(i) {
-                    Some(node) if i == j => node.mass = m,
-                    _ if i != j && m != 0.0 => coupled_mass.add(i, j, m),
-                    _ => {}
+            };
+            let nodes = &mut self.structure.nodes;
+            match &self.reduced[place] {
+                None => {
+                    nodes.extend(matrices.rows.nodes().map(node));
+                    let numbers: Vec<_> = (0..own.len())
+                        .map(|row| self.numbering.row(place, row))
+                        .collect();
+                    add_matrices(
+                        &mut self.structure,
+                        |row| numbers[row],
+                        [&own.mass, &own.stiffness],
+                        own.damping.as_deref(),
+                    );
                 }
-            }
-            add_block(&own.stiffness, number, stiffness);
-            if let Some(of_damping) = &own.damping {
-                add_block(of_damping, number, damping);
+                Some(reduced) => {
+                    let kept = reduced.kept();
+                    let own_rows: Vec<usize> = matrices.rows.nodes().collect();
+                    let are_nodes = kept
+                        .iter()
+                        .filter(|row| own_rows.binary_search(row).is_ok());
+                    let before = nodes.len();
+                    nodes.extend(are_nodes.map(|row| node(*row)));
+                    let first_mode = first + (nodes.len() - before);
+                    nodes.extend((1..=reduced.modes()).map(|mode| Node {
+                        name: format!("{}.mode{mode}", matrices.name),
+                        mass: 0.0,
+                        direction: Direction::Modal,
+                    }));
+                    let (mass, stiffness) = (reduced.mass(), reduced.stiffness());
+                    let damping = reduced.damping();
+                    add_matrices(
+                        &mut self.structure,
+                        |row| match kept.get(row) {
+                            Some(row) => self.numbering.row(place, *row),
+                            None => Some(first_mode + (row - kept.len())),
+                        },
+                        [&mass, &stiffness],
+                        damping.as_ref(),
+                    );
+                }
             }
         }
     }
@@ -371,9 +445,12 @@ impl Draft<'_> {
 
     fn loads(&mut self) {
         for load in &self.template.loads {
-            let nodes = self.moved(&load.at);
+            let nodes = self.loaded(&load.at);
             self.load(&load.force, |_, scale| {
-                nodes.iter().map(|node| (*node, scale)).collect()
+                nodes
+                    .iter()
+                    .map(|(node, share)| (*node, scale * share))
+                    .collect()
             });
         }
         for (direction, ground) in &self.template.ground {
@@ -403,6 +480,12 @@ impl Draft<'_> {
                 }
             }
         }
+        for (place, reduced) in self.reduced.iter().enumerate() {
+            if let Some(reduced) = reduced {
+                let first = self.numbering.first_row(place);
+                shaken[first..first + reduced.len()].copy_from_slice(&reduced.inertia(direction));
+            }
+        }
         shaken
     }
 
@@ -425,7 +508,25 @@ impl Draft<'_> {
         }
     }
 
-    /// The nodes that a start moves or a load acts on.
+    /// The nodes on which a load acts, with the forces of a load of 1.
+    fn loaded(&mut self, of: &Moved) -> Vec<(usize, f64)> {
+        if let Moved::Rows(matrices, direction) = of
+            && let Some(reduced) = &self.reduced[*matrices]
+        {
+            let first = self.numbering.first_row(*matrices);
+            let forces = match self.is_built() {
+                true => reduced.forces(*direction),
+                false => Vec::new(),
+            };
+            let forces = forces.into_iter().enumerate();
+            return forces
+                .map(|(place, force)| (first + place, force))
+                .collect();
+        }
+        self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
+    }
+
+    /// The nodes that a start moves, or on which a load acts; of reduced matrices the kept ones.
     fn moved(&mut self, of: &Moved) -> Vec<usize> {
         match of {
             Moved::Node(name) => self.node(name).into_iter().collect(),
@@ -434,12 +535,12 @@ impl Draft<'_> {
                 (first..first + self.numbering.elements()[*bar] as usize + 1).collect()
             }
             Moved::Rows(matrices, direction) => {
-                let first = self.numbering.first_row(*matrices);
-                let own = &self.template.matrices[*matrices];
-                let dofs = own.imported.dofs.rows();
-                let nodes = own.rows.nodes().enumerate();
-                let chosen = nodes.filter(|(_, row)| dofs[*row].direction == *direction);
-                chosen.map(|(node, _)| first + node).collect()
+                let rows = self.template.matrices[*matrices].imported.dofs.rows();
+                let rows = rows.iter().enumerate();
+                let own = rows.filter(|(_, dof)| dof.direction == *direction);
+                let own = own.filter_map(|(row, _)| self.numbering.row(*matrices, row));
+                // Those behind the nodes are supports.
+                own.filter(|node| *node < self.numbering.nodes()).collect()
             }
         }
     }
@@ -458,6 +559,7 @@ impl Draft<'_> {
     }
 
     fn start(&mut self) {
+        let mut starts = vec![DirectionStart::default(); self.reduced.len()];
         for start in &self.template.start {
             let mut given =
                 |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
@@ -470,6 +572,26 @@ impl Draft<'_> {
                 } = &mut self.structure;
                 displacement[node] = u.unwrap_or(displacement[node]);
                 velocity[node] = v.unwrap_or(velocity[node]);
+            }
+            if let Moved::Rows(matrices, direction) = &start.of {
+                starts[*matrices].set(*direction, [u, v]);
+            }
+        }
+        if !self.is_built() {
+            return;
+        }
+        for (place, start) in starts.iter().enumerate() {
+            if let Some(reduced) = &self.reduced[place] {
+                let first = self.numbering.first_row(place);
+                let Structure {
+                    displacement,
+                    velocity,
+                    ..
+                } = &mut self.structure;
+                start.project(
+                    reduced,
+                    [&mut displacement[first..], &mut velocity[first..]],
+                );
             }
         }
     }

@@ -1,6 +1,6 @@
 //! How long the nodes of an impact touch.
 
-use crate::system::structure::{Contact, Structure};
+use crate::system::structure::{Contact, Direction, Structure};
 
 /// Time for which the nodes of an impact touch as two free masses without other forces; `None` for friction, links and rigid impacts.
 /// For a law with delta^1.5 it depends on the largest overlap, and is `None` without it.
@@ -8,11 +8,23 @@ pub fn time(structure: &Structure, contact: &Contact, overlap: Option<f64>) -> O
     // Between nodes of their own masses, as if other masses were not coupled to them.
     let nodes = contact.along.iter();
     let inverse: f64 = nodes
-        .map(|(node, factor)| factor * factor / structure.nodes[*node].mass)
+        .map(|(node, factor)| factor * factor / mass(structure, *node))
         .sum();
     if !inverse.is_finite() {
         return None;
     }
     let law = contact.law.law(0.0);
     law.properties().touching_time(inverse, overlap)
+}
+
+/// The mass of a node without what the modes of a reduction move with it: M_bb - M_bm M_mb, M_mm = 1.
+fn mass(structure: &Structure, node: usize) -> f64 {
+    let is_modal = |node: usize| structure.nodes[node].direction == Direction::Modal;
+    let own = structure.nodes[node].mass;
+    if !(0..structure.len()).any(is_modal) {
+        return own;
+    }
+    let entries = structure.coupled_mass.entries();
+    let coupled = entries.filter(|((i, j), _)| *j == node && is_modal(*i));
+    own - coupled.map(|(_, m)| m * m).sum::<f64>()
 }

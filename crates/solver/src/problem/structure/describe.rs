@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 const MOST_LINES: usize = 12;
 
 /// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
-pub fn describe(structure: &Structure, [dt, end]: [f64; 2], units: &str) -> String {
-    let mass: f64 = structure.nodes.iter().map(|node| node.mass).sum();
+/// `mass` is that of all nodes before a reduction.
+pub fn describe(structure: &Structure, mass: f64, [dt, end]: [f64; 2], units: &str) -> String {
     let units = match units {
         "" => String::new(),
         units => format!(" (units: {units})"),
@@ -212,7 +212,7 @@ fn count(number: usize, what: &str) -> String {
 }
 
 /// Six significant digits.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     shortest(rounded)
 }

@@ -65,6 +65,7 @@ reductions! {
     RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",
     StepError "step_error" Channel "sqrt(mean (c - g)^2); g is the exact motion of the softened laws",
     MeshError "mesh_error" Channel "sqrt(mean (g - f)^2); g is the exact motion of the softened laws, f the same with 4 times as many elements in every bar and the same contacts",
+    ReductionError "reduction_error" Channel "sqrt(mean (c - f)^2) over the steps; f is the motion by the same steps with the whole matrices instead of reduced ones",
     Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
     ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold "sum of impacts over all contacts that are impacts, of the steps before divergence; of all steps where it never comes",
     Difference "difference" Channel "largest difference over the steps between this run and one with start and loads 1e-10 larger, over the peak; empty where the channel is always 0",

@@ -88,6 +88,8 @@ pub struct Motions {
     pub rigid: Option<Recorded>,
     /// Exact, with the softened laws on a finer mesh, and the numbering of that mesh.
     pub finer: Option<(Recorded, Numbering)>,
+    /// By the same time steps with the whole matrices, and the numbering of that structure.
+    pub unreduced: Option<(Recorded, Numbering)>,
     /// Energies of the computed motion.
     pub energies: Option<Energies>,
 }
@@ -147,6 +149,11 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             let (finer, numbering) = motions.finer.as_ref()?;
             let finer = finer.channel(channel, numbering);
             Some(reduce::rms_error(&exact(&motions.softened)?, &finer))
+        }
+        Reduction::ReductionError => {
+            let (unreduced, numbering) = motions.unreduced.as_ref()?;
+            let unreduced = unreduced.channel(channel, numbering);
+            Some(reduce::rms_error(&c, &unreduced))
         }
         Reduction::Divergence => {
             let perturbed = exact(&motions.perturbed)?;

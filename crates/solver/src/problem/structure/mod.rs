@@ -17,6 +17,7 @@ mod metric_values;
 mod motion;
 pub mod names;
 pub mod node;
+pub mod reduce;
 pub mod rows;
 pub mod schema;
 pub mod scheme;
@@ -41,7 +42,7 @@ use crate::methods::Method;
 use crate::solve::structure::critical_fault;
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
-use assemble::assemble;
+use assemble::{Model, assemble};
 use channel::Number;
 use columns::all_numbers;
 use metric::StructureMetric;
@@ -88,11 +89,11 @@ impl StructureProblem {
         }
     }
 
-    /// The structure of a completed case, and the numbers of its nodes. Each bar has `finer` times its elements.
-    fn structure(&self, case: &Case, finer: u32) -> Result<(Structure, Numbering), Unsolvable> {
+    /// The structure of a completed case, and the numbers of its nodes.
+    fn structure(&self, case: &Case, model: Model) -> Result<(Structure, Numbering), Unsolvable> {
         let broken =
             |all: Vec<Violation>| Unsolvable::BrokenRules(Violation::all(&all).unwrap_or_default());
-        let (mut structure, numbering) = assemble(&self.template, case, finer).map_err(broken)?;
+        let (mut structure, numbering) = assemble(&self.template, case, model).map_err(broken)?;
         if let Some(ratio) = &self.template.modal_damping {
             let ratio = ratio.value(case).map_err(|one| broken(vec![one]))?;
             let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
@@ -105,7 +106,7 @@ impl StructureProblem {
     /// A case ready to be stepped; `place` is its place in the table of results.
     fn ready(&self, place: usize, case: &Case) -> Result<Ready, Unsolvable> {
         let dt = case.at(self.schema.step);
-        let (structure, numbering) = self.structure(case, 1)?;
+        let (structure, numbering) = self.structure(case, Model::Study)?;
         Ok(Ready {
             place,
             case: case.clone(),
@@ -115,6 +116,15 @@ impl StructureProblem {
             dt: dt.ok_or(Unsolvable::ParameterMissing)?,
             last: self.steps(case),
         })
+    }
+
+    /// Cost of the time steps of a structure with so many nodes, in steps times modes.
+    fn stepping_work(&self, case: &Case, nodes: usize) -> u64 {
+        let size = (nodes + 5 * self.template.contacts.len()).max(1);
+        let parts = self
+            .method(case)
+            .map_or(1, |method| method.count_of_sub_steps());
+        self.steps(case).saturating_mul(size as u64 * parts)
     }
 
     /// The method of a completed case.
@@ -147,7 +157,7 @@ impl StructureProblem {
         if !method.has_critical_step() && !self.template.has_massless_nodes(case) {
             return None;
         }
-        let (structure, _) = self.structure(case, 1).ok()?;
+        let (structure, _) = self.structure(case, Model::Study).ok()?;
         if let Some((node, why)) = massless::fault(&structure, &method) {
             let name = &structure.nodes[node].name;
             return Some(Violation {
@@ -278,17 +288,13 @@ impl Problem for StructureProblem {
     }
 
     fn work(&self, case: &Case) -> u64 {
-        let contacts = self.template.contacts.len();
-        let size = assemble::check(&self.template, case);
-        let size = size.map_or(1, |numbering| numbering.nodes() + 5 * contacts);
-        let parts = self
-            .method(case)
-            .map_or(1, |method| method.count_of_sub_steps());
-        self.steps(case).saturating_mul(size as u64 * parts)
+        let numbering = assemble::check(&self.template, case);
+        self.stepping_work(case, numbering.map_or(0, |numbering| numbering.nodes()))
     }
 
     fn reference_work(&self, case: &Case, _wanted: &[usize]) -> u64 {
         self.exact_work(case)
+            .saturating_add(self.unreduced_work(case))
     }
 
     fn solve(&self, case: &Case, _wanted: &[usize]) -> Result<Solution, Unsolvable> {
@@ -340,7 +346,7 @@ impl Problem for StructureProblem {
 
     fn exact(&self, case: &Case, times: &[f64]) -> Option<History> {
         self.template.reference?;
-        let (structure, numbering) = self.structure(case, 1).ok()?;
+        let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let numbers = self.drawn_numbers(&numbering);
         let exact = self.reference(&structure, times, &numbers).ok()?;
         Some(History {
@@ -351,7 +357,7 @@ impl Problem for StructureProblem {
 
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
-        match assemble(&self.template, case, 1) {
+        match assemble(&self.template, case, Model::Study) {
             Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact),
             Err(_) => Vec::new(),
         }
@@ -375,8 +381,11 @@ impl Problem for StructureProblem {
     }
 
     fn description(&self, case: &Case) -> Option<String> {
-        let (structure, _) = self.structure(case, 1).ok()?;
+        let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
-        Some(describe::describe(&structure, times, &self.template.units))
+        let mass = reduce::total_mass(&self.template, &structure, &numbering);
+        let mut text = describe::describe(&structure, mass, times, &self.template.units);
+        text += &reduce::described(&self.template, case, describe::short);
+        Some(text)
     }
 }

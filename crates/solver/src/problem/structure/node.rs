@@ -38,7 +38,7 @@ pub enum NodeRef {
 pub const GROUND: &str = "ground";
 
 /// Numbers of the nodes in a case: the masses, then the bars with their nodes from left to right, then the rows of matrices that
-/// belong to no support. The supports that move follow the nodes.
+/// belong to no support and, if they are reduced, their modes. The supports that move follow the nodes.
 #[derive(Debug, Clone)]
 pub struct Numbering {
     masses: usize,
@@ -47,13 +47,66 @@ pub struct Numbering {
     /// How many elements an element of the study is divided into.
     finer: u32,
     /// The rows of each of the matrices.
-    rows: Vec<Arc<Rows>>,
+    rows: Vec<RowsInCase>,
+}
+
+/// The nodes that matrices have in a case.
+#[derive(Debug, Clone)]
+pub enum RowsInCase {
+    /// All rows but those of supports.
+    All(Arc<Rows>),
+    /// Some rows and modes of a reduction.
+    Kept {
+        /// What the rows are.
+        rows: Arc<Rows>,
+        /// The rows that are kept and belong to no support; they rise.
+        nodes: Vec<usize>,
+        /// Number of modes.
+        modes: usize,
+    },
+}
+
+impl RowsInCase {
+    /// These kept rows and so many modes of matrices with these rows.
+    pub fn kept(rows: &Arc<Rows>, kept: &[usize], modes: usize) -> RowsInCase {
+        let is_node = |row: &usize| matches!(rows.number(*row), RowNumber::Free(_));
+        RowsInCase::Kept {
+            rows: rows.clone(),
+            nodes: kept.iter().copied().filter(is_node).collect(),
+            modes,
+        }
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        match self {
+            RowsInCase::All(rows) => rows.free(),
+            RowsInCase::Kept { nodes, modes, .. } => nodes.len() + modes,
+        }
+    }
+
+    /// What a row is.
+    ///
+    /// # Errors
+    /// A reduction leaves it out.
+    fn number(&self, row: usize) -> Result<RowNumber, String> {
+        match self {
+            RowsInCase::All(rows) => Ok(rows.number(row)),
+            RowsInCase::Kept { rows, nodes, .. } => match rows.number(row) {
+                RowNumber::Free(_) => match nodes.binary_search(&row) {
+                    Ok(place) => Ok(RowNumber::Free(place)),
+                    Err(_) => Err("the reduction leaves this dof out".to_owned()),
+                },
+                other => Ok(other),
+            },
+        }
+    }
 }
 
 impl Numbering {
     /// The numbering of `masses` masses and bars of so many elements, each divided into `finer` ones. Inner nodes keep their
     /// places along the bar.
-    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<Arc<Rows>>) -> Numbering {
+    pub fn new(masses: usize, elements: Vec<u32>, finer: u32, rows: Vec<RowsInCase>) -> Numbering {
         let elements = elements.iter().map(|n| n * finer).collect();
         Numbering {
             masses,
@@ -76,13 +129,18 @@ impl Numbering {
     /// Number of the first row of matrices, by their place in the list.
     pub fn first_row(&self, matrices: usize) -> usize {
         let before = self.rows[..matrices].iter();
-        let before = before.map(|rows| rows.free());
+        let before = before.map(RowsInCase::nodes);
         self.first(self.elements.len()) + before.sum::<usize>()
     }
 
     /// Number of a row of matrices: of a node or, after all nodes, of a support; `None` for a row that does not move.
     pub fn row(&self, matrices: usize, row: usize) -> Option<usize> {
-        match self.rows[matrices].number(row) {
+        let number = self.rows[matrices].number(row).ok()?;
+        self.of_row(matrices, number)
+    }
+
+    fn of_row(&self, matrices: usize, number: RowNumber) -> Option<usize> {
+        match number {
             RowNumber::Free(place) => Some(self.first_row(matrices) + place),
             RowNumber::Support(support) => Some(self.nodes() + support),
             RowNumber::Fixed => None,
@@ -112,7 +170,9 @@ impl Numbering {
         match node {
             NodeRef::Ground => Ok(None),
             NodeRef::Mass(mass) => Ok(Some(mass)),
-            NodeRef::Dof(matrices, row) => Ok(self.row(matrices, row)),
+            NodeRef::Dof(matrices, row) => {
+                Ok(self.of_row(matrices, self.rows[matrices].number(row)?))
+            }
             NodeRef::Support(support) => Ok(Some(self.nodes() + support)),
             NodeRef::Left(bar) => Ok(Some(self.first(bar))),
             NodeRef::Right(bar) => Ok(Some(self.first(bar) + self.elements[bar] as usize)),

@@ -1,10 +1,10 @@
 //! The motions that the metrics of a case need, and their values, one case at a time or side by side.
 
 use super::StructureProblem;
-use super::assemble;
+use super::assemble::{self, Model};
 use super::channel::Number;
 use super::metric::{Reduction, StructureMetric};
-use super::metric_values::{self, MetricContext, Motions};
+use super::metric_values::{self, MetricContext, Motions, Recorded};
 use super::motion::{self, Recording, Run};
 use super::node::Numbering;
 use super::sweep::Ready;
@@ -65,20 +65,36 @@ impl StructureProblem {
         if !self.has(&ERRORS) {
             return 0;
         }
-        let mut work = self.motion_work(case, 1);
+        let mut work = self.motion_work(case, Model::Study);
         if self.has(&[Reduction::RegularisationError]) {
             work *= 2.0;
         }
         if self.has(&[Reduction::MeshError]) {
-            work += self.motion_work(case, FINER);
+            work += self.motion_work(case, Model::Finer(FINER));
         }
         let at_steps = self.work(case).saturating_mul(30);
         at_steps.saturating_add(work as u64)
     }
 
+    /// Cost of the motion with the whole matrices, in steps times modes; 0 if no metric compares with it.
+    pub(super) fn unreduced_work(&self, case: &Case) -> u64 {
+        let (true, Ok(numbering)) = (
+            self.has(&[Reduction::ReductionError]),
+            assemble::check(&self.template, case),
+        ) else {
+            return 0;
+        };
+        let matrices = self.template.matrices.iter().enumerate();
+        let more = matrices.map(|(place, own)| {
+            let nodes = numbering.first_row(place + 1) - numbering.first_row(place);
+            own.imported.len().saturating_sub(nodes)
+        });
+        self.stepping_work(case, numbering.nodes() + more.sum::<usize>())
+    }
+
     /// Cost of the pieces of one exact motion.
-    fn motion_work(&self, case: &Case, finer: u32) -> f64 {
-        let Ok(outline) = assemble::outline(&self.template, case, finer) else {
+    fn motion_work(&self, case: &Case, model: Model) -> f64 {
+        let Ok(outline) = assemble::outline(&self.template, case, model) else {
             return 0.0;
         };
         let outline = match self.against_rigid() {
@@ -197,12 +213,13 @@ impl StructureProblem {
             motions.rigid = Some(motion::exact(&motion::rigid(structure), &times, &numbers)?);
         }
         if self.has(&[Reduction::MeshError]) {
-            let (finer, numbering) = self.structure(&ready.case, FINER)?;
+            let (finer, numbering) = self.structure(&ready.case, Model::Finer(FINER))?;
             let numbers = self.numbers(&numbering, |metric| {
                 metric.reduction == Reduction::MeshError
             });
             motions.finer = Some((motion::exact(&finer, &times, &numbers)?, numbering));
         }
+        motions.unreduced = self.unreduced(ready)?;
         let of = MetricContext {
             structure,
             numbering,
@@ -216,5 +233,25 @@ impl StructureProblem {
             .collect();
         let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
         Ok((motions, values, warnings))
+    }
+
+    /// The motion of a case with the whole matrices; `None` if no metric compares with it.
+    fn unreduced(&self, ready: &Ready) -> Result<Option<(Recorded, Numbering)>, Unsolvable> {
+        if !self.has(&[Reduction::ReductionError]) {
+            return Ok(None);
+        }
+        let (structure, numbering) = self.structure(&ready.case, Model::Unreduced)?;
+        let numbers = self.numbers(&numbering, |metric| {
+            metric.reduction == Reduction::ReductionError
+        });
+        let recording = Recording {
+            last: ready.last,
+            numbers: &numbers,
+            energy: false,
+            watch: None,
+        };
+        let prepared = motion::prepare(&structure, &ready.method, ready.dt)?;
+        let [run] = motion::steps(&[&structure], &prepared, recording);
+        Ok(Some((run?.0, numbering)))
     }
 }

@@ -3,6 +3,7 @@
 use super::amount::Amount;
 use super::loads::Source;
 use super::node::NodeName;
+use super::reduce::Reduce;
 use super::rows::Rows;
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
@@ -116,6 +117,8 @@ pub struct Matrices {
     pub variants: Vec<Variant>,
     /// Which rows are nodes.
     pub rows: Arc<Rows>,
+    /// Their reduction, if the study asks for one.
+    pub reduce: Option<Reduce>,
 }
 
 /// Matrices, and the rows of the parameters that choose their files with the names of these files.

@@ -51,7 +51,8 @@ impl UnitNames<'_> {
             | Reduction::PeakError
             | Reduction::RegularisationError
             | Reduction::StepError
-            | Reduction::MeshError => {
+            | Reduction::MeshError
+            | Reduction::ReductionError => {
                 let channel = metric.channel.as_ref()?;
                 Some(self.of_dimension(channel.dimension()))
             }

@@ -16,10 +16,12 @@ pub enum Direction {
     Ry,
     /// A rotation about z.
     Rz,
+    /// None: the coordinate of a mode. No row of matrices has it.
+    Modal,
 }
 
 impl Direction {
-    /// All directions; the translations come first.
+    /// All directions of rows; the translations come first.
     pub const ALL: [Direction; 6] = [
         Direction::X,
         Direction::Y,
@@ -41,6 +43,7 @@ impl Direction {
             Direction::Rx => "rx",
             Direction::Ry => "ry",
             Direction::Rz => "rz",
+            Direction::Modal => "",
         }
     }
 

@@ -1,0 +1,52 @@
+//! The lowest modes of a structure whose kept degrees of freedom are held.
+
+use super::held::Held;
+use super::{ReductionFault, dense, lanczos};
+
+/// Most rows with mass whose modes are computed all at once.
+const SMALL: usize = 300;
+
+/// Fewest modes that are computed of a large structure.
+const FEWEST: usize = 16;
+
+/// Most modes of a large structure.
+pub const MOST_MODES: usize = 1000;
+
+/// A mode of the free rows.
+#[derive(Debug, Clone)]
+pub(super) struct Mode {
+    /// Square of its natural circular frequency.
+    pub(super) omega2: f64,
+    /// Its shape phi, phi^T M phi = 1.
+    pub(super) shape: Vec<f64>,
+}
+
+/// How many modes are computed at once where `wanted` and the next one are needed, of `all`.
+///
+/// It depends on nothing else, so that the modes of a case do not depend on other cases.
+pub(super) fn stage(wanted: usize, all: usize) -> usize {
+    if all <= SMALL || wanted >= all {
+        return all;
+    }
+    let mut stage = FEWEST;
+    while stage <= wanted {
+        stage *= 2;
+    }
+    match is_dense(stage, all) {
+        true => all,
+        false => stage,
+    }
+}
+
+/// Whether full matrices are faster than a subspace of about twice the number of modes.
+fn is_dense(modes: usize, all: usize) -> bool {
+    all <= SMALL || 2 * modes + 100 > all
+}
+
+/// The first modes in the order of their frequencies, as many as [`stage`] says.
+pub(super) fn lowest(of: &Held, stage: usize) -> Result<Vec<Mode>, ReductionFault> {
+    match is_dense(stage, of.massive.len()) {
+        true => dense::all_modes(of),
+        false => lanczos::lowest(of, stage),
+    }
+}

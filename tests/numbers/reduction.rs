@@ -1,0 +1,192 @@
+//! Reduced matrices of other programs against the whole ones, and against bars.
+
+use slipgap::study;
+
+/// Matrices that the tests of the formats have, and those of the studies.
+const FRAMES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/own_structure");
+const MODELS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/studies/models");
+
+/// The metrics of the first case of a study whose files are in a folder.
+fn metrics(folder: &str, text: &str) -> Vec<f64> {
+    let study = study::parse(&format!("{folder}/s.json"), text).unwrap();
+    let solution = study.problem.solve(&study.case(0).unwrap(), &study.metrics);
+    let metrics = solution.unwrap().metrics;
+    metrics.into_iter().map(Option::unwrap).collect()
+}
+
+/// Two frames with a skew contact; a rotation without mass is kept, and all kinds of loads and starts act.
+fn frames(name: &str, reduce: &str, channels: [&str; 2]) -> Vec<f64> {
+    let [u, r] = channels;
+    metrics(
+        FRAMES,
+        &format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.002, "duration": 3 }},
+            "structure": {{
+                "matrices": {{ "f": {{ "M": "{name}.M.mtx", "C": "{name}.C.mtx", "K": "{name}.K.mtx", "dofs": "{name}.dofs.csv"
+                    {reduce} }} }},
+                "masses": {{ "block": 3 }},
+                "springs": [{{ "between": ["f.111.rz", "block"], "k": 2e3 }}, {{ "between": ["block", "ground"], "k": 1e3, "c": 1 }}],
+                "contacts": {{ "roof": {{ "law": "impact", "gap": 0.005, "k": 4e4,
+                    "along": {{ "f.132.x": -0.9998, "f.132.y": -0.02, "f.231.x": 0.9998, "f.231.y": 0.02 }} }} }},
+                "loads": [{{ "at": "f.y", "sine": {{ "amplitude": 3, "omega": 11 }} }},
+                    {{ "at": "f.121.x", "sine": {{ "amplitude": 40, "omega": 7 }} }}],
+                "ground": {{ "x": {{ "synthetic": 3 }}, "y": {{ "synthetic": 4 }} }},
+                "start": {{ "f.x": {{ "u": 0.01, "v": 0.1 }}, "f.132.x": {{ "u": 0.02 }} }} }},
+            "metrics": ["reduction_error({u})", "reduction_error({r})", "peak({u})", "peak({r})", "reduction_error(block)"] }}"#
+        ),
+    )
+}
+
+#[test]
+fn frames_with_all_modes_move_as_the_whole_model() {
+    for name in ["frames", "rotary", "damped"] {
+        let found = frames(
+            name,
+            r#", "reduce": { "modes": 1000 }"#,
+            ["f.222.x", "roof.S"],
+        );
+        let [u, force, peak_u, peak_force, block] = found[..] else {
+            panic!();
+        };
+        // The whole model and the other coordinates have different round-off; the condition of K is 1e5.
+        assert!(
+            u < 1e-9 * peak_u && block < 1e-9 * peak_u,
+            "{name}: {u} {block}"
+        );
+        assert!(
+            force < 1e-9 * peak_force && peak_force > 10.0,
+            "{name}: {force}"
+        );
+        // Few modes are another model: the metric sees it.
+        let few = frames(name, r#", "reduce": { "up_to": 5 }"#, ["f.222.x", "roof.S"]);
+        assert!(few[0] > 1e-3 * peak_u && few[0] < peak_u, "{name}: {few:?}");
+    }
+}
+
+#[test]
+fn a_bar_with_more_modes_tends_to_its_mesh() {
+    // The bar of the studies against a stop, as a bar of the study and by matrices.
+    let study = |parts: &str, node: &str, start: &str, metrics: &str| {
+        format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.002, "duration": 3 }}, "structure": {{ {parts},
+            "contacts": {{ "stop": {{ "law": "impact", "between": ["{node}", "ground"], "k": 60 }} }}, "start": {{ "{start}": {{ "v": 1 }} }} }},
+            "metrics": [{metrics}] }}"#
+        )
+    };
+    let plain = r#""impulse(stop)", "peak(stop.S)", "contact_time(stop)""#;
+    let mesh = metrics(
+        MODELS,
+        &study(
+            r#""bars": { "b": { "L": 1, "EA": 1, "mass": 1, "n": 60 } }"#,
+            "b.right",
+            "b",
+            plain,
+        ),
+    );
+    let with = |modes: usize| {
+        let parts = format!(
+            r#""matrices": {{ "b": {{ "M": "bar.M.mtx", "K": "bar.K.mtx", "dofs": "bar.dofs.csv", "reduce": {{ "modes": {modes} }} }} }}"#
+        );
+        let all = format!(r#"{plain}, "reduction_error(stop.S)", "reduction_error(b.61.x)""#);
+        metrics(MODELS, &study(&parts, "b.61.x", "b.x", &all))
+    };
+    let errors: Vec<[f64; 2]> = [1, 4, 16, 59]
+        .map(|modes| {
+            let found = with(modes);
+            [found[3], found[4]]
+        })
+        .to_vec();
+    for pair in errors.windows(2) {
+        assert!(
+            pair[1][0] < pair[0][0] && pair[1][1] < 0.5 * pair[0][1],
+            "{errors:?}"
+        );
+    }
+    let all = with(60);
+    for (own, mesh) in all.iter().zip(&mesh) {
+        // Round-off; contact times are whole steps.
+        assert!((own - mesh).abs() < 1e-10, "{all:?} {mesh:?}");
+    }
+    assert!(all[3] < 1e-9 && all[4] < 1e-10, "{all:?}");
+}
+
+#[test]
+fn the_steps_agree_where_no_modes_are_needed() {
+    // A load that rests is carried statically by any number of modes, after heavy damping.
+    let last = |reduce: &str| {
+        metrics(
+            FRAMES,
+            &format!(
+                r#"{{ "problem": "structure", "parameters": {{ "dt": 0.05, "duration": 60 }},
+                "structure": {{ "matrices": {{ "f": {{ "M": "frames.M.mtx", "K": "frames.K.mtx", "dofs": "frames.dofs.csv" {reduce} }} }},
+                "rayleigh": {{ "mass": 4, "stiffness": 0.1 }},
+                "loads": [{{ "at": "f.132.x", "table": {{ "t": [0, 1], "f": [0, 100] }} }}, {{ "at": "f.y", "table": {{ "t": [0, 1], "f": [0, -9] }} }}] }},
+                "metrics": ["last(f.132.x)", "last(f.111.rz)", "last(f.231.y)"] }}"#
+            ),
+        )
+    };
+    let whole = last("");
+    for modes in [0, 2, 22] {
+        let own = last(&format!(r#", "reduce": {{ "modes": {modes} }}"#));
+        for (own, whole) in own.iter().zip(&whole) {
+            // exp(-2 * 60) is left of the motion; round-off of a condition of 1e5.
+            assert!((own / whole - 1.0).abs() < 1e-9, "{own} {whole}");
+        }
+    }
+}
+
+#[test]
+fn histories_and_descriptions_name_what_is_left() {
+    let text = r#"{ "problem": "structure", "parameters": { "modes": [2, 5], "dt": 0.01, "duration": 1 },
+        "structure": { "matrices": { "f": { "M": "frames.M.mtx", "K": "frames.K.mtx", "dofs": "frames.dofs.csv", "reduce": { "modes": "modes" } } },
+        "ground": { "synthetic": 3 } }, "metrics": ["peak(f.132.x)"], "checks": [{ "metric": "peak(f.111.y)", "max": 1 }] }"#;
+    let study = study::parse(&format!("{FRAMES}/s.json"), text).unwrap();
+    for (case, modes) in [(0, 2), (1, 5)] {
+        let case = study.case(case).unwrap();
+        let columns = study.problem.history_columns(&case);
+        let names: Vec<&str> = columns.iter().map(|own| &*own.column.name).collect();
+        assert_eq!(names.len(), 2 * (2 + modes));
+        assert_eq!(
+            names[..6],
+            [
+                "f.111.y.u",
+                "f.111.y.v",
+                "f.132.x.u",
+                "f.132.x.v",
+                "f.mode1.u",
+                "f.mode1.v"
+            ]
+        );
+        let text = study.problem.description(&case).unwrap();
+        let expected = format!(
+            "reduction of f: of 36 dofs 2 are kept, with {modes} of 22 modes up to the frequency "
+        );
+        assert!(text.contains(&expected), "{text}");
+        // 156 t in x and in y.
+        assert!(text.contains("total mass 312,"), "{text}");
+    }
+}
+
+#[test]
+fn the_time_for_which_nodes_touch_is_that_of_their_own_masses() {
+    let time = |reduce: &str| {
+        let text = format!(
+            r#"{{ "problem": "structure", "parameters": {{ "dt": 0.002, "duration": 3 }}, "structure": {{
+            "matrices": {{ "b": {{ "M": "bar.M.mtx", "K": "bar.K.mtx", "dofs": "bar.dofs.csv" {reduce} }} }},
+            "contacts": {{ "stop": {{ "law": "impact", "between": ["b.61.x", "ground"], "k": 60 }} }} }}, "metrics": ["impulse(stop)"] }}"#
+        );
+        let study = study::parse(&format!("{MODELS}/s.json"), &text).unwrap();
+        let text = study.problem.description(&study.case(0).unwrap()).unwrap();
+        let behind = text.split("its nodes touch for ").nth(1).unwrap();
+        behind.split(' ').next().unwrap().parse::<f64>().unwrap()
+    };
+    // pi sqrt(m/k) of half an element.
+    let expected = std::f64::consts::PI * (1.0 / 120.0 / 60.0_f64).sqrt();
+    for reduce in ["", r#", "reduce": { "modes": 60 }"#] {
+        // Six digits are printed.
+        assert!((time(reduce) / expected - 1.0).abs() < 1e-5, "{reduce}");
+    }
+    // Without modes the whole bar is the mass.
+    let whole = std::f64::consts::PI * (1.0 / 60.0_f64).sqrt();
+    assert!((time(r#", "reduce": { "modes": 0 }"#) / whole - 1.0).abs() < 1e-5);
+}
