@@ -108,6 +108,7 @@ fn structure(json: &Json) -> Structure {
         loads: list(&json["loads"]).iter().map(load).collect(),
         displacement: numbers(&json["displacement"]),
         velocity: numbers(&json["velocity"]),
+        supports: Vec::new(),
     }
 }
 
