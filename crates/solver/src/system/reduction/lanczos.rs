@@ -1,7 +1,8 @@
 //! The lowest modes by Lanczos's method for K^-1 M.
 //!
 //! Several start vectors make a band (Ruhe 1979), so that a few equal frequencies are found at once. Every vector is made orthogonal
-//! to all others in the product a^T M b, twice. When the modes have converged, new start vectors look for those that were missed.
+//! to all others in the product a^T M b, and before that to the last ones, of which it has most. When the modes have converged, new
+//! start vectors look for those that were missed.
 
 use super::ReductionFault;
 use super::held::Held;
@@ -14,6 +15,9 @@ const BAND: usize = 4;
 
 /// Vectors after which new start vectors would show a mode that was missed.
 const SEARCH: usize = 12 * BAND;
+
+/// Number of last vectors of which an image has more than round-off.
+const LAST: usize = 16 * BAND;
 
 /// Largest residual of a mode of K^-1 M over its eigenvalue. The error of the frequency is about its square.
 const TOLERANCE: f64 = 1e-11;
@@ -28,6 +32,7 @@ const DEPENDENT: f64 = 1e-10;
 struct Space<'a> {
     of: &'a Held,
     mass: Vec<((usize, usize), f64)>,
+    stiffness: Vec<((usize, usize), f64)>,
     /// Vectors v, orthonormal in the product with M.
     vectors: Vec<Vec<f64>>,
     /// For the first vectors: K^-1 M v as a combination of the vectors.
@@ -52,6 +57,7 @@ pub(super) fn lowest(of: &Held, wanted: usize) -> Result<Vec<Mode>, ReductionFau
     let mut space = Space {
         of,
         mass: of.mass.entries().collect(),
+        stiffness: of.stiffness.entries().collect(),
         vectors: Vec::new(),
         images: Vec::new(),
         scattered: Scattered::new(),
@@ -60,7 +66,7 @@ pub(super) fn lowest(of: &Held, wanted: usize) -> Result<Vec<Mode>, ReductionFau
     let step = (wanted / 4).max(4 * BAND);
     let mut known: Option<Vec<f64>> = None;
     space.start();
-    let mut target = wanted + wanted / 2 + 4 * BAND;
+    let mut target = 2 * wanted + 4 * BAND;
     loop {
         let is_whole = !space.grow(target.min(all));
         let ritz = space.ritz(wanted);
@@ -91,7 +97,7 @@ impl Space<'_> {
             let mut x = self.scattered.vector(self.of.free.len());
             // Rows without mass follow the others from here on.
             self.apply(&mut x);
-            self.append(&mut x);
+            self.append(&mut x, 0);
         }
         self.vectors.len() > before
     }
@@ -104,7 +110,8 @@ impl Space<'_> {
             }
             let mut image = self.vectors[self.images.len()].clone();
             self.apply(&mut image);
-            let combination = self.append(&mut image);
+            let last = self.images.len().saturating_sub(LAST);
+            let combination = self.append(&mut image, last);
             self.images.push(combination);
         }
         true
@@ -128,14 +135,16 @@ impl Space<'_> {
         product
     }
 
-    /// Adds the direction of x that is new to the vectors; x as a combination of them.
-    fn append(&mut self, x: &mut [f64]) -> Vec<f64> {
+    /// Adds the direction of x that is new to the vectors; x as a combination of them. It is made orthogonal to the vectors from
+    /// `last` on, then to all.
+    fn append(&mut self, x: &mut [f64], last: usize) -> Vec<f64> {
         let norm = |x: &[f64], force: &[f64]| dot(x, force).max(0.0).sqrt();
         let mut force = self.times_mass(x);
         let before = norm(x, &force);
         let mut combination = vec![0.0; self.vectors.len()];
-        for _ in 0..2 {
-            for (factor, vector) in combination.iter_mut().zip(&self.vectors) {
+        for first in [last, 0] {
+            let vectors = combination.iter_mut().zip(&self.vectors).skip(first);
+            for (factor, vector) in vectors {
                 let part = dot(&force, vector);
                 *factor += part;
                 add(x, -part, vector);
@@ -214,17 +223,20 @@ impl Space<'_> {
 
     /// Whether K phi = omega^2 M phi, to round-off of both sides.
     fn is_mode(&self, mode: &Mode) -> bool {
-        let mut force = vec![0.0; mode.shape.len()];
-        self.of.stiffness.add_product(&mode.shape, &mut force);
-        let inertia = self.times_mass(&mode.shape);
-        let mut size = dot(&inertia, &inertia).sqrt() * mode.omega2 * 1e-6;
-        // The terms of K phi cancel.
-        let mut terms = vec![0.0; mode.shape.len()];
-        for ((i, j), k) in self.of.stiffness.entries() {
-            terms[i] += (k * mode.shape[j]).abs();
-            terms[j] += (k * mode.shape[i]).abs();
+        let (mut force, mut terms) = (vec![0.0; mode.shape.len()], vec![0.0; mode.shape.len()]);
+        for ((i, j), k) in &self.stiffness {
+            let [a, b] = [k * mode.shape[*j], k * mode.shape[*i]];
+            force[*i] += a;
+            terms[*i] += a.abs();
+            if i != j {
+                force[*j] += b;
+                terms[*j] += b.abs();
+            }
         }
-        size += dot(&terms, &terms).sqrt() * 1e-10;
+        let inertia = self.times_mass(&mode.shape);
+        // The terms of K phi cancel.
+        let size = dot(&inertia, &inertia).sqrt() * mode.omega2 * 1e-6
+            + dot(&terms, &terms).sqrt() * 1e-10;
         add(&mut force, -mode.omega2, &inertia);
         dot(&force, &force).sqrt() <= size && mode.omega2.is_finite()
     }
