@@ -2,18 +2,23 @@
 
 use super::contact_duration;
 use super::damping::modes;
+use super::models::Models;
 use crate::contact::ContactLaw;
 use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
-use crate::system::structure::{Contact, Limit, Structure, StructureLaw};
+use crate::system::structure::{Contact, Direction, Limit, Structure, StructureLaw};
 use std::f64::consts::PI;
 
 /// Most lines of a list.
 const MOST_LINES: usize = 12;
 
 /// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
-pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
-    let mass: f64 = structure.nodes.iter().map(|node| node.mass).sum();
+/// Matrices have masses by direction, each with a line of its own.
+pub fn describe(structure: &Structure, models: &Models, dt: f64, units: &str) -> String {
+    let mass = match &models.total {
+        Some(total) => by_direction(total),
+        None => short(structure.nodes.iter().map(|node| node.mass).sum()),
+    };
     let units = match units {
         "" => String::new(),
         units => format!(" (units: {units})"),
@@ -21,10 +26,19 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
     let mut text = format!(
         "structure: {}, total mass {}, {}, {}{units}\n",
         count(structure.len(), "node"),
-        short(mass),
+        mass,
         count(structure.contacts.len(), "contact"),
         count(structure.loads.len(), "load"),
     );
+    for own in &models.each {
+        text += &format!(
+            "matrices {}: {}, {} of them without mass, mass {}\n",
+            own.name,
+            count(own.dofs, "dof"),
+            own.massless,
+            by_direction(&own.mass),
+        );
+    }
     let nodes = structure
         .nodes
         .iter()
@@ -61,6 +75,17 @@ pub fn describe(structure: &Structure, dt: f64, units: &str) -> String {
     }
     text += "for a picture of the structure, add {\"name\": \"scheme\", \"kind\": \"scheme\"} to \"figures\"\n";
     text
+}
+
+/// Masses by direction, such as `x 156, y 156`.
+fn by_direction(mass: &[(Direction, f64)]) -> String {
+    let each = mass
+        .iter()
+        .map(|(direction, mass)| format!("{} {}", direction.name(), short(*mass)));
+    match mass.is_empty() {
+        true => "0".to_owned(),
+        false => each.collect::<Vec<_>>().join(", "),
+    }
 }
 
 /// The two ends of a contact, or its nodes with their factors.

@@ -14,6 +14,7 @@ pub mod loads;
 mod massless;
 pub mod metric;
 mod metric_values;
+mod models;
 mod motion;
 pub mod names;
 pub mod node;
@@ -373,8 +374,14 @@ impl Problem for StructureProblem {
     }
 
     fn description(&self, case: &Case) -> Option<String> {
-        let (structure, _) = self.structure(case, 1).ok()?;
+        let (structure, numbering) = self.structure(case, 1).ok()?;
         let dt = case.at(self.schema.step)?;
-        Some(describe::describe(&structure, dt, &self.template.units))
+        let models = models::Models::of(&self.template, case, &structure, &numbering);
+        Some(describe::describe(
+            &structure,
+            &models,
+            dt,
+            &self.template.units,
+        ))
     }
 }
