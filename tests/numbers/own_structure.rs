@@ -1,8 +1,9 @@
 //! Structures of other programs: matrices, general rows of contacts, nodes without mass, compared with an independent program
 //! (tests/reference/own_structure.py, which agrees with OpenSees) and with the same model as masses and springs.
 
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 use slipgap::study::{self, Study};
+use slipgap_solver::problem::structure::scheme::{End, Place};
 use std::path::Path;
 
 /// A study beside the models.
@@ -251,4 +252,72 @@ fn a_gap_and_soil_that_yields_need_no_light_plate_between_them() {
             "gap {gap}, v {v}: {own:?}"
         );
     }
+}
+
+#[test]
+fn a_scheme_has_the_nodes_of_a_model_and_the_ends_of_its_links() {
+    let study = beside(&json!({
+        "problem": "structure", "parameters": { "dt": 0.001, "duration": 0.01 }, "metrics": ["energy_error"],
+        "structure": {
+            "units": "t, kN, m, s",
+            "masses": { "block": 5 },
+            "matrices": {
+                "frames": { "M": "frames.M.mtx", "K": "frames.K.mtx", "C": "frames.C.mtx", "dofs": "frames.dofs.csv" },
+                "chain": { "M": "chain.M.mtx", "K": "chain.K.mtx", "dofs": "chain.dofs.csv" }
+            },
+            "springs": [{ "between": ["chain.1.x", "block"], "k": 10 }],
+            "contacts": {
+                "leaning": { "law": "impact", "k": 4e4, "gap": 1, "along": {
+                    "frames.132.y": 0.6, "frames.132.x": -0.8, "frames.231.y": -0.6, "frames.231.x": 0.8 } },
+                "wall": { "law": "impact", "k": 4e4, "gap": 1, "along": { "frames.232.y": -0.1, "frames.232.x": -1 } }
+            }
+        }
+    }));
+    let case = study.case(0).unwrap();
+    let scheme = study.problem.scheme(&case).unwrap();
+    let model = |part: usize| scheme.parts[part].model.as_ref().unwrap();
+    assert_eq!(scheme.parts[0].model, None);
+    // Storeys of 3.2 m and 3 m; the right frame leans.
+    let frames = model(1);
+    assert_eq!(frames.nodes.len(), 12);
+    assert_eq!(frames.nodes[0], [0.0, 3.2, 0.0]);
+    assert_eq!(frames.nodes[8], [6.12, 6.0, 0.0]);
+    let mut members: Vec<[usize; 2]> = Vec::new();
+    for frame in [0, 6] {
+        let beams = [0, 2, 4].map(|left| [frame + left, frame + left + 1]);
+        let columns = [0, 1, 2, 3].map(|foot| [frame + foot, frame + foot + 2]);
+        members.extend(beams);
+        members.extend(columns);
+    }
+    members.sort_unstable();
+    assert_eq!(frames.couplings, members);
+    // The other matrices have no places.
+    assert!(model(2).nodes.is_empty() && model(2).couplings.is_empty());
+    let name = |end: End| match end {
+        End::Ground => "ground".to_owned(),
+        End::Part(part, Place::Dof(dof)) => {
+            format!(
+                "{}.{}",
+                scheme.parts[part].name,
+                model(part).interface[dof].name
+            )
+        }
+        End::Part(part, _) => scheme.parts[part].name.clone(),
+    };
+    let ends: Vec<[String; 2]> = scheme
+        .links
+        .iter()
+        .map(|own| own.between.map(name))
+        .collect();
+    assert_eq!(ends[0], ["chain.1.x", "block"]);
+    assert_eq!(ends[1], ["frames.132.x", "frames.231.x"]);
+    assert_eq!(ends[2], ["frames.232.x", "ground"]);
+    let directions: Vec<[f64; 3]> = scheme.links.iter().map(|own| own.direction).collect();
+    assert_eq!(directions[1..], [[0.8, -0.6, 0.0], [1.0, 0.1, 0.0]]);
+    let nodes: Vec<usize> = frames.interface.iter().map(|own| own.node).collect();
+    assert_eq!(nodes, [5, 10, 11]);
+    let text = study.problem.description(&case).unwrap();
+    // examples/models/frame.py lumps 156 t, which move in x and y; the 12 rotations have none.
+    let own = "matrices frames: 36 dofs, 12 of them without mass, mass x 156, y 156\n";
+    assert!(text.contains(own), "{text}");
 }

@@ -1,5 +1,6 @@
 //! The places of the parts of a scheme from left to right.
 
+use super::places::has_places;
 use super::relations::{Join, Relations};
 use super::sizes::{Sizes, interval};
 use slipgap_solver::problem::structure::scheme::{End, Place, Scheme};
@@ -61,7 +62,7 @@ fn at_side(place: Place, side: usize) -> bool {
     match place {
         Place::Left => side == 0,
         Place::Right => side == 1,
-        Place::Mass => true,
+        Place::Mass | Place::Dof(_) => true,
         Place::Inner(_) => false,
     }
 }
@@ -97,10 +98,10 @@ impl<'a> Columns<'a> {
             }
         }
         for part in 0..count {
-            let widths = columns.members(columns.of[part]).into_iter();
-            let widest = widths
-                .map(|other| columns.sizes.width[other])
-                .fold(0.0, f64::max);
+            let members = columns.members(columns.of[part]).into_iter();
+            let alike = |other: &usize| *other == part || !has_places(&scheme.parts[*other]);
+            let widths = members.filter(alike).map(|own| columns.sizes.width[own]);
+            let widest = widths.fold(0.0, f64::max);
             columns.sizes.width[part] = widest;
         }
         columns

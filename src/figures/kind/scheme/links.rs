@@ -1,5 +1,6 @@
 //! Draws the links of a scheme, the ground and the loads.
 
+use super::blocks;
 use super::paint::{OVER, Painter, ROWS};
 use super::relations::{Join, end};
 use super::sizes::{self, NAME_GAP, lane};
@@ -101,6 +102,10 @@ impl Painter<'_> {
             };
             self.word([x, y], anchor, markup::escape(&own.name));
         }
+        if let Some(lower) = lower {
+            self.attach(l, lower, 0, [foot, self.rects[lower].top]);
+        }
+        self.attach(l, upper, 0, [x, bottom]);
         let rect = &self.rects[upper];
         let bar = self.scheme.parts[upper].elements.is_some();
         lower.is_none().then(|| match bar {
@@ -149,7 +154,12 @@ impl Painter<'_> {
             Some(right) => self.rects[right].left,
             None => self.wall(part, 1),
         };
-        let rect = self.rects[part];
+        let mut rect = self.rects[part];
+        if let [Some(left), Some(right)] = parts
+            && self.rects[right].height < self.rects[left].height
+        {
+            rect = self.rects[right];
+        }
         let all: f64 = alike.iter().map(|l| lane(&self.scheme.links[*l])).sum();
         let free = (rect.height - all) / (alike.len() + 1) as f64;
         let mut y = rect.top + free;
@@ -157,7 +167,12 @@ impl Painter<'_> {
             let own = &self.scheme.links[other];
             let next = y + lane(own);
             if other == l {
-                self.horizontal(own, [from, to], next - symbols::height(own.kind) / 2.0);
+                let y = next - symbols::height(own.kind) / 2.0;
+                self.horizontal(own, [from, to], y);
+                for (part, x) in parts.into_iter().zip([from, to]) {
+                    part.into_iter()
+                        .for_each(|part| self.attach(l, part, 0, [x, y]));
+                }
             }
             y = next + free;
         }
@@ -175,21 +190,26 @@ impl Painter<'_> {
     /// A link over the parts between its own.
     fn over(&mut self, l: usize, a: usize, b: usize, count: usize) {
         let own = &self.scheme.links[l];
-        let [first, second] = match self.rects[a].left <= self.rects[b].left {
-            true => [self.rects[a], self.rects[b]],
-            false => [self.rects[b], self.rects[a]],
+        let parts = match self.rects[a].left <= self.rects[b].left {
+            true => [a, b],
+            false => [b, a],
         };
+        let [first, second] = parts.map(|part| self.rects[part]);
         let y = first.top.min(second.top) - OVER * count as f64 + 8.0;
-        let in_ = 5.0 * count as f64;
+        let inset = |part: usize| blocks::inset(&self.scheme.parts[part], count);
+        let in_ = parts.map(inset);
         let (from, to) = match a == b {
-            true => (first.left + in_, first.right() - in_),
-            false => (first.right() - in_, second.left + in_),
+            true => (first.left + in_[0], first.right() - in_[0]),
+            false => (first.right() - in_[0], second.left + in_[1]),
         };
         for (x, rect) in [(from, first), (to, second)] {
             let rod = vec![[x, rect.top], [x, y]];
             self.picture.shapes.push(Shape::Line(rod, symbols::OUTLINE));
         }
         self.horizontal(own, [from, to], y);
+        self.attach(l, parts[0], 0, [from, first.top]);
+        let which = usize::from(a == b);
+        self.attach(l, parts[1], which, [to, second.top]);
     }
 
     /// An arrow for each load: at a free face of its part, or over it.
@@ -206,9 +226,9 @@ impl Painter<'_> {
             };
             let middle = rect.top + rect.height / 2.0;
             let side = match place {
-                Place::Left | Place::Mass if is_free(0) => 0,
-                Place::Right | Place::Mass if is_free(1) => 1,
-                Place::Left | Place::Right | Place::Mass | Place::Inner(_) => 2,
+                Place::Left | Place::Mass | Place::Dof(_) if is_free(0) => 0,
+                Place::Right | Place::Mass | Place::Dof(_) if is_free(1) => 1,
+                Place::Left | Place::Right | Place::Mass | Place::Inner(_) | Place::Dof(_) => 2,
             };
             done.push((part, side));
             let (from, to) = match (side, place) {
@@ -217,7 +237,7 @@ impl Painter<'_> {
                 (_, place) => {
                     let x = match place {
                         Place::Left => rect.left + 4.0,
-                        Place::Right | Place::Mass => rect.right() - 4.0,
+                        Place::Right | Place::Mass | Place::Dof(_) => rect.right() - 4.0,
                         Place::Inner(part) => rect.left + part * rect.width,
                     };
                     let y = rect.top - 7.0;
@@ -229,6 +249,14 @@ impl Painter<'_> {
                 }
             };
             self.picture.shapes.push(Shape::Arrow([from, to]));
+            if let Place::Dof(dof) = place {
+                let at = match side {
+                    0 => [rect.left, middle],
+                    1 => [rect.right(), middle],
+                    _ => [rect.right() - 4.0, rect.top],
+                };
+                self.attach_dof(part, dof, at);
+            }
         }
     }
 }

@@ -1,9 +1,15 @@
 //! The structure of a case as a picture: ground, masses, bars with their elements, springs, contacts and loads.
 
+mod blocks;
 mod columns;
+mod groups;
+mod labels;
 mod links;
+mod marks;
+mod mesh;
 mod paint;
 mod pairs;
+mod places;
 mod relations;
 mod sizes;
 mod symbols;
@@ -87,9 +93,15 @@ fn describe(scheme: &Structure) -> String {
     let contacts = scheme.links.iter().filter(|link| !link.name.is_empty());
     let contacts: Vec<&str> = contacts.map(|link| link.name.as_str()).collect();
     let parts: Vec<&str> = scheme.parts.iter().map(|part| part.name.as_str()).collect();
+    let models = scheme.parts.iter().filter(|part| part.model.is_some());
+    let models = models.count();
+    let matrices = match models {
+        0 => String::new(),
+        _ => format!(", {models} matrices"),
+    };
     format!(
-        "{} masses and {bars} bars: {}; {} springs; contacts: {}",
-        parts.len() - bars,
+        "{} masses and {bars} bars{matrices}: {}; {} springs; contacts: {}",
+        parts.len() - bars - models,
         parts.join(", "),
         scheme.links.len() - contacts.len(),
         match contacts.is_empty() {

@@ -1,6 +1,8 @@
 //! Draws a scheme: the places of its parts from top to bottom, and its symbols.
 
 use super::columns;
+use super::marks;
+use super::places::{Placed, has_places};
 use super::relations::{Join, Relations};
 use super::sizes::{self, NAME_GAP, Sizes};
 use super::symbols;
@@ -20,6 +22,8 @@ const GREY: u8 = 228;
 
 /// The picture of a scheme with its upper left corner at 0, and its size.
 pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
+    let placed = Placed::of(scheme);
+    let scheme = placed.as_ref().map_or(scheme, |placed| &placed.outer);
     let relations = Relations::of(scheme);
     let (sizes, left) = columns::place(scheme, &relations);
     let mut painter = Painter {
@@ -34,6 +38,9 @@ pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
     painter.parts();
     painter.links();
     painter.loads();
+    if let Some(placed) = &placed {
+        painter.nodes(placed);
+    }
     let (mut picture, mut size) = boxed(painter.picture);
     if scheme.ground_moves {
         size[1] = ground_motion(&mut picture, size);
@@ -136,8 +143,17 @@ impl Painter<'_> {
                 .fold(0.0, f64::max);
             let over = (0..self.scheme.links.len()).filter(|l| self.row_over(*l) == Some(row));
             top += OVER * over.count() as f64;
+            let others = members
+                .iter()
+                .filter(|i| !has_places(&self.scheme.parts[**i]));
+            let of_others = others.map(|i| self.sizes.height[*i]).fold(0.0, f64::max);
             for part in members {
-                (self.rects[part].top, self.rects[part].height) = (top, height);
+                let own = match has_places(&self.scheme.parts[part]) {
+                    true => height,
+                    false => of_others,
+                };
+                let rect = &mut self.rects[part];
+                (rect.top, rect.height) = (top + (height - own) / 2.0, own);
             }
             let links = self.scheme.links.iter().zip(&self.relations.joins);
             let mut below = links
@@ -174,7 +190,8 @@ impl Painter<'_> {
     }
 
     fn parts(&mut self) {
-        for (i, part) in self.scheme.parts.iter().enumerate() {
+        let parts = self.scheme.parts.iter().enumerate();
+        for (i, part) in parts.filter(|(_, part)| !has_places(part)) {
             let rect = self.rects[i];
             match part.elements {
                 Some(n) => symbols::bar(&mut self.picture, rect, n),
@@ -183,6 +200,16 @@ impl Painter<'_> {
             let x = rect.left + rect.width / 2.0;
             let y = rect.top + (rect.height + style::CAP_HEIGHT * style::LABEL) / 2.0;
             self.word([x, y], Anchor::Middle, sizes::label(self.scheme, i));
+        }
+    }
+
+    /// The nodes of matrices with all that is between them.
+    fn nodes(&mut self, placed: &Placed) {
+        for (i, part) in self.scheme.parts.iter().enumerate() {
+            if let Some(model) = part.model.as_ref().filter(|_| has_places(part)) {
+                let places = self.node_places(i, model);
+                marks::draw(&mut self.picture, placed, model, &places);
+            }
         }
     }
 

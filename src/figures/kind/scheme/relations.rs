@@ -169,9 +169,11 @@ impl Relations {
                 (LinkKind::Friction, _) | (_, Place::Inner(_)) => below,
                 (_, Place::Left) => at(left, at_left),
                 (_, Place::Right) => at(right, at_right),
-                (LinkKind::Impact, Place::Mass) if first_is_ground => at(left, at_left),
-                (LinkKind::Impact, Place::Mass) => at(right, at_right),
-                (LinkKind::Spring { .. }, Place::Mass) => {
+                (LinkKind::Impact, Place::Mass | Place::Dof(_)) if first_is_ground => {
+                    at(left, at_left)
+                }
+                (LinkKind::Impact, Place::Mass | Place::Dof(_)) => at(right, at_right),
+                (LinkKind::Spring { .. }, Place::Mass | Place::Dof(_)) => {
                     let stands = self.has_storeys(part) && !facts.rests[part];
                     if stands && !self.is_carried(part) {
                         below

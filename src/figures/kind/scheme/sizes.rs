@@ -1,10 +1,12 @@
 //! Sizes of the parts of a scheme, and the places of links on their upper and lower sides.
 
+use super::blocks;
+use super::places::{extent, has_places};
 use super::relations::{Join, Relations, end};
 use super::symbols;
 use slipgap_drawing::style;
 use slipgap_drawing::text;
-use slipgap_solver::problem::structure::scheme::{Link, Place, Scheme};
+use slipgap_solver::problem::structure::scheme::{Link, Part, Place, Scheme};
 
 /// Least width of a mass and of a bar.
 const LEAST: [f64; 2] = [36.0, 104.0];
@@ -16,6 +18,8 @@ pub const NAME_GAP: f64 = 3.0;
 const BETWEEN: f64 = 8.0;
 /// Distance of the first symbol from the end of a bar.
 const INSET: f64 = 3.0;
+/// Space around nodes.
+pub const NODES: f64 = 14.0;
 /// Space left and right of a name inside a part.
 const MARGIN: f64 = 6.0;
 
@@ -57,6 +61,15 @@ pub fn label(scheme: &Scheme, part: usize) -> String {
     }
 }
 
+/// Width and height of a part that is drawn as nodes.
+fn nodes(part: &Part) -> Option<[f64; 2]> {
+    let model = part.model.as_ref().filter(|_| has_places(part))?;
+    Some([0, 1].map(|axis| {
+        let [low, high] = extent(&model.nodes, axis);
+        high - low + 2.0 * NODES
+    }))
+}
+
 /// Width of a symbol with its name.
 fn with_name(link: &Link) -> f64 {
     let name = match link.name.is_empty() {
@@ -91,10 +104,22 @@ impl Sizes {
                 .map(|part| {
                     let is_bar = usize::from(scheme.parts[part].elements.is_some());
                     let label = text::width(&label(scheme, part), style::LABEL);
-                    LEAST[is_bar].max(label + 2.0 * MARGIN)
+                    let least = LEAST[is_bar].max(label + 2.0 * MARGIN);
+                    match nodes(&scheme.parts[part]) {
+                        None => least + blocks::room(scheme, relations, part),
+                        Some([width, _]) => width,
+                    }
                 })
                 .collect(),
-            height: vec![HEIGHT; count],
+            height: scheme
+                .parts
+                .iter()
+                .map(|part| match (nodes(part), &part.model) {
+                    (Some([_, height]), _) => height,
+                    (None, Some(_)) => HEIGHT + 2.0 * style::LABEL,
+                    (None, None) => HEIGHT,
+                })
+                .collect(),
             slots: vec![None; scheme.links.len()],
         };
         for (part, longer) in longer.iter().enumerate() {
@@ -152,7 +177,7 @@ impl Sizes {
                 let length = &mut taken[index].1;
                 let x = match place {
                     Place::Right => -(*length + half),
-                    Place::Left | Place::Inner(_) | Place::Mass => *length + half,
+                    Place::Left | Place::Inner(_) | Place::Mass | Place::Dof(_) => *length + half,
                 };
                 *length += with_name(link) + BETWEEN;
                 self.slots[l] = Some(Slot {
@@ -175,7 +200,7 @@ impl Sizes {
                 Place::Left => 0.0,
                 Place::Right => width,
                 Place::Inner(part) => part * width,
-                Place::Mass => width / 2.0,
+                Place::Mass | Place::Dof(_) => width / 2.0,
             }
     }
 
@@ -188,7 +213,9 @@ impl Sizes {
             _ => false,
         };
         let own: Vec<usize> = (0..scheme.links.len()).filter(is_own).collect();
-        let sums = own.iter().map(|l| with_name(&scheme.links[*l]) + BETWEEN);
+        let longest = blocks::longest(&scheme.parts[mass]);
+        let wide = |l: usize| with_name(&scheme.links[l]).max(longest);
+        let sums = own.iter().map(|l| wide(*l) + BETWEEN);
         let total = sums.sum::<f64>() - BETWEEN;
         let mut x = -total / 2.0;
         let mut widest = total;
@@ -207,7 +234,7 @@ impl Sizes {
                 x: x + across / 2.0,
                 name_right: true,
             });
-            x += with_name(link) + BETWEEN;
+            x += wide(*l) + BETWEEN;
             if let Join::Above(Some(lower), _) = relations.joins[*l] {
                 self.width[lower] = self.width[lower].max(widest);
             }

@@ -7,11 +7,11 @@ use slipgap_solver::problem::structure::scheme::LinkKind;
 /// Width of outlines.
 pub const OUTLINE: f64 = 0.9;
 /// Width of faces that touch.
-const FACE: f64 = 1.6;
+pub const FACE: f64 = 1.6;
 /// Width of hatching.
-const HATCH: f64 = 0.4;
+pub const HATCH: f64 = 0.4;
 /// Length of a spring or dashpot between its rods.
-const LONG: f64 = 17.0;
+pub const LONG: f64 = 17.0;
 /// Half the distance of spring and dashpot.
 const APART: f64 = 6.0;
 /// Depth of the hatching of the ground.
@@ -97,6 +97,14 @@ pub fn link(picture: &mut Picture, kind: LinkKind, ends: [[f64; 2]; 2], opens: f
         LinkKind::Friction => sliding(&track, horizontal),
     };
     picture.shapes.extend(shapes);
+}
+
+/// A spring in any direction.
+pub fn spring_between(picture: &mut Picture, kind: LinkKind, ends: [[f64; 2]; 2]) {
+    if let LinkKind::Spring { elastic, viscous } = kind {
+        let track = Track::new(ends[0], ends[1]);
+        picture.shapes.extend(spring(&track, elastic, viscous));
+    }
 }
 
 fn spring(track: &Track, elastic: bool, viscous: bool) -> Vec<Shape> {

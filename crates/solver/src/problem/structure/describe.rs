@@ -2,18 +2,30 @@
 
 use super::contact_duration;
 use super::damping::modes;
+use super::models::Models;
 use crate::contact::ContactLaw;
 use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
-use crate::system::structure::{Contact, Limit, Load, Motion, Signal, Structure, StructureLaw};
+use crate::system::structure::{
+    Contact, Direction, Limit, Load, Motion, Signal, Structure, StructureLaw,
+};
 use std::f64::consts::PI;
 
 /// Most lines of a list.
 const MOST_LINES: usize = 12;
 
 /// Nodes and masses, natural periods without contacts and with elastic ones, contacts, and parts that nothing holds.
-/// `mass` is that of all nodes before a reduction.
-pub fn describe(structure: &Structure, mass: f64, [dt, end]: [f64; 2], units: &str) -> String {
+/// Matrices have masses by direction, each with a line of its own.
+pub fn describe(
+    structure: &Structure,
+    models: &Models,
+    [dt, end]: [f64; 2],
+    units: &str,
+) -> String {
+    let mass = match &models.total {
+        Some(total) => by_direction(total),
+        None => short(structure.nodes.iter().map(|node| node.mass).sum()),
+    };
     let units = match units {
         "" => String::new(),
         units => format!(" (units: {units})"),
@@ -21,10 +33,19 @@ pub fn describe(structure: &Structure, mass: f64, [dt, end]: [f64; 2], units: &s
     let mut text = format!(
         "structure: {}, total mass {}, {}, {}{units}\n",
         count(structure.len(), "node"),
-        short(mass),
+        mass,
         count(structure.contacts.len(), "contact"),
         count(loads(structure), "load"),
     );
+    for own in &models.each {
+        text += &format!(
+            "matrices {}: {}, {} of them without mass, mass {}\n",
+            own.name,
+            count(own.dofs, "dof"),
+            own.massless,
+            by_direction(&own.mass),
+        );
+    }
     let nodes = structure
         .nodes
         .iter()
@@ -95,6 +116,17 @@ fn largest(motion: &Motion, end: f64) -> [f64; 2] {
         let [own_u, own_v, _] = motion.at(t);
         [u.max(own_u.abs()), v.max(own_v.abs())]
     })
+}
+
+/// Masses by direction, such as `x 156, y 156`.
+fn by_direction(mass: &[(Direction, f64)]) -> String {
+    let each = mass
+        .iter()
+        .map(|(direction, mass)| format!("{} {}", direction.name(), short(*mass)));
+    match mass.is_empty() {
+        true => "0".to_owned(),
+        false => each.collect::<Vec<_>>().join(", "),
+    }
 }
 
 /// The two ends of a contact, or its nodes with their factors.

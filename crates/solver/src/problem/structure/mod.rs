@@ -14,6 +14,7 @@ pub mod loads;
 mod massless;
 pub mod metric;
 mod metric_values;
+mod models;
 mod motion;
 pub mod names;
 pub mod node;
@@ -383,8 +384,8 @@ impl Problem for StructureProblem {
     fn description(&self, case: &Case) -> Option<String> {
         let (structure, numbering) = self.structure(case, Model::Study).ok()?;
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
-        let mass = reduce::total_mass(&self.template, &structure, &numbering);
-        let mut text = describe::describe(&structure, mass, times, &self.template.units);
+        let models = models::Models::of(&self.template, case, &structure, &numbering);
+        let mut text = describe::describe(&structure, &models, times, &self.template.units);
         text += &reduce::described(&self.template, case, describe::short);
         Some(text)
     }

@@ -3,13 +3,13 @@
 use super::amount::Amount;
 use super::channel::Term;
 use super::metric::StructureMetric;
-use super::node::{NodeRef, Numbering};
+use super::node::NodeRef;
 use super::schema::Drawn;
 use super::template::{Moved, Template};
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
 use crate::system::reduction::{Reduced, Reduction, Wanted};
-use crate::system::structure::{Direction, Structure};
+use crate::system::structure::Direction;
 use std::sync::Arc;
 
 /// The reduction of matrices.
@@ -116,21 +116,6 @@ impl Start {
             modes[..own.len()].copy_from_slice(&own);
         }
     }
-}
-
-/// The sum of the masses of all nodes before the reductions.
-pub fn total_mass(template: &Template, structure: &Structure, numbering: &Numbering) -> f64 {
-    let masses = structure.nodes.iter().map(|node| node.mass);
-    let mut masses: Vec<f64> = masses.collect();
-    for (place, matrices) in template.matrices.iter().enumerate() {
-        if matrices.reduce.is_some() {
-            let own = matrices.imported.mass.entries();
-            let own = own.filter(|((i, j), _)| i == j).map(|(_, mass)| mass);
-            masses[numbering.first_row(place)..numbering.first_row(place + 1)].fill(0.0);
-            masses.extend(own);
-        }
-    }
-    masses.iter().sum()
 }
 
 /// What a reduction keeps in a case, for people.
