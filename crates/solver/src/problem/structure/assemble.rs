@@ -482,11 +482,27 @@ impl Draft<'_> {
         }
         for (place, reduced) in self.reduced.iter().enumerate() {
             if let Some(reduced) = reduced {
-                let first = self.numbering.first_row(place);
-                shaken[first..first + reduced.len()].copy_from_slice(&reduced.inertia(direction));
+                let inertia = reduced.inertia(direction).into_iter();
+                for (node, inertia) in self.coordinates(place, reduced).into_iter().zip(inertia) {
+                    if let Some(node) = node {
+                        shaken[node] = inertia;
+                    }
+                }
             }
         }
         shaken
+    }
+
+    /// The nodes of the kept rows and the modes of reduced matrices; `None` for a row of a support.
+    fn coordinates(&self, place: usize, reduced: &Reduced) -> Vec<Option<usize>> {
+        let nodes = self.numbering.nodes();
+        let kept = reduced.kept().iter().map(|row| {
+            let node = self.numbering.row(place, *row);
+            node.filter(|node| *node < nodes)
+        });
+        let end = self.numbering.first_row(place + 1);
+        let modes = (end - reduced.modes()..end).map(Some);
+        kept.chain(modes).collect()
     }
 
     /// Prescribes the motions of the supports.
@@ -513,14 +529,14 @@ impl Draft<'_> {
         if let Moved::Rows(matrices, direction) = of
             && let Some(reduced) = &self.reduced[*matrices]
         {
-            let first = self.numbering.first_row(*matrices);
             let forces = match self.is_built() {
                 true => reduced.forces(*direction),
                 false => Vec::new(),
             };
-            let forces = forces.into_iter().enumerate();
-            return forces
-                .map(|(place, force)| (first + place, force))
+            let nodes = self.coordinates(*matrices, reduced).into_iter();
+            return nodes
+                .zip(forces)
+                .filter_map(|(node, force)| Some((node?, force)))
                 .collect();
         }
         self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
@@ -582,16 +598,13 @@ impl Draft<'_> {
         }
         for (place, start) in starts.iter().enumerate() {
             if let Some(reduced) = &self.reduced[place] {
-                let first = self.numbering.first_row(place);
+                let nodes = self.coordinates(place, reduced);
                 let Structure {
                     displacement,
                     velocity,
                     ..
                 } = &mut self.structure;
-                start.project(
-                    reduced,
-                    [&mut displacement[first..], &mut velocity[first..]],
-                );
+                start.project(reduced, &nodes, [displacement, velocity]);
             }
         }
     }

@@ -108,12 +108,19 @@ impl Start {
         }
     }
 
-    /// Sets the coordinates of the modes, behind those of the kept rows, in u and v.
-    pub fn project(&self, reduced: &Reduced, motion: [&mut [f64]; 2]) {
+    /// Sets the coordinates of the modes in u and v. `nodes` are those of the kept rows and the modes; supports are at rest.
+    pub fn project(&self, reduced: &Reduced, nodes: &[Option<usize>], motion: [&mut [f64]; 2]) {
+        let (kept, modes) = nodes.split_at(reduced.kept().len());
         for (all, values) in self.directions.iter().zip(motion) {
-            let (kept, modes) = values.split_at_mut(reduced.kept().len());
-            let own = reduced.modal(kept, all);
-            modes[..own.len()].copy_from_slice(&own);
+            let kept = kept
+                .iter()
+                .map(|node| node.map_or(0.0, |node| values[node]));
+            let own = reduced.modal(&kept.collect::<Vec<_>>(), all);
+            for (node, x) in modes.iter().zip(own) {
+                if let Some(node) = node {
+                    values[*node] = x;
+                }
+            }
         }
     }
 }
