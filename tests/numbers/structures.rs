@@ -109,9 +109,9 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
         ),
         (
             "\"p2\": 100",
-            "\"p2\": 0",
+            "\"p2\": -1",
             "5:34: structure.masses.p2",
-            "must be > 0, got 0",
+            "must be >= 0, got -1",
         ),
         (
             "\"n\": \"n\"",

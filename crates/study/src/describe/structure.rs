@@ -15,6 +15,7 @@ use slipgap_solver::problem::structure::metric::REDUCTIONS;
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
 use slipgap_solver::system::loads::Unit;
 use slipgap_solver::system::loads::record::Mean;
+use slipgap_solver::system::structure::Direction;
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
@@ -29,7 +30,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         described(
             &keys::CONTACT,
             |key| contact_value(key, &function),
-            &["law", "between"],
+            &["law"],
         ),
     );
     let parameters = define("parameters", parameters());
@@ -101,6 +102,24 @@ fn between() -> Json {
     json!({ "type": "array", "minItems": 2, "maxItems": 2, "items": { "type": "string" } })
 }
 
+/// Nodes with their factors.
+fn along() -> Json {
+    json!({ "type": "object", "minProperties": 1, "additionalProperties": any() })
+}
+
+fn direction() -> Json {
+    json!({ "enum": Direction::TRANSLATIONS.map(Direction::name), "default": Direction::X.name() })
+}
+
+/// Numbers, but a direction under its key.
+fn moving(keys: Keys, required: &[&str]) -> Json {
+    let value = |key: &str| match key {
+        "direction" => direction(),
+        _ => any(),
+    };
+    described(keys, value, required)
+}
+
 fn numbers() -> Json {
     json!({ "type": "array", "minItems": 1, "items": any() })
 }
@@ -135,6 +154,8 @@ fn contact_value(key: &str, function: &Json) -> Json {
             json!({ "anyOf": [names(NAMES.iter().copied()), { "type": "string" }] })
         }
         "between" => between(),
+        "along" => along(),
+        "pairs" => json!({ "type": "string" }),
         "N" => {
             let table = described(keys::NORMAL_TABLE, |_| numbers(), &["t", "N"]);
             let value = |key: &str| match key {
@@ -156,8 +177,11 @@ fn structure(function: &Json, contact: &Json) -> Json {
     };
     let value = |key: &str| match key {
         "units" => json!({ "type": "string" }),
-        "masses" => named(any()),
-        "bars" => named(all_numbers(keys::BAR, &["L", "EA", "mass", "n"])),
+        "masses" => {
+            let object = moving(keys::MASS, &["mass"]);
+            named(json!({ "anyOf": [any(), object] }))
+        }
+        "bars" => named(moving(keys::BAR, &["L", "EA", "mass", "n"])),
         "matrices" => {
             let value = |key: &str| match key {
                 "reduce" => {
@@ -166,6 +190,10 @@ fn structure(function: &Json, contact: &Json) -> Json {
                     reduce["maxProperties"] = 1.into();
                     reduce
                 }
+                "dofs" => {
+                    let row = json!({ "type": "array", "minItems": 2, "maxItems": 5 });
+                    json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": row }] })
+                }
                 _ => json!({ "type": "string" }),
             };
             named(described(keys::MATRICES, value, &["M", "K", "dofs"]))
@@ -173,15 +201,20 @@ fn structure(function: &Json, contact: &Json) -> Json {
         "springs" => {
             let spring = |key: &str| match key {
                 "between" => between(),
+                "along" => along(),
+                "direction" => direction(),
                 _ => any(),
             };
-            let spring = described(keys::SPRING, spring, &["between"]);
+            let spring = described(keys::SPRING, spring, &[]);
             json!({ "type": "array", "items": spring })
         }
         "rayleigh" => all_numbers(keys::RAYLEIGH, &[]),
         "contacts" => named(contact.clone()),
         "loads" => json!({ "type": "array", "items": load() }),
-        "ground" => function.clone(),
+        "ground" => {
+            let directions = described(keys::GROUND, |_| function.clone(), &[]);
+            json!({ "anyOf": [function.clone(), directions] })
+        }
         "supports" => named(support(function)),
         "start" => named(all_numbers(keys::START, &[])),
         "contacts_reference" => json!({ "enum": keys::REFERENCES }),
