@@ -11,6 +11,9 @@ const KEEPS_PLACE: f64 = 1e-7;
 /// Gives each node without mass that only contacts hold a weak spring parallel to its softest contact: while all of its contacts are
 /// open or slide, no equation says where it is.
 pub fn hold(structure: &mut Structure) {
+    if structure.has_mass_everywhere() {
+        return;
+    }
     // Supports come after the nodes.
     let mut is_held = vec![false; structure.stiffness.size().max(structure.len())];
     for ((i, j), value) in structure.stiffness.entries() {
@@ -98,6 +101,9 @@ fn condensed(structure: &Structure, massless: &[bool]) -> Result<(Vec<usize>, Fa
 /// Puts the nodes without mass where K u = p holds at t = 0 without contact forces, and stops them. Contacts that are pressed there
 /// push them in the first step.
 pub fn place(structure: &mut Structure) {
+    if structure.has_mass_everywhere() {
+        return;
+    }
     let massless = structure.massless();
     if !massless.contains(&true) {
         return;

@@ -4,6 +4,7 @@ use super::channel::{Channel, Number, Quantity};
 use super::metric::{Reduction, StructureMetric};
 use super::motion::Energies;
 use super::node::Numbering;
+use super::solve::FEW;
 use crate::contact::ContactKind;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Structure, StructureLaw};
@@ -16,16 +17,22 @@ pub struct Recorded {
     series: Vec<Vec<f64>>,
     /// Number of values of each, N + 1.
     len: usize,
-    /// Which quantities, with the places of their values.
+    /// Which quantities.
+    numbers: Vec<Number>,
+    /// The places of their values, if they are many.
     places: HashMap<Number, usize>,
 }
 
 impl Recorded {
     /// `len` values of each of these quantities.
     pub fn new(numbers: &[Number], series: Vec<Vec<f64>>, len: usize) -> Recorded {
-        let places = numbers.iter().enumerate();
+        let places = match numbers.len() > FEW {
+            true => numbers.iter().enumerate(),
+            false => [].iter().enumerate(),
+        };
         Recorded {
             places: places.map(|(place, number)| (*number, place)).collect(),
+            numbers: numbers.to_vec(),
             series,
             len,
         }
@@ -33,8 +40,11 @@ impl Recorded {
 
     /// The values of a quantity; none if it is not recorded.
     pub fn of(&self, number: Number) -> &[f64] {
-        let place = self.places.get(&number);
-        place.map_or(&[], |place| &self.series[*place])
+        let place = match self.numbers.len() > FEW {
+            true => self.places.get(&number).copied(),
+            false => self.numbers.iter().position(|own| *own == number),
+        };
+        place.map_or(&[], |place| &self.series[place])
     }
 
     /// The values of a channel of a structure with this numbering.

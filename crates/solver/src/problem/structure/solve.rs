@@ -46,11 +46,24 @@ const SOFTENED: [Reduction; 3] = [
 /// The motions of a case, its metrics and its warnings.
 pub type JudgedCase = (Motions, Vec<Option<f64>>, Warnings);
 
+/// Numbers of which each is found faster one after the other than by a hash.
+pub const FEW: usize = 32;
+
 /// Each number once, in the order of their first places.
 pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
-    let mut known = HashSet::new();
-    let numbers = numbers.into_iter();
-    numbers.filter(|number| known.insert(*number)).collect()
+    let numbers: Vec<Number> = numbers.into_iter().collect();
+    if numbers.len() > FEW {
+        let mut known = HashSet::new();
+        let first = |number: &Number| known.insert(*number);
+        return numbers.into_iter().filter(first).collect();
+    }
+    let mut distinct = Vec::with_capacity(numbers.len());
+    for number in numbers {
+        if !distinct.contains(&number) {
+            distinct.push(number);
+        }
+    }
+    distinct
 }
 
 impl StructureProblem {

@@ -82,6 +82,11 @@ impl Structure {
         Ok(accelerations)
     }
 
+    /// Whether every node has a mass.
+    pub fn has_mass_everywhere(&self) -> bool {
+        self.nodes.iter().all(|node| node.mass > 0.0)
+    }
+
     /// Whether each node has neither mass nor damping: K u + B S = p holds there at every instant.
     pub fn massless(&self) -> Vec<bool> {
         let mut massless: Vec<bool> = self.nodes.iter().map(|node| node.mass == 0.0).collect();
