@@ -148,7 +148,6 @@ fn between_springs(mass: f64, law: &str, method: &str, dt: f64) -> Vec<f64> {
 fn a_node_without_mass_is_the_limit_of_a_small_mass() {
     let laws = [
         r#""law": "impact", "gap": 0.01, "k": 2e3"#,
-        r#""law": "rigid", "e": 0, "gap": 0.01"#,
         r#""law": "displacement-control", "k": 4e3, "limit": 4"#,
         r#""law": "velocity-control", "rdotE": 0.01, "limit": 4"#,
         r#""law": "coulomb", "limit": 4"#,

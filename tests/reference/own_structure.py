@@ -111,7 +111,8 @@ def solve(study, folder, split=False):
     dt = REAL(p["dt"])
     count = round(p["duration"] / p["dt"])
     ground = {d: Motion(g, folder) for d, g in structure.get("ground", {}).items()}
-    shaken = {name: {d: Motion(x, folder) for d, x in (data if "record" not in data else {"x": data}).items()}
+    shaken = {name: {d: Motion({**x, "delay": data.get("delay", 0.0)}, folder)
+                     for d, x in (data if "record" not in data else {"x": data}).items() if d in "xyz"}
               for name, data in structure.get("supports", {}).items()}
 
     follow = refined(m.K, -m.Kfs) if split else np.zeros_like(m.Kfs)

@@ -93,7 +93,7 @@ def cases():
     moved = {"matrices": {"f": entry("bases", "MKC")}, "springs": [{"between": ["f.112.x", "f.211.x"], "k": 200, "c": 4}],
              "contacts": {"top": {**GAPS["floor"], "gap": 0.003},
                           "pier": {"law": "impact", "between": ["west", "f.111.x"], "gap": 0.002, "k": 1e4}},
-             "supports": {"west": ground()["x"], "east": {"x": {**ground()["x"], "delay": 0.13}, "y": {**ground()["y"], "delay": 0.13}}}}
+             "supports": {"west": ground()["x"], "east": {"x": ground()["x"], "y": ground()["y"], "delay": 0.13}}}
     blocks = {"matrices": {side: entry("block", "MK", side) for side in ("left", "right")},
               "contacts": {"face": {"law": "impact", "pairs": "face.csv", "gap": 0.01, "k": 0.4},
                            "ends": {"law": "impact", "pairs": "ends.csv", "gap": 0.01, "k": 0.2}},
