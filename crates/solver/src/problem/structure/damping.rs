@@ -60,10 +60,7 @@ pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<Modes> {
     if size > MOST_MODES {
         return None;
     }
-    let mut coupled = vec![false; size];
-    for ((i, j), _) in structure.coupled_mass.entries() {
-        (coupled[i], coupled[j]) = (true, true);
-    }
+    let coupled = structure.coupled_mass.nonzero_rows();
     let has_mass = |i: &usize| structure.nodes[*i].mass != 0.0 || coupled[*i];
     let nodes: Vec<usize> = (0..size).filter(has_mass).collect();
     if nodes.len() < size || coupled.contains(&true) {
@@ -87,15 +84,7 @@ pub fn modes(structure: &Structure, stiffness: &Symmetric) -> Option<Modes> {
 /// The same for coupled masses and nodes without mass.
 fn coupled_modes(structure: &Structure, stiffness: &Symmetric, nodes: Vec<usize>) -> Option<Modes> {
     let size = structure.len();
-    let full = |matrix: &Symmetric| {
-        let mut full = DMatrix::zeros(size, size);
-        for ((i, j), x) in matrix.entries() {
-            full[(i, j)] = x;
-            full[(j, i)] = x;
-        }
-        full
-    };
-    let (mass, stiffness) = (full(&structure.mass()), full(stiffness));
+    let stiffness = stiffness.full();
     let others: Vec<usize> = (0..size).filter(|i| !nodes.contains(i)).collect();
     let mut condensed = stiffness.select_rows(&nodes).select_columns(&nodes);
     if !others.is_empty() {
@@ -103,11 +92,7 @@ fn coupled_modes(structure: &Structure, stiffness: &Symmetric, nodes: Vec<usize>
         let mixed = stiffness.select_rows(&others).select_columns(&nodes);
         condensed -= mixed.transpose() * own.cholesky()?.solve(&mixed);
     }
-    let root = mass
-        .select_rows(&nodes)
-        .select_columns(&nodes)
-        .cholesky()?
-        .l();
+    let root = structure.mass().block(&nodes).full().cholesky()?.l();
     let left = root.solve_lower_triangular(&condensed)?;
     let scaled = root.solve_lower_triangular(&left.transpose())?;
     let eigen = SymmetricEigen::new((&scaled + scaled.transpose()) * 0.5);

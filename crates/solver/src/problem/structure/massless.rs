@@ -2,7 +2,7 @@
 
 use crate::methods::Method;
 use crate::system::structure::factor::{Factor, NotPositive};
-use crate::system::structure::{Structure, StructureLaw, Symmetric};
+use crate::system::structure::{Structure, StructureLaw};
 
 /// Stiffness of the spring that keeps the place of a node which only contacts hold, over the smallest stiffness of these contacts.
 /// It changes their forces by about this part, and the round-off of the forces grows by its inverse.
@@ -15,12 +15,7 @@ pub fn hold(structure: &mut Structure) {
         return;
     }
     // Supports come after the nodes.
-    let mut is_held = vec![false; structure.stiffness.size().max(structure.len())];
-    for ((i, j), value) in structure.stiffness.entries() {
-        if value != 0.0 {
-            (is_held[i], is_held[j]) = (true, true);
-        }
-    }
+    let is_held = structure.stiffness.nonzero_rows();
     let mass = |node: usize| structure.nodes[node].mass;
     let alone = |node: &usize| mass(*node) == 0.0 && !is_held[*node];
     let mut springs = Vec::new();
@@ -83,16 +78,7 @@ fn condensed(structure: &Structure, massless: &[bool]) -> Result<(Vec<usize>, Fa
     let nodes: Vec<usize> = (0..structure.len())
         .filter(|node| massless[*node])
         .collect();
-    let mut place = vec![None; structure.len()];
-    for (own, node) in nodes.iter().enumerate() {
-        place[*node] = Some(own);
-    }
-    let mut own = Symmetric::zeros(nodes.len());
-    for ((i, j), value) in structure.stiffness.entries() {
-        if let (Some(i), Some(j)) = (place[i], place[j]) {
-            own.add(i, j, value);
-        }
-    }
+    let own = structure.stiffness.block(&nodes);
     let factor = Factor::new(&own, &vec![false; nodes.len()]);
     let factor = factor.map_err(|NotPositive { row }| nodes[row])?;
     Ok((nodes, factor))

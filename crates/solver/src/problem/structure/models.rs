@@ -39,7 +39,7 @@ impl Models {
             Summary {
                 name: own.name.clone(),
                 dofs: imported.len(),
-                massless: massless(imported),
+                massless: imported.massless_rows(),
                 mass: mass(imported),
             }
         });
@@ -81,14 +81,4 @@ fn mass(imported: &Imported) -> Vec<(Direction, f64)> {
         }
     }
     sums(&all)
-}
-
-fn massless(imported: &Imported) -> usize {
-    let mut massless = vec![true; imported.len()];
-    for ((i, j), value) in imported.mass.entries() {
-        if value != 0.0 {
-            (massless[i], massless[j]) = (false, false);
-        }
-    }
-    massless.into_iter().filter(|own| *own).count()
 }

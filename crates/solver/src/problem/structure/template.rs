@@ -49,7 +49,8 @@ impl Template {
     /// Whether a node of a case may be without mass.
     pub fn has_massless_nodes(&self, case: &Case) -> bool {
         let none = |mass: &Mass| mass.mass.value(case) == Ok(0.0);
-        !self.matrices.is_empty() || self.masses.iter().any(none)
+        let has_massless = |own: &Matrices| own.in_case(case).massless_rows() > 0;
+        self.matrices.iter().any(has_massless) || self.masses.iter().any(none)
     }
 
     /// Byte offset of the mass or the matrices of a node in the study, by its name.

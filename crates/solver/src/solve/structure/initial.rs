@@ -47,16 +47,7 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
 fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(), Unsolved> {
     let n = structure.len();
     let inertia = Inertia::new(structure).map_err(|_| Unsolved::Singular)?;
-    let (mut load, mut inner) = (vec![0.0; n], vec![0.0; n]);
-    structure.add_loads(0.0, &mut load);
-    let (k, c) = (&structure.stiffness, &structure.damping);
-    k.add_product(&structure.displacement, &mut inner);
-    c.add_product(&structure.velocity, &mut inner);
-    for (contact, force) in forces.iter().enumerate() {
-        for (node, factor) in structure.column(contact) {
-            inner[node] += factor * force;
-        }
-    }
+    let [load, inner] = structure.forces_at_start(forces);
     let difference = load.iter().zip(&inner);
     let mut acceleration: Vec<f64> = difference.map(|(load, inner)| load - inner).collect();
     inertia.divide(&mut acceleration);

@@ -1,6 +1,6 @@
 //! The rows of matrices: a node and a direction for each.
 
-use super::{ImportFault, cells, fault, lines, number, shown};
+use super::{ImportFault, cells, fault, is_plain, lines, number, shown};
 use crate::system::structure::Direction;
 use std::collections::HashMap;
 
@@ -65,8 +65,7 @@ impl Dofs {
                 return Err(fault(index, message));
             }
             let name = own[node];
-            let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-            if name.is_empty() || !name.chars().all(plain) {
+            if name.is_empty() || !is_plain(name) {
                 let message = format!(
                     "a node is named by letters, digits and _, got {}",
                     shown(name)
@@ -82,7 +81,7 @@ impl Dofs {
             };
             let of_support = match support.map(|column| own[column]) {
                 None | Some("") => None,
-                Some(support) if support.chars().all(plain) => Some(dofs.support(support)),
+                Some(support) if is_plain(support) => Some(dofs.support(support)),
                 Some(support) => {
                     let message = format!(
                         "a support is named by letters, digits and _, got {}",

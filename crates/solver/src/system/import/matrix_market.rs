@@ -118,8 +118,7 @@ impl Matrix {
     /// The line of the pivot.
     pub fn check_pivots(&self, name: impl Fn(usize) -> String) -> Result<(), ImportFault> {
         let n = self.len();
-        let entries = self.matrix.entries();
-        let largest = entries.fold(0.0, |a: f64, (_, x)| a.max(x.abs()));
+        let largest = self.matrix.largest();
         if largest == 0.0 {
             return Ok(());
         }
@@ -179,7 +178,12 @@ fn sizes(line: &str, form: Form) -> Result<(usize, usize), String> {
         .collect::<Result<Vec<_>, _>>()?;
     let (rows, columns, count) = match (numbers[..].iter().as_slice(), form.coordinate) {
         ([rows, columns, count], true) => (*rows, *columns, *count),
-        ([rows, columns], false) if form.symmetric => (*rows, *columns, rows * (rows + 1) / 2),
+        // Larger numbers are refused below.
+        ([rows, columns], false) if form.symmetric => (
+            *rows,
+            *columns,
+            rows.saturating_mul(rows.saturating_add(1)) / 2,
+        ),
         ([rows, columns], false) => (*rows, *columns, rows.saturating_mul(*columns)),
         (_, true) => return Err("must be numbers of rows, columns and entries".into()),
         (_, false) => return Err("must be numbers of rows and columns".into()),

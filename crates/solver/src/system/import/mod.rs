@@ -33,6 +33,12 @@ impl Imported {
         self.dofs.len()
     }
 
+    /// Number of rows of M without an entry other than 0.
+    pub fn massless_rows(&self) -> usize {
+        let rows = self.mass.nonzero_rows().into_iter();
+        rows.filter(|has_mass| !has_mass).count()
+    }
+
     /// Whether there is no row.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -76,6 +82,11 @@ fn lines(bytes: &[u8]) -> Result<Vec<&str>, ImportFault> {
 /// The cells of a line of a CSV file without quotes.
 fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.split(',').map(str::trim)
+}
+
+/// Whether a text is letters, digits and _ only.
+fn is_plain(text: &str) -> bool {
+    text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
 /// A finite number, or why not.

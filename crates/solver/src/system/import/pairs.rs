@@ -1,6 +1,6 @@
 //! The contacts of a face: a name and factors of degrees of freedom for each.
 
-use super::{ImportFault, cells, fault, lines, number, shown};
+use super::{ImportFault, cells, fault, is_plain, lines, number, shown};
 
 /// A contact of a face.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,8 +28,7 @@ pub fn pairs(bytes: &[u8]) -> Result<Vec<Pair>, ImportFault> {
         if index == 0 && name == "name" {
             continue;
         }
-        let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        if !name.chars().all(plain) {
+        if !is_plain(name) {
             let message = format!(
                 "a contact is named by letters, digits and _, got {}",
                 shown(name)

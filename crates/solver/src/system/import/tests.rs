@@ -62,6 +62,11 @@ fn what_is_wrong_with_a_matrix_has_its_line() {
             "not symmetric",
         ),
         (
+            "%%MatrixMarket matrix array real symmetric\n18446744073709551615 18446744073709551615\n1\n",
+            2,
+            "1 to 1000000 rows",
+        ),
+        (
             "%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 2 1\n",
             3,
             "on and below",

@@ -1,11 +1,10 @@
 //! All modes of a small structure, by full matrices.
 
 use super::ReductionFault;
-use super::held::{Held, block};
+use super::held::Held;
 use super::modes::Mode;
-use crate::system::structure::Symmetric;
 use crate::system::structure::factor::Factor;
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::SymmetricEigen;
 
 /// All modes of the free rows; the rows without mass follow those with mass, u_s = -K_ss^-1 K_sr u_r.
 pub(super) fn all_modes(of: &Held) -> Result<Vec<Mode>, ReductionFault> {
@@ -15,7 +14,7 @@ pub(super) fn all_modes(of: &Held) -> Result<Vec<Mode>, ReductionFault> {
     }
     let following = following(of)?;
     // K_rr - K_rs K_ss^-1 K_sr.
-    let mut stiffness = full(&block(&of.stiffness, massive));
+    let mut stiffness = of.stiffness.block(massive).full();
     for ((i, j), k) in of.stiffness.entries() {
         for (row, column) in [(i, j), (j, i)] {
             let places = (massive.binary_search(&row), massless.binary_search(&column));
@@ -27,7 +26,10 @@ pub(super) fn all_modes(of: &Held) -> Result<Vec<Mode>, ReductionFault> {
         }
     }
     let no_mass = || ReductionFault::Mass;
-    let root = full(&block(&of.mass, massive))
+    let root = of
+        .mass
+        .block(massive)
+        .full()
         .cholesky()
         .ok_or_else(no_mass)?
         .l();
@@ -69,7 +71,7 @@ fn following(of: &Held) -> Result<Vec<Vec<f64>>, ReductionFault> {
         return Ok(columns);
     }
     // K_ff is positive definite, so that K_ss is.
-    let own = block(&of.stiffness, massless);
+    let own = of.stiffness.block(massless);
     let factor = Factor::new(&own, &vec![false; own.size()]);
     let factor = factor.map_err(|_| ReductionFault::Mass)?;
     for ((i, j), k) in of.stiffness.entries() {
@@ -83,13 +85,4 @@ fn following(of: &Held) -> Result<Vec<Vec<f64>>, ReductionFault> {
     }
     columns.iter_mut().for_each(|column| factor.solve(column));
     Ok(columns)
-}
-
-fn full(matrix: &Symmetric) -> DMatrix<f64> {
-    let mut full = DMatrix::zeros(matrix.size(), matrix.size());
-    for ((i, j), x) in matrix.entries() {
-        full[(i, j)] = x;
-        full[(j, i)] = x;
-    }
-    full
 }

@@ -3,7 +3,7 @@
 use super::ReductionFault;
 use crate::system::import::Imported;
 use crate::system::structure::Symmetric;
-use crate::system::structure::factor::{Factor, NotPositive};
+use crate::system::structure::factor::Factor;
 
 /// A pivot below this part of its diagonal is round-off: the matrix is singular.
 const SINGULAR: f64 = 1e-13;
@@ -45,12 +45,7 @@ impl Held {
     /// Something that nothing holds is left free.
     pub(super) fn new(imported: &Imported, kept: &[usize]) -> Result<Held, ReductionFault> {
         let size = imported.len();
-        let mut has_mass = vec![false; size];
-        for ((i, j), m) in imported.mass.entries() {
-            if m != 0.0 {
-                (has_mass[i], has_mass[j]) = (true, true);
-            }
-        }
+        let has_mass = imported.mass.nonzero_rows();
         let rows = imported.dofs.rows();
         let is_kept = |row: &usize| kept.binary_search(row).is_ok();
         let is_held =
@@ -60,9 +55,9 @@ impl Held {
             let places = free.iter().enumerate().filter(|(_, row)| is(row));
             places.map(|(place, _)| place).collect()
         };
-        let stiffness = block(&imported.stiffness, &free);
-        let factor = positive(&stiffness).map_err(|place| {
-            let row = imported.dofs.name(free[place]);
+        let stiffness = imported.stiffness.block(&free);
+        let factor = Factor::regular(&stiffness, SINGULAR).map_err(|why| {
+            let row = imported.dofs.name(free[why.row]);
             ReductionFault::Unheld { row }
         })?;
         let mut constrained = vec![vec![0.0; free.len()]; held.len()];
@@ -90,7 +85,7 @@ impl Held {
             attached: attached.collect(),
             massive: places_where(&|row| has_mass[*row]),
             massless: places_where(&|row| !has_mass[*row]),
-            mass: block(&imported.mass, &free),
+            mass: imported.mass.block(&free),
             stiffness,
             factor,
             constrained,
@@ -98,33 +93,5 @@ impl Held {
             held,
             free,
         })
-    }
-}
-
-/// The block of a matrix with these rows and columns, which rise.
-pub(super) fn block(matrix: &Symmetric, rows: &[usize]) -> Symmetric {
-    let mut block = Symmetric::zeros(rows.len());
-    for ((i, j), value) in matrix.entries() {
-        if let (Ok(i), Ok(j)) = (rows.binary_search(&i), rows.binary_search(&j)) {
-            block.add(i, j, value);
-        }
-    }
-    block
-}
-
-/// The factor of a matrix that is positive definite beyond round-off; else a row that nothing holds.
-fn positive(matrix: &Symmetric) -> Result<Factor, usize> {
-    let factor = Factor::new(matrix, &vec![false; matrix.size()]);
-    let factor = factor.map_err(|NotPositive { row }| row)?;
-    let mut diagonal = vec![0.0; matrix.size()];
-    for ((i, j), value) in matrix.entries() {
-        if i == j {
-            diagonal[i] = value;
-        }
-    }
-    let mut pivots = factor.order().iter().zip(factor.reciprocals());
-    match pivots.find(|(row, reciprocal)| 1.0 / **reciprocal < SINGULAR * diagonal[**row]) {
-        Some((row, _)) => Err(*row),
-        None => Ok(factor),
     }
 }

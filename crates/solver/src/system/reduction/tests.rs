@@ -3,7 +3,7 @@ use super::modes::{lowest, stage};
 use super::*;
 use crate::system::import::Dofs;
 use crate::system::structure::{Direction, Symmetric};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DVector, SymmetricEigen};
 
 /// Matrices with rows n1.x, n2.x and so on.
 fn imported(mass: Symmetric, stiffness: Symmetric, damping: Option<Symmetric>) -> Arc<Imported> {
@@ -50,15 +50,6 @@ fn difference(of: &Held, wanted: usize, mut exact: Vec<f64>) -> f64 {
     let pairs = modes.iter().zip(&exact).take(wanted);
     let errors = pairs.map(|(own, exact)| (own.omega2 / exact - 1.0).abs());
     errors.fold(0.0, f64::max)
-}
-
-fn full(matrix: &Symmetric) -> DMatrix<f64> {
-    let mut full = DMatrix::zeros(matrix.size(), matrix.size());
-    for ((i, j), x) in matrix.entries() {
-        full[(i, j)] = x;
-        full[(j, i)] = x;
-    }
-    full
 }
 
 #[test]
@@ -141,12 +132,12 @@ fn static_displacements_need_no_modes() {
     masses[20] = 0.0;
     masses[30] = 0.0;
     let (m, k) = chain(&masses);
-    let inverse = full(&k).try_inverse().unwrap();
+    let inverse = k.full().try_inverse().unwrap();
     let reduction = Reduction::new(imported(m, k, None), vec![5, 20, 39]);
     for modes in [0, 3, 37] {
         let reduced = reduction.reduced(Wanted::Modes(modes)).unwrap();
         assert_eq!(reduced.len(), 3 + modes.min(36));
-        let own = full(&reduced.stiffness()).try_inverse().unwrap();
+        let own = reduced.stiffness().full().try_inverse().unwrap();
         for (i, row) in [5, 20, 39].into_iter().enumerate() {
             for (j, column) in [5, 20, 39].into_iter().enumerate() {
                 // Flexibilities up to 10, a condition of 700.
@@ -183,7 +174,7 @@ fn all_modes_are_the_whole_model() {
     assert_eq!(reduced.frequencies()[1], None);
     // The answer of the kept rows to forces of frequency omega on them: (K + i omega C - omega^2 M)^-1, here with s = i omega real.
     let answer = |m: &Symmetric, c: &Symmetric, k: &Symmetric, s: f64| {
-        (full(k) + full(c) * s + full(m) * (s * s))
+        (k.full() + c.full() * s + m.full() * (s * s))
             .try_inverse()
             .unwrap()
     };
@@ -290,7 +281,7 @@ fn a_part_that_nothing_holds_has_no_reduction() {
         .reduced(Wanted::Modes(2))
         .unwrap();
     // Both move freely: K has two zeros, in its first two rows.
-    let eigen = SymmetricEigen::new(full(&reduced.stiffness()));
+    let eigen = SymmetricEigen::new(reduced.stiffness().full());
     // Round-off of stiffnesses of 1.
     assert_eq!(
         eigen.eigenvalues.iter().filter(|x| x.abs() < 1e-12).count(),

@@ -1,7 +1,7 @@
 //! What divides forces by masses, and the nodes that have none.
 
+use super::Structure;
 use super::factor::{Factor, NotPositive};
-use super::{Structure, Symmetric};
 
 /// M^-1, for nodes with mass.
 #[derive(Debug, Clone)]
@@ -63,6 +63,15 @@ impl Structure {
     /// # Errors
     /// As [`Inertia::new`].
     pub fn accelerations(&self, forces: &[f64]) -> Result<Vec<f64>, NotPositive> {
+        let [load, inner] = self.forces_at_start(forces);
+        let differences = load.iter().zip(inner);
+        let mut accelerations: Vec<f64> = differences.map(|(load, inner)| load - inner).collect();
+        Inertia::new(self)?.divide(&mut accelerations);
+        Ok(accelerations)
+    }
+
+    /// p and B S + C v + K u at t = 0 for these contact forces.
+    pub fn forces_at_start(&self, forces: &[f64]) -> [Vec<f64>; 2] {
         let n = self.len();
         let (mut load, mut inner) = (vec![0.0; n], vec![0.0; n]);
         self.add_loads(0.0, &mut load);
@@ -73,13 +82,7 @@ impl Structure {
                 inner[node] += factor * force;
             }
         }
-        let mut accelerations: Vec<f64> = load
-            .iter()
-            .zip(&inner)
-            .map(|(load, inner)| load - inner)
-            .collect();
-        Inertia::new(self)?.divide(&mut accelerations);
-        Ok(accelerations)
+        [load, inner]
     }
 
     /// Whether every node has a mass.
@@ -89,16 +92,13 @@ impl Structure {
 
     /// Whether each node has neither mass nor damping: K u + B S = p holds there at every instant.
     pub fn massless(&self) -> Vec<bool> {
-        let mut massless: Vec<bool> = self.nodes.iter().map(|node| node.mass == 0.0).collect();
-        let mut leave_out = |matrix: &Symmetric| {
-            for ((i, j), value) in matrix.entries() {
-                if value != 0.0 {
-                    (massless[i], massless[j]) = (false, false);
-                }
-            }
-        };
-        leave_out(&self.coupled_mass);
-        leave_out(&self.damping);
-        massless
+        let coupled = self.coupled_mass.nonzero_rows();
+        let rows = self
+            .nodes
+            .iter()
+            .zip(coupled)
+            .zip(self.damping.nonzero_rows());
+        rows.map(|((node, coupled), damped)| node.mass == 0.0 && !coupled && !damped)
+            .collect()
     }
 }

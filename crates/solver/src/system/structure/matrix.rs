@@ -1,5 +1,7 @@
 //! Sparse symmetric matrices.
 
+use nalgebra::DMatrix;
+
 /// A sparse symmetric matrix: the entries on and below the diagonal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Symmetric {
@@ -66,6 +68,42 @@ impl Symmetric {
     pub fn entries(&self) -> impl Iterator<Item = ((usize, usize), f64)> + '_ {
         let rows = self.rows.iter().enumerate();
         rows.flat_map(|(i, row)| row.iter().map(move |(j, value)| ((i, *j), *value)))
+    }
+
+    /// Largest absolute value of its entries.
+    pub fn largest(&self) -> f64 {
+        let entries = self.entries();
+        entries.fold(0.0, |most, (_, value)| f64::max(most, value.abs()))
+    }
+
+    /// Whether each row has an entry other than 0.
+    pub fn nonzero_rows(&self) -> Vec<bool> {
+        let mut nonzero = vec![false; self.size()];
+        for ((i, j), _) in self.entries().filter(|(_, value)| *value != 0.0) {
+            (nonzero[i], nonzero[j]) = (true, true);
+        }
+        nonzero
+    }
+
+    /// The rows and columns with these numbers, which rise.
+    pub fn block(&self, rows: &[usize]) -> Symmetric {
+        let mut block = Symmetric::zeros(rows.len());
+        for ((i, j), value) in self.entries() {
+            if let (Ok(i), Ok(j)) = (rows.binary_search(&i), rows.binary_search(&j)) {
+                block.add(i, j, value);
+            }
+        }
+        block
+    }
+
+    /// The same as a full matrix.
+    pub fn full(&self) -> DMatrix<f64> {
+        let mut full = DMatrix::zeros(self.size(), self.size());
+        for ((i, j), value) in self.entries() {
+            full[(i, j)] = value;
+            full[(j, i)] = value;
+        }
+        full
     }
 
     /// Adds the product with a vector to `to`.

@@ -19,7 +19,7 @@
 //! rest say what it follows, or else all of its contacts, by weak springs in their places; without any, it follows nothing. What is
 //! left of K R + K_fs is then a load by u_s.
 
-use super::factor::Factor;
+use super::factor::{Factor, NotPositive};
 use super::{Along, Load, Motion, Quantity, Signal, Structure, Symmetric};
 use std::sync::Arc;
 
@@ -183,11 +183,10 @@ fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f6
         };
         columns.iter().map(dense).collect()
     };
-    if let Some(factor) = regular(&stiffness.free) {
+    if let Ok(factor) = Factor::regular(&stiffness.free, SINGULAR) {
         return solved(&factor, columns(&stiffness.columns));
     }
-    let entries = stiffness.free.entries();
-    let largest = entries.fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
+    let largest = stiffness.free.largest();
     let weak = if largest > 0.0 { WEAK * largest } else { 1.0 };
     let mut with_contacts = Split {
         free: stiffness.free.clone(),
@@ -203,7 +202,7 @@ fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f6
         for (own, more) in with_contacts.columns.iter_mut().zip(springs.columns) {
             own.extend(more);
         }
-        if let Some(factor) = regular(&with_contacts.free) {
+        if let Ok(factor) = Factor::regular(&with_contacts.free, SINGULAR) {
             return solved(&factor, columns(&with_contacts.columns));
         }
     }
@@ -219,36 +218,16 @@ fn solved(factor: &Factor, mut columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     columns
 }
 
-/// The factor of a matrix, or a row whose pivot is round-off.
-fn factor(matrix: &Symmetric) -> Result<Factor, usize> {
-    let n = matrix.size();
-    let factor = Factor::new(matrix, &vec![false; n]).map_err(|why| why.row)?;
-    let mut diagonal = vec![0.0; n];
-    for ((i, j), value) in matrix.entries() {
-        if i == j {
-            diagonal[i] = value;
-        }
-    }
-    let mut pivots = factor.order().iter().zip(factor.reciprocals());
-    match pivots.find(|(row, reciprocal)| 1.0 < SINGULAR * diagonal[**row] * **reciprocal) {
-        Some((row, _)) => Err(*row),
-        None => Ok(factor),
-    }
-}
-
-fn regular(matrix: &Symmetric) -> Option<Factor> {
-    factor(matrix).ok()
-}
-
 /// The factor with springs that hold the nodes with which a part moves freely. No force of them is needed, so that the nodes stay.
 fn pinned(matrix: &Symmetric) -> Option<Factor> {
     let mut matrix = matrix.clone();
-    let entries = matrix.entries();
-    let largest = entries.fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
+    let largest = matrix.largest();
     for _ in 0..MOST_PINS {
-        match factor(&matrix) {
+        match Factor::regular(&matrix, SINGULAR) {
             Ok(factor) => return Some(factor),
-            Err(row) => matrix.add(row, row, if largest > 0.0 { largest } else { 1.0 }),
+            Err(NotPositive { row }) => {
+                matrix.add(row, row, if largest > 0.0 { largest } else { 1.0 })
+            }
         }
     }
     None

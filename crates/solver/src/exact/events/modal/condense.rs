@@ -52,11 +52,6 @@ pub fn entries(matrix: &Symmetric, places: &[Option<usize>]) -> Vec<(usize, usiz
     all
 }
 
-/// The rows and columns of a matrix that belong to these nodes.
-pub fn block(matrix: &Symmetric, nodes: &[usize]) -> DMatrix<f64> {
-    between(matrix, nodes, nodes)
-}
-
 /// The rows of some nodes and the columns of others.
 fn between(matrix: &Symmetric, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
     let places = |nodes: &[usize]| {
@@ -127,7 +122,7 @@ impl Condensed {
         let (nodes, plates) = held(k, &massless);
         let columns = || structure.contacts.iter().map(|contact| &contact.along);
         let patterns = || structure.loads.iter().map(|load| &load.pattern);
-        let factor = block(k, &nodes).cholesky();
+        let factor = k.block(&nodes).full().cholesky();
         let solve = |matrix: DMatrix<f64>| solve(factor.as_ref(), matrix);
         let [of_contacts, of_loads] = [
             rows(columns(), &nodes, size),
@@ -141,7 +136,7 @@ impl Condensed {
             nodes,
         };
         let stiffness =
-            symmetric(block(k, &kept) - dots(&between(k, &held.nodes, &kept), &held.by_kept));
+            symmetric(k.block(&kept).full() - dots(&between(k, &held.nodes, &kept), &held.by_kept));
         let reduced = |patterns: DMatrix<f64>, of_held: &DMatrix<f64>, by: &DMatrix<f64>| {
             patterns - dots(by, of_held)
         };
@@ -238,7 +233,7 @@ impl Condensed {
 
 /// The nodes that K holds, and the others: those with a pivot of 0.
 fn held(stiffness: &Symmetric, massless: &[usize]) -> (Vec<usize>, Vec<usize>) {
-    let k = block(stiffness, massless);
+    let k = stiffness.block(massless).full();
     let mut lower = k.clone();
     let (mut nodes, mut plates) = (Vec::new(), Vec::new());
     for (j, node) in massless.iter().enumerate() {

@@ -65,7 +65,7 @@ pub fn model(structure: &Structure) -> Result<Model<'_>, EventsFault> {
     if condensed.kept.is_empty() {
         return Err(EventsFault::Mass);
     }
-    let mass = condense::block(&structure.mass(), &condensed.kept);
+    let mass = structure.mass().block(&condensed.kept).full();
     let not_positive = EventsFault::Mass;
     let lower = match structure.coupled_mass.is_empty() {
         true => DMatrix::from_diagonal(&mass.diagonal().map(f64::sqrt)),

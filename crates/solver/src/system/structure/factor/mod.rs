@@ -75,6 +75,25 @@ impl Factor {
         })
     }
 
+    /// Factors a matrix that is positive definite beyond round-off: no pivot is below this part of its diagonal.
+    ///
+    /// # Errors
+    /// [`NotPositive`] for a matrix that is not.
+    pub fn regular(matrix: &Symmetric, smallest: f64) -> Result<Factor, NotPositive> {
+        let factor = Factor::new(matrix, &vec![false; matrix.size()])?;
+        let mut diagonal = vec![0.0; matrix.size()];
+        for ((i, j), value) in matrix.entries() {
+            if i == j {
+                diagonal[i] = value;
+            }
+        }
+        let mut pivots = factor.order().iter().zip(factor.reciprocals());
+        match pivots.find(|(row, reciprocal)| 1.0 < smallest * diagonal[**row] * **reciprocal) {
+            Some((row, _)) => Err(NotPositive { row: *row }),
+            None => Ok(factor),
+        }
+    }
+
     /// The rows of the matrix in the order of elimination.
     pub fn order(&self) -> &[usize] {
         &self.order
