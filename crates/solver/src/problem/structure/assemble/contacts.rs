@@ -1,0 +1,51 @@
+//! The contacts of a structure under construction.
+
+use super::{Detail, Draft};
+use crate::problem::structure::contacts;
+use crate::system::structure::{Contact, StructureLaw};
+
+impl Draft<'_> {
+    pub(super) fn contacts(&mut self) {
+        for contact in &self.template.contacts {
+            let along = self.along(&contact.along);
+            let nodes = self.numbering.nodes();
+            if along.iter().all(|(node, _)| *node >= nodes) && self.violations.is_empty() {
+                let message = match along.is_empty() {
+                    true => "a contact needs two different nodes",
+                    false => "a contact needs a node that is not a support",
+                };
+                self.violations.push(contacts::violation(contact, message));
+            }
+            let gap = self.optional(&contact.gap);
+            let law = contacts::relation(
+                contact,
+                self.case,
+                self.template.metre,
+                self.detail == Detail::Whole,
+            );
+            if let Some(law) = self.checked(law) {
+                self.structure.contacts.push(Contact {
+                    name: contact.name.clone(),
+                    along,
+                    gap,
+                    law,
+                });
+            }
+        }
+    }
+
+    /// A rigid contact must not overlap at t = 0: it would part at a speed of overlap over time step.
+    pub(super) fn overlaps(&mut self) {
+        if !self.violations.is_empty() {
+            return;
+        }
+        for (c, contact) in self.template.contacts.iter().enumerate() {
+            let own = &self.structure.contacts[c];
+            let r = self.structure.relative(c, &self.structure.displacement) + own.gap;
+            if matches!(own.law, StructureLaw::RigidStop { .. }) && r < 0.0 {
+                let message = format!("a rigid contact must start with r >= 0, got {r}");
+                self.violations.push(contacts::violation(contact, message));
+            }
+        }
+    }
+}

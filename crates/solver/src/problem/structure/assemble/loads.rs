@@ -1,0 +1,112 @@
+//! Loads, ground motion and motions of supports of a structure under construction.
+
+use super::{Detail, Draft};
+use crate::problem::structure::template::{Moved, Scaled};
+use crate::system::structure::{Direction, Load, Node};
+use std::sync::Arc;
+
+impl Draft<'_> {
+    pub(super) fn loads(&mut self) {
+        for load in &self.template.loads {
+            let nodes = self.loaded(&load.at);
+            self.load(&load.force, |_, scale| {
+                nodes
+                    .iter()
+                    .map(|(node, share)| (*node, scale * share))
+                    .collect()
+            });
+        }
+        for (direction, ground) in &self.template.ground {
+            // u is relative to the ground: the load is -M a_g in the nodes of its direction.
+            let shaken = match self.detail {
+                Detail::Whole => self.shaken(*direction),
+                Detail::Numbers | Detail::WithoutSamples => Vec::new(),
+            };
+            self.load(ground, |_, scale| {
+                let masses = shaken.iter().enumerate().filter(|(_, mass)| **mass != 0.0);
+                masses.map(|(i, mass)| (i, -scale * mass)).collect()
+            });
+        }
+    }
+
+    /// M times 1 in the nodes of a direction and 0 in the others.
+    pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
+        let is_shaken = |i: usize| self.structure.nodes[i].direction == direction;
+        let nodes = self.structure.nodes.iter().enumerate();
+        let mut shaken: Vec<f64> = nodes
+            .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })
+            .collect();
+        for ((i, j), mass) in self.structure.coupled_mass.entries() {
+            for (row, column) in [(i, j), (j, i)] {
+                if is_shaken(column) {
+                    shaken[row] += mass;
+                }
+            }
+        }
+        for (place, reduced) in self.reduced.iter().enumerate() {
+            if let Some(reduced) = reduced {
+                let inertia = reduced.inertia(direction).into_iter();
+                for (node, inertia) in self.coordinates(place, reduced).into_iter().zip(inertia) {
+                    if let Some(node) = node {
+                        shaken[node] = inertia;
+                    }
+                }
+            }
+        }
+        shaken
+    }
+
+    /// The nodes on which a load acts, with the forces of a load of 1.
+    pub(super) fn loaded(&mut self, of: &Moved) -> Vec<(usize, f64)> {
+        if let Moved::Rows(matrices, direction) = of
+            && let Some(reduced) = &self.reduced[*matrices]
+        {
+            let forces = match self.is_built() {
+                true => reduced.forces(*direction),
+                false => Vec::new(),
+            };
+            let nodes = self.coordinates(*matrices, reduced).into_iter();
+            return nodes
+                .zip(forces)
+                .filter_map(|(node, force)| Some((node?, force)))
+                .collect();
+        }
+        self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
+    }
+
+    pub(super) fn load(
+        &mut self,
+        force: &Scaled,
+        pattern: impl Fn(&[Node], f64) -> Vec<(usize, f64)>,
+    ) {
+        if self.detail != Detail::Whole && force.source.is_sampled() {
+            let checked = force.check(self.case, self.template.metre);
+            self.checked(checked);
+            return;
+        }
+        let found = force.in_case(self.case, self.template.metre);
+        if let Some((signal, scale)) = self.checked(found) {
+            let pattern = pattern(&self.structure.nodes, scale);
+            self.structure.loads.push(Load { pattern, signal });
+        }
+    }
+
+    /// Prescribes the motions of the supports.
+    pub(super) fn supports(&mut self) {
+        let mut motions = Vec::with_capacity(self.template.supports.len());
+        for support in &self.template.supports {
+            let motion =
+                support.in_case(self.case, self.template.metre, self.detail == Detail::Whole);
+            if let Some(motion) = self.checked(motion) {
+                motions.push((support.full_name(), Arc::new(motion)));
+            }
+        }
+        if self.is_built() && self.violations.is_empty() {
+            self.structure.prescribe(motions);
+        }
+        let nodes = self.numbering.nodes();
+        for contact in &mut self.structure.contacts {
+            contact.along.retain(|(node, _)| *node < nodes);
+        }
+    }
+}

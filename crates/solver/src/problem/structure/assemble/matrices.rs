@@ -1,0 +1,108 @@
+//! The matrices of other programs in a structure under construction.
+
+use super::Draft;
+use crate::system::reduction::Reduced;
+use crate::system::structure::{Direction, Node, Structure, Symmetric};
+
+impl Draft<'_> {
+    /// The matrices of other programs on the diagonal of M, C and K.
+    pub(super) fn matrices(&mut self) {
+        if !self.is_built() {
+            return;
+        }
+        for (place, matrices) in self.template.matrices.iter().enumerate() {
+            let first = self.numbering.first_row(place);
+            let own = matrices.in_case(self.case);
+            let node = |row: usize| Node {
+                name: format!("{}.{}", matrices.name, own.dofs.name(row)),
+                mass: 0.0,
+                direction: own.dofs.rows()[row].direction,
+            };
+            let nodes = &mut self.structure.nodes;
+            match &self.reduced[place] {
+                None => {
+                    nodes.extend(matrices.rows.nodes().map(node));
+                    let numbers: Vec<_> = (0..own.len())
+                        .map(|row| self.numbering.row(place, row))
+                        .collect();
+                    add_matrices(
+                        &mut self.structure,
+                        |row| numbers[row],
+                        [&own.mass, &own.stiffness],
+                        own.damping.as_deref(),
+                    );
+                }
+                Some(reduced) => {
+                    let kept = reduced.kept();
+                    let own_rows: Vec<usize> = matrices.rows.nodes().collect();
+                    let are_nodes = kept
+                        .iter()
+                        .filter(|row| own_rows.binary_search(row).is_ok());
+                    let before = nodes.len();
+                    nodes.extend(are_nodes.map(|row| node(*row)));
+                    let first_mode = first + (nodes.len() - before);
+                    nodes.extend((1..=reduced.modes()).map(|mode| Node {
+                        name: format!("{}.mode{mode}", matrices.name),
+                        mass: 0.0,
+                        direction: Direction::Modal,
+                    }));
+                    let (mass, stiffness) = (reduced.mass(), reduced.stiffness());
+                    let damping = reduced.damping();
+                    add_matrices(
+                        &mut self.structure,
+                        |row| match kept.get(row) {
+                            Some(row) => self.numbering.row(place, *row),
+                            None => Some(first_mode + (row - kept.len())),
+                        },
+                        [&mass, &stiffness],
+                        damping.as_ref(),
+                    );
+                }
+            }
+        }
+    }
+
+    /// The nodes of the kept rows and the modes of reduced matrices; `None` for a row of a support.
+    pub(super) fn coordinates(&self, place: usize, reduced: &Reduced) -> Vec<Option<usize>> {
+        let nodes = self.numbering.nodes();
+        let kept = reduced.kept().iter().map(|row| {
+            let node = self.numbering.row(place, *row);
+            node.filter(|node| *node < nodes)
+        });
+        let end = self.numbering.first_row(place + 1);
+        let modes = (end - reduced.modes()..end).map(Some);
+        kept.chain(modes).collect()
+    }
+}
+
+/// Adds M, K and C with these numbers of their rows to those of a structure that has the nodes. Rows without a number are left out.
+fn add_matrices(
+    to: &mut Structure,
+    number: impl Fn(usize) -> Option<usize> + Copy,
+    [mass, stiffness]: [&Symmetric; 2],
+    damping: Option<&Symmetric>,
+) {
+    for ((i, j), m) in mass.entries() {
+        let (Some(i), Some(j)) = (number(i), number(j)) else {
+            continue;
+        };
+        match to.nodes.get_mut(i) {
+            Some(node) if i == j => node.mass = m,
+            _ if i != j && m != 0.0 => to.coupled_mass.add(i, j, m),
+            _ => {}
+        }
+    }
+    add_block(stiffness, number, &mut to.stiffness);
+    if let Some(damping) = damping {
+        add_block(damping, number, &mut to.damping);
+    }
+}
+
+/// Adds the entries of a matrix to another one with these numbers of its rows; those of rows without a number are left out.
+fn add_block(from: &Symmetric, number: impl Fn(usize) -> Option<usize>, to: &mut Symmetric) {
+    for ((i, j), value) in from.entries().filter(|(_, value)| *value != 0.0) {
+        if let (Some(i), Some(j)) = (number(i), number(j)) {
+            to.add(i, j, value);
+        }
+    }
+}

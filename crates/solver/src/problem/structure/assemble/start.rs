@@ -1,0 +1,63 @@
+//! The start of a structure under construction.
+
+use super::Draft;
+use crate::problem::structure::amount::Amount;
+use crate::problem::structure::reduce::Start as DirectionStart;
+use crate::problem::structure::template::Moved;
+use crate::system::structure::Structure;
+
+impl Draft<'_> {
+    pub(super) fn start(&mut self) {
+        let mut starts = vec![DirectionStart::default(); self.reduced.len()];
+        for start in &self.template.start {
+            let mut given =
+                |amount: &Option<Amount>| amount.as_ref().map(|amount| self.value(amount));
+            let (u, v) = (given(&start.u), given(&start.v));
+            for node in self.moved(&start.of) {
+                let Structure {
+                    displacement,
+                    velocity,
+                    ..
+                } = &mut self.structure;
+                displacement[node] = u.unwrap_or(displacement[node]);
+                velocity[node] = v.unwrap_or(velocity[node]);
+            }
+            if let Moved::Rows(matrices, direction) = &start.of {
+                starts[*matrices].set(*direction, [u, v]);
+            }
+        }
+        if !self.is_built() {
+            return;
+        }
+        for (place, start) in starts.iter().enumerate() {
+            if let Some(reduced) = &self.reduced[place] {
+                let nodes = self.coordinates(place, reduced);
+                let Structure {
+                    displacement,
+                    velocity,
+                    ..
+                } = &mut self.structure;
+                start.project(reduced, &nodes, [displacement, velocity]);
+            }
+        }
+    }
+
+    /// The nodes that a start moves, or on which a load acts; of reduced matrices the kept ones.
+    pub(super) fn moved(&mut self, of: &Moved) -> Vec<usize> {
+        match of {
+            Moved::Node(name) => self.node(name).into_iter().collect(),
+            Moved::Bar(bar) => {
+                let first = self.numbering.first(*bar);
+                (first..first + self.numbering.elements()[*bar] as usize + 1).collect()
+            }
+            Moved::Rows(matrices, direction) => {
+                let rows = self.template.matrices[*matrices].imported.dofs.rows();
+                let rows = rows.iter().enumerate();
+                let own = rows.filter(|(_, dof)| dof.direction == *direction);
+                let own = own.filter_map(|(row, _)| self.numbering.row(*matrices, row));
+                // Those behind the nodes are supports.
+                own.filter(|node| *node < self.numbering.nodes()).collect()
+            }
+        }
+    }
+}
