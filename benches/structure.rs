@@ -83,6 +83,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         displacement: vec![0.0; size],
         velocity: vec![0.0; size],
         supports: Vec::new(),
+        preload: Default::default(),
     }
 }
 

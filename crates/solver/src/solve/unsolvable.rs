@@ -27,6 +27,11 @@ pub enum Unsolvable {
         /// A node with a pivot that is not positive.
         node: String,
     },
+    /// The static loads have no equilibrium.
+    NoEquilibrium {
+        /// A node that nothing holds.
+        node: String,
+    },
     /// The mass matrix has no inverse.
     SingularMass,
     /// The un-iterated form would be too large.
@@ -60,6 +65,10 @@ impl fmt::Display for Unsolvable {
             Unsolvable::Indefinite { node } => write!(
                 f,
                 "the matrix of a step, 4/dt^2 M + 2/dt C + K, is not positive definite at node {node}"
+            ),
+            Unsolvable::NoEquilibrium { node } => write!(
+                f,
+                "the static loads have no equilibrium: nothing holds node {node} against them"
             ),
             Unsolvable::SingularMass => f.write_str("the mass matrix has no inverse"),
             Unsolvable::TooManyElements { most, elements } => write!(

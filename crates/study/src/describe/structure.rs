@@ -216,6 +216,12 @@ fn structure(function: &Json, contact: &Json) -> Json {
             json!({ "anyOf": [function.clone(), directions] })
         }
         "supports" => named(support(function)),
+        "static" => {
+            let gravity = json!({ "anyOf": [any(), all_numbers(keys::GROUND, &[])] });
+            let mut loads = named(any());
+            loads["properties"] = json!({ keys::GRAVITY.0: gravity });
+            loads
+        }
         "start" => named(all_numbers(keys::START, &[])),
         "contacts_reference" => json!({ "enum": keys::REFERENCES }),
         "damping_stiffness" => {
@@ -374,6 +380,10 @@ pub(super) fn reference() -> String {
         keys::GROUND,
     );
     text += &table("Both have:", keys::SUPPORT);
+    text += &table(
+        "`static` has forces by the names of nodes, bars or matrices in a direction, and:",
+        keys::STATIC,
+    );
     text += &table("`start`, for each node or bar:", keys::START);
     text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, also of supports, `.a` of supports, the following of a contact, and sums and differences such as \
              `g1.right - p2`:\n";

@@ -58,6 +58,10 @@ pub(crate) const STRUCTURE: Keys = &[
         "supports with motions of their own, by name: an acceleration in x, or an object with accelerations in x, y and z; each is a node NAME, NAME.x, NAME.y, NAME.z, and u is then absolute",
     ),
     (
+        "static",
+        "loads that act before t = 0 and stay: forces by the names of nodes, bars or matrices in a direction, such as tower.y, and \"gravity\"; the structure starts in equilibrium with them",
+    ),
+    (
         "start",
         "displacement and velocity at t = 0 of nodes, of all nodes of a bar, or of all nodes of matrices in a direction, such as tower.x",
     ),
@@ -282,6 +286,15 @@ pub(crate) const SYNTHETIC: Keys = &[
 pub(crate) const LOAD_AT: (&str, &str) = (
     "at",
     "node on which the force acts, a bar, or matrices and a direction such as tower.x; on each node the same force",
+);
+
+/// Keys of static loads besides names.
+pub(crate) const STATIC: Keys = &[GRAVITY];
+
+/// The key of gravity.
+pub(crate) const GRAVITY: (&str, &str) = (
+    "gravity",
+    "acceleration of all masses: a number in y, or an object with x, y and z; -9.81 in y is weight",
 );
 
 /// Keys of a start.

@@ -113,6 +113,7 @@ pub(super) fn problem(
         }),
         ground: loads::ground(&object, &reader, faults),
         supports: supports::supports(&of_supports, &reader, faults),
+        at_rest: parts::static_loads(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
     };

@@ -1,13 +1,15 @@
 //! Masses, bars, springs, damping and start of a structure.
 
-use super::keys::{BAR, MASS, RAYLEIGH, SPRING, START};
+use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, SPRING, START};
 use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
-use slipgap_solver::problem::structure::template::{Bar, Mass, Spring, SpringNumbers, Start};
+use slipgap_solver::problem::structure::template::{
+    Bar, Mass, Spring, SpringNumbers, Start, StaticLoad,
+};
 use slipgap_solver::system::structure::Direction;
 
 /// A named part with its value in the study.
@@ -122,12 +124,68 @@ pub(super) fn rayleigh(
     Some(["mass", "stiffness"].map(|key| reader.optional(&object, key, Range::NotNegative, faults)))
 }
 
+/// The static loads, by the names of what they act on, and gravity.
+pub(super) fn static_loads(
+    object: &Object,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<StaticLoad> {
+    let Some(node) = object.get("static") else {
+        return Vec::new();
+    };
+    let path = object.path("static");
+    let Tree::Object(members) = &node.tree else {
+        faults.must_be(
+            node,
+            &path,
+            "an object with a force for each node, or gravity",
+        );
+        return Vec::new();
+    };
+    let mut loads = Vec::new();
+    for member in members.iter().filter(|member| member.key != "//") {
+        let path = join(&path, &member.key);
+        if member.key == GRAVITY.0 {
+            loads.extend(gravity(&member.node, &path, reader, faults));
+            continue;
+        }
+        let at = reader.moved(&member.key, member.at, &path, faults);
+        let force = reader.amount(&member.node, &path, Range::Any, faults);
+        loads.extend(
+            at.zip(force)
+                .map(|(at, force)| StaticLoad::Force(at, force)),
+        );
+    }
+    loads
+}
+
+/// The accelerations of gravity: one in y, or one for each key x, y and z.
+fn gravity(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Vec<StaticLoad> {
+    let Tree::Object(_) = &node.tree else {
+        let amount = reader.amount(node, path, Range::Any, faults);
+        let load = amount.map(|amount| StaticLoad::Gravity(Direction::Y, amount));
+        return load.into_iter().collect();
+    };
+    let Some(object) = open(node, path, GROUND, faults) else {
+        return Vec::new();
+    };
+    let one = |direction: Direction| {
+        let amount = reader.optional(&object, direction.name(), Range::Any, faults)?;
+        Some(StaticLoad::Gravity(direction, amount))
+    };
+    Direction::TRANSLATIONS
+        .into_iter()
+        .filter_map(one)
+        .collect()
+}
+
 /// The displacements and velocities at t = 0, by the names of nodes and bars.
 pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Vec<Start> {
     let Some(node) = object.get("start") else {
         return Vec::new();
     };
     let path = object.path("start");
+    let has_static = object.get("static").is_some();
     let Tree::Object(members) = &node.tree else {
         faults.must_be(node, &path, "an object with a key for each node or bar");
         return Vec::new();
@@ -137,6 +195,10 @@ pub(super) fn start(object: &Object, reader: &Reader, faults: &mut Faults) -> Ve
         let path = join(&path, &member.key);
         let of = reader.moved(&member.key, member.at, &path, faults)?;
         let object = open(&member.node, &path, START, faults)?;
+        if let (true, Some(node)) = (has_static, object.get("u")) {
+            let message = "the static loads give the displacements at t = 0; a start may give v";
+            faults.add(node.at, &object.path("u"), message);
+        }
         Some(Start {
             of,
             u: reader.optional(&object, "u", Range::Any, faults),

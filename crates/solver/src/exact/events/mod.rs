@@ -124,6 +124,7 @@ pub struct Summary {
 ///     displacement: vec![0.0],
 ///     velocity: vec![2.0],
 ///     supports: Vec::new(),
+///     preload: Default::default(),
 /// };
 /// let mut u = 0.0;
 /// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;

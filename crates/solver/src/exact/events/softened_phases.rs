@@ -23,6 +23,14 @@ impl SoftenedPhases<'_> {
         for (i, state) in states.iter_mut().enumerate() {
             let r = self.series.contacts[i].r[0];
             state.origin = r;
+            let at_rest = self.model.structure.preload.force(i);
+            if let (StructureLaw::DisplacementControl { stiffness, .. }, Some(force)) =
+                (&self.model.contacts[i].law, at_rest)
+            {
+                state.phase = Phase::Closed;
+                state.origin = r - force / stiffness;
+                state.force = force;
+            }
             if let StructureLaw::ImpactSpring { stiffness } = self.model.contacts[i].law
                 && r < 0.0
             {

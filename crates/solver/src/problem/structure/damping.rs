@@ -128,6 +128,7 @@ mod tests {
             displacement: vec![0.0; 3],
             velocity: vec![0.0; 3],
             supports: Vec::new(),
+            preload: Default::default(),
         };
         structure.stiffness.add_spring([None, Some(0)], 100.0);
         structure.stiffness.add_spring([Some(0), Some(1)], 70.0);

@@ -40,7 +40,7 @@ use super::method;
 use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
 use crate::history::History;
 use crate::methods::Method;
-use crate::solve::structure::critical_fault;
+use crate::solve::structure::{critical_fault, settle};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::{Model, assemble};
@@ -100,7 +100,10 @@ impl StructureProblem {
             let stiffness = assemble::damping_stiffness(&self.template, &structure).into_owned();
             damping::add_modal(&mut structure, &stiffness, ratio).ok_or(Unsolvable::NoModes)?;
         }
-        massless::place(&mut structure);
+        match structure.preload.load.is_empty() {
+            true => massless::place(&mut structure),
+            false => settle(&mut structure)?,
+        }
         Ok((structure, numbering))
     }
 
@@ -183,7 +186,7 @@ impl StructureProblem {
         numbers: &[Number],
     ) -> Result<Recorded, Unsolvable> {
         match self.against_rigid() {
-            true => motion::exact(&motion::rigid(structure), times, numbers),
+            true => motion::exact(&motion::rigid(structure)?, times, numbers),
             false => motion::exact(structure, times, numbers),
         }
     }

@@ -6,7 +6,7 @@ use crate::exact::events;
 use crate::lane::Lane;
 use crate::methods::Method;
 use crate::solve::Unsolvable;
-use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run};
+use crate::solve::structure::{Books, Prepared, State, Watch, Watched, run, settle};
 use crate::system::structure::{Structure, StructureLaw};
 use std::collections::BTreeSet;
 
@@ -184,7 +184,11 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
 
 /// The same structure with rigid laws: impacts without compliance, with the restitution of the law, which is 1 without damping, and
 /// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one. Links stay.
-pub fn rigid(structure: &Structure) -> Structure {
+/// Static loads find their equilibrium anew.
+///
+/// # Errors
+/// The static loads have none.
+pub fn rigid(structure: &Structure) -> Result<Structure, Unsolvable> {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
         contact.law = match contact.law.clone() {
@@ -200,7 +204,12 @@ pub fn rigid(structure: &Structure) -> Structure {
             | StructureLaw::Link { .. }) => law,
         };
     }
-    rigid
+    if !structure.preload.forces.is_empty() {
+        rigid.displacement.fill(0.0);
+        rigid.preload.laws.clear();
+        settle(&mut rigid)?;
+    }
+    Ok(rigid)
 }
 
 /// The relative difference of start and loads for `divergence`.

@@ -5,7 +5,7 @@ use super::channel::Term;
 use super::metric::StructureMetric;
 use super::node::NodeRef;
 use super::schema::Drawn;
-use super::template::{Moved, Template};
+use super::template::{Moved, StaticLoad, Template};
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
 use crate::system::reduction::{Reduced, Reduction, Wanted};
@@ -63,7 +63,12 @@ pub fn named_rows(
     let contacts = template.contacts.iter().flat_map(|contact| &contact.along);
     let along = springs.chain(contacts).map(|term| term.node.node);
     let loads = template.loads.iter().map(|load| &load.at);
-    let moved = loads.chain(template.start.iter().map(|start| &start.of));
+    let at_rest = template.at_rest.iter().filter_map(|load| match load {
+        StaticLoad::Force(at, _) => Some(at),
+        StaticLoad::Gravity(..) => None,
+    });
+    let moved = loads.chain(at_rest);
+    let moved = moved.chain(template.start.iter().map(|start| &start.of));
     let moved = moved.filter_map(|moved| match moved {
         Moved::Node(name) => Some(name.node),
         Moved::Bar(_) | Moved::Rows(..) => None,

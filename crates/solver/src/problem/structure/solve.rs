@@ -111,7 +111,8 @@ impl StructureProblem {
             return 0.0;
         };
         let outline = match self.against_rigid() {
-            true => motion::rigid(&outline),
+            // Without its static equilibrium, which does not count.
+            true => motion::rigid(&outline).unwrap_or(outline),
             false => outline,
         };
         let points: usize = self
@@ -223,7 +224,7 @@ impl StructureProblem {
             motions.softened = Some(motion::exact(structure, &times, &numbers)?);
         }
         if self.has(&[Reduction::RegularisationError]) || referred && rigid {
-            motions.rigid = Some(motion::exact(&motion::rigid(structure), &times, &numbers)?);
+            motions.rigid = Some(motion::exact(&motion::rigid(structure)?, &times, &numbers)?);
         }
         if self.has(&[Reduction::MeshError]) {
             let (finer, numbering) = self.structure(&ready.case, Model::Finer(FINER))?;

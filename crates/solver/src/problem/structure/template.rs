@@ -39,6 +39,8 @@ pub struct Template {
     pub ground: Vec<(Direction, Scaled)>,
     /// Motions of supports, one for each support and direction.
     pub supports: Vec<Support>,
+    /// Loads whose equilibrium is the structure's place at t = 0.
+    pub at_rest: Vec<StaticLoad>,
     /// Displacements and velocities at t = 0.
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
@@ -302,6 +304,15 @@ pub struct Scaled {
     pub source: Source,
     /// The factor; none for 1.
     pub scale: Option<Amount>,
+}
+
+/// A static load, which acts before t = 0 and stays.
+#[derive(Debug, Clone)]
+pub enum StaticLoad {
+    /// A force on one node, or on each of several.
+    Force(Moved, Amount),
+    /// An acceleration of all masses in a direction, such as -9.81 in y.
+    Gravity(Direction, Amount),
 }
 
 /// Displacement and velocity at t = 0 of one node, or of several.

@@ -72,10 +72,14 @@ impl Curved {
         pace: f64,
         dt: f64,
     ) -> Option<Curved> {
+        let mut contacts = structure.contacts.iter();
+        let any = contacts.any(|contact| contact.law.is_curved());
+        any.then(|| Curved::of_all(structure, flexibility, pace, dt))
+    }
+
+    /// The contacts of a structure with this H, by rows, also if all its laws are clipped lines.
+    pub(super) fn of_all(structure: &Structure, flexibility: &[f64], pace: f64, dt: f64) -> Curved {
         let contacts = &structure.contacts;
-        if !contacts.iter().any(|contact| contact.law.is_curved()) {
-            return None;
-        }
         let m = contacts.len();
         let forces = CurvedForces::new(flexibility.to_vec(), m);
         let scale = Scale { pace, dt };
@@ -84,8 +88,17 @@ impl Curved {
             let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let own = forces.flexibility(i);
             let law = relation.law(limit);
+            let steps = scale.steps(own);
+            let running = match structure.preload.laws.get(i) {
+                Some(Some(remembers)) => {
+                    let mut running = *remembers;
+                    running.change(&law, &steps);
+                    running
+                }
+                _ => ContactLaw::running(&[law], &steps),
+            };
             Contact {
-                law: ContactLaw::running(&[law], &scale.steps(own)),
+                law: running,
                 now: law,
                 own,
                 line: line(&relation, pace),
@@ -95,14 +108,19 @@ impl Curved {
             }
         };
         let contacts = contacts.iter().enumerate().map(contact).collect();
-        Some(Curved {
+        Curved {
             forces,
             contacts,
             scale,
             d: vec![0.0; m],
             size: vec![0.0; m],
             force: vec![0.0; m],
-        })
+        }
+    }
+
+    /// The law of a contact with its memory.
+    pub(super) fn law(&self, contact: usize) -> AnyRunningLaw<1> {
+        self.contacts[contact].law
     }
 
     /// Whether a contact's law may have several answers in a step.
@@ -271,18 +289,23 @@ fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
     }
 }
 
-/// S(0) of a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent.
-pub(super) fn first_force(relation: &StructureLaw, r: f64, rdot: f64) -> f64 {
+/// S(0) of a contact with a law that is not a clipped line: it follows from r and rdot, or from its state, which is unbent without static
+/// loads.
+pub(super) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f64) -> f64 {
+    let relation = &structure.contacts[contact].law;
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
-    if let Some(force) = law.properties().unbent_force(rdot) {
+    let scale = Scale { pace: 0.0, dt: 1.0 };
+    let remembers = structure.preload.laws.get(contact).copied().flatten();
+    if let (Some(force), None) = (law.properties().unbent_force(rdot), remembers) {
         return force;
     }
-    let scale = Scale { pace: 0.0, dt: 1.0 };
-    let mut law: AnyRunningLaw<1> = ContactLaw::running(&[law], &scale.steps(0.0));
+    let running = || ContactLaw::running(&[law], &scale.steps(0.0));
+    let mut law: AnyRunningLaw<1> = remembers.unwrap_or_else(running);
     let motion = Motion {
         displacement: r,
         velocity: rdot,
+        force: structure.preload.force(contact).unwrap_or_default(),
         ..Motion::default()
     };
     let Lane([force]) = ContactResponse::force(&mut law, 1, &trial(&motion, 0.0, rdot));

@@ -17,16 +17,19 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         let r = structure.relative(c, u) + contact.gap;
         let rdot = structure.relative(c, v);
         let [low, high] = bounds(contact, 0.0);
+        let at_rest = structure.preload.force(c);
+        // Round-off of the equilibrium opens no contact that presses.
+        let is_open = r > 0.0 && at_rest.is_none_or(|force| force == 0.0);
         forces[c] = match contact.law {
             StructureLaw::ImpactSpring { stiffness } => stiffness * r.min(0.0),
-            StructureLaw::DisplacementControl { .. } => 0.0,
+            StructureLaw::DisplacementControl { .. } => at_rest.unwrap_or_default(),
             StructureLaw::CurvedImpact { .. }
             | StructureLaw::CurvedFriction { .. }
-            | StructureLaw::Link { .. } => first_force(&contact.law, r, rdot),
+            | StructureLaw::Link { .. } => first_force(structure, c, r, rdot),
             StructureLaw::VelocityControl { viscosity, .. } => (viscosity * rdot).clamp(low, high),
             StructureLaw::Coulomb { .. } if rdot > 0.0 => high,
             StructureLaw::Coulomb { .. } if rdot < 0.0 => low,
-            StructureLaw::RigidStop { .. } if r > 0.0 || rdot != 0.0 => 0.0,
+            StructureLaw::RigidStop { .. } if is_open || rdot != 0.0 => 0.0,
             // Where a node without mass gives way, nothing presses at rest.
             StructureLaw::Coulomb { .. } | StructureLaw::RigidStop { .. } => {
                 let mut nodes = structure.column(c);

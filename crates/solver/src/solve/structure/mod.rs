@@ -46,6 +46,7 @@
 //!     displacement: vec![0.0],
 //!     velocity: vec![2.0],
 //!     supports: Vec::new(),
+//!     preload: Default::default(),
 //! };
 //! let prepared = Prepared::new(&block, 0.01)?;
 //! let mut last = [0.0; 2];
@@ -68,6 +69,7 @@ mod links;
 mod loads;
 mod massless;
 mod moving;
+mod preload;
 mod prepared;
 mod run;
 mod state;
@@ -76,6 +78,7 @@ mod watch;
 
 pub use books::Books;
 pub use general::{CriticalFault, critical_fault, critical_step};
+pub use preload::settle;
 pub use prepared::Prepared;
 pub use run::run;
 pub use step_view::{ContactStep, State};

@@ -209,6 +209,7 @@ mod tests {
                 displacement: vec![0.0; 4],
                 velocity: vec![0.0; 4],
                 supports: Vec::new(),
+                preload: Default::default(),
             }
         };
         let all = ["a", "b to c", "d"];

@@ -10,6 +10,7 @@ mod initial;
 pub mod lists;
 mod matrix;
 mod motion;
+mod preload;
 mod signal;
 mod structure_law;
 mod support;
@@ -18,6 +19,7 @@ pub use direction::Direction;
 pub use inertia::Inertia;
 pub use matrix::Symmetric;
 pub use motion::{Baseline, Motion, MotionFault, Quantity};
+pub use preload::Preload;
 pub use signal::{Signal, Table};
 pub use structure_law::{Limit, Pressure, StructureLaw};
 pub use support::Support;
@@ -45,6 +47,8 @@ pub struct Structure {
     pub velocity: Vec<f64>,
     /// The supports that move. With them, u of the nodes is the rest w of their displacement.
     pub supports: Vec<Support>,
+    /// Static loads before t = 0.
+    pub preload: Preload,
 }
 
 /// A node: a degree of freedom.

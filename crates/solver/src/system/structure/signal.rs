@@ -75,6 +75,14 @@ impl Table {
 }
 
 impl Signal {
+    /// The same value at all times.
+    pub fn constant(value: f64) -> Signal {
+        Signal::Table(Table {
+            times: vec![0.0],
+            values: vec![value],
+        })
+    }
+
     /// The value at time t.
     pub fn at(&self, t: f64) -> f64 {
         match self {

@@ -33,6 +33,7 @@ pub fn masses(masses: &[f64]) -> Structure {
         displacement: vec![0.0; masses.len()],
         velocity: vec![0.0; masses.len()],
         supports: Vec::new(),
+        preload: Default::default(),
     }
 }
 

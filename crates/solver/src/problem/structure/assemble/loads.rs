@@ -1,8 +1,8 @@
 //! Loads, ground motion and motions of supports of a structure under construction.
 
 use super::{Detail, Draft};
-use crate::problem::structure::template::{Moved, Scaled};
-use crate::system::structure::{Direction, Load, Node};
+use crate::problem::structure::template::{Moved, Scaled, StaticLoad};
+use crate::system::structure::{Direction, Load, Node, Signal};
 use std::sync::Arc;
 
 impl Draft<'_> {
@@ -27,6 +27,42 @@ impl Draft<'_> {
                 masses.map(|(i, mass)| (i, -scale * mass)).collect()
             });
         }
+    }
+
+    /// Loads that act from before t = 0 on. They are among the loads, and their sum is that of the preload.
+    pub(super) fn static_loads(&mut self) {
+        let template = self.template;
+        if template.at_rest.is_empty() {
+            return;
+        }
+        let mut sum = vec![0.0; self.structure.nodes.len()];
+        for load in &template.at_rest {
+            let (pattern, value) = match load {
+                StaticLoad::Force(at, force) => (self.loaded(at), self.value(force)),
+                StaticLoad::Gravity(direction, acceleration) => {
+                    let shaken = match self.is_built() {
+                        true => self.shaken(*direction),
+                        false => Vec::new(),
+                    };
+                    let pattern = shaken.into_iter().enumerate();
+                    let pattern = pattern.filter(|(_, mass)| *mass != 0.0).collect();
+                    (pattern, self.value(acceleration))
+                }
+            };
+            if !self.is_built() {
+                continue;
+            }
+            let pattern: Vec<_> = pattern
+                .into_iter()
+                .map(|(node, share)| (node, value * share))
+                .collect();
+            for (node, force) in &pattern {
+                sum[*node] += force;
+            }
+            let signal = Arc::new(Signal::constant(1.0));
+            self.structure.loads.push(Load { pattern, signal });
+        }
+        self.structure.preload.load = sum;
     }
 
     /// M times 1 in the nodes of a direction and 0 in the others.

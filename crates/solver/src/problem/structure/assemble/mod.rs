@@ -152,6 +152,7 @@ fn draft(
             displacement: vec![0.0; nodes],
             velocity: vec![0.0; nodes],
             supports: Vec::new(),
+            preload: Default::default(),
         },
         violations,
     };
@@ -164,6 +165,7 @@ fn draft(
         massless::hold(&mut draft.structure);
     }
     draft.rayleigh();
+    draft.static_loads();
     draft.loads();
     draft.supports();
     draft.start();

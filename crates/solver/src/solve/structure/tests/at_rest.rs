@@ -10,7 +10,7 @@ use crate::solve::Unsolvable;
 use crate::solve::structure::{Prepared, run};
 
 /// SplitMix64.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
     /// Between 0 and 1.
@@ -21,12 +21,12 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
     /// Evenly in its logarithm.
-    fn scale(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn scale(&mut self, low: f64, high: f64) -> f64 {
         low * libm::pow(high / low, self.unit())
     }
 
@@ -35,10 +35,10 @@ impl Random {
     }
 }
 
-const LAWS: usize = 17;
+pub(super) const LAWS: usize = 17;
 
 /// The law with this number, and the gap of the contact.
-fn law(number: usize, random: &mut Random) -> (StructureLaw, f64) {
+pub(super) fn law(number: usize, random: &mut Random) -> (StructureLaw, f64) {
     let (k, e, mass) = (random.scale(1e2, 1e5), random.between(0.2, 1.0), 1.5);
     let gap = random.between(0.0, 0.01) * [0.0, 1.0][random.below(2)];
     let impact = |law: ContactLaw| StructureLaw::CurvedImpact {

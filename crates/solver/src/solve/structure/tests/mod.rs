@@ -9,6 +9,7 @@ mod lanes;
 mod link;
 mod methods;
 mod motion;
+mod preload;
 mod pushed;
 
 use crate::system::structure::{
@@ -35,6 +36,7 @@ fn masses(masses: &[f64]) -> Structure {
         displacement: vec![0.0; n],
         velocity: vec![0.0; n],
         supports: Vec::new(),
+        preload: Default::default(),
     }
 }
 

@@ -1,0 +1,245 @@
+//! The equilibrium of a structure under its static loads: K u + B S = p.
+//!
+//! Contacts alone may hold a part, so that K may be singular. The equilibrium is therefore the limit of the steps
+//!
+//! ```text
+//! (K + q M) (u' - u) + B S' = p - K u,   r' = r + B^T (u' - u)
+//! ```
+//!
+//! (the proximal point method, Rockafellar 1976). The laws give S' as in a time step, but of a motion that takes so long that it has
+//! no velocity. What is left out of the equilibrium is q M (u' - u), which tells when the steps may end. Where they converge slowly,
+//! q is made smaller; with a regular K it is 0 from the beginning.
+
+use super::curved::{Curved, Motion};
+use crate::contact::ContactKind;
+use crate::solve::Unsolvable;
+use crate::system::structure::factor::Factor;
+use crate::system::structure::{Structure, Symmetric};
+
+/// Pivots of K below this part of the diagonal are round-off: contacts hold something.
+const SINGULAR: f64 = 1e-10;
+
+/// Smallest entry of K with the elastic contacts over that of q M, for the first q. Larger numbers need fewer steps, but each one
+/// leaves their round-off in u where contacts alone hold it.
+const LARGE: f64 = 100.0;
+
+/// Part of q at slow convergence, and what slow is: the part of the residual that a step leaves.
+const LESS: f64 = 0.01;
+const SLOW: f64 = 0.1;
+
+/// Change of forces and displacements, over the largest ones, from which on one step more leaves round-off only.
+const TARGET: f64 = 1e-11;
+
+/// Most steps for a load. With q 100 times smaller after each slow one, a dozen reach round-off.
+const STEPS: usize = 100;
+
+/// The load is applied in so many parts where the forces of curved laws depend on the way: their memory is exact for lines only.
+const PARTS: usize = 50;
+
+/// Time of a step: dashpots have no force in it.
+const LONG: f64 = 1e15;
+
+/// Puts a structure with static loads in equilibrium with them, with its contacts. The velocities stay.
+///
+/// # Errors
+/// Nothing holds a node, or the contacts have no forces.
+pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
+    if structure.preload.load.is_empty() {
+        return Ok(());
+    }
+    let remembers = |law: ContactKind| law != ContactKind::Impact;
+    let mut contacts = structure.contacts.iter();
+    let parts = match contacts.any(|own| own.law.is_curved() && remembers(own.law.kind())) {
+        true => PARTS,
+        false => 1,
+    };
+    let mut equilibrium = Equilibrium::new(structure)?;
+    for part in 1..=parts {
+        equilibrium.find(part as f64 / parts as f64)?;
+    }
+    let Equilibrium {
+        u, forces, curved, ..
+    } = equilibrium;
+    let laws = structure.contacts.iter().enumerate();
+    let laws = laws
+        .map(|(i, own)| (own.law.is_curved() && remembers(own.law.kind())).then(|| curved.law(i)));
+    structure.preload.laws = laws.collect();
+    structure.preload.forces = forces;
+    structure.displacement = u;
+    Ok(())
+}
+
+/// The steps to equilibrium.
+struct Equilibrium<'a> {
+    structure: &'a Structure,
+    mass: Symmetric,
+    q: f64,
+    factor: Factor,
+    /// (K + q M)^-1 B by columns.
+    columns: Vec<Vec<f64>>,
+    curved: Curved,
+    u: Vec<f64>,
+    forces: Vec<f64>,
+}
+
+impl<'a> Equilibrium<'a> {
+    fn new(structure: &'a Structure) -> Result<Equilibrium<'a>, Unsolvable> {
+        let mass = structure.mass();
+        let q = match Factor::regular(&structure.stiffness, SINGULAR) {
+            Ok(_) => 0.0,
+            Err(_) => first_q(structure),
+        };
+        let (factor, columns) = linear(structure, q)?;
+        let curved = curved(structure, &columns);
+        Ok(Equilibrium {
+            structure,
+            mass,
+            q,
+            factor,
+            columns,
+            curved,
+            u: structure.displacement.clone(),
+            forces: vec![0.0; structure.contacts.len()],
+        })
+    }
+
+    /// Finds the equilibrium with a part of the load.
+    fn find(&mut self, part: f64) -> Result<(), Unsolvable> {
+        let load: Vec<f64> = self
+            .structure
+            .preload
+            .load
+            .iter()
+            .map(|p| part * p)
+            .collect();
+        let mut before = f64::INFINITY;
+        let mut last = Vec::new();
+        let mut near = false;
+        for _ in 0..STEPS {
+            let forces = self.forces.clone();
+            let change = self.step(&load)?;
+            let mut left = vec![0.0; load.len()];
+            self.mass.add_product(&change, &mut left);
+            let size = largest(&load).max(largest(&self.forces));
+            let residual = self.q * largest(&left);
+            let differences = forces.iter().zip(&self.forces).map(|(a, b)| (a - b).abs());
+            let moved = differences.fold(0.0, f64::max);
+            let still = largest(&change) <= TARGET * largest(&self.u);
+            let reached = still && moved <= TARGET * size;
+            if reached && near {
+                return Ok(());
+            }
+            near = reached;
+            if !reached && residual > SLOW * before {
+                self.q *= LESS;
+                let curved = std::mem::replace(&mut self.curved, {
+                    (self.factor, self.columns) = linear(self.structure, self.q)?;
+                    curved(self.structure, &self.columns)
+                });
+                self.curved.remember(&curved);
+            }
+            (before, last) = (residual, change);
+        }
+        let moved = last.iter().enumerate();
+        let node = moved.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+        let node = node.map_or(String::new(), |(node, _)| {
+            self.structure.nodes[node].name.clone()
+        });
+        Err(Unsolvable::NoEquilibrium { node })
+    }
+
+    /// One step; returns u' - u.
+    fn step(&mut self, load: &[f64]) -> Result<Vec<f64>, Unsolvable> {
+        let mut inner = vec![0.0; load.len()];
+        self.structure.stiffness.add_product(&self.u, &mut inner);
+        let mut change: Vec<f64> = load
+            .iter()
+            .zip(&inner)
+            .map(|(p, inner)| p - inner)
+            .collect();
+        self.factor.solve(&mut change);
+        let (structure, u, forces) = (self.structure, &self.u, &self.forces);
+        let motion = |c: usize| {
+            let displacement = structure.relative(c, u) + structure.contacts[c].gap;
+            let change = structure.relative(c, &change);
+            Motion {
+                displacement,
+                velocity: 0.0,
+                force: forces[c],
+                change,
+                rate: change / LONG,
+                size: displacement.abs() + change.abs(),
+            }
+        };
+        let solved = self.curved.solve(motion);
+        let solved = solved.map_err(|why| Unsolvable::NoForces { step: 0, why })?;
+        self.forces.copy_from_slice(solved);
+        for (column, force) in self.columns.iter().zip(&self.forces) {
+            for (change, x) in change.iter_mut().zip(column) {
+                *change -= x * force;
+            }
+        }
+        for (u, change) in self.u.iter_mut().zip(&change) {
+            *u += change;
+        }
+        Ok(change)
+    }
+}
+
+/// q for which q M is a small part of K with the elastic contacts.
+fn first_q(structure: &Structure) -> f64 {
+    let (stiffness, mass) = (structure.initial_stiffness(), structure.mass());
+    let of = |matrix: &Symmetric| {
+        let mut diagonal = vec![0.0; structure.len()];
+        for ((i, j), x) in matrix.entries().filter(|((i, j), _)| i == j) {
+            diagonal[i.max(j)] += x;
+        }
+        diagonal
+    };
+    let ratios = of(&stiffness).into_iter().zip(of(&mass));
+    let ratios = ratios
+        .filter(|(k, m)| *k > 0.0 && *m > 0.0)
+        .map(|(k, m)| k / m);
+    let least = ratios.fold(f64::INFINITY, f64::min);
+    match least.is_finite() {
+        true => least / LARGE,
+        false => 1.0,
+    }
+}
+
+/// The factor of K + q M, and (K + q M)^-1 B by columns.
+fn linear(structure: &Structure, q: f64) -> Result<(Factor, Vec<Vec<f64>>), Unsolvable> {
+    let mut matrix = structure.stiffness.clone();
+    structure.add_mass(q, &mut matrix);
+    let factor = Factor::new(&matrix, &vec![false; structure.len()]);
+    let factor = factor.map_err(|why| Unsolvable::NoEquilibrium {
+        node: structure.nodes[why.row].name.clone(),
+    })?;
+    let column = |contact: usize| {
+        let mut column = vec![0.0; structure.len()];
+        for (node, x) in structure.column(contact) {
+            column[node] += x;
+        }
+        factor.solve(&mut column);
+        column
+    };
+    let columns = (0..structure.contacts.len()).map(column).collect();
+    Ok((factor, columns))
+}
+
+/// The laws of the contacts with H = B^T (K + q M)^-1 B.
+fn curved(structure: &Structure, columns: &[Vec<f64>]) -> Curved {
+    let m = columns.len();
+    let mut flexibility = vec![0.0; m * m];
+    for i in 0..m {
+        for j in 0..=i {
+            let h = structure.relative(i, &columns[j]);
+            (flexibility[i * m + j], flexibility[j * m + i]) = (h, h);
+        }
+    }
+    Curved::of_all(structure, &flexibility, 1.0 / LONG, LONG)
+}
+
+fn largest(all: &[f64]) -> f64 {
+    all.iter().fold(0.0, |a, x| f64::max(a, x.abs()))
+}

@@ -1,0 +1,21 @@
+//! Loads that act before t = 0, and what they leave in the contacts.
+
+use crate::contact::AnyRunningLaw;
+
+/// Static loads, and the contacts in equilibrium with them.
+#[derive(Debug, Clone, Default)]
+pub struct Preload {
+    /// The static load on each node; empty without static loads. It is among the loads, too: it acts on.
+    pub load: Vec<f64>,
+    /// S of each contact in equilibrium; empty before it is found.
+    pub forces: Vec<f64>,
+    /// What the law of each contact remembers from the way to equilibrium; `None` for laws that remember nothing.
+    pub laws: Vec<Option<AnyRunningLaw<1>>>,
+}
+
+impl Preload {
+    /// S of a contact in equilibrium; `None` without static loads.
+    pub fn force(&self, contact: usize) -> Option<f64> {
+        self.forces.get(contact).copied()
+    }
+}
