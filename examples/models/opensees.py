@@ -31,6 +31,8 @@ def export(prefix, directions=None, supports=None):
     for node in ops.getNodeTags():
         equations, place = ops.nodeDOFs(node), [*ops.nodeCoord(node), 0.0][:3]
         for direction, row in zip(directions or DIRECTIONS[len(equations)], equations):
+            if row >= 0 and rows[row]:
+                raise ValueError(f"nodes {rows[row][0]} and {node} share an equation: equalDOF is not covered")
             if row >= 0:
                 rows[row] = (node, direction, *place)
     write_matrices(prefix, M=M, K=K, **({"C": C} if C.any() else {}))

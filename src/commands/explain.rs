@@ -83,7 +83,7 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(description) = study.problem.description(&case) {
         text += &format!("\n{description}");
     }
-    if let Some(note) = study.problem.note() {
+    for note in study.problem.notes() {
         text += &format!("note: {note}\n");
     }
     let broken = Violation::all(&study.violations(number));

@@ -17,7 +17,7 @@ pub struct Counts {
     /// The cases that diverge, by metrics that say it.
     divergence: Divergence,
     /// What was done to input files.
-    note: Option<String>,
+    notes: Vec<String>,
     /// The warnings, when all cases are counted.
     pub warnings: Vec<WarnedCases>,
 }
@@ -26,7 +26,7 @@ impl Counts {
     /// No case yet.
     pub fn new(study: &Study) -> Counts {
         Counts {
-            note: study.problem.note().map(str::to_owned),
+            notes: study.problem.notes().to_vec(),
             ..Counts::default()
         }
     }
@@ -55,7 +55,7 @@ impl Counts {
 
     /// Writes the numbers that are not 0.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        if let Some(note) = &self.note {
+        for note in &self.notes {
             writeln!(out, "<p>Note: {}.</p>", escape(note))?;
         }
         for warning in &self.warnings {

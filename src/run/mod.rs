@@ -153,7 +153,7 @@ pub fn run_study(
     folder.list(histories.into_iter());
     let mut paths = Vec::new();
     let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
-    if let Some(note) = study.problem.note() {
+    for note in study.problem.notes() {
         observer.note(&source.line(note));
     }
     let warnings = warnings.list();

@@ -120,9 +120,9 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn sampled_so_far(&self) -> u64 {
         0
     }
-    /// What was done to input files that the study does not ask for, in words; `None` if nothing was.
-    fn note(&self) -> Option<&str> {
-        None
+    /// What was done to input files that the study does not ask for, and what may be a mistake, in words.
+    fn notes(&self) -> &[String] {
+        &[]
     }
     /// Lines that describe a completed case, for `explain`.
     fn description(&self, _case: &Case) -> Option<String> {

@@ -58,7 +58,7 @@ pub(super) fn ground(
             let keys = names(GROUND);
             members
                 .iter()
-                .any(|member| keys.contains(&member.key.as_str()))
+                .any(|member| keys.contains(&member.key.to_lowercase().as_str()))
         }
         _ => false,
     };

@@ -1,6 +1,7 @@
 //! Structures in studies: the key `structure`, the names of parameters, and the metrics and channels that a study uses.
 
 mod contacts;
+mod doubts;
 mod files;
 pub(super) mod keys;
 mod labels;
@@ -52,7 +53,7 @@ pub(super) fn problem(
     let masses = parts("masses", "mass", faults);
     let bars = parts("bars", "bar", faults);
     let of_matrices = parts("matrices", "model", faults);
-    let contacts = parts("contacts", "contact", faults);
+    let of_contacts = parts("contacts", "contact", faults);
     let of_supports = parts("supports", "support", faults);
     supports::refuse_ground(&object, faults);
     let directions = of_supports.iter();
@@ -107,7 +108,7 @@ pub(super) fn problem(
             faults,
         ),
         damping_stiffness: damping_stiffness(&object, faults).unwrap_or_default(),
-        contacts: contacts::contacts(&contacts, &reader, faults),
+        contacts: contacts::contacts(&of_contacts, &reader, faults),
         loads: object.items("loads", faults, |node, path, faults| {
             loads::load(node, path, &reader, faults)
         }),
@@ -117,8 +118,19 @@ pub(super) fn problem(
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
     };
-    let contacts = template.contacts.iter().map(|contact| contact.name.clone());
-    let known = reader.names.clone().with_contacts(contacts.collect());
+    doubts::refuse_idle_ground(&template, &object, faults);
+    let decoded = template.contacts.iter().map(|contact| contact.name.clone());
+    let mut contacts: Vec<String> = decoded.collect();
+    // One with a fault is known all the same, so that it has one message.
+    let part = |name: &str| {
+        contacts
+            .iter()
+            .any(|own| own.split('.').next() == Some(name))
+    };
+    let faulty = of_contacts.iter().filter(|(name, ..)| !part(name));
+    let faulty: Vec<String> = faulty.map(|(name, ..)| name.clone()).collect();
+    contacts.extend(faulty);
+    let known = reader.names.clone().with_contacts(contacts);
     let metrics = named_metrics::metrics(root, &known, faults);
     let drawn = named_metrics::drawn(root, &known, faults);
     let reduced = (&of_matrices[..], modes);
@@ -142,12 +154,13 @@ pub(super) fn problem(
     if faults.count() == before {
         names::report_unused(root_node, &parameters, &first.parameters, faults);
     }
-    let note = records::note(&reader);
+    let mut notes = Vec::from_iter(records::note(&reader));
+    notes.extend(doubts::notes(&template, &reader.names, node));
     let identity = names::identity(node, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(
-            template, schema, metrics, drawn, identity, note,
+            template, schema, metrics, drawn, identity, notes,
         )) as _
     })
 }

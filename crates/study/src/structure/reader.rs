@@ -126,6 +126,12 @@ impl Reader<'_> {
         if let Some(why) = self.names.why_no_dof(name) {
             return format!("no node {}: {why}", quoted(name));
         }
+        let of_matrices = self.names.matrices.iter();
+        let mut with_part = of_matrices.filter(|(_, own)| own.dofs.row(name).is_some());
+        if let Some((part, _)) = with_part.next() {
+            let full = quoted(&format!("{part}.{name}"));
+            return format!("unknown node {}, did you mean {full}?", quoted(name));
+        }
         let bars = self.names.bars.iter();
         let ends = bars.flat_map(|bar| [format!("{bar}.left"), format!("{bar}.right")]);
         let ends: Vec<String> = ends.collect();

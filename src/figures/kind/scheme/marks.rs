@@ -17,6 +17,8 @@ const FORCE: f64 = 22.0;
 const FACES: [f64; 2] = [4.0, 1.2];
 /// Half the length of a sliding plate.
 const PLATE: f64 = 8.0;
+/// More nodes than this are not named one by one, nor led to the ground.
+const MANY: usize = 12;
 /// Surfaces of the ground that are nearer are one.
 const ONE_GROUND: f64 = 60.0;
 
@@ -51,6 +53,7 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
             height: 2.0 * across[1],
         });
     }
+    marks.held(picture);
     marks.ground(picture, &mut labels);
     marks.forces(picture, &mut labels);
     for (name, [first, end]) in &placed.names {
@@ -61,6 +64,7 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
         labels.below([middle(own)[0], lowest], markup::escape(name));
     }
     labels.links(&placed.inner, &middles);
+    marks.names(&mut labels);
     picture.words.append(&mut labels.words);
 }
 
@@ -198,6 +202,48 @@ impl Marks<'_> {
                     .map(|(end, by)| [end[0] + by * straight[0], end[1] + by * straight[1]]);
                 symbols::spring_between(picture, link.kind, ends);
             }
+        }
+    }
+
+    /// Lines to the ground from nodes that the matrices hold: their supports are no nodes.
+    fn held(&mut self, picture: &mut Picture) {
+        let nodes = self.model.held.iter().enumerate();
+        let held: Vec<usize> = nodes
+            .filter(|(_, held)| **held)
+            .map(|(node, _)| node)
+            .collect();
+        for node in &held {
+            let [x, y] = self.places[*node];
+            let end = y + TO_GROUND;
+            if held.len() <= MANY {
+                picture
+                    .shapes
+                    .push(Shape::Line(vec![[x, y], [x, end]], symbols::HATCH));
+            }
+            self.walls.push(Wall {
+                away: [0.0, 1.0],
+                at: end,
+                along: x,
+            });
+        }
+    }
+
+    /// The nodes that the study names, without their directions, if they are few.
+    fn names(&self, labels: &mut Labels) {
+        let mut named: Vec<usize> = Vec::new();
+        if self.model.interface.len() > MANY {
+            return;
+        }
+        for own in &self.model.interface {
+            if named.contains(&own.node) {
+                continue;
+            }
+            named.push(own.node);
+            let name = own
+                .name
+                .rsplit_once('.')
+                .map_or(&own.name[..], |(node, _)| node);
+            labels.near(self.places[own.node], markup::escape(name));
         }
     }
 

@@ -108,7 +108,7 @@ impl fmt::Display for EventsFault {
             ),
             EventsFault::MasslessDamping { node } => write!(
                 f,
-                "node {node} without mass has a damper or a coupled mass; for the exact motion, give it a mass or remove them"
+                "node {node} without mass has a damper or a coupled mass; for the exact motion, give it a mass or remove them, as modal_damping does, or compare runs with dt and dt/2 instead"
             ),
             EventsFault::MasslessViscous { contact } => write!(
                 f,

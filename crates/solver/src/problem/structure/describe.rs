@@ -3,7 +3,7 @@
 use super::contact_duration;
 use super::damping::modes;
 use super::models::Models;
-use crate::contact::ContactLaw;
+use crate::contact::{ContactKind, ContactLaw};
 use crate::problem::parameter::shortest;
 use crate::solve::{FEWEST_STEPS, TOO_FEW_STEPS};
 use crate::system::structure::{
@@ -75,9 +75,10 @@ pub fn describe(
             };
             let touch = touch(structure, contact, dt);
             format!(
-                "{}: {}{gap}, {law}{touch}",
+                "{}: {}{gap}, {law}{touch}{}",
                 contact.name,
                 ends(structure, place),
+                closes(structure, contact),
             )
         });
     text += &lines("contacts", contacts.collect());
@@ -157,6 +158,21 @@ fn ends(structure: &Structure, contact: usize) -> String {
                 .map(|(name, x)| format!("{} {name}", short(*x)));
             format!("along {}", terms.collect::<Vec<_>>().join(", "))
         }
+    }
+}
+
+/// The motions that close an impact contact between two nodes of matrices, whose directions are not those of the picture.
+fn closes(structure: &Structure, contact: &Contact) -> String {
+    let is_impact = contact.law.kind() == ContactKind::Impact;
+    let name = |node: usize| &structure.nodes[node].name;
+    let of_matrices = |node: usize| name(node).matches('.').count() > 1;
+    match contact.along[..] {
+        [(a, x), (b, y)] if is_impact && of_matrices(a) && of_matrices(b) => {
+            let sign = |factor: f64| if factor > 0.0 { "-" } else { "+" };
+            let (a, x, b, y) = (name(a), sign(x), name(b), sign(y));
+            format!("; closes when {a} moves {x} or {b} moves {y}")
+        }
+        _ => String::new(),
     }
 }
 

@@ -63,22 +63,22 @@ pub struct StructureProblem {
     metrics: Vec<StructureMetric>,
     drawn: Vec<Drawn>,
     identity: String,
-    note: Option<String>,
+    notes: Vec<String>,
 }
 
 /// Most numbers of a history: 2 GiB.
 const MOST_NUMBERS: f64 = 268_435_456.0;
 
 impl StructureProblem {
-    /// The problem of a template with these tables. `identity` is different for different structures and records; `note` says what
-    /// was done to the records.
+    /// The problem of a template with these tables. `identity` is different for different structures and records; `notes` say what
+    /// was done to the records, and what may be a mistake.
     pub fn new(
         template: Template,
         schema: Arc<Schema>,
         metrics: Vec<StructureMetric>,
         drawn: Vec<Drawn>,
         identity: String,
-        note: Option<String>,
+        notes: Vec<String>,
     ) -> StructureProblem {
         StructureProblem {
             schema,
@@ -86,7 +86,7 @@ impl StructureProblem {
             metrics,
             drawn,
             identity,
-            note,
+            notes,
         }
     }
 
@@ -255,8 +255,8 @@ impl Problem for StructureProblem {
             .sum()
     }
 
-    fn note(&self) -> Option<&str> {
-        self.note.as_deref()
+    fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     fn complete(&self, case: &mut Case) -> Vec<Violation> {

@@ -179,6 +179,21 @@ impl StructureProblem {
         motion::steps(&others.each_ref(), prepared, recording).map(Some)
     }
 
+    /// Why there is no exact motion, with the first metric that needs it.
+    fn needing(&self, why: Unsolvable) -> Unsolvable {
+        let needs = |metric: &&StructureMetric| {
+            SOFTENED.contains(&metric.reduction)
+                || AGAINST_REFERENCE.contains(&metric.reduction)
+                || metric.reduction == Reduction::RegularisationError
+        };
+        match (why, self.metrics.iter().find(needs)) {
+            (Unsolvable::Reference(why), Some(metric)) => {
+                Unsolvable::Reference(format!("{why} ({} needs it)", metric.name))
+            }
+            (why, _) => why,
+        }
+    }
+
     pub(super) fn recording<'a>(&self, ready: &Ready, numbers: &'a [Number]) -> Recording<'a> {
         Recording {
             last: ready.last,
@@ -221,10 +236,12 @@ impl StructureProblem {
         let times: Vec<f64> = (0..=*last).map(|i| i as f64 * dt).collect();
         let rigid = self.against_rigid();
         if self.has(&SOFTENED) || referred && !rigid {
-            motions.softened = Some(motion::exact(structure, &times, &numbers)?);
+            let exact = motion::exact(structure, &times, &numbers);
+            motions.softened = Some(exact.map_err(|why| self.needing(why))?);
         }
         if self.has(&[Reduction::RegularisationError]) || referred && rigid {
-            motions.rigid = Some(motion::exact(&motion::rigid(structure)?, &times, &numbers)?);
+            let exact = motion::exact(&motion::rigid(structure)?, &times, &numbers);
+            motions.rigid = Some(exact.map_err(|why| self.needing(why))?);
         }
         if self.has(&[Reduction::MeshError]) {
             let (finer, numbering) = self.structure(&ready.case, Model::Finer(FINER))?;

@@ -7,6 +7,9 @@ use std::collections::{BTreeSet, HashMap};
 /// Entries of K below this part of the diagonal entries of their rows are round-off.
 const ROUND_OFF: f64 = 1e-12;
 
+/// Sums of K below this part of their terms are round-off, or digits that a file leaves out.
+const HELD: f64 = 1e-6;
+
 /// Nodes of matrices and their couplings.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Model {
@@ -14,6 +17,8 @@ pub struct Model {
     pub nodes: Vec<[f64; 3]>,
     /// Pairs of nodes, the first one below the second, with an entry of K that is not 0, in rising order; empty without places.
     pub couplings: Vec<[usize; 2]>,
+    /// Whether K holds each node to the ground: a motion of all nodes by 1 in some direction has a force there. Empty without places.
+    pub held: Vec<bool>,
     /// The degrees of freedom that springs, contacts and loads name, each once.
     pub interface: Vec<Named>,
 }
@@ -65,6 +70,7 @@ impl Model {
         let couplings: BTreeSet<[usize; 2]> =
             imported.stiffness.entries().filter_map(couples).collect();
         Model {
+            held: held(imported, nodes, count),
             nodes: places,
             couplings: couplings.into_iter().collect(),
             interface: Vec::new(),
@@ -84,4 +90,30 @@ impl Model {
             self.interface.len() - 1
         })
     }
+}
+
+/// Whether each node has a force where all nodes move by 1 in a direction.
+fn held(imported: &Imported, nodes: &[usize], count: usize) -> Vec<bool> {
+    let mut held = vec![false; count];
+    let rows = imported.dofs.rows();
+    for direction in Direction::TRANSLATIONS {
+        let moves = |row: usize| rows[row].direction == direction;
+        let (mut sums, mut sizes) = (vec![0.0; rows.len()], vec![0.0; rows.len()]);
+        let mut add = |row: usize, k: f64| {
+            sums[row] += k;
+            sizes[row] += f64::abs(k);
+        };
+        for ((i, j), k) in imported.stiffness.entries() {
+            if moves(j) && moves(i) {
+                add(i, k);
+                if i != j {
+                    add(j, k);
+                }
+            }
+        }
+        for (row, node) in nodes.iter().enumerate() {
+            held[*node] |= sums[row].abs() > HELD * sizes[row];
+        }
+    }
+    held
 }
