@@ -2,7 +2,7 @@
 
 use crate::methods::Method;
 use crate::system::structure::factor::{Factor, NotPositive};
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::{Contact, Structure, StructureLaw};
 
 /// Stiffness of the spring that keeps the place of a node which only contacts hold, over the smallest stiffness of these contacts.
 /// It changes their forces by about this part, and the round-off of the forces grows by its inverse.
@@ -22,7 +22,7 @@ pub fn hold(structure: &mut Structure) {
     for node in (0..structure.len()).filter(alone) {
         let own = structure.contacts.iter().filter_map(|contact| {
             contact.along.iter().find(|(at, _)| *at == node)?;
-            Some((stiffness(&contact.law)?, &contact.along))
+            Some((stiffness(contact)?, &contact.along))
         });
         let softest = own.min_by(|(a, _), (b, _)| a.total_cmp(b));
         springs.extend(softest.map(|(k, along)| (KEEPS_PLACE * k, along.clone())));
@@ -32,37 +32,30 @@ pub fn hold(structure: &mut Structure) {
     }
 }
 
-/// The stiffness of a law with a spring.
-fn stiffness(law: &StructureLaw) -> Option<f64> {
-    match law {
-        StructureLaw::ImpactSpring { stiffness }
-        | StructureLaw::DisplacementControl { stiffness, .. } => Some(*stiffness),
-        _ => None,
+/// The stiffness of a contact with a spring where it presses, or before it slides.
+fn stiffness(contact: &Contact) -> Option<f64> {
+    if let StructureLaw::ImpactSpring { stiffness }
+    | StructureLaw::DisplacementControl { stiffness, .. } = contact.law
+    {
+        return Some(stiffness);
     }
+    let limit = contact.law.limit().map_or(0.0, |limit| limit.at(0.0));
+    let law = contact.law.law(limit);
+    let overlap = match contact.gap {
+        0.0 => 1.0,
+        gap => gap.abs(),
+    };
+    let k = law.properties().initial_stiffness(overlap);
+    (k > 0.0 && k.is_finite()).then_some(k)
 }
 
-/// The first node without mass that nothing holds, or whose contact has a law that depends on velocity in a way that a node without
-/// a velocity cannot have: its index, and why.
+/// The first node without mass that nothing holds, or that the method cannot have: its index, and why.
 pub fn fault(structure: &Structure, method: &Method) -> Option<(usize, String)> {
     let massless = structure.massless();
     let node = massless.iter().position(|massless| *massless)?;
     if method.has_impulses() {
         let why = "has no mass: impulses need one; choose another method, or give it a mass";
         return Some((node, why.into()));
-    }
-    for contact in structure
-        .contacts
-        .iter()
-        .filter(|contact| contact.law.is_curved())
-    {
-        if let Some((node, _)) = contact.along.iter().find(|(node, _)| massless[*node]) {
-            let why = format!(
-                "has no mass, and contact {} has a law that is no straight line; allowed there: impact, rigid, displacement-control, \
-                 velocity-control, coulomb; or give the node a mass",
-                contact.name
-            );
-            return Some((*node, why));
-        }
     }
     match condensed(structure, &massless) {
         Ok(_) => None,

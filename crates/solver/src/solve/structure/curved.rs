@@ -16,18 +16,19 @@ use crate::system::structure::{Structure, StructureLaw};
 pub(super) struct Curved {
     forces: CurvedForces,
     contacts: Vec<Contact>,
-    scale: Scale,
     d: Vec<f64>,
     size: Vec<f64>,
     force: Vec<f64>,
 }
 
-/// What all contacts share.
+/// How a contact moves in a step.
 #[derive(Debug, Clone, Copy)]
 struct Scale {
     /// Change of rdot' for a unit of r'.
     pace: f64,
     dt: f64,
+    /// Whether a node of the contact has no mass, and so no velocity: rdot' is (r' - r)/dt.
+    is_massless: bool,
 }
 
 /// A contact.
@@ -40,6 +41,7 @@ struct Contact {
     now: ContactLaw,
     /// a.
     own: f64,
+    scale: Scale,
     /// 1/f' of a clipped line.
     line: Option<f64>,
     bounds: [f64; 2],
@@ -82,11 +84,17 @@ impl Curved {
         let contacts = &structure.contacts;
         let m = contacts.len();
         let forces = CurvedForces::new(flexibility.to_vec(), m);
-        let scale = Scale { pace, dt };
+        let massless = structure.massless();
         let contact = |(i, contact): (usize, &crate::system::structure::Contact)| {
             let relation = contact.law.clone();
             let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let own = forces.flexibility(i);
+            let is_massless = contact.along.iter().any(|(node, _)| massless[*node]);
+            let scale = Scale {
+                pace: if is_massless { 1.0 / dt } else { pace },
+                dt,
+                is_massless,
+            };
             let law = relation.law(limit);
             let steps = scale.steps(own);
             let running = match structure.preload.laws.get(i) {
@@ -101,7 +109,8 @@ impl Curved {
                 law: running,
                 now: law,
                 own,
-                line: line(&relation, pace),
+                line: line(&relation, scale.pace),
+                scale,
                 bounds: law.properties().bounds(),
                 relation,
                 motion: Motion::default(),
@@ -111,7 +120,6 @@ impl Curved {
         Curved {
             forces,
             contacts,
-            scale,
             d: vec![0.0; m],
             size: vec![0.0; m],
             force: vec![0.0; m],
@@ -129,7 +137,7 @@ impl Curved {
             let limit = contact.relation.limit().map_or(0.0, |limit| limit.at(0.0));
             let law = contact.relation.law(limit);
             law.properties()
-                .has_one_root(&self.scale.steps(contact.own)[0])
+                .has_one_root(&contact.scale.steps(contact.own)[0])
         };
         !self.contacts.iter().all(has_one)
     }
@@ -138,7 +146,7 @@ impl Curved {
     pub(super) fn limit(&mut self, contact: usize, limit: f64) {
         let contact = &mut self.contacts[contact];
         let law = contact.relation.law(limit);
-        contact.law.change(&law, &self.scale.steps(contact.own));
+        contact.law.change(&law, &contact.scale.steps(contact.own));
         contact.now = law;
         contact.bounds = law.properties().bounds();
     }
@@ -149,7 +157,7 @@ impl Curved {
             contact.law = before.law;
             contact
                 .law
-                .change(&contact.now, &self.scale.steps(contact.own));
+                .change(&contact.now, &contact.scale.steps(contact.own));
         }
     }
 
@@ -157,15 +165,18 @@ impl Curved {
     pub(super) fn solve(&mut self, motion: impl Fn(usize) -> Motion) -> Result<&[f64], Unsolved> {
         for (i, contact) in self.contacts.iter_mut().enumerate() {
             contact.motion = motion(i);
+            if contact.scale.is_massless {
+                contact.motion.rate = contact.motion.change / contact.scale.dt;
+            }
             (self.d[i], self.size[i]) = (contact.motion.change, contact.motion.size);
             self.force[i] = contact.motion.force;
-            contact.begin(self.scale);
+            contact.begin();
         }
-        let laws = Contacts(&self.contacts, self.scale);
+        let laws = Contacts(&self.contacts);
         self.forces
             .solve(&self.d, &self.size, &laws, &mut self.force)?;
         for (i, contact) in self.contacts.iter_mut().enumerate() {
-            let trial = contact.trial(self.forces.argument(i), self.scale);
+            let trial = contact.trial(self.forces.argument(i));
             ContactResponse::force(&mut contact.law, 0, &trial);
         }
         Ok(&self.force)
@@ -197,9 +208,9 @@ impl Scale {
 
 impl Contact {
     /// The trial with r* - r(i) = `change`.
-    fn trial(&self, change: f64, scale: Scale) -> Trial<1> {
+    fn trial(&self, change: f64) -> Trial<1> {
         let motion = &self.motion;
-        let rate = motion.rate + scale.pace * (change - motion.change);
+        let rate = motion.rate + self.scale.pace * (change - motion.change);
         trial(motion, change, rate)
     }
 
@@ -208,19 +219,19 @@ impl Contact {
     /// The law takes it from a trial that overlaps. Where other contacts push this one together, the trial without forces does not
     /// overlap: then it is the present closing speed, or the mean one that closes the gap in the step. So it does not depend on the
     /// forces, and the law rises.
-    fn begin(&mut self, scale: Scale) {
+    fn begin(&mut self) {
         if self.relation.kind() != ContactKind::Impact {
             return;
         }
         let motion = self.motion;
         let r = motion.displacement;
-        let free = self.trial(motion.change, scale);
+        let free = self.trial(motion.change);
         let touching = match r + motion.change < 0.0 {
             true => free,
             false => {
                 let just = if r > 0.0 { -r * (1.0 + 1e-12) } else { 0.0 };
                 let just = if r == 0.0 { -f64::MIN_POSITIVE } else { just };
-                let rate = f64::min(motion.velocity, -r.max(0.0) / scale.dt);
+                let rate = f64::min(motion.velocity, -r.max(0.0) / self.scale.dt);
                 trial(&motion, just, rate)
             }
         };
@@ -244,14 +255,14 @@ fn trial(motion: &Motion, change: f64, rate: f64) -> Trial<1> {
 }
 
 /// The contacts over a step.
-struct Contacts<'a>(&'a [Contact], Scale);
+struct Contacts<'a>(&'a [Contact]);
 
 impl Laws for Contacts<'_> {
     fn answer(&self, contact: usize, y: f64) -> f64 {
         let contact = &self.0[contact];
         // The memory changes when the step is done.
         let mut law = contact.law;
-        let Lane([force]) = ContactResponse::force(&mut law, 0, &contact.trial(y, self.1));
+        let Lane([force]) = ContactResponse::force(&mut law, 0, &contact.trial(y));
         force
     }
 
@@ -265,7 +276,7 @@ impl Laws for Contacts<'_> {
         let change = y - contact.own * force;
         let at = |change: f64| {
             let mut law = contact.law;
-            let Lane([force]) = ContactResponse::force(&mut law, 1, &contact.trial(change, self.1));
+            let Lane([force]) = ContactResponse::force(&mut law, 1, &contact.trial(change));
             force
         };
         2.0 * width / (at(change + width) - at(change - width))
@@ -295,7 +306,11 @@ pub(super) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f
     let relation = &structure.contacts[contact].law;
     let limit = relation.limit().map_or(0.0, |limit| limit.at(0.0));
     let law = relation.law(limit);
-    let scale = Scale { pace: 0.0, dt: 1.0 };
+    let scale = Scale {
+        pace: 0.0,
+        dt: 1.0,
+        is_massless: false,
+    };
     let remembers = structure.preload.laws.get(contact).copied().flatten();
     if let (Some(force), None) = (law.properties().unbent_force(rdot), remembers) {
         return force;
