@@ -15,7 +15,9 @@
 //! cycle.
 
 mod any;
+mod band;
 mod bearing;
+mod bilinear;
 mod bouc_wen;
 pub mod coupled;
 mod curve;
@@ -43,6 +45,7 @@ mod velocity_control;
 
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
 pub use bearing::Bearing;
+pub use bilinear::Bilinear;
 pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
