@@ -133,7 +133,7 @@ pub mod structure {
     pub const K: Number = Number::new(
         ["k", "*k*", "force/length"],
         Range::Positive,
-        "stiffness of a linear spring of impact, or of {friction} below the limit",
+        "stiffness of a linear spring of impact, of {friction} below the limit, and of other laws before they yield or bend",
     );
     /// k_h
     pub const K_H: Number = Number::new(

@@ -17,6 +17,7 @@
 mod closing;
 pub mod collision;
 mod damped_hertz;
+mod gap_yield;
 mod hertz;
 mod hertz_damp;
 mod hunt_crossley;
@@ -28,8 +29,10 @@ mod rigid_impact;
 #[cfg(test)]
 mod tests;
 mod ye;
+mod yielding;
 
 pub use closing::ClosingSpeed;
+pub use gap_yield::GapYield;
 pub use hertz::Hertz;
 pub use hertz_damp::HertzDamp;
 pub use hunt_crossley::HuntCrossley;
