@@ -37,6 +37,7 @@ pub mod number;
 pub mod numbers;
 pub mod offer;
 mod one_sided;
+mod restrainer;
 mod roots;
 mod saturation;
 mod series;
@@ -58,6 +59,7 @@ pub use impact::{GapYield, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoig
 pub use impact_spring::ImpactSpring;
 pub use kind::ContactKind;
 pub use lugre::Lugre;
+pub use restrainer::Restrainer;
 pub use series::in_series;
 pub use stribeck::Stribeck;
 pub use tanh::Tanh;
