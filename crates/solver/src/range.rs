@@ -13,6 +13,8 @@ pub enum Range {
     UpToOne,
     /// x = 0 or x = 1
     ZeroOrOne,
+    /// 0.1 <= x <= 2
+    FromTenthToTwo,
     /// x >= 1
     AtLeastOne,
     /// 1/2 <= x <= 1
@@ -35,6 +37,7 @@ impl Range {
             Range::Fraction => x > 0.0 && x <= 1.0,
             Range::UpToOne => (0.0..=1.0).contains(&x),
             Range::ZeroOrOne => x == 0.0 || x == 1.0,
+            Range::FromTenthToTwo => (0.1..=2.0).contains(&x),
             Range::AtLeastOne => x >= 1.0,
             Range::FromHalfToOne => (0.5..=1.0).contains(&x),
             Range::HilberHughesTaylor => (-1.0 / 3.0..=0.0).contains(&x),
@@ -52,6 +55,7 @@ impl fmt::Display for Range {
             Range::Fraction => "> 0 and <= 1",
             Range::UpToOne => "from 0 to 1",
             Range::ZeroOrOne => "0 or 1",
+            Range::FromTenthToTwo => "from 0.1 to 2",
             Range::AtLeastOne => ">= 1",
             Range::FromHalfToOne => "from 1/2 to 1",
             Range::HilberHughesTaylor => "from -1/3 to 0",

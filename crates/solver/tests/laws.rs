@@ -18,6 +18,7 @@ fn sample(number: &Number) -> f64 {
         Range::Fraction | Range::UpToOne | Range::FromHalfToOne => 0.6,
         Range::AtLeastOne => 2.0,
         Range::ZeroOrOne => 1.0,
+        Range::FromTenthToTwo => 0.4,
         Range::HilberHughesTaylor => -0.1,
     }
 }

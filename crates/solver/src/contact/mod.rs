@@ -44,6 +44,7 @@ mod series;
 mod stribeck;
 mod tanh;
 mod velocity_control;
+mod viscous;
 
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
 pub use bearing::Bearing;
@@ -64,6 +65,7 @@ pub use series::in_series;
 pub use stribeck::Stribeck;
 pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
+pub use viscous::Viscous;
 
 use crate::lane::Lane;
 use element::Element;

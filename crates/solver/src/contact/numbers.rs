@@ -165,7 +165,7 @@ pub mod structure {
     pub const C: Number = Number::new(
         ["c", "*c*", "force/velocity"],
         Range::Positive,
-        "viscosity of {laws} at rdot = 0, for every N",
+        "viscosity of {friction} at rdot = 0, for every N; of viscous, c of c abs(rdot)^a",
     );
     /// r^E
     pub const R_E: Number = Number::new(
