@@ -36,6 +36,7 @@ fn made(law: &Offered) -> Option<ContactLaw> {
         law: law.offer.name,
         numbers: own.numbers,
         values: &values,
+        table: &[[0.5, 1.0], [1.5, 2.0], [4.0, 2.5]],
         others: &[("limit", 2.0), ("nu", 2.0)],
     };
     let form = (law.offer.form)(&given);

@@ -22,6 +22,8 @@ pub enum LawFault {
     },
     /// A restitution above 1.
     Restitution(f64),
+    /// A table with a fault, described.
+    Table(&'static str),
     /// A number above another one, both by their keys.
     AtMost {
         /// The number.
@@ -53,6 +55,7 @@ impl fmt::Display for LawFault {
                 write!(f, "the limit at rest is {limit}; give {instead} instead")
             }
             LawFault::Restitution(e) => write!(f, "e must be from 0 to 1, got {e}"),
+            LawFault::Table(why) => write!(f, "table: {why}"),
             LawFault::AtMost {
                 key,
                 value,

@@ -12,6 +12,8 @@ pub struct GivenNumbers<'a> {
     pub numbers: &'static [&'static Number],
     /// The value of each; `None` if it is not given.
     pub values: &'a [Option<f64>],
+    /// Its table of r and S; empty if it has none.
+    pub table: &'a [[f64; 2]],
     /// What the problem knows besides: the limit at rest, nu and its exponent of friction, the stiffness and m of bars.
     pub others: &'a [(&'static str, f64)],
 }

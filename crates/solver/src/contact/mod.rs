@@ -33,6 +33,7 @@ pub mod impact;
 mod impact_spring;
 mod kind;
 mod lugre;
+mod multilinear;
 pub mod number;
 pub mod numbers;
 pub mod offer;
@@ -60,6 +61,7 @@ pub use impact::{GapYield, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoig
 pub use impact_spring::ImpactSpring;
 pub use kind::ContactKind;
 pub use lugre::Lugre;
+pub use multilinear::Multilinear;
 pub use restrainer::Restrainer;
 pub use series::in_series;
 pub use stribeck::Stribeck;

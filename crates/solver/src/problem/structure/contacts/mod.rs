@@ -83,6 +83,7 @@ pub fn relation(
         law: law.offer.name,
         numbers: own.numbers,
         values: &values,
+        table: &contact.table(case)?,
         others: &others,
     };
     let form = (law.offer.form)(&given).map_err(|fault| violation(contact, fault.to_string()))?;
