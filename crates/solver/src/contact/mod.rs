@@ -57,7 +57,9 @@ pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
 pub use fault::LawFault;
 pub use given::GivenNumbers;
-pub use impact::{GapYield, Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
+pub use impact::{
+    GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, Jankowski, KelvinVoigt, Rigid, Ye,
+};
 pub use impact_spring::ImpactSpring;
 pub use kind::ContactKind;
 pub use lugre::Lugre;
