@@ -24,6 +24,8 @@ pub enum LawFault {
     Restitution(f64),
     /// A table with a fault, described.
     Table(&'static str),
+    /// A number that has to be positive.
+    NotPositive(&'static str),
     /// A number above another one, both by their keys.
     AtMost {
         /// The number.
@@ -56,6 +58,7 @@ impl fmt::Display for LawFault {
             }
             LawFault::Restitution(e) => write!(f, "e must be from 0 to 1, got {e}"),
             LawFault::Table(why) => write!(f, "table: {why}"),
+            LawFault::NotPositive(key) => write!(f, "{key} must be > 0"),
             LawFault::AtMost {
                 key,
                 value,
