@@ -59,7 +59,8 @@ pub use displacement_control::DisplacementControl;
 pub use fault::LawFault;
 pub use given::GivenNumbers;
 pub use impact::{
-    GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, Jankowski, KelvinVoigt, Rigid, Ye,
+    GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactYield, Jankowski, KelvinVoigt,
+    Rigid, Ye,
 };
 pub use impact_spring::ImpactSpring;
 pub use kind::ContactKind;
