@@ -11,6 +11,10 @@ pub enum Range {
     Fraction,
     /// 0 <= x <= 1
     UpToOne,
+    /// x = 0 or x = 1
+    ZeroOrOne,
+    /// 0.1 <= x <= 2
+    FromTenthToTwo,
     /// x >= 1
     AtLeastOne,
     /// 1/2 <= x <= 1
@@ -32,6 +36,8 @@ impl Range {
             Range::Positive => x > 0.0,
             Range::Fraction => x > 0.0 && x <= 1.0,
             Range::UpToOne => (0.0..=1.0).contains(&x),
+            Range::ZeroOrOne => x == 0.0 || x == 1.0,
+            Range::FromTenthToTwo => (0.1..=2.0).contains(&x),
             Range::AtLeastOne => x >= 1.0,
             Range::FromHalfToOne => (0.5..=1.0).contains(&x),
             Range::HilberHughesTaylor => (-1.0 / 3.0..=0.0).contains(&x),
@@ -48,6 +54,8 @@ impl fmt::Display for Range {
             Range::Positive => "> 0",
             Range::Fraction => "> 0 and <= 1",
             Range::UpToOne => "from 0 to 1",
+            Range::ZeroOrOne => "0 or 1",
+            Range::FromTenthToTwo => "from 0.1 to 2",
             Range::AtLeastOne => ">= 1",
             Range::FromHalfToOne => "from 1/2 to 1",
             Range::HilberHughesTaylor => "from -1/3 to 0",

@@ -212,7 +212,7 @@ macro_rules! laws {
 laws!(
     direct: DisplacementControl, VelocityControl, ImpactSpring;
     others: KelvinVoigt, Hertz, HertzDamp, HuntCrossley, Ye, Jankowski, Rigid,
-        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre
+        Bearing, Tanh, Stribeck, BoucWen, Dahl, Lugre, Bilinear, GapYield, Restrainer, Viscous, Multilinear, HyperbolicGap, Pendulum, ImpactYield
 );
 
 /// All laws by the names of studies: impacts, friction, links.

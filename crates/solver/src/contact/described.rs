@@ -57,6 +57,12 @@ pub trait Properties {
         !self.falls()
     }
 
+    /// Whether Coulomb friction, or an impact without compliance, is what the law tends to: not of one that yields, or that has a
+    /// force besides.
+    fn has_rigid_form(&self) -> bool {
+        true
+    }
+
     /// S(0) at a velocity of a law with a state, which is unbent; `None` where S follows from r and rdot.
     fn unbent_force(&self, rdot: f64) -> Option<f64>;
 

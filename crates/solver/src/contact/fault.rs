@@ -22,6 +22,21 @@ pub enum LawFault {
     },
     /// A restitution above 1.
     Restitution(f64),
+    /// A table with a fault, described.
+    Table(&'static str),
+    /// A number that has to be positive.
+    NotPositive(&'static str),
+    /// A number above another one, both by their keys.
+    AtMost {
+        /// The number.
+        key: &'static str,
+        /// Its value.
+        value: f64,
+        /// The other one.
+        most: &'static str,
+        /// Its value.
+        limit: f64,
+    },
     /// nu_min above nu.
     LeastFriction {
         /// nu.
@@ -42,6 +57,14 @@ impl fmt::Display for LawFault {
                 write!(f, "the limit at rest is {limit}; give {instead} instead")
             }
             LawFault::Restitution(e) => write!(f, "e must be from 0 to 1, got {e}"),
+            LawFault::Table(why) => write!(f, "table: {why}"),
+            LawFault::NotPositive(key) => write!(f, "{key} must be > 0"),
+            LawFault::AtMost {
+                key,
+                value,
+                most,
+                limit,
+            } => write!(f, "{key} must be at most {most} = {limit}, got {value}"),
             LawFault::LeastFriction { nu, least } => {
                 write!(f, "nu_min must be at most nu = {nu}, got {least}")
             }

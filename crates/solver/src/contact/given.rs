@@ -12,7 +12,9 @@ pub struct GivenNumbers<'a> {
     pub numbers: &'static [&'static Number],
     /// The value of each; `None` if it is not given.
     pub values: &'a [Option<f64>],
-    /// What the problem knows besides: the limit at rest and nu of friction, the stiffness and m of bars.
+    /// Its table of r and S; empty if it has none.
+    pub table: &'a [[f64; 2]],
+    /// What the problem knows besides: the limit at rest, nu and its exponent of friction, the stiffness and m of bars.
     pub others: &'a [(&'static str, f64)],
 }
 
@@ -51,6 +53,27 @@ impl GivenNumbers<'_> {
         };
         let value = self.given(key).or_else(usual);
         value.ok_or(LawFault::Needs(self.law, key))
+    }
+
+    /// A number that is at most another one, both with their keys.
+    ///
+    /// # Errors
+    /// It is above it.
+    pub fn at_most(
+        &self,
+        key: &'static str,
+        value: f64,
+        (most, limit): (&'static str, f64),
+    ) -> Result<f64, LawFault> {
+        match value <= limit {
+            true => Ok(value),
+            false => Err(LawFault::AtMost {
+                key,
+                value,
+                most,
+                limit,
+            }),
+        }
     }
 
     /// The friction limit at rest.

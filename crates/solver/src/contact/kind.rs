@@ -7,6 +7,6 @@ pub enum ContactKind {
     Impact,
     /// It resists sliding in both directions, up to a limit that may change with the normal force.
     Friction,
-    /// It is never open and has no limit: S has both signs, as that of a damper between two bodies.
+    /// It is none of both: it never counts as open and has no limit that changes, as a damper or a yielding part between two bodies.
     Link,
 }

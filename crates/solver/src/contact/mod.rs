@@ -15,7 +15,9 @@
 //! cycle.
 
 mod any;
+mod band;
 mod bearing;
+mod bilinear;
 mod bouc_wen;
 pub mod coupled;
 mod curve;
@@ -31,18 +33,24 @@ pub mod impact;
 mod impact_spring;
 mod kind;
 mod lugre;
+mod multilinear;
 pub mod number;
 pub mod numbers;
 pub mod offer;
+mod one_sided;
+mod pendulum;
+mod restrainer;
 mod roots;
 mod saturation;
 mod series;
 mod stribeck;
 mod tanh;
 mod velocity_control;
+mod viscous;
 
 pub use any::{ALL, AnyRunningLaw, ContactLaw, LAWS, WhichLaw};
 pub use bearing::Bearing;
+pub use bilinear::Bilinear;
 pub use bouc_wen::BoucWen;
 pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
@@ -50,14 +58,21 @@ pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
 pub use fault::LawFault;
 pub use given::GivenNumbers;
-pub use impact::{Hertz, HertzDamp, HuntCrossley, Jankowski, KelvinVoigt, Rigid, Ye};
+pub use impact::{
+    GapYield, Hertz, HertzDamp, HuntCrossley, HyperbolicGap, ImpactYield, Jankowski, KelvinVoigt,
+    Rigid, Ye,
+};
 pub use impact_spring::ImpactSpring;
 pub use kind::ContactKind;
 pub use lugre::Lugre;
+pub use multilinear::Multilinear;
+pub use pendulum::Pendulum;
+pub use restrainer::Restrainer;
 pub use series::in_series;
 pub use stribeck::Stribeck;
 pub use tanh::Tanh;
 pub use velocity_control::VelocityControl;
+pub use viscous::Viscous;
 
 use crate::lane::Lane;
 use element::Element;

@@ -100,7 +100,7 @@ pub mod structure {
     use crate::contact::number::{Number, Range, Usual};
 
     /// All of them, in the order of schema and pages.
-    pub const TABLE: [&Number; 20] = [
+    pub const TABLE: [&Number; 23] = [
         &K,
         &K_H,
         &RESTITUTION,
@@ -121,6 +121,9 @@ pub mod structure {
         &NU_MIN,
         &NU_RATE,
         &PRESSURE_EXPONENT,
+        &K1,
+        &K2,
+        &FY,
     ];
 
     /// Of the limit, which every law of friction has.
@@ -130,7 +133,7 @@ pub mod structure {
     pub const K: Number = Number::new(
         ["k", "*k*", "force/length"],
         Range::Positive,
-        "stiffness of a linear spring of impact, or of {friction} below the limit",
+        "stiffness of a linear spring of impact, of {friction} below the limit, and of other laws before they yield or bend",
     );
     /// k_h
     pub const K_H: Number = Number::new(
@@ -162,7 +165,7 @@ pub mod structure {
     pub const C: Number = Number::new(
         ["c", "*c*", "force/velocity"],
         Range::Positive,
-        "viscosity of {laws} at rdot = 0, for every N",
+        "viscosity of {friction} at rdot = 0, for every N; of viscous, c of c abs(rdot)^a",
     );
     /// r^E
     pub const R_E: Number = Number::new(
@@ -257,4 +260,22 @@ pub mod structure {
         "p from 0 to 1: nu is multiplied by (N/N at rest)^(-p); 0 if left out",
     )
     .usually(Usual::Is(0.0));
+    /// k1
+    pub const K1: Number = Number::new(
+        ["k1", "*k*_1_", "force/length"],
+        Range::Positive,
+        "stiffness of {laws} before yielding",
+    );
+    /// k2
+    pub const K2: Number = Number::new(
+        ["k2", "*k*_2_", "force/length"],
+        Range::NotNegative,
+        "stiffness of {laws} after yielding, at most k1",
+    );
+    /// Fy
+    pub const FY: Number = Number::new(
+        ["Fy", "*F*_y_", "force"],
+        Range::Positive,
+        "yield force of {laws}",
+    );
 }

@@ -165,6 +165,7 @@ fn contact_value(key: &str, function: &Json) -> Json {
             let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
             json!({ "anyOf": [any(), table, weight] })
         }
+        "table" => described(keys::LAW_TABLE, |_| numbers(), &["r", "S"]),
         _ => any(),
     }
 }

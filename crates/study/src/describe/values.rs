@@ -144,6 +144,8 @@ pub(super) fn number(range: Range) -> Json {
     let plain = match range {
         Range::Positive => json!({ "type": "number", "exclusiveMinimum": 0 }),
         Range::Fraction => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }),
+        Range::ZeroOrOne => json!({ "enum": [0, 1] }),
+        Range::FromTenthToTwo => json!({ "type": "number", "minimum": 0.1, "maximum": 2 }),
         Range::UpToOne => json!({ "type": "number", "minimum": 0, "maximum": 1 }),
         Range::AtLeastOne => json!({ "type": "number", "minimum": 1 }),
         Range::FromHalfToOne => json!({ "type": "number", "minimum": 0.5, "maximum": 1 }),

@@ -1,7 +1,7 @@
 //! Contacts: laws, gaps, stiffnesses and friction limits.
 
 use super::files;
-use super::keys::{CONTACT, NORMAL_TABLE, WEIGHT};
+use super::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, WEIGHT};
 use super::loads::{scaled, table};
 use super::parts::Part;
 use super::reader::{Reader, open};
@@ -48,13 +48,18 @@ fn contact(
     let before = faults.count();
     let mut optional = |key: &str, range| reader.optional(&object, key, range, faults);
     let gap = optional("gap", Range::Any);
-    // The normal force is more than a number.
-    let numbers = NUMBERS.iter().filter(|number| number.key != "N");
+    // The normal force and the table are more than a number.
+    let numbers = NUMBERS
+        .iter()
+        .filter(|number| !["N", "table"].contains(&number.key));
     let given = numbers.filter_map(|own| Some((own.key, optional(own.key, own.range)?)));
     let numbers: Vec<_> = given.collect();
     let normal = object
         .get("N")
         .and_then(|node| normal(node, &object.path("N"), reader, faults));
+    let points = object
+        .get("table")
+        .and_then(|node| table(node, &object.path("table"), LAW_TABLE, reader, faults));
     let complete = faults.count() == before;
     let (places, law) = (places?, law?);
     let one = |(name, along)| Contact {
@@ -64,6 +69,7 @@ fn contact(
         law,
         gap: gap.clone(),
         normal: normal.clone(),
+        table: points.clone(),
         numbers: numbers.clone(),
     };
     complete.then(|| places.into_iter().map(one).collect())
@@ -181,7 +187,7 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
             vertical: vertical?,
         });
     }
-    let [t, f] = table(node, path, (NORMAL_TABLE, "N"), reader, faults)?;
+    let [t, f] = table(node, path, NORMAL_TABLE, reader, faults)?;
     let source = Source::new(Kind::Table { t, f }, (node.at, path.to_owned()));
     Some(Normal::Table(source))
 }

@@ -200,6 +200,9 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
 /// Keys of a table of normal forces.
 pub(crate) const NORMAL_TABLE: Keys = &[("t", "times"), ("N", "forces at these times")];
 
+/// Keys of the table of a law.
+pub(crate) const LAW_TABLE: Keys = &[("r", "deflections"), ("S", "forces at these deflections")];
+
 /// Keys of a weight under vertical acceleration.
 pub(crate) const WEIGHT: Keys = &[
     ("weight", "W; N = W (1 + a/g)"),

@@ -123,7 +123,7 @@ pub(super) fn function(
     let kind = match member.key.as_str() {
         "sine" => sine(&member.node, &inner, reader, faults),
         "table" => {
-            let [t, f] = table(&member.node, &inner, (TABLE, "f"), reader, faults)?;
+            let [t, f] = table(&member.node, &inner, TABLE, reader, faults)?;
             Some(Kind::Table { t, f })
         }
         "record" => record(&member.node, &inner, object, reader, faults),
@@ -151,11 +151,12 @@ fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
 pub(super) fn table(
     node: &Node,
     path: &str,
-    (keys, values): (super::keys::Keys, &str),
+    keys: super::keys::Keys,
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<[Vec<Amount>; 2]> {
     let object = open(node, path, keys, faults)?;
+    let [times, values] = [keys[0].0, keys[1].0];
     let mut list = |key: &str| {
         let node = object.need(key, "a list of numbers", faults)?;
         let path = object.path(key);
@@ -170,11 +171,11 @@ pub(super) fn table(
         let amounts: Vec<Amount> = amounts.collect();
         (faults.count() == before).then_some(amounts)
     };
-    let (t, f) = (list("t"), list(values));
+    let (t, f) = (list(times), list(values));
     let (t, f) = (t?, f?);
     if t.len() != f.len() || t.is_empty() {
         let message = format!(
-            "needs as many numbers in t as in {values}, at least one, got {} and {}",
+            "needs as many numbers in {times} as in {values}, at least one, got {} and {}",
             t.len(),
             f.len()
         );

@@ -17,9 +17,12 @@
 mod closing;
 pub mod collision;
 mod damped_hertz;
+mod gap_yield;
 mod hertz;
 mod hertz_damp;
 mod hunt_crossley;
+mod hyperbolic_gap;
+mod impact_yield;
 mod jankowski;
 mod kelvin_voigt;
 mod newton;
@@ -28,11 +31,15 @@ mod rigid_impact;
 #[cfg(test)]
 mod tests;
 mod ye;
+mod yielding;
 
 pub use closing::ClosingSpeed;
+pub use gap_yield::GapYield;
 pub use hertz::Hertz;
 pub use hertz_damp::HertzDamp;
 pub use hunt_crossley::HuntCrossley;
+pub use hyperbolic_gap::HyperbolicGap;
+pub use impact_yield::ImpactYield;
 pub use jankowski::Jankowski;
 pub use kelvin_voigt::KelvinVoigt;
 pub use rigid::Rigid;

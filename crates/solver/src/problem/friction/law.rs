@@ -60,6 +60,7 @@ pub fn law(case: &Case) -> Option<(ContactLaw, f64)> {
         law: own.name,
         numbers: own.numbers,
         values: &values[..own.rows.len().min(MOST)],
+        table: &[],
         others: &[],
     };
     let force = match own.slips {

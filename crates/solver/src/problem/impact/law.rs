@@ -89,6 +89,7 @@ pub fn law(case: &Case, method: Method, stiffness: f64, mass: f64) -> Option<Con
         law: offer.name,
         numbers: own.numbers,
         values: &values[..own.numbers.len().min(MOST)],
+        table: &[],
         others: &[("k", stiffness), ("colliding_mass", mass)],
     };
     match (offer.form)(&given).ok()? {

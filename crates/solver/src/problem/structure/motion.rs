@@ -183,8 +183,8 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
 }
 
 /// The same structure with rigid laws: impacts without compliance, with the restitution of the law, which is 1 without damping, and
-/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one. Links stay.
-/// Static loads find their equilibrium anew.
+/// Coulomb friction with the limit of the law; of a coefficient that depends on velocity, the largest or the kinetic one. Links and
+/// laws without a rigid form stay. Static loads find their equilibrium anew.
 ///
 /// # Errors
 /// The static loads have none.
@@ -192,6 +192,12 @@ pub fn rigid(structure: &Structure) -> Result<Structure, Unsolvable> {
     let mut rigid = structure.clone();
     for contact in &mut rigid.contacts {
         contact.law = match contact.law.clone() {
+            law @ (StructureLaw::CurvedImpact { law: own, .. }
+            | StructureLaw::CurvedFriction { law: own, .. })
+                if !own.properties().has_rigid_form() =>
+            {
+                law
+            }
             StructureLaw::ImpactSpring { .. } => StructureLaw::RigidStop { restitution: 1.0 },
             StructureLaw::CurvedImpact { restitution, .. } => {
                 StructureLaw::RigidStop { restitution }

@@ -231,7 +231,9 @@ pub struct Contact {
     pub gap: Option<Amount>,
     /// Force that presses.
     pub normal: Option<Normal>,
-    /// Its numbers but the normal force, by their keys ([`super::contacts::NUMBERS`]).
+    /// Its table of r and S.
+    pub table: Option<[Vec<Amount>; 2]>,
+    /// Its numbers but the normal force and the table, by their keys ([`super::contacts::NUMBERS`]).
     pub numbers: Vec<(&'static str, Amount)>,
 }
 
@@ -250,6 +252,21 @@ impl Contact {
         self.number(key)
             .map(|amount| amount.value(case))
             .transpose()
+    }
+
+    /// The points of its table in a case; empty without one.
+    ///
+    /// # Errors
+    /// A number is out of its range.
+    pub fn table(&self, case: &Case) -> Result<Vec<[f64; 2]>, Violation> {
+        let [r, s] = match &self.table {
+            Some(table) => table,
+            None => return Ok(Vec::new()),
+        };
+        let points = r.iter().zip(s);
+        points
+            .map(|(r, s)| Ok([r.value(case)?, s.value(case)?]))
+            .collect()
     }
 }
 

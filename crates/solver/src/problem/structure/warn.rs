@@ -135,11 +135,11 @@ impl StructureProblem {
     }
 }
 
-/// Whether a friction law without elastic displacement: its force may jump from step to step.
+/// Whether a law of friction or of a damper without elastic displacement: its force may jump from step to step.
 fn resists_velocity(law: &StructureLaw) -> bool {
     match law {
         StructureLaw::Coulomb { .. } | StructureLaw::VelocityControl { .. } => true,
-        StructureLaw::CurvedFriction { law, .. } => law.of_velocity(),
+        StructureLaw::CurvedFriction { law, .. } | StructureLaw::Link { law } => law.of_velocity(),
         _ => false,
     }
 }

@@ -77,12 +77,15 @@ pub fn relation(
     let values = values.collect::<Result<Vec<Option<f64>>, Violation>>()?;
     let mut others = vec![("limit", at_rest)];
     if law.kind == ContactKind::Friction {
-        others.extend(contact.value("nu", case)?.map(|nu| ("nu", nu)));
+        for key in ["nu", "pressure_exponent"] {
+            others.extend(contact.value(key, case)?.map(|value| (key, value)));
+        }
     }
     let given = GivenNumbers {
         law: law.offer.name,
         numbers: own.numbers,
         values: &values,
+        table: &contact.table(case)?,
         others: &others,
     };
     let form = (law.offer.form)(&given).map_err(|fault| violation(contact, fault.to_string()))?;

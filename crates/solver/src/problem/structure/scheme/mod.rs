@@ -101,12 +101,13 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
         }
     }
     for contact in &template.contacts {
-        let kind = match law_named(contact.law.name(case))?.kind {
+        let law = law_named(contact.law.name(case))?;
+        let kind = match law.kind {
             ContactKind::Friction => LinkKind::Friction,
             ContactKind::Impact => LinkKind::Impact,
             ContactKind::Link => LinkKind::Spring {
-                elastic: false,
-                viscous: true,
+                elastic: !law.of_velocity,
+                viscous: law.of_velocity,
             },
         };
         links.push(draft.link(kind, contact.name.clone(), &contact.along, case)?);

@@ -1,0 +1,85 @@
+//! What the multilinear law says of itself.
+
+use super::Multilinear;
+use crate::contact::number::{Number, Range};
+use crate::contact::offer::{Form, In, Offer};
+use crate::contact::{ClosedForm, ContactKind, ContactLaw, Described, Properties};
+
+/// The table.
+const TABLE: Number = Number::new(
+    ["table", "*S*(*r*)", "force"],
+    Range::Any,
+    "{laws}: r and S of its first loading, r rising; with r > 0 alone it is symmetric; the last line goes on",
+);
+
+impl Described for Multilinear {
+    const KIND: ContactKind = ContactKind::Link;
+    const NAME: &'static str = "multilinear";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &["trilinear", "iwan", "multilinearplastic"],
+        oscillator: None,
+        bars: None,
+        structure: Some(In {
+            meaning: "yields along a table of r and S, symmetric or not, and unloads by Masing's rule (Iwan 1966)",
+            numbers: &[&TABLE],
+        }),
+        form: |given| {
+            let law = Multilinear::new(given.table)?;
+            Ok(Form::Link(ContactLaw::Multilinear(law)))
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
+        let r = velocity * time;
+        Some(law.force(r, &law.first(r)))
+    });
+}
+
+impl Properties for Multilinear {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("k =", self.largest_stiffness(0.0))]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        self.stiffness + self.yielding()
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        self.largest_stiffness(0.0)
+    }
+
+    /// Twice the last bend.
+    fn reach(&self) -> f64 {
+        let bends = self.bends.iter().flatten().map(|bend| bend.abs());
+        let last = bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        if last > 0.0 { 2.0 * last } else { 1.0 }
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        self.bends.map(|bends| {
+            let used = self.parts.iter().zip(&bends).filter(|(k, _)| **k > 0.0);
+            let bounded = self.stiffness == 0.0 && used.clone().all(|(_, bend)| bend.is_finite());
+            match bounded {
+                true => used.map(|(k, bend)| k * bend).sum(),
+                false => bends[0].signum() * f64::INFINITY,
+            }
+        })
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
+}

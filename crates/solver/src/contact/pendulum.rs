@@ -1,0 +1,206 @@
+//! The friction pendulum.
+
+use super::number::{Number, Range};
+use super::numbers::structure;
+use super::offer::{Form, In, Offer};
+use super::{
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, LawFault, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes,
+};
+use crate::lane::Lane;
+
+/// Friction pendulum on a concave surface of radius R (Zayas, Low and Mahin 1990): S = F + (N/R) r, where F is friction with the limit
+/// nu N, elastic with k up to it. N is the force that presses; both parts follow it, and an open contact has none of them.
+///
+/// In a step with r' = y - h S' the law lies between the lines (N/R) r' - nu N and (N/R) r' + nu N, with F + k (r' - r) + (N/R) r' between
+/// them. All rise with r', so that the root is cut by the roots of the lines.
+///
+/// It stores F^2/(2 k) + N r^2/(2 R), and dissipates nu N |dr| while it slides: a cycle between -a and a takes
+/// 4 nu N (a - nu N/k). OpenSees has it as `singleFPBearing` with constant friction, whose height does not change here, either.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pendulum {
+    /// 1/k > 0.
+    pub compliance: f64,
+    /// nu N, >= 0.
+    pub limit: f64,
+    /// 1/(nu R) at rest, > 0: N/R for a limit of 1.
+    pub restoring: f64,
+    /// The limit at rest, and the power of N/N0 with which the limit follows, > 0: 1 where nu does not depend on N.
+    pub at_rest: [f64; 2],
+}
+
+/// The law over a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Step<const L: usize> {
+    limit: Lane<L>,
+    /// k and N/R.
+    stiffness: [Lane<L>; 2],
+    /// 1/(1 + k h) with the flexibility for S(i+1), of both together and of N/R.
+    share: [Lane<L>; 2],
+    /// Flexibilities for S(i) and S(i+1).
+    h: [Lane<L>; 2],
+}
+
+/// F of L contacts.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Friction<const L: usize>(Lane<L>);
+
+/// R
+const RADIUS: Number = Number::new(
+    ["R", "*R*", "length"],
+    Range::Positive,
+    "radius of {laws}, whose restoring force is (N/R) r; it needs nu and N",
+);
+
+impl Pendulum {
+    /// N/R.
+    fn stiffness(&self) -> f64 {
+        let [limit, power] = self.at_rest;
+        match power == 1.0 || self.limit <= 0.0 {
+            true => self.limit * self.restoring,
+            false => limit * libm::pow(self.limit / limit, 1.0 / power) * self.restoring,
+        }
+    }
+}
+
+impl StoredEnergy for Pendulum {
+    fn stored_energy(&self, r: f64, s: f64) -> f64 {
+        let k = self.stiffness();
+        let friction = s - k * r;
+        0.5 * (self.compliance * friction * friction + k * r * r)
+    }
+}
+
+impl Described for Pendulum {
+    const KIND: ContactKind = ContactKind::Friction;
+    const NAME: &'static str = "pendulum";
+    const OF_VELOCITY: bool = false;
+    const OFFERS: &'static [Offer] = &[Offer {
+        name: Self::NAME,
+        also: &["frictionpendulum", "fps", "singlefpbearing"],
+        oscillator: None,
+        bars: None,
+        structure: Some(In {
+            meaning: "friction, elastic up to r^E, on a concave surface: plus (N/R) r (Zayas, Low and Mahin 1990)",
+            numbers: &[&structure::K, &structure::R_E, &RADIUS],
+        }),
+        form: |given| {
+            let radius = given.need("R")?;
+            let nu = given
+                .given("nu")
+                .ok_or(LawFault::Needs(Self::NAME, "nu and N"))?;
+            if nu <= 0.0 {
+                return Err(LawFault::NotPositive("nu"));
+            }
+            let power = 1.0 - given.given("pressure_exponent").unwrap_or(0.0);
+            if power <= 0.0 {
+                return Err(LawFault::Needs(Self::NAME, "pressure_exponent < 1"));
+            }
+            Ok(Form::Friction(ContactLaw::Pendulum(Pendulum {
+                compliance: 1.0 / given.stiffness()?,
+                limit: given.limit(),
+                restoring: 1.0 / (nu * radius),
+                at_rest: [given.limit(), power],
+            })))
+        },
+    }];
+    const CLOSED_FORM: ClosedForm<Self> = ClosedForm::Driven(|law, velocity, time| {
+        let r = velocity * time;
+        Some((r / law.compliance).min(law.limit) + law.stiffness() * r)
+    });
+}
+
+impl Properties for Pendulum {
+    fn shown(&self) -> Vec<(&'static str, f64)> {
+        vec![("N/R =", self.stiffness()), ("k =", 1.0 / self.compliance)]
+    }
+
+    fn largest_stiffness(&self, _: f64) -> f64 {
+        1.0 / self.compliance + self.stiffness()
+    }
+
+    fn initial_stiffness(&self, _: f64) -> f64 {
+        match self.limit > 0.0 {
+            true => 1.0 / self.compliance + self.stiffness(),
+            false => 0.0,
+        }
+    }
+
+    fn reach(&self) -> f64 {
+        let elastic = self.compliance * self.limit;
+        match self.limit > 0.0 {
+            // Where (N/R) r is as large as friction, if that is not far.
+            true => (4.0 * elastic).max((self.limit / self.stiffness()).min(40.0 * elastic)),
+            false => 1.0,
+        }
+    }
+
+    /// Its surface knows no bounds.
+    fn bounds(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
+    fn over_velocity(&self) -> bool {
+        false
+    }
+
+    fn falls(&self) -> bool {
+        false
+    }
+
+    fn has_rigid_form(&self) -> bool {
+        false
+    }
+
+    fn unbent_force(&self, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn touching_time(&self, _: f64, _: Option<f64>) -> Option<f64> {
+        None
+    }
+}
+
+impl Law for Pendulum {
+    type Step<const L: usize> = Step<L>;
+
+    fn at_limit(self, limit: f64) -> Self {
+        Pendulum { limit, ..self }
+    }
+
+    #[inline(always)]
+    fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
+        let elastic = lanes(laws, |law| 1.0 / law.compliance);
+        let surface = lanes(laws, Pendulum::stiffness);
+        let share = |k: Lane<L>| (Lane::splat(1.0) + k * on.end.h).map(|x| 1.0 / x);
+        Step {
+            limit: lanes(laws, |law| law.limit),
+            stiffness: [elastic, surface],
+            share: [share(elastic + surface), share(surface)],
+            h: [on.start.h, on.end.h],
+        }
+    }
+
+    /// From rest to `reach`, to -`reach` and back.
+    fn cycle(&self, reach: f64) -> Cycle {
+        curve::over_displacement(*self, reach)
+    }
+}
+
+impl<const L: usize> StepLaw<L> for Step<L> {
+    type Memory = Friction<L>;
+
+    #[inline(always)]
+    fn force(&self, trial: &Trial<L>, friction: &mut Friction<L>) -> Lane<L> {
+        let change = trial.change - trial.force * self.h[0];
+        let [k, surface] = self.stiffness;
+        let free = trial.displacement + change;
+        let line = surface * free;
+        let sticking = (friction.0 + k * change + line) * self.share[0];
+        let force = sticking
+            .smaller((line + self.limit) * self.share[1])
+            .larger((line - self.limit) * self.share[1]);
+        friction.0 = (force - surface * (free - self.h[1] * force)).cut(self.limit);
+        force
+    }
+}
