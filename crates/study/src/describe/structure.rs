@@ -25,14 +25,11 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
         refer(&name)
     };
     let function = define("function", described(keys::FUNCTION, function_value, &[]));
-    let contact = define(
-        "contact",
-        described(
-            &keys::CONTACT,
-            |key| contact_value(key, &function),
-            &["law"],
-        ),
-    );
+    let mut contact = described(&keys::CONTACT, |key| contact_value(key, &function), &[]);
+    let relations = ["law"].into_iter().chain(keys::LISTS.map(|list| list.0));
+    let relations = relations.map(|key| json!({ "required": [key] }));
+    contact["oneOf"] = relations.collect();
+    let contact = define("contact", contact);
     let parameters = define("parameters", parameters());
     let structure = define("structure", structure(&function, &contact));
     let metric = define("metric", metric());
@@ -164,6 +161,10 @@ fn contact_value(key: &str, function: &Json) -> Json {
             };
             let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
             json!({ "anyOf": [any(), table, weight] })
+        }
+        "series" | "parallel" => {
+            let law = described(&keys::PART, |key| contact_value(key, function), &["law"]);
+            json!({ "type": "array", "minItems": 2, "items": law })
         }
         "table" => described(keys::LAW_TABLE, |_| numbers(), &["r", "S"]),
         _ => any(),

@@ -190,12 +190,35 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         ),
         ("gap", "r at rest"),
     ];
-    let number = |number: &&Number| (number.key, &*meaning(number).leak());
     of_all
         .into_iter()
-        .chain(NUMBERS.iter().map(number))
+        .chain(numbers())
+        .chain(LISTS.iter().copied())
         .collect()
 });
+
+/// Keys of a law in a list of laws.
+pub(crate) static PART: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
+    let of_all = [CONTACT[0], ("gap", "r at rest of this law")];
+    of_all.into_iter().chain(numbers()).collect()
+});
+
+/// Keys of lists of laws.
+pub(crate) const LISTS: [(&str, &str); 2] = [
+    (
+        "series",
+        "instead of law: a list of laws one behind the other, the contacts NAME.1, NAME.2, ..; between them are nodes without mass, NAME.node1, ..",
+    ),
+    (
+        "parallel",
+        "instead of law: a list of laws side by side, the contacts NAME.1, NAME.2, ..",
+    ),
+];
+
+fn numbers() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let number = |number: &&Number| (number.key, &*meaning(number).leak());
+    NUMBERS.iter().map(number)
+}
 
 /// Keys of a table of normal forces.
 pub(crate) const NORMAL_TABLE: Keys = &[("t", "times"), ("N", "forces at these times")];

@@ -64,10 +64,12 @@ pub(super) fn problem(
     }
     let (units, metre) = units(&object, node, faults);
     let name = |part: &parts::Part| part.0.clone();
+    let inner = contacts::inner_nodes(&of_contacts);
+    let inner_names = inner.iter().map(|own| own.name.clone());
     let mut reader = Reader {
         table: &first.parameters,
         names: Names::new(
-            masses.iter().map(name).collect(),
+            masses.iter().map(name).chain(inner_names).collect(),
             bars.iter().map(name).collect(),
             Vec::new(),
         )
@@ -94,7 +96,10 @@ pub(super) fn problem(
     let mut template = Template {
         units,
         metre,
-        masses: parts::masses(&masses, &reader, faults),
+        masses: {
+            let own = parts::masses(&masses, &reader, faults);
+            own.into_iter().chain(inner).collect()
+        },
         bars: parts::bars(&bars, &reader, faults),
         matrices: imported,
         springs: object.items("springs", faults, |node, path, faults| {

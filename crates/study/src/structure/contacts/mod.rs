@@ -1,13 +1,17 @@
 //! Contacts: laws, gaps, stiffnesses and friction limits.
 
-use super::files;
-use super::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, WEIGHT};
-use super::loads::{scaled, table};
-use super::parts::Part;
-use super::reader::{Reader, open};
+mod compound;
+
+pub(in crate::structure) use compound::inner_nodes;
+
 use crate::source::faults::Faults;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::structure::files;
+use crate::structure::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, WEIGHT};
+use crate::structure::loads::{scaled, table};
+use crate::structure::parts::Part;
+use crate::structure::reader::{Reader, open};
 use crate::value::{name, text};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::{self, Amount};
@@ -21,7 +25,11 @@ use slipgap_solver::system::import::{self, ImportFault, Pair};
 const LARGEST: u64 = 64 << 20;
 
 /// The contacts. One with `pairs` is a contact for each line of its file.
-pub(super) fn contacts(parts: &[Part], reader: &Reader, faults: &mut Faults) -> Vec<Contact> {
+pub(in crate::structure) fn contacts(
+    parts: &[Part],
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Vec<Contact> {
     let one = |(name, node, path): &Part| contact(name, node, path, reader, faults);
     parts.iter().filter_map(one).flatten().collect()
 }
@@ -34,7 +42,10 @@ fn contact(
     faults: &mut Faults,
 ) -> Option<Vec<Contact>> {
     let object = open(node, path, &CONTACT, faults)?;
-    let law = law(&object, reader, faults);
+    if let Some(list) = compound::list(&object) {
+        return compound::contacts((name, node, path), &object, list, reader, faults);
+    }
+    let relation = relation(&object, reader, faults);
     let places = match object.get("pairs") {
         Some(node) => pairs(name, node, &object, reader, faults),
         None => {
@@ -42,11 +53,45 @@ fn contact(
             along.map(|along| vec![(name.to_owned(), along)])
         }
     };
+    let (places, relation) = (places?, relation?);
+    let place = (node.at, path.to_owned());
+    let one = |(name, along)| relation.clone().between(name, place.clone(), along);
+    Some(places.into_iter().map(one).collect())
+}
+
+/// What acts between the nodes of a contact.
+#[derive(Clone)]
+struct Relation {
+    law: Chosen,
+    gap: Option<Amount>,
+    normal: Option<Normal>,
+    table: Option<[Vec<Amount>; 2]>,
+    numbers: Vec<(&'static str, Amount)>,
+}
+
+impl Relation {
+    fn between(self, name: String, place: (usize, String), along: Vec<Term>) -> Contact {
+        Contact {
+            name,
+            place,
+            along,
+            law: self.law,
+            gap: self.gap,
+            normal: self.normal,
+            table: self.table,
+            numbers: self.numbers,
+        }
+    }
+}
+
+/// The law of an object with its gap and numbers.
+fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Relation> {
+    let law = law(object, reader, faults);
     if let Some(Chosen::Name(law)) = law {
-        unsuitable(&object, law, faults);
+        unsuitable(object, law, faults);
     }
     let before = faults.count();
-    let mut optional = |key: &str, range| reader.optional(&object, key, range, faults);
+    let mut optional = |key: &str, range| reader.optional(object, key, range, faults);
     let gap = optional("gap", Range::Any);
     // The normal force and the table are more than a number.
     let numbers = NUMBERS
@@ -60,19 +105,14 @@ fn contact(
     let points = object
         .get("table")
         .and_then(|node| table(node, &object.path("table"), LAW_TABLE, reader, faults));
-    let complete = faults.count() == before;
-    let (places, law) = (places?, law?);
-    let one = |(name, along)| Contact {
-        name,
-        place: (node.at, path.to_owned()),
-        along,
-        law,
-        gap: gap.clone(),
-        normal: normal.clone(),
-        table: points.clone(),
-        numbers: numbers.clone(),
+    let relation = Relation {
+        law: law?,
+        gap,
+        normal,
+        table: points,
+        numbers,
     };
-    complete.then(|| places.into_iter().map(one).collect())
+    (faults.count() == before).then_some(relation)
 }
 
 /// The names of the contacts of a face, and the nodes of each with their factors.
