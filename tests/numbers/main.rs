@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bridge_parts;
 mod budget;
 mod budget_impact;
 mod friction;

@@ -674,16 +674,16 @@ fn the_mean_of_a_knet_record_is_removed_and_said_or_kept() {
     let near = |a: Vec<f64>, b: [f64; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-16);
     let study_of = study("");
     assert!(near(values(&study_of), [0.01, -0.01, 0.0075, -0.0075]));
-    let note = study_of.problem.note().unwrap();
+    let note = &study_of.problem.notes()[0];
     assert!(
         note.starts_with("the mean of \"a.EW\", 25 cm/s2, is removed"),
         "{note}"
     );
     let removed = study(r#", "mean": "removed""#);
-    assert_eq!(removed.problem.note(), None);
+    assert!(removed.problem.notes().is_empty());
     assert_eq!(values(&removed), values(&study_of));
     let kept = study(r#", "mean": "kept""#);
-    assert_eq!(kept.problem.note(), None);
+    assert!(kept.problem.notes().is_empty());
     assert!(
         near(values(&kept), [0.26, 0.24, 0.2575, 0.2425]),
         "{:?}",

@@ -50,6 +50,7 @@ fn limit(json: &Json) -> Limit {
         constant: number(&json["constant"]),
         varying: varying.then(|| (number(&json["factor"]), signal(&json["signal"]))),
         pressure: None,
+        pressed_by: None,
     }
 }
 
@@ -109,6 +110,7 @@ fn structure(json: &Json) -> Structure {
         displacement: numbers(&json["displacement"]),
         velocity: numbers(&json["velocity"]),
         supports: Vec::new(),
+        preload: Default::default(),
     }
 }
 

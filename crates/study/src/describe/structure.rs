@@ -160,7 +160,12 @@ fn contact_value(key: &str, function: &Json) -> Json {
                 _ => any(),
             };
             let weight = described(keys::WEIGHT, value, &["weight", "vertical"]);
-            json!({ "anyOf": [any(), table, weight] })
+            let pressing = described(
+                keys::PRESSING,
+                |_| json!({ "type": "string" }),
+                &["contact"],
+            );
+            json!({ "anyOf": [any(), table, weight, pressing] })
         }
         "series" | "parallel" => {
             let law = described(&keys::PART, |key| contact_value(key, function), &["law"]);
@@ -238,11 +243,13 @@ fn structure(function: &Json, contact: &Json) -> Json {
 /// A support: a function of time in x, or one in each direction, with its delay.
 fn support(function: &Json) -> Json {
     let mut schema = described(keys::FUNCTION, function_value, &[]);
-    let directions = described(keys::GROUND, |_| function.clone(), &[]);
+    let course = json!({ "anyOf": [function, all_of_displacement()] });
+    let directions = described(keys::GROUND, |_| course.clone(), &[]);
     let own = described(
         keys::SUPPORT,
         |key| match key {
             "baseline" => json!({ "enum": keys::BASELINES }),
+            "displacement" => imposed(),
             _ => any(),
         },
         &[],
@@ -255,6 +262,19 @@ fn support(function: &Json) -> Json {
         }
     }
     schema
+}
+
+/// Imposed displacements under their key.
+fn all_of_displacement() -> Json {
+    described(
+        &[keys::DISPLACEMENT],
+        |_| imposed(),
+        &[keys::DISPLACEMENT.0],
+    )
+}
+
+fn imposed() -> Json {
+    described(keys::IMPOSED, |_| numbers(), &["t", "u"])
 }
 
 /// The name of a metric.
@@ -367,6 +387,7 @@ pub(super) fn reference() -> String {
     );
     text += &table("`N` as a table:", keys::NORMAL_TABLE);
     text += &table("`N` of a weight:", keys::WEIGHT);
+    text += &table("`N` by another contact:", keys::PRESSING);
     text += &table(
         "A function of time has one of `sine`, `table`, `record`, `pulse`, `synthetic`. A load has the key `at` too, the node:",
         keys::FUNCTION,
@@ -382,6 +403,7 @@ pub(super) fn reference() -> String {
         keys::GROUND,
     );
     text += &table("Both have:", keys::SUPPORT);
+    text += &table("`displacement`:", keys::IMPOSED);
     text += &table(
         "`static` has forces by the names of nodes, bars or matrices in a direction, and:",
         keys::STATIC,

@@ -120,8 +120,21 @@ pub(crate) const GROUND: Keys = &[
 /// Names of the baselines of supports.
 pub(crate) const BASELINES: [&str; 1] = ["linear"];
 
+/// Keys of imposed displacements.
+pub(crate) const IMPOSED: Keys = &[
+    ("t", "times, rising"),
+    ("u", "displacements, the first one 0"),
+];
+
+/// The key of imposed displacements.
+pub(crate) const DISPLACEMENT: (&str, &str) = (
+    "displacement",
+    "instead of an acceleration, here or under a direction: times t and displacements u, with a cubic between them that turns only at points",
+);
+
 /// Keys of a support besides those of a function, or of the directions.
 pub(crate) const SUPPORT: Keys = &[
+    DISPLACEMENT,
     (
         "delay",
         "time >= 0 by which all of the motion is later; the support is at rest before",
@@ -231,6 +244,12 @@ pub(crate) const WEIGHT: Keys = &[
     ("weight", "W; N = W (1 + a/g)"),
     ("vertical", "vertical acceleration a of the ground"),
 ];
+
+/// The key of a normal force that another contact has.
+pub(crate) const PRESSING: Keys = &[(
+    "contact",
+    "name of an impact contact: N = max(-S, 0), with its S at the start of each step",
+)];
 
 /// Keys of a function of time; one of the first ones.
 pub(crate) const FUNCTION: Keys = &[

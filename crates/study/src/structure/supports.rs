@@ -1,7 +1,7 @@
 //! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
 
-use super::keys::{BASELINES, FUNCTION, GROUND, SUPPORT, names};
-use super::loads::{function, scaled};
+use super::keys::{BASELINES, DISPLACEMENT, FUNCTION, GROUND, IMPOSED, SUPPORT, names};
+use super::loads::{function, table};
 use super::parts::Part;
 use super::reader::Reader;
 use crate::source::faults::{Faults, join};
@@ -9,7 +9,7 @@ use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::name;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::template::Support;
+use slipgap_solver::problem::structure::template::{Course, Support};
 use slipgap_solver::system::structure::{Baseline, Direction};
 
 /// The directions x, y and z in which a support moves.
@@ -61,24 +61,22 @@ fn support(
             Baseline::Linear
         }
     };
-    let support = |direction, acceleration| Support {
+    let support = |direction, course| Support {
         name: own_name.clone(),
         direction,
-        acceleration,
+        course,
         delay: delay.clone(),
         baseline,
     };
     let given = directions(node);
     let members = object.members.iter();
-    let plain = members
-        .clone()
-        .find(|member| FUNCTION.iter().any(|key| key.0 == member.key));
+    let plain = members.clone().find(|member| is_course(&member.key));
     let by_directions = members
         .clone()
         .any(|member| GROUND.iter().any(|key| key.0 == member.key));
     if !by_directions {
-        let acceleration = function(&object, node.at, path, reader, faults)?;
-        return Some(vec![support(Direction::X, acceleration)]);
+        let course = course(&object, node.at, path, reader, faults)?;
+        return Some(vec![support(Direction::X, course)]);
     }
     if let Some(member) = plain {
         let message = "give a function of time, which is the motion in x, or x, y and z, not both";
@@ -88,11 +86,45 @@ fn support(
     let one = |(direction, given): (Direction, bool)| {
         let node = object.get(direction.name()).filter(|_| given)?;
         let path = object.path(direction.name());
-        let acceleration = scaled(node, &path, reader, faults)?;
-        Some(support(direction, acceleration))
+        let mut keys = names(FUNCTION);
+        keys.push(DISPLACEMENT.0);
+        let object = Object::open(node, &path, &keys, faults)?;
+        let course = course(&object, node.at, &path, reader, faults)?;
+        Some(support(direction, course))
     };
     let all: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
         .filter_map(one)
         .collect();
     Some(all)
+}
+
+/// Whether a key says how a support moves.
+fn is_course(key: &str) -> bool {
+    key == DISPLACEMENT.0 || FUNCTION.iter().any(|own| own.0 == key)
+}
+
+/// The acceleration or the displacements of an object.
+fn course(
+    object: &Object,
+    at: usize,
+    path: &str,
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Course> {
+    let Some(node) = object.get(DISPLACEMENT.0) else {
+        return Some(Course::Acceleration(function(
+            object, at, path, reader, faults,
+        )?));
+    };
+    let mut others = object.members.iter();
+    let other =
+        others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key) || own.key == "baseline");
+    if let Some(other) = other {
+        let message = format!("a support with displacements has no {}", other.key);
+        faults.add(other.at, &join(path, &other.key), message);
+        return None;
+    }
+    let path = object.path(DISPLACEMENT.0);
+    let points = table(node, &path, IMPOSED, reader, faults)?;
+    Some(Course::Displacement(points, (node.at, path)))
 }

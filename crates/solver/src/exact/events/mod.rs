@@ -239,7 +239,11 @@ fn coupling(structure: &Structure) -> f64 {
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
     let unknown = |law: &StructureLaw| {
         let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
-        law.is_curved() || law.limit().is_some_and(falls)
+        let pressed = |limit: &Limit| limit.pressed_by.is_some();
+        law.is_curved()
+            || law
+                .limit()
+                .is_some_and(|limit| falls(limit) || pressed(limit))
     };
     let contact = structure.contacts.iter().find(|c| unknown(&c.law));
     match contact.map(|contact| contact.name.clone()) {

@@ -193,6 +193,7 @@ fn periods(which: &str, omega2: Vec<f64>) -> String {
 
 fn law(law: &StructureLaw) -> String {
     let limit = |limit: &Limit| match limit.varying {
+        _ if limit.pressed_by.is_some() => "limit by the force of another contact".to_owned(),
         None => format!("limit {}", short(limit.at(0.0))),
         Some(_) => format!("limit {} at t = 0, varying", short(limit.at(0.0))),
     };

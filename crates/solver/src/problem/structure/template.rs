@@ -71,9 +71,10 @@ impl Template {
             .filter_map(|contact| match &contact.normal {
                 Some(Normal::Table(source)) => Some(source),
                 Some(Normal::Weight { vertical, .. }) => Some(&vertical.source),
-                Some(Normal::Constant(_)) | None => None,
+                Some(Normal::Constant(_) | Normal::Contact(_)) | None => None,
             });
-        let supports = self.supports.iter().map(|own| &own.acceleration.source);
+        let supports = self.supports.iter().filter_map(Support::acceleration);
+        let supports = supports.map(|own| &own.source);
         let all = loads.chain(ground).chain(supports).chain(normals);
         all.filter(|source| source.is_sampled())
     }
@@ -143,15 +144,32 @@ pub struct Support {
     pub name: String,
     /// The direction.
     pub direction: Direction,
-    /// Its acceleration.
-    pub acceleration: Scaled,
+    /// How it moves.
+    pub course: Course,
     /// Time by which all of it is later, >= 0; none for 0.
     pub delay: Option<Amount>,
     /// What is removed from its velocity.
     pub baseline: Baseline,
 }
 
+/// How a support moves.
+#[derive(Debug, Clone)]
+pub enum Course {
+    /// An acceleration.
+    Acceleration(Scaled),
+    /// Displacements at times, with their place in the study.
+    Displacement([Vec<Amount>; 2], (usize, String)),
+}
+
 impl Support {
+    /// Its acceleration; `None` with displacements.
+    pub fn acceleration(&self) -> Option<&Scaled> {
+        match &self.course {
+            Course::Acceleration(acceleration) => Some(acceleration),
+            Course::Displacement(..) => None,
+        }
+    }
+
     /// Its name with its direction, such as `left.x`.
     pub fn full_name(&self) -> String {
         format!("{}.{}", self.name, self.direction.name())
@@ -284,6 +302,19 @@ pub enum Normal {
         /// a, the vertical acceleration.
         vertical: Scaled,
     },
+    /// The force of another contact at the start of each step.
+    Contact(OtherContact),
+}
+
+/// A contact that another one names.
+#[derive(Debug, Clone)]
+pub struct OtherContact {
+    /// Its name.
+    pub name: String,
+    /// Its place in the list of contacts.
+    pub number: usize,
+    /// Byte offset and path of the name in the study.
+    pub place: (usize, String),
 }
 
 /// A name that is the same in all cases, or that a parameter chooses.

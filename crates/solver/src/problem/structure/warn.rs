@@ -130,7 +130,10 @@ impl StructureProblem {
             scale != 0.0 && !(PEAKS[0]..=PEAKS[1]).contains(&peak)
         };
         let ground = template.ground.iter().map(|(_, ground)| ground);
-        let supports = template.supports.iter().map(|own| &own.acceleration);
+        let supports = template
+            .supports
+            .iter()
+            .filter_map(|own| own.acceleration());
         ground.chain(supports).chain(vertical).any(strange)
     }
 }

@@ -1,7 +1,7 @@
 //! The contact forces at t = 0.
 
 use super::curved::first_force;
-use super::laws::bounds;
+use super::laws::{bounds, friction};
 use crate::contact::{CoupledForces, Unsolved};
 use crate::system::structure::{Inertia, Structure, StructureLaw};
 
@@ -16,7 +16,7 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
     for (c, contact) in structure.contacts.iter().enumerate() {
         let r = structure.relative(c, u) + contact.gap;
         let rdot = structure.relative(c, v);
-        let [low, high] = bounds(contact, 0.0);
+        let [low, high] = bounds_at_start(structure, c);
         let at_rest = structure.preload.force(c);
         // Round-off of the equilibrium opens no contact that presses.
         let is_open = r > 0.0 && at_rest.is_none_or(|force| force == 0.0);
@@ -44,6 +44,18 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
         hold(structure, &active, &mut forces)?;
     }
     Ok(forces)
+}
+
+/// The bounds of a contact's force at t = 0, where static loads may press it.
+fn bounds_at_start(structure: &Structure, contact: usize) -> [f64; 2] {
+    let own = &structure.contacts[contact];
+    match own.law.limit().filter(|limit| limit.pressed_by.is_some()) {
+        Some(limit) => {
+            let force = |other| structure.preload.force(other).unwrap_or_default();
+            friction(limit.pressed(0.0, force))
+        }
+        None => bounds(own, 0.0),
+    }
 }
 
 /// Writes the forces of the contacts that stick or are shut; the others are given.
@@ -81,9 +93,7 @@ fn hold(structure: &Structure, active: &[usize], forces: &mut [f64]) -> Result<(
         .map(|i| structure.relative(*i, &acceleration) + structure.gap_acceleration(*i))
         .collect();
     let bound = |k: usize| -> Vec<f64> {
-        let bounds = active
-            .iter()
-            .map(|i| bounds(&structure.contacts[*i], 0.0)[k]);
+        let bounds = active.iter().map(|i| bounds_at_start(structure, *i)[k]);
         bounds.collect()
     };
     let sizes: Vec<f64> = active.iter().zip(&columns).map(size).collect();

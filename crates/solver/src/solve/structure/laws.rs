@@ -82,5 +82,6 @@ pub(super) fn friction(limit: f64) -> [f64; 2] {
 
 /// A limit that changes with time.
 pub(super) fn varying(contact: &Contact) -> Option<&Limit> {
-    contact.law.limit().filter(|limit| limit.varying.is_some())
+    let changes = |limit: &&Limit| limit.varying.is_some() || limit.pressed_by.is_some();
+    contact.law.limit().filter(changes)
 }

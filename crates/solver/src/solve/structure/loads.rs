@@ -81,7 +81,9 @@ struct Varying<const L: usize> {
     slides: [bool; L],
     constant: Lane<L>,
     factor: Lane<L>,
-    signal: Series<L>,
+    signal: Option<Series<L>>,
+    /// The contact that presses this one, and nu; empty if none does in any lane.
+    pressed_by: Vec<Option<(usize, f64)>>,
     /// How the coefficient falls with the normal force; empty if it does not in any lane.
     pressure: Vec<Option<Pressure>>,
 }
@@ -230,15 +232,24 @@ impl<const L: usize> Inputs<L> {
         !self.limits.is_empty()
     }
 
-    /// The limits that change, at a step: contact, limit, and the lanes that have it.
+    /// The limits that change, at a step: contact, limit, and the lanes that have it. `force` gives the forces of contacts at the
+    /// start of the step.
     #[inline(always)]
-    pub(super) fn limits(
-        &self,
+    pub(super) fn limits<'a>(
+        &'a self,
         step: usize,
-    ) -> impl Iterator<Item = (usize, Lane<L>, [bool; L])> + '_ {
+        force: impl Fn(usize) -> Lane<L> + 'a,
+    ) -> impl Iterator<Item = (usize, Lane<L>, [bool; L])> + 'a {
         self.limits.iter().map(move |limit| {
-            let varying = limit.factor * limit.signal.at(&self.values, step);
-            let sum = limit.constant + varying;
+            let mut sum = limit.constant;
+            if let Some(signal) = &limit.signal {
+                sum = sum + limit.factor * signal.at(&self.values, step);
+            }
+            for (l, other) in limit.pressed_by.iter().enumerate() {
+                if let Some((contact, nu)) = other {
+                    sum.0[l] += nu * (-force(*contact).0[l]).max(0.0);
+                }
+            }
             // As in `Limit::at`: f64::max does not compile to one instruction.
             let mut positive = sum.larger(Lane::splat(0.0));
             for (x, pressure) in positive.0.iter_mut().zip(&limit.pressure) {
@@ -258,17 +269,24 @@ fn limits<'a, const L: usize>(
     let mut limits = Vec::new();
     for contact in 0..prepared.contacts() {
         let of = cases.map(|case| varying(&case.contacts[contact]));
-        let Some(any) = of.iter().flatten().find_map(|limit| limit.varying.as_ref()) else {
+        if of.iter().all(Option::is_none) {
             continue;
-        };
+        }
+        let any = of.iter().flatten().find_map(|limit| limit.varying.as_ref());
         let mut limit = Varying {
             contact,
             slides: cases.map(|case| case.contacts[contact].law.kind() == ContactKind::Friction),
             constant: Lane::splat(0.0),
             factor: Lane::splat(0.0),
-            signal: Series::new([0; L]),
+            signal: None,
+            pressed_by: Vec::new(),
             pressure: Vec::new(),
         };
+        let pressed_by = |case: &&Structure| case.contacts[contact].law.limit()?.pressed_by;
+        let pressed = cases.iter().map(pressed_by);
+        if pressed.clone().any(|other| other.is_some()) {
+            limit.pressed_by = pressed.collect();
+        }
         let pressure = |case: &&Structure| case.contacts[contact].law.limit()?.pressure;
         let pressures = cases.iter().map(pressure);
         if pressures.clone().any(|pressure| pressure.is_some()) {
@@ -279,13 +297,15 @@ fn limits<'a, const L: usize>(
             let own = case.contacts[contact].law.limit();
             let (constant, varying) =
                 own.map_or((0.0, None), |own| (own.constant, own.varying.as_ref()));
-            let (factor, signal) =
-                varying.map_or((0.0, &any.1), |(factor, signal)| (*factor, signal));
             limit.constant.0[l] = constant;
-            limit.factor.0[l] = factor;
-            signals[l] = samples.number(signal);
+            if let Some((factor, signal)) = varying {
+                limit.factor.0[l] = *factor;
+                signals[l] = samples.number(signal);
+            } else if let Some((_, signal)) = any {
+                signals[l] = samples.number(signal);
+            }
         }
-        limit.signal = Series::new(signals);
+        limit.signal = any.map(|_| Series::new(signals));
         limits.push(limit);
     }
     limits

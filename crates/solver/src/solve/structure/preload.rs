@@ -158,6 +158,12 @@ impl<'a> Equilibrium<'a> {
             .map(|(p, inner)| p - inner)
             .collect();
         self.factor.solve(&mut change);
+        for (c, contact) in self.structure.contacts.iter().enumerate() {
+            if let Some(limit) = contact.law.limit().filter(|own| own.pressed_by.is_some()) {
+                let limit = limit.pressed(0.0, |other| self.forces[other]);
+                self.curved.limit(c, limit);
+            }
+        }
         let (structure, u, forces) = (self.structure, &self.u, &self.forces);
         let motion = |c: usize| {
             let displacement = structure.relative(c, u) + structure.contacts[c].gap;

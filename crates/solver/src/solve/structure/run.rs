@@ -112,7 +112,9 @@ impl<const L: usize> Average<'_, L> {
             self.prescribe_massless(step);
         }
         if self.inputs.limits_vary() {
-            for (contact, limit, slides) in self.inputs.limits(step) {
+            let contacts = &self.contacts;
+            let force = |contact: usize| contacts[contact].force;
+            for (contact, limit, slides) in self.inputs.limits(step, force) {
                 let [mut low, mut high] = self.forces.bounds(contact);
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);

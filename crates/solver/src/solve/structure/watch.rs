@@ -138,7 +138,10 @@ fn is_passive(law: &StructureLaw) -> bool {
             | StructureLaw::VelocityControl { .. }
             | StructureLaw::Coulomb { .. }
     );
-    friction && law.limit().is_some_and(|limit| limit.varying.is_none())
+    friction
+        && law
+            .limit()
+            .is_some_and(|limit| limit.varying.is_none() && limit.pressed_by.is_none())
 }
 
 impl<const L: usize> Contact<L> {

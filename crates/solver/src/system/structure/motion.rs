@@ -60,6 +60,8 @@ pub enum MotionFault {
     NoEnd,
     /// A number is not finite.
     NotFinite,
+    /// Imposed displacements do not begin with 0, or their times do not rise.
+    Displacements,
 }
 
 impl fmt::Display for MotionFault {
@@ -67,6 +69,9 @@ impl fmt::Display for MotionFault {
         f.write_str(match self {
             MotionFault::NoEnd => {
                 "a baseline needs a function with an end after t = 0; a sine has none"
+            }
+            MotionFault::Displacements => {
+                "imposed displacements need rising times and u = 0 at the first one, where the support is at rest"
             }
             MotionFault::NotFinite => {
                 "the displacement of the support is not finite; use a smaller scale"
@@ -113,6 +118,59 @@ impl Motion {
         };
         match end.iter().all(|x| x.is_finite()) {
             true => Ok(motion),
+            false => Err(MotionFault::NotFinite),
+        }
+    }
+
+    /// The motion through points (t, u) from the time `delay` on, at rest before the first one and after the last one.
+    ///
+    /// Between points u is a cubic. Its slope is 0 at the first and last point and where u turns, so that it does not pass the points
+    /// there, and the mean of the slopes to both sides, weighted by Fritsch and Butland (1984), at other points: u rises and falls as
+    /// the points do.
+    ///
+    /// # Errors
+    /// The points do not begin with u = 0, or a number is not finite.
+    pub fn through(
+        times: &[f64],
+        displacements: &[f64],
+        delay: f64,
+    ) -> Result<Motion, MotionFault> {
+        let rising = times.windows(2).all(|pair| pair[0] < pair[1]);
+        if !rising || times.len() != displacements.len() || displacements.first() != Some(&0.0) {
+            return Err(MotionFault::Displacements);
+        }
+        let steps: Vec<f64> = times.windows(2).map(|t| t[1] - t[0]).collect();
+        let pairs = displacements.windows(2).zip(&steps);
+        let secants: Vec<f64> = pairs.map(|(u, step)| (u[1] - u[0]) / step).collect();
+        let mut slopes = vec![0.0; times.len()];
+        for i in 1..secants.len() {
+            let [before, after] = [secants[i - 1], secants[i]];
+            if before * after > 0.0 {
+                let [w0, w1] = [2.0 * steps[i] + steps[i - 1], steps[i] + 2.0 * steps[i - 1]];
+                slopes[i] = (w0 + w1) / (w0 / before + w1 / after);
+            }
+        }
+        let mut pieces: Vec<Piece> = Vec::with_capacity(times.len());
+        for (i, (step, secant)) in steps.iter().zip(&secants).enumerate() {
+            let [v0, v1] = [slopes[i], slopes[i + 1]];
+            let a = (6.0 * secant - 4.0 * v0 - 2.0 * v1) / step;
+            let rate = 6.0 * (v0 + v1 - 2.0 * secant) / (step * step);
+            pieces.push(Piece {
+                time: delay + times[i],
+                values: [displacements[i], v0, a, rate],
+            });
+        }
+        if let (Some(time), Some(u)) = (times.last(), displacements.last()) {
+            pieces.push(Piece {
+                time: delay + time,
+                values: [*u, 0.0, 0.0, 0.0],
+            });
+        }
+        let finite = pieces
+            .iter()
+            .all(|piece| piece.values.iter().all(|x| x.is_finite()));
+        match finite {
+            true => Ok(Motion(Course::Pieces(pieces))),
             false => Err(MotionFault::NotFinite),
         }
     }

@@ -151,6 +151,8 @@ pub struct Limit {
     pub varying: Option<(f64, Arc<Signal>)>,
     /// How the coefficient of friction falls with the normal force; `None` if it does not.
     pub pressure: Option<Pressure>,
+    /// The contact whose force presses this one, and nu: nu max(-S, 0) is added, with S at the start of a step.
+    pub pressed_by: Option<(usize, f64)>,
 }
 
 /// nu = nu0 (N/N0)^(-p).
@@ -179,14 +181,22 @@ impl Limit {
             constant: limit,
             varying: None,
             pressure: None,
+            pressed_by: None,
         }
     }
 
-    /// The limit at time t.
+    /// The limit at time t, without another contact's force.
     pub fn at(&self, t: f64) -> f64 {
+        self.pressed(t, |_| 0.0)
+    }
+
+    /// The limit at time t with these forces of contacts.
+    pub fn pressed(&self, t: f64, force: impl Fn(usize) -> f64) -> f64 {
         let varying = self.varying.as_ref();
         let varying = varying.map_or(0.0, |(factor, signal)| factor * signal.at(t));
-        let limit = (self.constant + varying).max(0.0);
+        let other = self.pressed_by;
+        let pressed = other.map_or(0.0, |(contact, nu)| nu * (-force(contact)).max(0.0));
+        let limit = (self.constant + varying + pressed).max(0.0);
         self.pressure
             .map_or(limit, |pressure| pressure.limit(limit))
     }

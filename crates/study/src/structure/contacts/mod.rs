@@ -4,11 +4,11 @@ mod compound;
 
 pub(in crate::structure) use compound::inner_nodes;
 
-use crate::source::faults::Faults;
+use crate::source::faults::{Faults, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::structure::files;
-use crate::structure::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, WEIGHT};
+use crate::structure::keys::{CONTACT, LAW_TABLE, NORMAL_TABLE, PRESSING, WEIGHT};
 use crate::structure::loads::{scaled, table};
 use crate::structure::parts::Part;
 use crate::structure::reader::{Reader, open};
@@ -18,7 +18,7 @@ use slipgap_solver::problem::structure::amount::{self, Amount};
 use slipgap_solver::problem::structure::contacts::{NAMES, NUMBERS, law_named};
 use slipgap_solver::problem::structure::loads::{Kind, Source};
 use slipgap_solver::problem::structure::node::NodeName;
-use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, Term};
+use slipgap_solver::problem::structure::template::{Chosen, Contact, Normal, OtherContact, Term};
 use slipgap_solver::system::import::{self, ImportFault, Pair};
 
 /// Most bytes of a file of pairs.
@@ -31,7 +31,26 @@ pub(in crate::structure) fn contacts(
     faults: &mut Faults,
 ) -> Vec<Contact> {
     let one = |(name, node, path): &Part| contact(name, node, path, reader, faults);
-    parts.iter().filter_map(one).flatten().collect()
+    let mut contacts: Vec<Contact> = parts.iter().filter_map(one).flatten().collect();
+    let names: Vec<String> = contacts.iter().map(|own| own.name.clone()).collect();
+    for contact in &mut contacts {
+        let Some(Normal::Contact(other)) = &mut contact.normal else {
+            continue;
+        };
+        match names.iter().position(|name| *name == other.name) {
+            Some(number) if names[number] != contact.name => other.number = number,
+            Some(_) => {
+                let message = "a contact does not press itself";
+                faults.add(other.place.0, &other.place.1, message);
+            }
+            None => {
+                let known: Vec<&str> = names.iter().map(String::as_str).collect();
+                let message = unknown("contact", &other.name, &known);
+                faults.add(other.place.0, &other.place.1, message);
+            }
+        }
+    }
+    contacts
 }
 
 fn contact(
@@ -217,6 +236,17 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
         let force = reader.amount(node, path, Range::Any, faults)?;
         return Some(Normal::Constant(force));
     };
+    if members.iter().any(|member| member.key == PRESSING[0].0) {
+        let object = open(node, path, PRESSING, faults)?;
+        let (key, meaning) = PRESSING[0];
+        let node = object.need(key, meaning, faults)?;
+        let path = object.path(key);
+        return Some(Normal::Contact(OtherContact {
+            name: text(node, &path, faults)?,
+            number: 0,
+            place: (node.at, path),
+        }));
+    }
     if members.iter().any(|member| member.key == "weight") {
         let object = open(node, path, WEIGHT, faults)?;
         let weight = reader.needed(&object, WEIGHT, "weight", Range::Positive, faults);

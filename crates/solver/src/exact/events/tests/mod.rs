@@ -152,6 +152,7 @@ pub fn varying(constant: f64, factor: f64, signal: Signal) -> Limit {
         constant,
         varying: Some((factor, Arc::new(signal))),
         pressure: None,
+        pressed_by: None,
     }
 }
 

@@ -61,6 +61,7 @@ fn limit(random: &mut Random) -> Limit {
             constant,
             varying: Some((random.number(0.0, 1.0), Arc::new(signal(random)))),
             pressure: None,
+            pressed_by: None,
         },
     }
 }

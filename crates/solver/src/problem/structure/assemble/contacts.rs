@@ -9,13 +9,11 @@ impl Draft<'_> {
         for contact in &self.template.contacts {
             let along = self.along(&contact.along);
             let nodes = self.numbering.nodes();
-            if along.iter().all(|(node, _)| *node >= nodes) && self.violations.is_empty() {
-                let message = match along.is_empty() {
-                    true => "a contact needs two different nodes",
-                    false => "a contact needs a node that is not a support",
-                };
+            if along.is_empty() && self.violations.is_empty() {
+                let message = "a contact needs two different nodes";
                 self.violations.push(contacts::violation(contact, message));
             }
+            let is_driven = along.iter().all(|(node, _)| *node >= nodes);
             let gap = self.optional(&contact.gap);
             let law = contacts::relation(
                 contact,
@@ -24,6 +22,10 @@ impl Draft<'_> {
                 self.detail == Detail::Whole,
             );
             if let Some(law) = self.checked(law) {
+                if is_driven && self.violations.is_empty() && is_rigid(&law) {
+                    let message = "a contact between supports, or of a support and the ground, needs a law with a stiffness or a damper";
+                    self.violations.push(contacts::violation(contact, message));
+                }
                 self.structure.contacts.push(Contact {
                     name: contact.name.clone(),
                     along,
@@ -48,4 +50,12 @@ impl Draft<'_> {
             }
         }
     }
+}
+
+/// Whether the force of a law is not given by its motion.
+fn is_rigid(law: &StructureLaw) -> bool {
+    matches!(
+        law,
+        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
+    )
 }

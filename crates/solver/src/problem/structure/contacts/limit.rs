@@ -47,11 +47,17 @@ fn without_pressure(
         constant,
         varying,
         pressure: None,
+        pressed_by: None,
     };
     match normal {
         Normal::Constant(force) => {
             let limit = nu * force.value(case)?;
             Ok((Limit::constant(limit), limit))
+        }
+        Normal::Contact(other) => {
+            let mut limit = Limit::constant(0.0);
+            limit.pressed_by = Some((other.number, nu));
+            Ok((limit, 0.0))
         }
         Normal::Table(source) => {
             let signal = source.signal(case, metre)?;

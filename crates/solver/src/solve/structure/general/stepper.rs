@@ -139,7 +139,9 @@ impl<const L: usize> General<'_, L> {
         }
         if self.inputs.limits_vary() {
             let forces = &mut self.forces[part];
-            for (contact, limit, slides) in self.inputs.limits(end) {
+            let start = &self.stages[part].contacts;
+            let force = |contact: usize| start[contact][2];
+            for (contact, limit, slides) in self.inputs.limits(end, force) {
                 let [mut low, mut high] = self.contacts[contact].bounds;
                 for (l, _) in slides.iter().enumerate().filter(|(_, slides)| **slides) {
                     [low.0[l], high.0[l]] = friction(limit.0[l]);

@@ -74,6 +74,7 @@ fn friction(number: usize, random: &mut Random) -> StructureLaw {
         constant,
         varying,
         pressure: None,
+        pressed_by: None,
     };
     let limit = constant;
     let (k, c) = (random.scale(1e2, 1e5), random.scale(1e1, 1e4));

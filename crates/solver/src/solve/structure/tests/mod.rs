@@ -127,6 +127,7 @@ fn mixed(n: usize, factor: f64, ground: &Arc<Signal>) -> Structure {
         constant: 200.0,
         varying: Some((30.0 * factor, ground.clone())),
         pressure: None,
+        pressed_by: None,
     };
     structure.contacts[2].law = StructureLaw::VelocityControl {
         viscosity: 2e4,

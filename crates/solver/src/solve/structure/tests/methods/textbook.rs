@@ -309,6 +309,7 @@ fn random(seed: u64, rigid: bool) -> Structure {
         constant: random.between(0.5, 2.0),
         varying: Some((1.5, sine(random.between(1.0, 5.0), 0.0))),
         pressure: None,
+        pressed_by: None,
     };
     let impact = match rigid {
         true => StructureLaw::RigidStop {
