@@ -16,6 +16,7 @@ mod flexible_pieces;
 mod gaps;
 mod kernel;
 mod least;
+mod lines;
 mod matrix;
 mod modal;
 mod model;
@@ -42,7 +43,7 @@ pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
 use crate::contact::ContactKind;
-use crate::system::structure::{Limit, Structure, StructureLaw};
+use crate::system::structure::{Contact, Limit, Structure};
 use model::Model;
 use motion::Motion;
 use phase::ContactState;
@@ -209,6 +210,10 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
             ContactKind::Impact => ContactState::in_phase(Phase::Open),
             ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
+    let phases = phases.zip(&structure.contacts).map(|(state, contact)| {
+        let line = lines::of(&contact.law).map(|law| law.start(contact.gap));
+        ContactState { line, ..state }
+    });
     let phases: Vec<ContactState> = phases.collect();
     let pieces = Model::of_nodes(structure).pieces(&phases, end) * coupling(structure);
     match refuse_laws(structure).is_ok() && pieces <= MOST_PIECES as f64 {
@@ -235,13 +240,20 @@ fn coupling(structure: &Structure) -> f64 {
     1.0 / (1.0 - largest).max(0.125).sqrt()
 }
 
-/// Between events every law has to be linear, and every limit the sum of a constant and a signal.
+/// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines are not known at
+/// nodes without mass.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
-    let unknown = |law: &StructureLaw| {
+    let unknown = |contact: &&Contact| {
+        let law = &contact.law;
         let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
-        law.is_curved() || law.limit().is_some_and(falls)
+        let mut nodes = contact
+            .along
+            .iter()
+            .filter_map(|(node, _)| structure.nodes.get(*node));
+        let has_lines = lines::of(law).is_some() && nodes.all(|node| node.mass > 0.0);
+        law.is_curved() && !has_lines || law.limit().is_some_and(falls)
     };
-    let contact = structure.contacts.iter().find(|c| unknown(&c.law));
+    let contact = structure.contacts.iter().find(unknown);
     match contact.map(|contact| contact.name.clone()) {
         Some(contact) => Err(EventsFault::Law { contact }),
         None => Ok(()),
