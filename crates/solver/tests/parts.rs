@@ -551,6 +551,7 @@ fn masses(first: &StructureLaw, second: &StructureLaw) -> Structure {
         displacement: vec![0.5, 0.0],
         velocity: vec![6.0, -3.0],
         supports: Vec::new(),
+        preload: Default::default(),
     }
 }
 

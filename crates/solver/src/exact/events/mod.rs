@@ -211,7 +211,7 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
             ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
     let phases = phases.zip(&structure.contacts).map(|(state, contact)| {
-        let line = lines::of(&contact.law).map(|law| law.start(contact.gap));
+        let line = lines::of(&contact.law).map(|law| law.start(contact.gap, None));
         ContactState { line, ..state }
     });
     let phases: Vec<ContactState> = phases.collect();
@@ -241,19 +241,22 @@ fn coupling(structure: &Structure) -> f64 {
 }
 
 /// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines are not known at
-/// nodes without mass.
+/// nodes without mass, nor from a state that static loads leave and r and S do not tell.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
-    let unknown = |contact: &&Contact| {
+    let has_lines = |(i, contact): (usize, &Contact)| {
+        let mut nodes = contact.along.iter();
+        let has_mass = |node: usize| structure.nodes.get(node).is_none_or(|n| n.mass > 0.0);
+        let r = structure.relative(i, &structure.displacement) + contact.gap;
+        let knows = |law: lines::Lines| law.knows(r, structure.preload.force(i));
+        nodes.all(|(node, _)| has_mass(*node)) && lines::of(&contact.law).is_some_and(knows)
+    };
+    let unknown = |(i, contact): &(usize, &Contact)| {
         let law = &contact.law;
         let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
-        let mut nodes = contact
-            .along
-            .iter()
-            .filter_map(|(node, _)| structure.nodes.get(*node));
-        let has_lines = lines::of(law).is_some() && nodes.all(|node| node.mass > 0.0);
-        law.is_curved() && !has_lines || law.limit().is_some_and(falls)
+        law.is_curved() && !has_lines((*i, contact)) || law.limit().is_some_and(falls)
     };
-    let contact = structure.contacts.iter().find(unknown);
+    let contact = structure.contacts.iter().enumerate().find(unknown);
+    let contact = contact.map(|(_, contact)| contact);
     match contact.map(|contact| contact.name.clone()) {
         Some(contact) => Err(EventsFault::Law { contact }),
         None => Ok(()),

@@ -24,7 +24,8 @@ impl SoftenedPhases<'_> {
         for (i, state) in states.iter_mut().enumerate() {
             let r = self.series.contacts[i].r[0];
             if let Some(lines) = lines::of(&self.model.contacts[i].law) {
-                *state = ContactState::on(lines.start(r), r);
+                let force = self.model.structure.preload.force(i);
+                *state = ContactState::on(lines.start(r, force), r);
                 continue;
             }
             state.origin = r;

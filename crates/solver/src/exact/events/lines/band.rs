@@ -82,9 +82,12 @@ impl Band {
         }
     }
 
-    pub fn start(&self, r: f64) -> Line {
+    pub fn start(&self, r: f64, force: Option<f64>) -> Line {
         if self.is_stop && r >= 0.0 {
             return Line::open([0.0, f64::INFINITY]);
+        }
+        if let Some(force) = force {
+            return self.elastic([r, force]);
         }
         if self.unbent {
             return self.elastic([r, self.stiffness[1] * r]);

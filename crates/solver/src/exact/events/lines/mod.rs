@@ -98,12 +98,20 @@ impl Line {
 }
 
 impl Lines {
-    /// The line at t = 0.
-    pub fn start(&self, r: f64) -> Line {
+    /// The line at t = 0, of a first loading to r or with this force.
+    pub fn start(&self, r: f64, force: Option<f64>) -> Line {
         match self {
-            Lines::Band(law) => law.start(r),
-            Lines::OneSided(law) => law.start(r),
+            Lines::Band(law) => law.start(r, force),
+            Lines::OneSided(law) => law.start(r, force),
             Lines::Parts(law) => law.start(r),
+        }
+    }
+
+    /// Whether r and a force at t = 0 tell the state.
+    pub fn knows(&self, r: f64, force: Option<f64>) -> bool {
+        match (self, force) {
+            (Lines::Parts(law), Some(force)) => law.is_first(r, force),
+            _ => true,
         }
     }
 

@@ -104,8 +104,11 @@ impl OneSided {
         }
     }
 
-    pub fn start(&self, r: f64) -> Line {
+    pub fn start(&self, r: f64, force: Option<f64>) -> Line {
         let d = self.deflection(r);
+        if let Some(force) = force.filter(|force| *force != 0.0) {
+            return self.elastic(d - self.sign * force / self.stiffness);
+        }
         match d {
             _ if d <= 0.0 => self.open(0.0),
             _ if self.hardening < 1.0 && self.stiffness * d > self.yield_force => self.yielding(),

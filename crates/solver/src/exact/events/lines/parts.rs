@@ -63,6 +63,12 @@ impl Parts {
         self.line(r, stretch, yielding, direction)
     }
 
+    /// Whether a first loading to r has this force, but for round-off.
+    pub fn is_first(&self, r: f64, force: f64) -> bool {
+        let first = self.0.force(r, &self.0.first(r));
+        (force - first).abs() <= 1e-9 * first.abs()
+    }
+
     pub fn next(&self, line: &Line, end: End, r: f64) -> Line {
         let mut stretch = self.stretches(line, r);
         let direction = match end {
