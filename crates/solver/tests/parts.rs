@@ -690,3 +690,61 @@ fn forces_are_those_of_the_materials_of_opensees() {
         }
     }
 }
+
+#[test]
+fn every_lane_has_the_bits_that_it_has_alone() {
+    for (name, numbers) in ALL {
+        let alone = law(name, numbers);
+        // Other numbers of the same law beside it.
+        let mut others: Value = serde_json::from_str(numbers).expect(numbers);
+        for key in ["k", "k1", "c", "Fy", "Fult", "slack"] {
+            if let Some(x) = others[key].as_f64() {
+                others[key] = (1.1 * x).into();
+            }
+        }
+        if name == "hyperbolic-gap" {
+            others["k_unloading"] = 7.into();
+        }
+        let (_, other) = made(name, &others);
+        let three = [Lane([0.2]), Lane([0.3])].map(|Lane([x])| Lane([x; 3]));
+        let wide = StepFlexibility {
+            start: Flexibility {
+                h: Lane([0.0; 3]),
+                h_rate: Lane([0.0; 3]),
+            },
+            end: Flexibility {
+                h: three[0],
+                h_rate: three[1],
+            },
+            dt: Lane([1.0; 3]),
+            by_impulse: false,
+        };
+        let mut lanes = ContactLaw::running(&[other, alone, other], &[wide; 2]);
+        let mut single = ContactLaw::running(&[alone], &[on(0.2, 0.3); 2]);
+        let mut states = [[0.0, 0.0, 0.0]; 3];
+        for numbers in noise(11).take(3000).collect::<Vec<f64>>().chunks_exact(3) {
+            let mut trial = Trial {
+                displacement: Lane([0.0; 3]),
+                velocity: Lane([0.0; 3]),
+                force: Lane([0.0; 3]),
+                change: Lane([0.0; 3]),
+                rate: Lane([0.0; 3]),
+            };
+            for (l, [r, rdot, s]) in states.into_iter().enumerate() {
+                trial.displacement.0[l] = r;
+                trial.velocity.0[l] = rdot;
+                trial.force.0[l] = s;
+                trial.change.0[l] = 3.0 * numbers[l] - r + 0.2 * s;
+                trial.rate.0[l] = 4.0 * numbers[l];
+            }
+            let Lane(forces) = lanes.force(0, &trial);
+            let own = [trial.change.0[1], trial.rate.0[1]];
+            let force = Path::answer(&mut single, states[1], own);
+            assert_eq!(force.to_bits(), forces[1].to_bits(), "{alone:?}");
+            for (l, state) in states.iter_mut().enumerate() {
+                let r = state[0] + trial.change.0[l] - 0.2 * forces[l];
+                *state = [r, trial.rate.0[l] - 0.3 * forces[l], forces[l]];
+            }
+        }
+    }
+}

@@ -54,7 +54,7 @@ const RADIUS: Number = Number::new(
 
 impl Pendulum {
     /// N/R.
-    fn stiffness(&self) -> f64 {
+    pub(crate) fn stiffness(&self) -> f64 {
         let [limit, power] = self.at_rest;
         match power == 1.0 || self.limit <= 0.0 {
             true => self.limit * self.restoring,

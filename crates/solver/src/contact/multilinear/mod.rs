@@ -63,13 +63,13 @@ impl Multilinear {
     }
 
     /// S for these stretches.
-    fn force(&self, r: f64, stretch: &[f64; MOST]) -> f64 {
+    pub(crate) fn force(&self, r: f64, stretch: &[f64; MOST]) -> f64 {
         let parts = self.parts.iter().zip(stretch);
         self.stiffness * r + parts.map(|(k, x)| k * x).sum::<f64>()
     }
 
     /// The stretches of a first loading to r.
-    fn first(&self, r: f64) -> [f64; MOST] {
+    pub(crate) fn first(&self, r: f64) -> [f64; MOST] {
         let [low, high] = self.bends;
         std::array::from_fn(|j| r.clamp(low[j], high[j]))
     }

@@ -1,6 +1,7 @@
 //! The energy book: E(t) - E(0) = work of the loads - dissipated energy, E kinetic, of K and of the springs of the contacts.
 
 use super::bernstein::{slope, value};
+use super::lines::{self, Line};
 use super::model::Model;
 use super::phase::{ContactState, Force};
 use super::row::dot;
@@ -107,6 +108,9 @@ fn contact_work(
     points: &[[f64; 2]],
 ) -> f64 {
     let law = &model.contacts[i].law;
+    if let Some(line) = &state.line {
+        return line_work(series, i, line, points);
+    }
     let elastic = match (state.law(law), law) {
         (Force::Limit(_), StructureLaw::DisplacementControl { stiffness, .. }) => 1.0 / stiffness,
         (Force::Limit(_) | Force::Dashpot { .. }, _) => 0.0,
@@ -116,6 +120,20 @@ fn contact_work(
     let terms = points.iter().map(|[s, w]| {
         let slip = series.length * value(&rate, *s) - elastic * slope(force, *s);
         w * value(force, *s) * slip
+    });
+    terms.sum()
+}
+
+/// The same on a line: what dr dissipates is linear in S.
+fn line_work(series: &Series, i: usize, line: &Line, points: &[[f64; 2]]) -> f64 {
+    let [constant, factor] = line.loss;
+    if line.loss == [0.0; 2] {
+        return 0.0;
+    }
+    let (rate, force) = (series.rate(i), &series.contacts[i].force);
+    let terms = points.iter().map(|[s, w]| {
+        let loss = constant + factor * value(force, *s);
+        w * loss * series.length * value(&rate, *s)
     });
     terms.sum()
 }
@@ -131,6 +149,11 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
         Some(_) => dot(v, v),
     };
     let contacts = model.contacts.iter().zip(states);
+    let lines = contacts.clone().filter_map(|(contact, state)| {
+        let line = state.line.as_ref()?;
+        Some(lines::of(&contact.law)?.stored(line, state.r))
+    });
+    let lines: f64 = lines.sum();
     let stored = contacts.map(|(contact, state)| match contact.law {
         StructureLaw::ImpactSpring { stiffness: k }
         | StructureLaw::DisplacementControl { stiffness: k, .. } => state.force * state.force / k,
@@ -138,5 +161,5 @@ pub fn energy(model: &Model, states: &[ContactState], u: &[f64], v: &[f64]) -> f
     });
     let flexible = model.flexible.as_ref();
     let flexible = flexible.map_or(0.0, |flexible| 0.5 * flexible.stored(states));
-    flexible + 0.5 * (kinetic + model.stiffness.form(u) + stored.sum::<f64>())
+    flexible + 0.5 * (kinetic + model.stiffness.form(u) + stored.sum::<f64>()) + lines
 }

@@ -120,7 +120,7 @@ impl fmt::Display for EventsFault {
             ),
             EventsFault::Law { contact } => write!(
                 f,
-                "the law of contact {contact} is curved or damped, or its coefficient of friction varies with pressure; possible are the references to rigid laws, with \"contacts_reference\": \"rigid\""
+                "the law of contact {contact} is curved or damped, or its coefficient of friction varies with pressure; for friction and impacts that do not yield, possible are the references to rigid laws, with \"contacts_reference\": \"rigid\""
             ),
         }
     }

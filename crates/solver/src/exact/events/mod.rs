@@ -16,6 +16,7 @@ mod flexible_pieces;
 mod gaps;
 mod kernel;
 mod least;
+mod lines;
 mod matrix;
 mod modal;
 mod model;
@@ -42,7 +43,7 @@ pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 
 use crate::contact::ContactKind;
-use crate::system::structure::{Limit, Structure, StructureLaw};
+use crate::system::structure::{Contact, Limit, Structure};
 use model::Model;
 use motion::Motion;
 use phase::ContactState;
@@ -209,6 +210,10 @@ pub fn pieces(structure: &Structure, end: f64) -> f64 {
             ContactKind::Impact => ContactState::in_phase(Phase::Open),
             ContactKind::Friction | ContactKind::Link => ContactState::in_phase(Phase::Closed),
         });
+    let phases = phases.zip(&structure.contacts).map(|(state, contact)| {
+        let line = lines::of(&contact.law).map(|law| law.start(contact.gap, None));
+        ContactState { line, ..state }
+    });
     let phases: Vec<ContactState> = phases.collect();
     let pieces = Model::of_nodes(structure).pieces(&phases, end) * coupling(structure);
     match refuse_laws(structure).is_ok() && pieces <= MOST_PIECES as f64 {
@@ -235,17 +240,25 @@ fn coupling(structure: &Structure) -> f64 {
     1.0 / (1.0 - largest).max(0.125).sqrt()
 }
 
-/// Between events every law has to be linear, and every limit the sum of a constant and a signal.
+/// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines are not known at
+/// nodes without mass, nor from a state that static loads leave and r and S do not tell.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {
-    let unknown = |law: &StructureLaw| {
+    let has_lines = |(i, contact): (usize, &Contact)| {
+        let mut nodes = contact.along.iter();
+        let has_mass = |node: usize| structure.nodes.get(node).is_none_or(|n| n.mass > 0.0);
+        let r = structure.relative(i, &structure.displacement) + contact.gap;
+        let knows = |law: lines::Lines| law.knows(r, structure.preload.force(i));
+        nodes.all(|(node, _)| has_mass(*node)) && lines::of(&contact.law).is_some_and(knows)
+    };
+    let unknown = |(i, contact): &(usize, &Contact)| {
+        let law = &contact.law;
         let falls = |limit: &Limit| limit.pressure.is_some() && limit.varying.is_some();
         let pressed = |limit: &Limit| limit.pressed_by.is_some();
-        law.is_curved()
-            || law
-                .limit()
-                .is_some_and(|limit| falls(limit) || pressed(limit))
+        let refused = |limit: &Limit| falls(limit) || pressed(limit);
+        law.is_curved() && !has_lines((*i, contact)) || law.limit().is_some_and(refused)
     };
-    let contact = structure.contacts.iter().find(|c| unknown(&c.law));
+    let contact = structure.contacts.iter().enumerate().find(unknown);
+    let contact = contact.map(|(_, contact)| contact);
     match contact.map(|contact| contact.name.clone()) {
         Some(contact) => Err(EventsFault::Law { contact }),
         None => Ok(()),

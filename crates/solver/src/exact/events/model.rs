@@ -141,7 +141,9 @@ impl<'a> Model<'a> {
                 let [mut stiffness, mut damping] = sums.clone();
                 for (contact, force) in self.contacts.iter().zip(forces) {
                     let (sums, coefficient) = match force {
-                        Force::Spring { k, .. } => (&mut stiffness, k),
+                        Force::Spring { k, .. } | Force::Line { slope: k, .. } => {
+                            (&mut stiffness, k)
+                        }
                         Force::Dashpot { c } => (&mut damping, c),
                         Force::None | Force::Limit(_) | Force::Constraint => continue,
                     };
@@ -155,6 +157,7 @@ impl<'a> Model<'a> {
                     match force {
                         Force::Spring { k, .. } if !self.is_flexible(i) => springs[i] = k,
                         Force::Spring { .. } => {}
+                        Force::Line { slope, .. } => springs[i] = slope,
                         Force::Dashpot { c } => dashpots[i] = c,
                         Force::None | Force::Limit(_) | Force::Constraint => {}
                     }

@@ -164,8 +164,11 @@ impl<'a> Motion<'a> {
         }
         self.series.motion_at(s, &mut self.u, &mut self.v);
         self.series.keep(s);
-        for (state, series) in self.states.iter_mut().zip(&self.series.contacts) {
-            state.force = bernstein::value(&series.force, s);
+        for (i, state) in self.states.iter_mut().enumerate() {
+            state.force = bernstein::value(&self.series.contacts[i].force, s);
+            if state.line.is_some() {
+                [state.r, _] = self.series.relative_at(i, s);
+            }
         }
         self.at_once = if reached > self.t {
             0

@@ -1,5 +1,6 @@
 //! The phases of a contact: in each one its force is linear in the motion, and event functions are positive.
 
+use super::lines::Line;
 use crate::system::structure::StructureLaw;
 
 /// The phase of a contact.
@@ -22,6 +23,10 @@ pub struct ContactState {
     pub origin: f64,
     /// S.
     pub force: f64,
+    /// r, of a law of lines.
+    pub r: f64,
+    /// The line of a law of lines.
+    pub line: Option<Line>,
 }
 
 /// The force of a contact in a phase.
@@ -31,6 +36,8 @@ pub enum Force {
     None,
     /// k (r - origin).
     Spring { k: f64, origin: f64 },
+    /// S = force + slope (r - at).
+    Line { slope: f64, at: f64, force: f64 },
     /// c rdot.
     Dashpot { c: f64 },
     /// The limit, in this direction.
@@ -46,11 +53,28 @@ impl ContactState {
             phase,
             origin: 0.0,
             force: 0.0,
+            r: 0.0,
+            line: None,
+        }
+    }
+
+    /// The contact on a line, at r.
+    pub fn on(line: Line, r: f64) -> ContactState {
+        ContactState {
+            force: line.force(r),
+            r,
+            line: Some(line),
+            ..ContactState::in_phase(line.phase)
         }
     }
 
     /// The force that the law has in the present phase.
     pub fn law(&self, law: &StructureLaw) -> Force {
+        if let Some(line) = &self.line {
+            let [at, force] = line.point;
+            let slope = line.slope;
+            return Force::Line { slope, at, force };
+        }
         match (self.phase, law) {
             (Phase::Open, _) => Force::None,
             (Phase::Sliding(direction), _) => Force::Limit(direction),
@@ -68,7 +92,7 @@ impl ContactState {
             (Phase::Closed, StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }) => {
                 Force::Constraint
             }
-            // Such laws are refused.
+            // Such laws are refused, or have lines.
             (
                 Phase::Closed,
                 StructureLaw::CurvedImpact { .. }

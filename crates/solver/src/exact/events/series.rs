@@ -240,6 +240,8 @@ impl Series {
                     origin,
                 } if k == 0 => stiffness * (series.r[0] - origin),
                 Force::Spring { k: stiffness, .. } => stiffness * series.r[k],
+                Force::Line { slope, at, force } if k == 0 => force + slope * (series.r[0] - at),
+                Force::Line { slope, .. } => slope * series.r[k],
                 Force::Dashpot { c } => c * rate * series.r[k + 1],
                 Force::Limit(direction) => direction * series.limit[k],
             };

@@ -1,6 +1,7 @@
 //! The phases after an event or a point of a table.
 
 use super::least::Singular;
+use super::lines::End;
 use super::motion::Motion;
 use super::phase::{ContactState, Phase, is_rigid};
 use super::rigid::{Constraints, impacts};
@@ -8,6 +9,7 @@ use super::rigid_phases::determine_rigid_phases;
 use super::softened_phases::SoftenedPhases;
 use super::watch::{Crossing, Found};
 use super::{Event, EventKind, EventsFault};
+use crate::contact::ContactKind;
 
 impl Motion<'_> {
     /// What changes the phases of softened contacts.
@@ -75,10 +77,18 @@ impl Motion<'_> {
 
     /// The new phase of the contact of an event, if it is softened.
     fn cross(&mut self, found: &Found) {
-        let (series, contact) = (&self.series, found.contact);
-        let rigid = is_rigid(&self.model.contacts[contact].law);
-        if found.crossing == Crossing::Touch && !rigid {
-            self.close(series.contacts[contact].r[1] / series.length);
+        let contact = found.contact;
+        let law = &self.model.contacts[contact].law;
+        let closes = match found.crossing {
+            Crossing::Touch => !is_rigid(law),
+            // A line without force of an impact.
+            Crossing::Line(End::Low) => {
+                self.states[contact].phase == Phase::Open && law.kind() == ContactKind::Impact
+            }
+            _ => false,
+        };
+        if closes {
+            self.close(self.series.contacts[contact].r[1] / self.series.length);
         }
         let (review, states) = self.review();
         review.cross(found, states);

@@ -1,6 +1,7 @@
 //! Phases after an event, a point of a table or an impact: limits that become positive, 0 or jump, and softened laws.
 
 use super::book::Book;
+use super::lines;
 use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
@@ -22,6 +23,11 @@ impl SoftenedPhases<'_> {
     pub fn start(&self, states: &mut [ContactState]) {
         for (i, state) in states.iter_mut().enumerate() {
             let r = self.series.contacts[i].r[0];
+            if let Some(lines) = lines::of(&self.model.contacts[i].law) {
+                let force = self.model.structure.preload.force(i);
+                *state = ContactState::on(lines.start(r, force), r);
+                continue;
+            }
             state.origin = r;
             let at_rest = self.model.structure.preload.force(i);
             if let (StructureLaw::DisplacementControl { stiffness, .. }, Some(force)) =
@@ -49,6 +55,14 @@ impl SoftenedPhases<'_> {
     pub fn cross(&self, found: &Found, states: &mut [ContactState]) {
         let i = found.contact;
         let (series, state) = (&self.series.contacts[i], &mut states[i]);
+        if let (Crossing::Line(end), Some(line), Some(lines)) = (
+            found.crossing,
+            state.line,
+            lines::of(&self.model.contacts[i].law),
+        ) {
+            *state = ContactState::on(lines.next(&line, end, series.r[0]), series.r[0]);
+            return;
+        }
         match (&self.model.contacts[i].law, found.crossing) {
             (StructureLaw::ImpactSpring { .. }, Crossing::Touch) => state.phase = Phase::Closed,
             (StructureLaw::ImpactSpring { .. }, Crossing::Release) => state.phase = Phase::Open,
@@ -69,7 +83,7 @@ impl SoftenedPhases<'_> {
     pub fn friction(&mut self, states: &mut [ContactState]) {
         for (i, state) in states.iter_mut().enumerate() {
             let law = &self.model.contacts[i].law;
-            if law.kind() != ContactKind::Friction {
+            if law.kind() != ContactKind::Friction || state.line.is_some() {
                 continue;
             }
             if !self.presses(i) {

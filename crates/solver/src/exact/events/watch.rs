@@ -1,6 +1,7 @@
 //! Event functions: polynomials that are not negative as long as the contacts keep their phases.
 
 use super::bernstein::{Polynomial, TERMS, first_negative};
+use super::lines::{End, Line};
 use super::model::Model;
 use super::phase::{ContactState, Phase};
 use super::scales::Scales;
@@ -21,6 +22,8 @@ pub enum Crossing {
     Stop,
     /// The limit becomes 0 or positive.
     Normal,
+    /// A line ends.
+    Line(End),
 }
 
 /// The first event of a piece.
@@ -61,7 +64,10 @@ pub fn first_event(
             contact,
             scales,
         };
-        watched.functions(state.phase, &mut test);
+        match &state.line {
+            Some(line) => watched.line(line, &mut test),
+            None => watched.functions(state.phase, &mut test),
+        }
     }
     first
 }
@@ -106,6 +112,28 @@ impl Watched<'_> {
                     test(Crossing::Normal, limit, limit_tolerance);
                 }
             }
+        }
+    }
+
+    /// The ends of a line.
+    fn line(&self, line: &Line, test: &mut impl FnMut(Crossing, &Polynomial, f64)) {
+        let length = self.series.length;
+        let r = &self.series.contacts[self.contact].r;
+        let tolerance = self.scales.r(self.model, self.contact, length);
+        let [low, high] = line.ends;
+        for (end, at, sign) in [(End::Low, low, 1.0), (End::High, high, -1.0)] {
+            if at.is_finite() {
+                let mut distance = std::array::from_fn(|k| sign * r[k]);
+                distance[0] -= sign * at;
+                test(Crossing::Line(end), &distance, tolerance);
+            }
+        }
+        if line.direction != 0.0 {
+            let rate = self
+                .series
+                .rate(self.contact)
+                .map(|rate| line.direction * rate);
+            test(Crossing::Line(End::Turn), &rate, self.scales.rate(length));
         }
     }
 

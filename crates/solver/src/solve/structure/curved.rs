@@ -1,7 +1,8 @@
 //! The contacts of a structure with a law that is not a clipped line.
 //!
-//! Every law answers alone, r' = y - a S ([`CurvedForces`]). Within a step rdot' is affine in r' for every method, so an answer with
-//! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact.
+//! Every law answers alone, r' = y - a S ([`CurvedForces`]). Within a step rdot' is affine in r', so an answer with
+//! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
+//! the forces: there y and a are those of rdot' = y - a S.
 
 use crate::contact::coupled::curved::{CurvedForces, Laws};
 use crate::contact::{
@@ -24,7 +25,7 @@ pub(super) struct Curved {
 /// How a contact moves in a step.
 #[derive(Debug, Clone, Copy)]
 struct Scale {
-    /// Change of rdot' for a unit of r'.
+    /// Change of rdot' for a unit of r'; infinite in an explicit method.
     pace: f64,
     dt: f64,
     /// Whether a node of the contact has no mass, and so no velocity: rdot' is (r' - r)/dt.
@@ -62,7 +63,7 @@ pub(super) struct Motion {
     pub(super) change: f64,
     /// rdot*.
     pub(super) rate: f64,
-    /// Size of the terms of r* and r*- r(i).
+    /// Size of the terms of r* and r*- r(i); in an explicit method of rdot*.
     pub(super) size: f64,
 }
 
@@ -109,7 +110,10 @@ impl Curved {
                 law: running,
                 now: law,
                 own,
-                line: line(&relation, scale.pace),
+                line: match scale.is_explicit() {
+                    true => explicit_line(&relation),
+                    false => line(&relation, scale.pace),
+                },
                 scale,
                 bounds: law.properties().bounds(),
                 relation,
@@ -168,7 +172,8 @@ impl Curved {
             if contact.scale.is_massless {
                 contact.motion.rate = contact.motion.change / contact.scale.dt;
             }
-            (self.d[i], self.size[i]) = (contact.motion.change, contact.motion.size);
+            self.d[i] = contact.scale.free(&contact.motion);
+            self.size[i] = contact.motion.size;
             self.force[i] = contact.motion.force;
             contact.begin();
         }
@@ -190,11 +195,29 @@ impl Curved {
 }
 
 impl Scale {
+    fn is_explicit(self) -> bool {
+        self.pace == f64::INFINITY
+    }
+
+    /// The y without forces: r* - r(i), or rdot*.
+    fn free(self, motion: &Motion) -> f64 {
+        match self.is_explicit() {
+            true => motion.rate,
+            false => motion.change,
+        }
+    }
+
     /// The flexibilities of an answer, and of a motion that is given.
     fn steps(&self, own: f64) -> [StepFlexibility<1>; 2] {
-        let flexibility = |h: f64| Flexibility {
-            h: Lane([h]),
-            h_rate: Lane([self.pace * h]),
+        let flexibility = |own: f64| {
+            let [h, h_rate] = match self.is_explicit() {
+                true => [0.0, own],
+                false => [own, self.pace * own],
+            };
+            Flexibility {
+                h: Lane([h]),
+                h_rate: Lane([h_rate]),
+            }
         };
         [own, 0.0].map(|h| StepFlexibility {
             // The motion contains S(i).
@@ -207,11 +230,14 @@ impl Scale {
 }
 
 impl Contact {
-    /// The trial with r* - r(i) = `change`.
-    fn trial(&self, change: f64) -> Trial<1> {
+    /// The trial with this y.
+    fn trial(&self, y: f64) -> Trial<1> {
         let motion = &self.motion;
-        let rate = motion.rate + self.scale.pace * (change - motion.change);
-        trial(motion, change, rate)
+        if self.scale.is_explicit() {
+            return trial(motion, motion.change, y);
+        }
+        let rate = motion.rate + self.scale.pace * (y - motion.change);
+        trial(motion, y, rate)
     }
 
     /// Sets the closing speed of an impact that may begin in this step.
@@ -225,7 +251,7 @@ impl Contact {
         }
         let motion = self.motion;
         let r = motion.displacement;
-        let free = self.trial(motion.change);
+        let free = self.trial(self.scale.free(&motion));
         let touching = match r + motion.change < 0.0 {
             true => free,
             false => {
@@ -297,6 +323,16 @@ fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
         StructureLaw::CurvedImpact { .. }
         | StructureLaw::CurvedFriction { .. }
         | StructureLaw::Link { .. } => None,
+    }
+}
+
+/// The same in an explicit method: S does not follow rdot' where it follows r'.
+fn explicit_line(relation: &StructureLaw) -> Option<f64> {
+    match relation {
+        StructureLaw::ImpactSpring { .. } | StructureLaw::DisplacementControl { .. } => {
+            Some(f64::INFINITY)
+        }
+        _ => line(relation, 1.0),
     }
 }
 

@@ -4,6 +4,7 @@ mod assembled;
 mod contact_duration;
 mod ground;
 mod initial;
+mod parts;
 mod supports;
 mod titles;
 

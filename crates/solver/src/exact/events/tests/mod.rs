@@ -3,6 +3,7 @@
 mod bars;
 mod friction;
 mod impact;
+mod lines;
 mod modal;
 mod orders;
 mod random;

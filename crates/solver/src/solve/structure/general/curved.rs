@@ -20,7 +20,10 @@ pub(super) fn contacts<const L: usize>(
     }
     let of_part = |(linear, forces): (&Linear, &mut Forces<L>)| {
         let own = &linear.sub_step;
-        let pace = 1.0 / own.of_velocity();
+        let pace = match own.is_explicit() {
+            true => f64::INFINITY,
+            false => 1.0 / own.of_velocity(),
+        };
         curved_lanes(cases, &linear.flexibility, pace, own.length, forces)
     };
     parts.iter().zip(forces).map(of_part).collect()
@@ -29,16 +32,6 @@ pub(super) fn contacts<const L: usize>(
 /// Why a method cannot have the laws of a structure; `None` if it can.
 pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
     let curved = case.contacts.iter().find(|c| c.law.is_curved())?;
-    let explicit = prepared
-        .sub_steps
-        .iter()
-        .any(|part| part.sub_step.is_explicit());
-    if explicit {
-        return Some(format!(
-            "method: central-difference has no forces for the law of '{}'; allowed: another method, or impact-spring, displacement-control, velocity-control or coulomb",
-            curved.name
-        ));
-    }
     let impulses = prepared.method.has_impulses();
     let rigid = |law: &StructureLaw| {
         matches!(
@@ -59,6 +52,7 @@ impl<const L: usize> General<'_, L> {
     #[cold]
     #[inline(never)]
     pub(super) fn meet_curved(&mut self, part: usize, end: usize) {
+        let explicit = self.prepared.sub_steps[part].sub_step.is_explicit();
         let (before, now) = self.curved.split_at_mut(part);
         let start = &self.stages[part];
         for (l, curved) in now[0].iter_mut().enumerate() {
@@ -72,13 +66,17 @@ impl<const L: usize> General<'_, L> {
             let motion = |c: usize| {
                 let [displacement, velocity, force] = start.contacts[c].map(|x| x.0[l]);
                 let (change, rate) = (contacts[c].change.0[l], contacts[c].rate.0[l]);
+                let size = match explicit {
+                    true => velocity.abs() + rate.abs(),
+                    false => displacement.abs() + change.abs(),
+                };
                 Motion {
                     displacement,
                     velocity,
                     force,
                     change,
                     rate,
-                    size: displacement.abs() + change.abs(),
+                    size,
                 }
             };
             let forces = &mut self.forces[part];

@@ -2,7 +2,10 @@
 
 use super::super::dense::full;
 use super::*;
-use crate::contact::{BoucWen, ContactLaw, Dahl, Hertz, HuntCrossley, KelvinVoigt, Lugre, Tanh};
+use crate::contact::{
+    Bilinear, BoucWen, ContactLaw, Dahl, GapYield, Hertz, HuntCrossley, HyperbolicGap, ImpactYield,
+    KelvinVoigt, Lugre, Multilinear, Pendulum, Restrainer, Tanh, Viscous,
+};
 use crate::lane::Lane;
 use crate::methods::{METHODS, ManyModes, ModeStart, Recursion, Scheme, Start, each};
 use crate::system::Modal;
@@ -39,6 +42,8 @@ fn relations() -> Vec<StructureLaw> {
         restitution: 0.6,
     };
     let limit = || Limit::constant(0.8);
+    let link = |law| StructureLaw::Link { law };
+    let table = Multilinear::new(&[[0.01, 2.0], [0.03, 3.0], [0.2, 4.0]]).unwrap();
     let friction = |law| StructureLaw::CurvedFriction {
         law,
         limit: limit(),
@@ -74,6 +79,45 @@ fn relations() -> Vec<StructureLaw> {
             static_limit: 1.0,
             stribeck_velocity: 0.5,
         })),
+        friction(ContactLaw::Pendulum(Pendulum {
+            compliance: 0.01,
+            limit: 0.8,
+            restoring: 5.0,
+            at_rest: [0.8, 1.0],
+        })),
+        impact(ContactLaw::GapYield(GapYield {
+            stiffness: 300.0,
+            yield_force: 5.0,
+            hardening: 0.1,
+            damage: true,
+        })),
+        impact(ContactLaw::HyperbolicGap(HyperbolicGap {
+            stiffness: 200.0,
+            ultimate: 8.0,
+            failure_ratio: 0.7,
+            unloading: 300.0,
+        })),
+        impact(ContactLaw::ImpactYield(ImpactYield {
+            stiffness: 300.0,
+            hardening: 100.0,
+            yield_overlap: 0.02,
+        })),
+        link(ContactLaw::Bilinear(Bilinear {
+            stiffness: 200.0,
+            yield_force: 2.0,
+            hardening: 20.0,
+        })),
+        link(ContactLaw::Restrainer(Restrainer {
+            slack: 0.05,
+            stiffness: 300.0,
+            yield_force: 5.0,
+            hardening: 0.1,
+        })),
+        link(ContactLaw::Viscous(Viscous {
+            viscosity: 1.5,
+            exponent: 0.5,
+        })),
+        link(ContactLaw::Multilinear(table)),
     ]
 }
 
@@ -117,12 +161,7 @@ fn both_forms_of_a_method_agree_to_round_off() {
     for description in METHODS {
         let defaults: Vec<f64> = description.parameters.iter().map(|p| p.default).collect();
         let method = (description.method)(&defaults).unwrap();
-        let explicit = method.sub_steps(DT).iter().any(|part| part.is_explicit());
         let mut laws = relations();
-        if explicit {
-            // Structures refuse other laws in an explicit method.
-            laws.retain(|law| !law.is_curved());
-        }
         if method.has_impulses() {
             laws.push(StructureLaw::RigidStop { restitution: 0.7 });
         }

@@ -1,0 +1,146 @@
+//! Laws that act on one side of a gap: the gap that yields, the restrainer.
+
+use super::{End, KEPT, Line};
+use crate::contact::{GapYield, Restrainer};
+use crate::exact::events::phase::Phase;
+
+/// F = sign S over d = sign r + shift: k (d - s) up to Fy (1 - eta) + eta k d. What it keeps is s.
+#[derive(Debug, Clone, Copy)]
+pub struct OneSided {
+    sign: f64,
+    shift: f64,
+    stiffness: f64,
+    yield_force: f64,
+    hardening: f64,
+    /// Whether s comes back with d.
+    returns: bool,
+}
+
+impl OneSided {
+    pub fn gap(law: &GapYield) -> OneSided {
+        OneSided {
+            sign: -1.0,
+            shift: 0.0,
+            stiffness: law.stiffness,
+            yield_force: law.yield_force,
+            hardening: law.hardening,
+            returns: !law.damage,
+        }
+    }
+
+    pub fn restrainer(law: &Restrainer) -> OneSided {
+        OneSided {
+            sign: 1.0,
+            shift: -law.slack,
+            stiffness: law.stiffness,
+            yield_force: law.yield_force,
+            hardening: law.hardening,
+            returns: false,
+        }
+    }
+
+    /// d at r, and r at d.
+    fn deflection(&self, r: f64) -> f64 {
+        self.sign * r + self.shift
+    }
+
+    fn r(&self, d: f64) -> f64 {
+        self.sign * (d - self.shift)
+    }
+
+    /// A line through d and F, between these d, in this direction of d.
+    fn line(&self, slope: f64, [d, force]: [f64; 2], ends: [f64; 2], direction: f64) -> Line {
+        let ends = ends.map(|d| self.r(d));
+        let ends = if self.sign > 0.0 {
+            ends
+        } else {
+            [ends[1], ends[0]]
+        };
+        Line {
+            slope,
+            point: [self.r(d), self.sign * force],
+            // No negative zero.
+            direction: if direction == 0.0 {
+                0.0
+            } else {
+                self.sign * direction
+            },
+            ..Line::open(ends)
+        }
+    }
+
+    fn open(&self, set: f64) -> Line {
+        let ends = [f64::NEG_INFINITY, set];
+        self.line(0.0, [0.0; 2], ends, 0.0).keeping(set)
+    }
+
+    /// Without a force, while s comes back with d.
+    fn following(&self, d: f64) -> Line {
+        self.line(0.0, [0.0; 2], [0.0, f64::INFINITY], -1.0)
+            .keeping(d)
+    }
+
+    fn elastic(&self, set: f64) -> Line {
+        let (k, eta) = (self.stiffness, self.hardening);
+        let end = match eta < 1.0 {
+            true => self.yield_force / k + set / (1.0 - eta),
+            false => f64::INFINITY,
+        };
+        let line = self.line(k, [set, 0.0], [set, end], 0.0).keeping(set);
+        Line {
+            phase: Phase::Closed,
+            ..line
+        }
+    }
+
+    fn yielding(&self) -> Line {
+        let (k, eta) = (self.stiffness, self.hardening);
+        let ends = [f64::NEG_INFINITY, f64::INFINITY];
+        let start = self.yield_force * (1.0 - eta);
+        Line {
+            loss: [0.0, 1.0 - eta],
+            phase: Phase::Sliding(self.sign),
+            ..self.line(eta * k, [0.0, start], ends, 1.0)
+        }
+    }
+
+    pub fn start(&self, r: f64, force: Option<f64>) -> Line {
+        let d = self.deflection(r);
+        if let Some(force) = force.filter(|force| *force != 0.0) {
+            return self.elastic(d - self.sign * force / self.stiffness);
+        }
+        match d {
+            _ if d <= 0.0 => self.open(0.0),
+            _ if self.hardening < 1.0 && self.stiffness * d > self.yield_force => self.yielding(),
+            _ => self.elastic(0.0),
+        }
+    }
+
+    pub fn next(&self, line: &Line, end: End, r: f64) -> Line {
+        let d = self.deflection(r);
+        let outwards = (end == End::Low) == (self.sign > 0.0);
+        let [set, ..] = line.kept;
+        match (line.phase, end) {
+            (Phase::Open, End::Turn) => self.elastic(d),
+            (Phase::Open, _) if outwards => self.open(0.0),
+            (Phase::Open, _) => self.elastic(set),
+            (Phase::Closed, _) if !outwards => self.yielding(),
+            (Phase::Closed, _) if self.returns && set > 0.0 => self.following(set),
+            (Phase::Closed, _) => self.open(set),
+            (Phase::Sliding(_), _) => self.elastic(d - self.sign * line.force(r) / self.stiffness),
+        }
+    }
+
+    pub fn stored(&self, line: &Line, r: f64) -> f64 {
+        let force = line.force(r);
+        0.5 * force * force / self.stiffness
+    }
+}
+
+impl Line {
+    fn keeping(self, set: f64) -> Line {
+        let mut kept = [0.0; KEPT];
+        kept[0] = set;
+        Line { kept, ..self }
+    }
+}
