@@ -104,7 +104,7 @@ impl<const L: usize> Books<L> {
         for (load, [change, _]) in self.loads.iter().zip(&self.nodes) {
             supplied = supplied + *load * *change;
         }
-        for link in prepared.all_links() {
+        for link in prepared.elimination.all_links() {
             let change = change(link.to) - change(link.from);
             supplied = supplied - change * change * link.c;
         }
@@ -180,7 +180,7 @@ impl<const L: usize> Average<'_, L> {
         for (i, j, inertia) in &self.prepared.coupled_mass {
             twice = twice + self.w[*i] * self.w[*j] * (2.0 * inertia);
         }
-        for link in self.prepared.all_links() {
+        for link in self.prepared.elimination.all_links() {
             let change = u(link.to) - u(link.from);
             twice = twice + change * change * link.k;
         }

@@ -1,8 +1,7 @@
 //! K and C as springs, dashpots and couplings, and the rows of Khat with its factor.
 
-use crate::system::structure::Structure;
-use crate::system::structure::factor::{Columns, Entry, Factor};
-use std::collections::BTreeMap;
+use crate::system::structure::factor::{Blocks, Columns, Entry, Factor, Triangle};
+use crate::system::structure::{Structure, Symmetric};
 
 /// A row of Khat/4. Most nodes have one neighbour that is eliminated later, in trees all of them.
 #[derive(Debug, Clone, Copy)]
@@ -39,23 +38,31 @@ pub(super) struct Link {
 /// displacement and a rotation there is no such difference: their sizes depend on the units.
 pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Link>; 2] {
     let n = structure.len();
-    let mut links: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();
-    let mut couplings: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();
+    let (mut links, mut couplings) = (Vec::new(), Vec::new());
     let direction = |node: usize| structure.nodes[node].direction;
-    for (which, matrix, factor) in [
-        (0, &structure.stiffness, 1.0),
-        (1, &structure.damping, 1.0 / dt),
-    ] {
-        let mut add = |i: usize, j: usize, value: f64| {
-            links.entry((i.min(j), i.max(j))).or_default()[which] += value * factor;
+    let stiffness = |k: f64| [k, 0.0];
+    let damping = |c: f64| [0.0, c * (1.0 / dt)];
+    let numbers: [(&Symmetric, &dyn Fn(f64) -> [f64; 2]); 2] = [
+        (&structure.stiffness, &stiffness),
+        (&structure.damping, &damping),
+    ];
+    for (matrix, numbers) in numbers {
+        let between = |[i, j]: [usize; 2], value: f64| {
+            let [k, c] = numbers(value);
+            Link {
+                from: i.min(j),
+                to: i.max(j),
+                k,
+                c,
+            }
         };
         // The sum of a row is the spring to the ground. For a row without ground it is round-off.
         let (mut sums, mut sizes) = (vec![0.0; n], vec![0.0; n]);
         for ((i, j), value) in matrix.entries() {
+            let places = [place[i], place[j]];
             if direction(i) != direction(j) {
                 if value != 0.0 {
-                    let (i, j) = (place[i], place[j]);
-                    couplings.entry((i.min(j), i.max(j))).or_default()[which] += value * factor;
+                    couplings.push(between(places, value));
                 }
                 continue;
             }
@@ -64,44 +71,113 @@ pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Lin
                 sizes[row] += value.abs();
             }
             if i != j && value != 0.0 {
-                add(place[i], place[j], -value);
+                links.push(between(places, -value));
             }
         }
         for (i, (sum, size)) in sums.into_iter().zip(sizes).enumerate() {
             if f64::abs(sum) > 4.0 * f64::EPSILON * size {
-                add(place[i], n, sum);
+                links.push(between([place[i], n], sum));
             }
         }
     }
-    let link = |((from, to), [k, c]): ((usize, usize), [f64; 2])| Link { from, to, k, c };
-    [links, couplings].map(|all| all.into_iter().map(link).collect())
+    [links, couplings].map(merged)
 }
 
-/// The rows of a factor, the entries of L that are in none, and the links that are in none.
-pub(super) fn rows(factor: Factor, mut links: Vec<Link>) -> (Vec<Row>, Columns, Vec<Link>) {
-    let n = factor.order().len();
-    let row = |(i, reciprocal): (usize, &f64)| {
-        let (first, others) = match factor.column(i) {
-            [first, others @ ..] => (*first, others),
-            [] => (Entry { at: n, value: 0.0 }, &[][..]),
-        };
-        Row {
-            to: first.at,
-            k: 0.0,
-            c: 0.0,
-            l: first.value,
-            reciprocal: *reciprocal,
-            more: !others.is_empty(),
+/// The same with one link between two places, by places.
+fn merged(mut links: Vec<Link>) -> Vec<Link> {
+    links.sort_by_key(|link| (link.from, link.to));
+    links.dedup_by(|link, kept| {
+        let same = (link.from, link.to) == (kept.from, kept.to);
+        if same {
+            kept.k += link.k;
+            kept.c += link.c;
         }
-    };
-    let mut rows: Vec<Row> = factor.reciprocals().iter().enumerate().map(row).collect();
-    links.retain(|link| {
-        let row = &mut rows[link.from];
-        let own = row.to == link.to;
-        if own {
-            (row.k, row.c) = (link.k, link.c);
-        }
-        !own
+        same
     });
-    (rows, factor.into_columns().without_first(), links)
+    links
+}
+
+/// Khat = L D L^T and its links, as steps go through them.
+#[derive(Debug, Clone)]
+pub(super) struct Elimination {
+    /// The rows of the matrix; none where L has much fill-in.
+    pub(super) rows: Vec<Row>,
+    /// Entries of L that are in no row.
+    pub(super) more: Columns,
+    /// L and D where L has much fill-in.
+    pub(super) blocks: Option<Blocks>,
+    /// Links that are in no row. The place behind the last one is the ground.
+    pub(super) links: Vec<Link>,
+}
+
+impl Elimination {
+    /// Of a factor and all links.
+    pub(super) fn new(factor: Factor, mut links: Vec<Link>) -> Elimination {
+        let n = factor.order().len();
+        let (reciprocals, columns) = match factor.into_triangle() {
+            Triangle::Columns {
+                reciprocals,
+                columns,
+            } => (reciprocals, columns),
+            Triangle::Blocks(blocks) => {
+                return Elimination {
+                    rows: Vec::new(),
+                    more: Columns::none(),
+                    blocks: Some(blocks),
+                    links,
+                };
+            }
+        };
+        let row = |(i, reciprocal): (usize, &f64)| {
+            let (first, others) = match columns.column(i) {
+                [first, others @ ..] => (*first, others),
+                [] => (Entry { at: n, value: 0.0 }, &[][..]),
+            };
+            Row {
+                to: first.at,
+                k: 0.0,
+                c: 0.0,
+                l: first.value,
+                reciprocal: *reciprocal,
+                more: !others.is_empty(),
+            }
+        };
+        let mut rows: Vec<Row> = reciprocals.iter().enumerate().map(row).collect();
+        links.retain(|link| {
+            let row = &mut rows[link.from];
+            let own = row.to == link.to;
+            if own {
+                (row.k, row.c) = (link.k, link.c);
+            }
+            !own
+        });
+        Elimination {
+            rows,
+            more: columns.without_first(),
+            blocks: None,
+            links,
+        }
+    }
+
+    /// Without rows.
+    pub(super) fn none() -> Elimination {
+        Elimination {
+            rows: Vec::new(),
+            more: Columns::none(),
+            blocks: None,
+            links: Vec::new(),
+        }
+    }
+
+    /// All springs and dashpots.
+    pub(super) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
+        let link = |(from, row): (usize, &Row)| Link {
+            from,
+            to: row.to,
+            k: row.k,
+            c: row.c,
+        };
+        let of_rows = self.rows.iter().enumerate().map(link);
+        of_rows.chain(self.links.iter().copied())
+    }
 }

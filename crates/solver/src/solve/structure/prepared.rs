@@ -1,11 +1,11 @@
 //! What all cases with equal masses, stiffness, damping, time step, and equal nodes of contacts and loads share.
 
 use super::general::Linear;
-use super::links::{Link, Row, links, rows};
+use super::links::{Elimination, Link, links};
 use super::massless::{self, Massless};
 use crate::methods::{AverageAcceleration, Method};
 use crate::solve::Unsolvable;
-use crate::system::structure::factor::{Columns, Factor, NotPositive};
+use crate::system::structure::factor::{Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Along, Inertia, Load, Structure, Symmetric};
 
@@ -29,12 +29,8 @@ pub struct Prepared {
     pub(super) massless: Vec<Massless>,
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
-    /// Rows of Khat/4 = L D L^T in the order of elimination.
-    pub(super) rows: Vec<Row>,
-    /// Entries of L in the column of each place, without the one in its [`Row`].
-    pub(super) more: Columns,
-    /// Links that are in no [`Row`]. The place behind the last one is the ground.
-    pub(super) links: Vec<Link>,
+    /// Khat/4 = L D L^T.
+    pub(super) elimination: Elimination,
     /// Couplings of nodes of different directions.
     pub(super) couplings: Vec<Link>,
     /// m/dt^2 by place.
@@ -93,7 +89,6 @@ impl Prepared {
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         let inertia = factor.order().iter().map(|node| inertia(*node)).collect();
         let [links, couplings] = links(structure, &place, dt);
-        let (rows, more, links) = rows(factor, links);
         Ok(Prepared {
             dt,
             method: AverageAcceleration.into(),
@@ -102,9 +97,7 @@ impl Prepared {
             coupled_mass: coupled_mass(structure, &place, 1.0 / (dt * dt)),
             inertia_factor: None,
             massless: massless::rows(structure, &place),
-            rows,
-            more,
-            links,
+            elimination: Elimination::new(factor, links),
             couplings,
             inertia,
             // L D L^T is Khat/4.
@@ -151,9 +144,7 @@ impl Prepared {
             coupled_mass: coupled_mass(structure, &place, 1.0),
             inertia_factor,
             massless: massless::rows(structure, &place),
-            rows: Vec::new(),
-            more: Columns::none(),
-            links: Vec::new(),
+            elimination: Elimination::none(),
             couplings: Vec::new(),
             inertia: Vec::new(),
             along: Lists::new(&places(structure, &place)),
@@ -209,18 +200,6 @@ impl Prepared {
     pub(super) fn massless_contacts(&self) -> impl Iterator<Item = usize> + '_ {
         let contacts = self.massless.iter().flat_map(|node| &node.contacts);
         contacts.copied()
-    }
-
-    /// All springs and dashpots.
-    pub(super) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
-        let link = |(from, row): (usize, &Row)| Link {
-            from,
-            to: row.to,
-            k: row.k,
-            c: row.c,
-        };
-        let of_rows = self.rows.iter().enumerate().map(link);
-        of_rows.chain(self.links.iter().copied())
     }
 }
 
@@ -290,23 +269,13 @@ fn loaded(load: &Load) -> impl Iterator<Item = usize> + '_ {
 
 /// L^-1 B of a contact by its places and their factors.
 pub(super) fn reduce(factor: &Factor, along: &[(usize, f64)]) -> Vec<Reduced> {
-    let n = factor.order().len();
-    let mut column = vec![0.0; n];
-    for (at, x) in along {
-        column[*at] += x;
-    }
-    for k in 0..n {
-        for entry in factor.column(k) {
-            column[entry.at] -= entry.value * column[k];
-        }
-    }
     let entry = |(at, value): (usize, f64)| Reduced {
         at,
         value,
         by_pivot: value * factor.reciprocals()[at],
     };
-    let entries = column.into_iter().enumerate();
-    entries.filter(|(_, x)| *x != 0.0).map(entry).collect()
+    let entries = factor.eliminate_few(along);
+    entries.into_iter().map(entry).collect()
 }
 
 /// A factor times B^T (L D L^T)^-1 B = (L^-1 B)^T D^-1 (L^-1 B).

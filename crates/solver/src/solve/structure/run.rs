@@ -3,7 +3,7 @@
 use super::curved_lanes::meet_lane;
 use super::general::General;
 use super::laws::friction;
-use super::links::Link;
+use super::links::{Elimination, Link};
 use super::loads::Inputs;
 use super::state::{Average, ContactState};
 use super::step_view::Kind;
@@ -135,7 +135,7 @@ impl<const L: usize> Average<'_, L> {
     fn eliminate(&mut self) {
         let prepared = self.prepared;
         let (p, w, work) = (&self.p[..], &self.w[..], &mut self.work[..]);
-        for link in &prepared.links {
+        for link in &prepared.elimination.links {
             let Link { from, to, k, c } = *link;
             let flow = (p[to] - p[from]) * k + (w[to] - w[from]) * c;
             work[from] = work[from] + flow;
@@ -146,17 +146,23 @@ impl<const L: usize> Average<'_, L> {
             work[from] = work[from] - (p[to] * k + w[to] * c);
             work[to] = work[to] - (p[from] * k + w[from] * c);
         }
-        for (i, row) in prepared.rows.iter().enumerate() {
+        let Elimination {
+            rows, more, blocks, ..
+        } = &prepared.elimination;
+        for (i, row) in rows.iter().enumerate() {
             let to = row.to;
             let flow = (p[to] - p[i]) * row.k + (w[to] - w[i]) * row.c;
             let q = work[i] + flow;
             work[i] = q;
             work[to] = work[to] - flow - q * row.l;
             if row.more {
-                for entry in prepared.more.column(i).iter().rev() {
+                for entry in more.column(i).iter().rev() {
                     work[entry.at] = work[entry.at] - q * entry.value;
                 }
             }
+        }
+        if let Some(blocks) = blocks {
+            blocks.eliminate(work);
         }
     }
 
@@ -236,10 +242,20 @@ impl<const L: usize> Average<'_, L> {
             *ground = Lane::splat(0.0);
         }
         let (p, w, work) = (&mut self.p[..], &mut self.w[..], &mut self.work[..]);
-        for (i, row) in prepared.rows.iter().enumerate().rev() {
+        let Elimination {
+            rows, more, blocks, ..
+        } = &prepared.elimination;
+        if let Some(blocks) = blocks {
+            blocks.substitute(work);
+            for ((p, w), x) in p.iter_mut().zip(w.iter_mut()).zip(&*work) {
+                *w = *w + *x;
+                *p = *p + *w;
+            }
+        }
+        for (i, row) in rows.iter().enumerate().rev() {
             let mut x = work[i] * row.reciprocal - work[row.to] * row.l;
             if row.more {
-                for entry in prepared.more.column(i) {
+                for entry in more.column(i) {
                     x = x - work[entry.at] * entry.value;
                 }
             }

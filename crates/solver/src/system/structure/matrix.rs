@@ -59,6 +59,9 @@ impl Symmetric {
 
     /// Adds another matrix times a factor.
     pub fn add_matrix(&mut self, other: &Symmetric, factor: f64) {
+        for (row, other) in self.rows.iter_mut().zip(&other.rows) {
+            row.reserve_exact(other.len().saturating_sub(row.len()));
+        }
         for ((i, j), value) in other.entries() {
             self.add(i, j, factor * value);
         }

@@ -61,7 +61,7 @@ impl<const L: usize> General<'_, L> {
                 let a = |at: usize| start.nodes[at][2] * m0 + end.nodes[at][2] * m1;
                 unbalanced = unbalanced - (a(*i) * moved(*j) + a(*j) * moved(*i)) * *mass;
             }
-            for link in linear.all_links() {
+            for link in linear.elimination.all_links() {
                 let difference = |of: &dyn Fn(usize) -> Lane<L>| of(link.to) - of(link.from);
                 let du = difference(&moved);
                 let u = difference(&|at| start.nodes[at][0]) + du * w1;
@@ -156,7 +156,7 @@ impl<const L: usize> General<'_, L> {
         for (i, j, mass) in &self.prepared.coupled_mass {
             twice = twice + nodes[*i][1] * nodes[*j][1] * (2.0 * mass);
         }
-        for link in self.prepared.sub_steps[0].all_links() {
+        for link in self.prepared.sub_steps[0].elimination.all_links() {
             let change = nodes[link.to][0] - nodes[link.from][0];
             twice = twice + change * change * link.k;
         }

@@ -2,9 +2,9 @@
 
 use crate::methods::SubStep;
 use crate::solve::Unsolvable;
-use crate::solve::structure::links::{Link, Row, links, rows};
+use crate::solve::structure::links::{Elimination, Link, links};
 use crate::solve::structure::prepared::{Reduced, flexibility, place_of, places, reduce};
-use crate::system::structure::factor::{Columns, Factor, NotPositive};
+use crate::system::structure::factor::{Factor, NotPositive};
 use crate::system::structure::lists::Lists;
 use crate::system::structure::{Structure, Symmetric};
 
@@ -12,12 +12,8 @@ use crate::system::structure::{Structure, Symmetric};
 #[derive(Debug, Clone)]
 pub(in crate::solve::structure) struct Linear {
     pub(super) sub_step: SubStep,
-    /// Rows of the matrix; c is not divided by dt.
-    pub(super) rows: Vec<Row>,
-    /// Entries of L that are in no row.
-    pub(super) more: Columns,
-    /// Links that are in no row.
-    pub(super) links: Vec<Link>,
+    /// The matrix; c is not divided by dt.
+    pub(super) elimination: Elimination,
     /// Couplings of nodes of different directions.
     pub(super) couplings: Vec<Link>,
     /// L^-1 B by columns.
@@ -51,28 +47,13 @@ impl Linear {
         let places = places(structure, &place);
         let reduced: Vec<_> = places.iter().map(|along| reduce(&factor, along)).collect();
         let [links, couplings] = links(structure, &place, 1.0);
-        let (rows, more, links) = rows(factor, links);
         let linear = Linear {
-            rows,
-            more,
-            links,
+            elimination: Elimination::new(factor, links),
             couplings,
             flexibility: flexibility(&reduced, sub_step.flexibility()),
             reduced: Lists::new(&reduced),
             sub_step,
         };
         Ok((linear, place))
-    }
-
-    /// All springs and dashpots.
-    pub(super) fn all_links(&self) -> impl Iterator<Item = Link> + '_ {
-        let link = |(from, row): (usize, &Row)| Link {
-            from,
-            to: row.to,
-            k: row.k,
-            c: row.c,
-        };
-        let of_rows = self.rows.iter().enumerate().map(link);
-        of_rows.chain(self.links.iter().copied())
     }
 }

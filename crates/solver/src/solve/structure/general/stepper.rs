@@ -10,7 +10,7 @@ use crate::solve::structure::Prepared;
 use crate::solve::structure::curved::Curved;
 use crate::solve::structure::forces::Forces;
 use crate::solve::structure::laws::friction;
-use crate::solve::structure::links::Link;
+use crate::solve::structure::links::{Elimination, Link};
 use crate::solve::structure::loads::Inputs;
 use crate::solve::structure::moving::Moving;
 
@@ -179,7 +179,7 @@ impl<const L: usize> General<'_, L> {
             let ([u0, v0], [u1, v1]) = (at[from], at[to]);
             (u1 - u0) * k + (v1 - v0) * c
         };
-        for link in &linear.links {
+        for link in &linear.elimination.links {
             let Link { from, to, k, c } = *link;
             let flow = flow(from, to, k, c);
             work[from] = work[from] + flow;
@@ -191,16 +191,22 @@ impl<const L: usize> General<'_, L> {
             work[from] = work[from] - force(to);
             work[to] = work[to] - force(from);
         }
-        for (i, row) in linear.rows.iter().enumerate() {
+        let Elimination {
+            rows, more, blocks, ..
+        } = &linear.elimination;
+        for (i, row) in rows.iter().enumerate() {
             let flow = flow(i, row.to, row.k, row.c);
             let q = work[i] + flow;
             work[i] = q;
             work[row.to] = work[row.to] - flow - q * row.l;
             if row.more {
-                for entry in linear.more.column(i).iter().rev() {
+                for entry in more.column(i).iter().rev() {
                     work[entry.at] = work[entry.at] - q * entry.value;
                 }
             }
+        }
+        if let Some(blocks) = blocks {
+            blocks.eliminate(work);
         }
     }
 
@@ -287,16 +293,29 @@ impl<const L: usize> General<'_, L> {
         let work = &mut self.work[..];
         let (before, after) = self.stages.split_at_mut(part + 1);
         let (start, end) = (&before[part].nodes[..], &mut after[0].nodes[..]);
-        for (i, row) in linear.rows.iter().enumerate().rev() {
+        let predicted = &self.predicted;
+        let moved = |i: usize, a: Lane<L>| {
+            let ([u, v, _], [du, dv]) = (start[i], predicted[i]);
+            [u + (du + a * d2), v + (dv + a * d1), a]
+        };
+        let Elimination {
+            rows, more, blocks, ..
+        } = &linear.elimination;
+        if let Some(blocks) = blocks {
+            blocks.substitute(work);
+            for (i, a) in work.iter().enumerate() {
+                end[i] = moved(i, *a);
+            }
+        }
+        for (i, row) in rows.iter().enumerate().rev() {
             let mut a = work[i] * row.reciprocal - work[row.to] * row.l;
             if row.more {
-                for entry in linear.more.column(i) {
+                for entry in more.column(i) {
                     a = a - work[entry.at] * entry.value;
                 }
             }
             work[i] = a;
-            let ([u, v, _], [du, dv]) = (start[i], self.predicted[i]);
-            end[i] = [u + (du + a * d2), v + (dv + a * d1), a];
+            end[i] = moved(i, a);
         }
         for node in &prepared.massless {
             let [u, _, _] = start[node.place];

@@ -6,6 +6,7 @@ mod books;
 mod curved;
 mod dense;
 mod lanes;
+mod large;
 mod link;
 mod methods;
 mod motion;

@@ -1,20 +1,23 @@
 //! Sparse factors L D L^T of symmetric positive definite matrices.
 
+mod blocks;
 mod columns;
 mod minimum_degree;
 mod numeric;
 mod order;
 mod panels;
 mod products;
+mod reach;
 mod solve;
 
+pub use blocks::Blocks;
 pub use columns::{Columns, Entry};
 
 use super::Symmetric;
 use super::lists::Lists;
 use numeric::Numeric;
 use order::{Order, order};
-use panels::panels;
+use panels::{Panel, panels};
 use std::fmt;
 
 /// A matrix in the order of elimination, factored: P A P^T = L D L^T, L with a diagonal of 1.
@@ -24,10 +27,21 @@ use std::fmt;
 #[derive(Debug, Clone)]
 pub struct Factor {
     order: Vec<usize>,
-    /// 1/D.
-    reciprocals: Vec<f64>,
-    /// L without its diagonal.
-    columns: Columns,
+    triangle: Triangle,
+}
+
+/// L without its diagonal, and D.
+#[derive(Debug, Clone)]
+pub enum Triangle {
+    /// Columns with little fill-in.
+    Columns {
+        /// 1/D.
+        reciprocals: Vec<f64>,
+        /// L.
+        columns: Columns,
+    },
+    /// Much fill-in.
+    Blocks(Blocks),
 }
 
 /// A matrix is not positive definite.
@@ -51,27 +65,26 @@ impl Factor {
     /// # Errors
     /// [`NotPositive`] if the matrix is not positive definite.
     pub fn new(matrix: &Symmetric, late: &[bool]) -> Result<Factor, NotPositive> {
-        let Order { rows, numbers } = order(&neighbours(matrix), late);
+        let Order {
+            rows,
+            numbers,
+            fills,
+        } = order(&neighbours(matrix), late);
         let (diagonal, columns) = ordered(matrix, &rows);
         let panels = panels(&columns);
         let numeric = Numeric::new(&panels, &numbers, diagonal, &columns)
             .map_err(|place| NotPositive { row: rows[place] })?;
         let (pivots, values) = numeric.finish();
-        let mut end = values.len();
-        let backwards = panels.iter().rev();
-        let backwards = backwards.flat_map(|p| (p.first..p.end).rev().map(move |k| (p, k)));
-        let columns = backwards.map(|(panel, column)| {
-            let start = end - panel.entries(column);
-            let values = &values[start..end];
-            end = start;
-            let entries = panel.rows_of(column).zip(values);
-            entries.map(|(at, value)| Entry { at, value: *value })
-        });
-        let columns = Columns::new(rows.len(), values.len(), columns);
+        let triangle = match fills {
+            true => Triangle::Blocks(Blocks::new(&panels, &pivots, &values)),
+            false => Triangle::Columns {
+                reciprocals: pivots.into_iter().map(|pivot| 1.0 / pivot).collect(),
+                columns: by_columns(&panels, &values),
+            },
+        };
         Ok(Factor {
             order: rows,
-            reciprocals: pivots.into_iter().map(|pivot| 1.0 / pivot).collect(),
-            columns,
+            triangle,
         })
     }
 
@@ -101,23 +114,40 @@ impl Factor {
 
     /// 1/D in the order of elimination.
     pub fn reciprocals(&self) -> &[f64] {
-        &self.reciprocals
+        match &self.triangle {
+            Triangle::Columns { reciprocals, .. } => reciprocals,
+            Triangle::Blocks(blocks) => blocks.reciprocals(),
+        }
     }
 
-    /// Column `i` of L, below the diagonal, in the order of elimination; its rows rise.
-    pub fn column(&self, i: usize) -> &[Entry] {
-        self.columns.column(i)
-    }
-
-    /// L without its diagonal.
-    pub fn into_columns(self) -> Columns {
-        self.columns
+    /// L and D.
+    pub fn into_triangle(self) -> Triangle {
+        self.triangle
     }
 
     /// Number of entries of L below its diagonal.
     pub fn entries(&self) -> usize {
-        self.columns.entries()
+        match &self.triangle {
+            Triangle::Columns { columns, .. } => columns.entries(),
+            Triangle::Blocks(blocks) => blocks.entries(),
+        }
     }
+}
+
+/// The entries of L with their rows.
+fn by_columns(panels: &[Panel], values: &[f64]) -> Columns {
+    let mut end = values.len();
+    let size = panels.last().map_or(0, |panel| panel.end);
+    let backwards = panels.iter().rev();
+    let backwards = backwards.flat_map(|p| (p.first..p.end).rev().map(move |k| (p, k)));
+    let columns = backwards.map(|(panel, column)| {
+        let start = end - panel.entries(column);
+        let values = &values[start..end];
+        end = start;
+        let entries = panel.rows_of(column).zip(values);
+        entries.map(|(at, value)| Entry { at, value: *value })
+    });
+    Columns::new(size, values.len(), columns)
 }
 
 /// The rows that each row has an entry with, without itself; they rise.
@@ -160,6 +190,7 @@ fn ordered(matrix: &Symmetric, rows: &[usize]) -> (Vec<f64>, Lists<(usize, f64)>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lane::Lane;
     use nalgebra::DMatrix;
     use proptest::prelude::*;
 
@@ -180,9 +211,7 @@ mod tests {
         let n = factor.order().len();
         let mut l = DMatrix::identity(n, n);
         for i in 0..n {
-            for entry in factor.column(i) {
-                l[(entry.at, i)] = entry.value;
-            }
+            factor.for_column(i, |entry| l[(entry.at, i)] = entry.value);
         }
         let d = DMatrix::from_fn(n, n, |i, j| {
             if i == j {
@@ -289,9 +318,7 @@ mod tests {
         for i in 0..full.nrows() {
             assert_eq!(factor.reciprocals()[i], 1.0 / full[(i, i)], "{i}");
             let mut column = vec![0.0; full.nrows()];
-            for entry in factor.column(i) {
-                column[entry.at] = entry.value;
-            }
+            factor.for_column(i, |entry| column[entry.at] = entry.value);
             for j in i + 1..full.nrows() {
                 assert_eq!(column[j], full[(j, i)], "{j} {i}");
             }
@@ -313,6 +340,68 @@ mod tests {
         let matrix = grid(32);
         let factor = Factor::new(&matrix, &[false; 1024]).unwrap();
         has_the_bits_of(&factor, &full(&matrix, &factor, |_, _| false));
+    }
+
+    /// A factor by panels.
+    fn filled() -> (Symmetric, Factor) {
+        let matrix = grid(40);
+        let factor = Factor::new(&matrix, &[false; 1600]).unwrap();
+        assert!(matches!(factor.triangle, Triangle::Blocks(_)));
+        (matrix, factor)
+    }
+
+    #[test]
+    fn a_solution_by_panels_fulfils_the_equations() {
+        let (matrix, factor) = filled();
+        let x: Vec<f64> = (0..1600).map(|i| f64::from(i % 13) - 6.0).collect();
+        let mut b = vec![0.0; 1600];
+        matrix.add_product(&x, &mut b);
+        factor.solve(&mut b);
+        for (own, x) in b.iter().zip(x) {
+            // Round-off times a condition of about 50.
+            assert!((own - x).abs() < 1e-12, "{own} {x}");
+        }
+    }
+
+    #[test]
+    fn lanes_by_panels_have_the_bits_of_one() {
+        let (_, factor) = filled();
+        let Triangle::Blocks(blocks) = &factor.triangle else {
+            return;
+        };
+        let number = |i: usize, l: usize| (i * (l + 3) % 17) as f64 - 8.3;
+        let lane = |i: usize| Lane(std::array::from_fn::<_, 5, _>(|l| number(i, l)));
+        let mut together: Vec<Lane<5>> = (0..1600).map(lane).collect();
+        blocks.eliminate(&mut together);
+        blocks.substitute(&mut together);
+        for l in 0..5 {
+            let mut alone: Vec<Lane<1>> = (0..1600).map(|i| Lane([number(i, l)])).collect();
+            blocks.eliminate(&mut alone);
+            blocks.substitute(&mut alone);
+            for (alone, together) in alone.iter().zip(&together) {
+                assert_eq!(alone.0[0], together.0[l]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_few_entries_are_eliminated_as_in_a_full_right_side() {
+        let chain: Vec<_> = (1..40).map(|i| (i / 2, i, 1.0)).collect();
+        let tree = Factor::new(&springs(40, &chain), &[false; 40]).unwrap();
+        for factor in [filled().1, tree] {
+            let n = factor.order().len();
+            let few = [(3, 1.5), (n / 2, -2.0), (n - 2, 0.5), (3, 0.25)];
+            let mut full = vec![0.0; n];
+            for (at, x) in few {
+                full[at] += x;
+            }
+            for i in 0..n {
+                let own = full[i];
+                factor.for_column(i, |entry| full[entry.at] -= entry.value * own);
+            }
+            let nonzero = full.into_iter().enumerate().filter(|(_, x)| *x != 0.0);
+            assert_eq!(factor.eliminate_few(&few), nonzero.collect::<Vec<_>>());
+        }
     }
 
     #[test]

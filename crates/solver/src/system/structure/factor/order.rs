@@ -17,6 +17,8 @@ pub(super) struct Order {
     /// A number of each place. Of two entries of a column, the one of the smaller number is divided by the pivot before their
     /// product is formed.
     pub(super) numbers: Vec<usize>,
+    /// Whether L has much fill-in. There are fewer than 2^31 rows then.
+    pub(super) fills: bool,
 }
 
 /// The order for these neighbours of each row, which rise.
@@ -30,12 +32,19 @@ pub(super) fn order(neighbours: &Lists<usize>, late: &[bool]) -> Order {
     let exact = minimum_degree(neighbours, late, most);
     if let Some(rows) = exact {
         let numbers = rows.clone();
-        return Order { rows, numbers };
+        return Order {
+            rows,
+            numbers,
+            fills: false,
+        };
     }
-    let rows = approximate(neighbours).unwrap_or_else(|| (0..size).collect());
-    // Numbers that rise need no choice in the loops of the factor.
-    let numbers = (0..size).collect();
-    Order { rows, numbers }
+    let rows = approximate(neighbours);
+    Order {
+        fills: rows.is_some(),
+        rows: rows.unwrap_or_else(|| (0..size).collect()),
+        // Numbers that rise need no choice in the loops of the factor.
+        numbers: (0..size).collect(),
+    }
 }
 
 /// The order by approximate degrees; `None` if there are too many neighbours for its 32 bits.

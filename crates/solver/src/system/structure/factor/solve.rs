@@ -1,26 +1,50 @@
 //! Solutions with a factor.
 
-use super::Factor;
+use super::{Blocks, Columns, Factor, Triangle};
+use crate::lane::Lane;
+use multiversion::multiversion;
 
 impl Factor {
     /// Replaces b by A^-1 b, in the order of the matrix.
     pub fn solve(&self, b: &mut [f64]) {
         let order = self.order();
         let mut x: Vec<f64> = order.iter().map(|row| b[*row]).collect();
-        for i in 0..x.len() {
-            for entry in self.column(i).iter().rev() {
-                x[entry.at] -= entry.value * x[i];
+        match &self.triangle {
+            Triangle::Columns {
+                reciprocals,
+                columns,
+            } => solve(reciprocals, columns, &mut x),
+            Triangle::Blocks(blocks) => {
+                let mut lanes: Vec<Lane<1>> = x.iter().map(|x| Lane([*x])).collect();
+                solve_blocks(blocks, &mut lanes);
+                for (x, lane) in x.iter_mut().zip(lanes) {
+                    *x = lane.0[0];
+                }
             }
-        }
-        for i in (0..x.len()).rev() {
-            let column = self.column(i).iter();
-            let sum: f64 = column.map(|entry| entry.value * x[entry.at]).sum();
-            x[i] = x[i] * self.reciprocals()[i] - sum;
         }
         for (row, x) in order.iter().zip(x) {
             b[*row] = x;
         }
     }
+}
+
+fn solve(reciprocals: &[f64], columns: &Columns, x: &mut [f64]) {
+    for i in 0..x.len() {
+        for entry in columns.column(i).iter().rev() {
+            x[entry.at] -= entry.value * x[i];
+        }
+    }
+    for i in (0..x.len()).rev() {
+        let column = columns.column(i).iter();
+        let sum: f64 = column.map(|entry| entry.value * x[entry.at]).sum();
+        x[i] = x[i] * reciprocals[i] - sum;
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn solve_blocks(blocks: &Blocks, x: &mut [Lane<1>]) {
+    blocks.eliminate(x);
+    blocks.substitute(x);
 }
 
 #[cfg(test)]
