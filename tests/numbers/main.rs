@@ -17,6 +17,7 @@ mod massless;
 mod mesh;
 mod own_structure;
 mod recommend_laws;
+mod records;
 mod reduction;
 mod regularised;
 mod spring;

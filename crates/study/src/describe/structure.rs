@@ -135,6 +135,8 @@ fn function_value(key: &str) -> Json {
         "record" => json!({ "type": "string" }),
         "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
         "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
+        "column" | "component" => json!({ "type": "integer", "minimum": 1 }),
+        "dt" => number(Range::Positive),
         "pulse" => described(
             keys::PULSE,
             |key| match key {

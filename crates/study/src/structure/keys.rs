@@ -208,7 +208,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("table", "straight lines between points, constant beyond"),
     (
         "record",
-        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, CSV), or a parameter that chooses it",
+        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, SMC, COSMOS V1 and V2, GeoNet V1A and V2A, or a table), or a parameter that chooses it",
     ),
     ("pulse", "a pulse of acceleration"),
     (
@@ -222,6 +222,18 @@ pub(crate) const FUNCTION: Keys = &[
     (
         "mean",
         "mean of a record: \"removed\" or \"kept\"; if left out, that of K-NET is removed, because its counts have an offset, and others are kept",
+    ),
+    (
+        "column",
+        "column of a table with the accelerations, from 1; if left out, the table has two columns, t and a",
+    ),
+    (
+        "dt",
+        "time step in s of a table without times; its only column, or the one of \"column\", has the accelerations",
+    ),
+    (
+        "component",
+        "component of a file with several (COSMOS, GeoNet), from 1 in the order of the file",
     ),
     ("scale", "factor of the function"),
 ];

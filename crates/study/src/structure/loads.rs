@@ -84,12 +84,15 @@ pub(super) fn ground(
 }
 
 /// Keys that only a record has, and the message for another function with one.
-const OF_RECORDS: [(&str, &str); 2] = [
+const OF_RECORDS: [(&str, &str); 5] = [
     (
         "unit",
         "only a record has a unit; other functions are in the units of the study",
     ),
     ("mean", "only the mean of a record is removed or kept"),
+    ("column", "only a record has columns"),
+    ("dt", "only a record has a time step"),
+    ("component", "only a record has components"),
 ];
 
 /// The function of an object, whose other keys belong to something else.
