@@ -15,6 +15,7 @@ mod independent;
 mod lanes;
 mod massless;
 mod mesh;
+mod motions;
 mod own_structure;
 mod recommend_laws;
 mod records;

@@ -181,7 +181,7 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
             vertical: vertical?,
         });
     }
-    let [t, f] = table(node, path, (NORMAL_TABLE, "N"), reader, faults)?;
+    let [t, f] = table(node, path, (NORMAL_TABLE, ["t", "N"]), reader, faults)?;
     let source = Source::new(Kind::Table { t, f }, (node.at, path.to_owned()));
     Some(Normal::Table(source))
 }

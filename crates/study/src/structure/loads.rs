@@ -5,6 +5,7 @@ use super::keys::{
 };
 use super::reader::{Reader, open};
 use super::records::record;
+use super::shape::shape;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -25,6 +26,10 @@ pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults
         let path = object.path("at");
         reader.moved(&text(node, &path, faults)?, node.at, &path, faults)
     });
+    if let Some(node) = object.get("scale_to") {
+        let message = "only an acceleration is scaled to a strength";
+        faults.add(node.at, &object.path("scale_to"), message);
+    }
     let force = function(&object, node.at, path, reader, faults);
     Some(Load {
         at: at?,
@@ -123,10 +128,11 @@ pub(super) fn function(
     }
     let inner = join(path, &member.key);
     let scale = reader.optional(object, "scale", Range::Any, faults);
+    let shape = shape(object, reader, faults);
     let kind = match member.key.as_str() {
         "sine" => sine(&member.node, &inner, reader, faults),
         "table" => {
-            let [t, f] = table(&member.node, &inner, (TABLE, "f"), reader, faults)?;
+            let [t, f] = table(&member.node, &inner, (TABLE, ["t", "f"]), reader, faults)?;
             Some(Kind::Table { t, f })
         }
         "record" => record(&member.node, &inner, object, reader, faults),
@@ -136,6 +142,7 @@ pub(super) fn function(
     Some(Scaled {
         source: Source::new(kind?, (at, path.to_owned())),
         scale,
+        shape: shape?,
     })
 }
 
@@ -150,11 +157,11 @@ fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
     })
 }
 
-/// Times under `t` and values under another key, lists of one length.
+/// Lists of one length under two keys, such as times and values.
 pub(super) fn table(
     node: &Node,
     path: &str,
-    (keys, values): (super::keys::Keys, &str),
+    (keys, [times, values]): (super::keys::Keys, [&str; 2]),
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<[Vec<Amount>; 2]> {
@@ -173,11 +180,11 @@ pub(super) fn table(
         let amounts: Vec<Amount> = amounts.collect();
         (faults.count() == before).then_some(amounts)
     };
-    let (t, f) = (list("t"), list(values));
+    let (t, f) = (list(times), list(values));
     let (t, f) = (t?, f?);
     if t.len() != f.len() || t.is_empty() {
         let message = format!(
-            "needs as many numbers in t as in {values}, at least one, got {} and {}",
+            "needs as many numbers in {times} as in {values}, at least one, got {} and {}",
             t.len(),
             f.len()
         );

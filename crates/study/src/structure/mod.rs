@@ -10,7 +10,9 @@ mod named_metrics;
 mod names;
 mod parts;
 mod reader;
+pub(super) mod record_axis;
 mod records;
+mod shape;
 mod supports;
 #[cfg(test)]
 mod tests;
@@ -118,7 +120,8 @@ pub(super) fn problem(
     };
     let contacts = template.contacts.iter().map(|contact| contact.name.clone());
     let known = reader.names.clone().with_contacts(contacts.collect());
-    let metrics = named_metrics::metrics(root, &known, faults);
+    let mut metrics = named_metrics::metrics(root, &known, faults);
+    named_metrics::measures(&mut metrics, &template, &reader, faults);
     let drawn = named_metrics::drawn(root, &known, faults);
     let reduced = (&of_matrices[..], modes);
     matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);

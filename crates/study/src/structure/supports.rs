@@ -1,15 +1,15 @@
 //! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
 
-use super::keys::{BASELINES, FUNCTION, GROUND, SUPPORT, names};
+use super::keys::{FUNCTION, GROUND, SUPPORT, names};
 use super::loads::{function, scaled};
 use super::parts::Part;
 use super::reader::Reader;
+use super::shape::baseline;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::name;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::template::Support;
+use slipgap_solver::problem::structure::template::{Scaled, Support};
 use slipgap_solver::system::structure::{Baseline, Direction};
 
 /// The directions x, y and z in which a support moves.
@@ -39,6 +39,20 @@ pub(super) fn refuse_ground(object: &Object, faults: &mut Faults) {
     }
 }
 
+/// A delay or a baseline of a support and of one of its directions, too.
+fn refuse_twice(support: &Object, direction: &Node, path: &str, faults: &mut Faults) {
+    let Tree::Object(members) = &direction.tree else {
+        return;
+    };
+    let twice = members.iter().filter(|member| {
+        SUPPORT.iter().any(|key| key.0 == member.key) && support.get(&member.key).is_some()
+    });
+    for member in twice {
+        let message = "give it for the support or for its directions, not both";
+        faults.add(member.at, &join(path, &member.key), message);
+    }
+}
+
 fn support(
     (own_name, node, path): &Part,
     reader: &Reader,
@@ -47,35 +61,31 @@ fn support(
     let mut keys = names(FUNCTION);
     keys.extend(names(GROUND).into_iter().chain(names(SUPPORT)));
     let object = Object::open(node, path, &keys, faults)?;
-    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
-    let baseline = match object.get("baseline") {
-        None => Baseline::None,
-        Some(node) => {
-            name(
-                node,
-                &object.path("baseline"),
-                "baseline",
-                &BASELINES,
-                faults,
-            )?;
-            Baseline::Linear
-        }
-    };
-    let support = |direction, acceleration| Support {
-        name: own_name.clone(),
-        direction,
-        acceleration,
-        delay: delay.clone(),
-        baseline,
-    };
     let given = directions(node);
     let members = object.members.iter();
     let plain = members
         .clone()
+        .filter(|member| !SUPPORT.iter().any(|key| key.0 == member.key))
         .find(|member| FUNCTION.iter().any(|key| key.0 == member.key));
     let by_directions = members
         .clone()
         .any(|member| GROUND.iter().any(|key| key.0 == member.key));
+    // The delay and the baseline of a function are those of the support, whose displacement follows from them. Its strength is that
+    // without the baseline; to remove it once more changes nothing.
+    let support = |direction, mut acceleration: Scaled| {
+        let shape = &mut acceleration.shape;
+        let baseline = shape.baseline;
+        if shape.scale_to.is_none() {
+            shape.baseline = Baseline::None;
+        }
+        Support {
+            name: own_name.clone(),
+            direction,
+            delay: shape.delay.take(),
+            baseline,
+            acceleration,
+        }
+    };
     if !by_directions {
         let acceleration = function(&object, node.at, path, reader, faults)?;
         return Some(vec![support(Direction::X, acceleration)]);
@@ -85,10 +95,18 @@ fn support(
         faults.add(member.at, &join(path, &member.key), message);
         return None;
     }
+    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
+    let baseline = baseline(&object, faults).unwrap_or_default();
     let one = |(direction, given): (Direction, bool)| {
         let node = object.get(direction.name()).filter(|_| given)?;
         let path = object.path(direction.name());
-        let acceleration = scaled(node, &path, reader, faults)?;
+        refuse_twice(&object, node, &path, faults);
+        let mut acceleration = scaled(node, &path, reader, faults)?;
+        let shape = &mut acceleration.shape;
+        shape.delay = shape.delay.take().or_else(|| delay.clone());
+        if shape.baseline == Baseline::None {
+            shape.baseline = baseline;
+        }
         Some(support(direction, acceleration))
     };
     let all: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
