@@ -3,7 +3,7 @@
 use super::schema::{block_keys, reduction, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::decode::checks;
-use crate::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
+use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{KINDS, Needs};
 use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
@@ -352,6 +352,7 @@ fn taken(key: &Key) -> Json {
         Takes::Marks => json!({ "type": "object" }),
         Takes::InUnits => json!({ "const": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
+        Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
         Takes::Text
