@@ -143,3 +143,122 @@ fn the_points_of_fragility_figures_are_a_table() {
     bench.expect(0, &["run", "s.json"]);
     assert!(!bench.path("figures/s/fragility.csv").exists());
 }
+
+/// The measures of the records of the Loma Prieta earthquake by an independent program: pga, and the spectral displacement at 1 s.
+fn measures() -> Vec<[f64; 2]> {
+    let all: serde_json::Value =
+        serde_json::from_str(include_str!("../data/records.json")).unwrap();
+    let records = all["records"].as_array().unwrap().iter();
+    let own = records.filter(|own| own["file"].as_str().unwrap().starts_with("lomaprieta"));
+    own.map(|own| [&own["pga"], &own["sd"][2]].map(|x| x.as_f64().unwrap()))
+        .collect()
+}
+
+#[test]
+fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
+    // A linear oscillator of 1 s with 5 % damping, whose peak is the spectral displacement times the scale.
+    let bench = Bench::new();
+    let records = concat!(env!("CARGO_MANIFEST_DIR"), "/records/lomaprieta-*.smc");
+    let omega = 2.0 * std::f64::consts::PI;
+    let scales = [0.1, 1.0, 10.0];
+    bench.file(
+        "s.json",
+        &format!(
+            r#"{{"problem": "structure", "parameters": {{"record": {{"files": "{records}"}}, "scale": {scales:?}, "T1": 1,
+               "dt": 0.005, "duration": 36}},
+             "structure": {{"units": "kg, N, m, s", "masses": {{"m": 1}},
+               "springs": [{{"between": ["ground", "m"], "k": {k}, "c": {c}}}], "ground": {{"record": "record", "scale": "scale"}}}},
+             "metrics": ["peak(m)", "ground.pga", "ground.Sa(T1)"], "ensemble": "record",
+             "figures": [{{"name": "i", "kind": "fragility", "x": "scale", "y": "peak(m)", "limit": 0.1, "fit": "incremental"}},
+                         {{"name": "c", "kind": "fragility", "x": "ground.pga", "y": "peak(m)", "limit": 0.1, "fit": "cloud", "x_scale": "log"}},
+                         {{"name": "e", "kind": "fragility", "x": "ground.Sa(T1)", "y": "peak(m)", "limit": 9, "fit": "incremental"}}]}}"#,
+            k = omega * omega,
+            c = 2.0 * 0.05 * omega,
+        ),
+    );
+    bench.expect(0, &["run", "s.json"]);
+    let table = bench.text("figures/s/fragility.csv");
+    let rows = rows(&table);
+    assert_eq!(
+        rows[0].join(","),
+        "figure,metric,limit,scale,ground.pga,ground.Sa(T1),cases,empty,exceeded,probability,probability_low,probability_high,median,\
+         dispersion,no_fit,median_low,median_high,dispersion_low,dispersion_high"
+    );
+    let number = |row: &[&str], place: usize| row[place].parse::<f64>().unwrap();
+    let of = |figure: &str| -> Vec<Vec<&str>> {
+        rows.iter()
+            .filter(|row| row[0] == figure)
+            .cloned()
+            .collect()
+    };
+    // Steps of 1/200 of the period: (omega dt)^2/12 = 8e-5 of the period, which a resonant peak shows some times over.
+    let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 2e-3, "{a} {b}");
+    let mut capacities: Vec<f64> = measures().iter().map(|own| 0.1 / own[1]).collect();
+    capacities.sort_by(f64::total_cmp);
+    let own = of("i");
+    assert_eq!(own.len(), 5);
+    for (i, (row, capacity)) in own.iter().zip(&capacities).enumerate() {
+        near(number(row, 3), *capacity);
+        assert_eq!((row[4], row[6], number(row, 8)), ("", "5", i as f64 + 1.0));
+    }
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let logs: Vec<f64> = capacities.iter().map(|x| x.ln()).collect();
+    let median = mean(&logs);
+    let deviation = (logs.iter().map(|z| (z - median).powi(2)).sum::<f64>() / 4.0).sqrt();
+    near(number(&own[0], 12), median.exp());
+    near(number(&own[0], 13), deviation);
+    // Student's t for 4, and chi-square for 4 at 0.975 and 0.025, from printed tables.
+    let half = 2.7764 * deviation / 5f64.sqrt();
+    near(number(&own[0], 15), (median - half).exp());
+    near(number(&own[0], 16), (median + half).exp());
+    near(number(&own[0], 17), deviation * (4.0f64 / 11.1433).sqrt());
+    near(number(&own[0], 18), deviation * (4.0f64 / 0.484419).sqrt());
+    // A line through the logarithms of all cases.
+    let cloud: Vec<[f64; 2]> = measures()
+        .iter()
+        .flat_map(|own| scales.map(|scale| own.map(|x| (x * scale).ln())))
+        .collect();
+    let column = |j: usize| cloud.iter().map(|point| point[j]).collect::<Vec<f64>>();
+    let [x, y] = [mean(&column(0)), mean(&column(1))];
+    let sxx: f64 = cloud.iter().map(|p| (p[0] - x).powi(2)).sum();
+    let slope = cloud.iter().map(|p| (p[0] - x) * (p[1] - y)).sum::<f64>() / sxx;
+    let residual = |p: &[f64; 2]| (p[1] - y - slope * (p[0] - x)).powi(2);
+    let deviation = (cloud.iter().map(residual).sum::<f64>() / 13.0).sqrt();
+    let own = of("c");
+    assert_eq!((own.len(), own[0][3]), (15, ""));
+    near(number(&own[0], 12), (x + (0.1f64.ln() - y) / slope).exp());
+    near(number(&own[0], 13), deviation / slope);
+    let [low, high] = [15, 16].map(|place| number(&own[0], place));
+    assert!(low < number(&own[0], 12) && number(&own[0], 12) < high);
+    // The limit of 9 m is beyond all of them: one row says so.
+    let own = of("e");
+    assert_eq!(
+        (own.len(), &own[0][3..9]),
+        (1, &["", "", "", "5", "0", "0"][..])
+    );
+    assert_eq!(
+        own[0][14],
+        "5 of the ensemble do not exceed the limit at the largest value"
+    );
+    let picture = bench.text("figures/s/i.svg");
+    assert!(picture.contains("dispersion") && picture.contains('['));
+}
+
+#[test]
+fn a_fragility_figure_over_a_metric_needs_a_fit() {
+    let bench = Bench::new();
+    let figure = |keys: &str| STUDY.replace(r#""kind": "distribution", "y": "rms_error""#, keys);
+    let keys = r#""kind": "fragility", "x": "peak_error", "y": "rms_error", "limit": 1"#;
+    bench.file("s.json", &figure(keys));
+    let found = bench.expect(2, &["run", "s.json"]).err;
+    assert!(
+        found.contains("is a metric; give \"fit\": incremental or cloud"),
+        "{found}"
+    );
+    bench.file("s.json", &figure(&format!(r#"{keys}, "fit": "best""#)));
+    let found = bench.expect(2, &["run", "s.json"]).err;
+    assert!(
+        found.contains("unknown fit \"best\"; allowed: likelihood, incremental, cloud"),
+        "{found}"
+    );
+}

@@ -3,7 +3,9 @@
 
 pub mod beta;
 pub mod binomial;
+pub mod capacity;
 pub mod empirical;
+pub mod gamma;
 pub mod kolmogorov_smirnov;
 pub mod lognormal;
 pub mod median;

@@ -1,11 +1,12 @@
 //! The curves of a fragility figure: in how many cases a metric exceeds a limit, and the lognormal function of the largest
-//! likelihood.
+//! likelihood, of capacities or of a cloud.
 
+use super::capacities;
 use crate::batch::DrawnCase;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_statistics::binomial;
 use slipgap_statistics::lognormal::{Fragility as Function, NoFit, Trials};
-use slipgap_study::kinds::Fragility;
+use slipgap_study::kinds::{Fit, Fragility};
 use slipgap_study::{Study, alike};
 
 /// One curve.
@@ -17,12 +18,14 @@ pub struct FragilityCurve {
     pub points: Vec<FragilityPoint>,
     /// The fitted function, or why there is none.
     pub fit: Result<Function, NoFit>,
+    /// 95 % intervals of its median and its dispersion, by incremental scaling and of a cloud.
+    pub intervals: Option<[[f64; 2]; 2]>,
 }
 
 /// The cases of a curve at one value of the parameter along the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FragilityPoint {
-    /// The value.
+    /// The value; NaN of a curve without a place.
     pub at: f64,
     /// Number of cases.
     pub cases: u64,
@@ -46,22 +49,48 @@ pub struct Probability {
 }
 
 /// The curves of a figure: the cases of each value of its `by`, or else of each set of values of the parameters that vary and
-/// change neither with the ensemble nor along the axis; in the order of the first cases.
+/// change neither with the ensemble nor along the axis, or all cases over a metric; in the order of the first cases.
 pub fn curves(study: &Study, figure: &Fragility, cases: &[DrawnCase]) -> Vec<FragilityCurve> {
-    let rows = match figure.by {
-        Some(row) => vec![row],
-        None => study.outside_ensemble(&[figure.x]),
+    let rows = match (figure.by, figure.parameter()) {
+        (Some(row), _) => vec![row],
+        (None, Some(x)) => study.outside_ensemble(&[x]),
+        (None, None) => Vec::new(),
     };
     let groups = alike::grouped(cases, |shown| shown.identity(&rows));
-    let parameters = study.problem.parameters().len();
     let groups = groups.iter();
-    groups
-        .map(|cases| curve(parameters, figure, cases))
-        .collect()
+    groups.map(|cases| curve(study, figure, cases)).collect()
 }
 
-fn curve(parameters: usize, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCurve {
-    let along = |shown: &DrawnCase| shown.value(figure.x).filter(|x| x.as_f64().is_some());
+fn curve(study: &Study, figure: &Fragility, cases: &[&DrawnCase]) -> FragilityCurve {
+    let shared = shared(study.problem.parameters().len(), cases);
+    let (points, estimate) = match (figure.fit, figure.parameter()) {
+        (Fit::Likelihood, Some(x)) => {
+            let (points, fit) = by_parts(figure, x, cases);
+            return FragilityCurve {
+                shared,
+                points,
+                fit,
+                intervals: None,
+            };
+        }
+        (Fit::Incremental, _) => capacities::incremental(figure, &study.ensemble, cases),
+        (Fit::Cloud | Fit::Likelihood, _) => capacities::cloud(figure, cases),
+    };
+    FragilityCurve {
+        shared,
+        points,
+        fit: estimate.map(|own| own.function),
+        intervals: estimate.ok().map(|own| [own.median, own.dispersion]),
+    }
+}
+
+/// The parts that exceed at each value of a parameter, and the function of the largest likelihood.
+fn by_parts(
+    figure: &Fragility,
+    x: usize,
+    cases: &[&DrawnCase],
+) -> (Vec<FragilityPoint>, Result<Function, NoFit>) {
+    let along = |shown: &DrawnCase| shown.value(x).filter(|x| x.as_f64().is_some());
     let placed = cases.iter().filter(|shown| along(shown).is_some());
     let groups = alike::grouped(placed, |shown| along(shown).map(Value::identity));
     let point = |cases: Vec<&&DrawnCase>| {
@@ -72,11 +101,7 @@ fn curve(parameters: usize, figure: &Fragility, cases: &[&DrawnCase]) -> Fragili
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
     let trials = points.iter().filter(|point| point.probability.is_some());
     let trials: Vec<Trials> = trials.map(FragilityPoint::trials).collect();
-    FragilityCurve {
-        shared: shared(parameters, cases),
-        fit: Function::fit(&trials),
-        points,
-    }
+    (points, Function::fit(&trials))
 }
 
 /// For each parameter the value that all cases have.

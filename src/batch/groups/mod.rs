@@ -1,5 +1,6 @@
 //! Results over groups of cases that a figure shows and its table has: Sobol' indices and fragility functions.
 
+mod capacities;
 pub mod fragility;
 
 use super::DrawnCase;

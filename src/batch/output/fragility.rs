@@ -3,8 +3,8 @@
 use super::tables::cell;
 use crate::batch::groups::fragility::{FragilityCurve, FragilityPoint};
 use slipgap_study::error::Error;
-use slipgap_study::kinds::{FigureKind, Fragility};
-use slipgap_study::{Figure, Study};
+use slipgap_study::kinds::{FigureKind, Fit, Fragility};
+use slipgap_study::{ColumnRef, Figure, Study};
 
 /// The columns before the parameters, and after them.
 const COLUMNS: ([&str; 3], [&str; 9]) = (
@@ -22,9 +22,21 @@ const COLUMNS: ([&str; 3], [&str; 9]) = (
     ],
 );
 
+/// The last columns, if a figure has curves with intervals.
+const INTERVALS: [&str; 4] = [
+    "median_low",
+    "median_high",
+    "dispersion_low",
+    "dispersion_high",
+];
+
 /// fragility.csv, figure by figure.
 pub struct FragilityTable<'a> {
     study: &'a Study,
+    /// Rows of the measures that are along an axis; each has a column.
+    measures: Vec<usize>,
+    /// Whether a curve may have intervals of its function.
+    intervals: bool,
     /// Rows of the parameters that are columns: all that vary outside of the ensemble.
     parameters: Vec<usize>,
     writer: csv::Writer<Vec<u8>>,
@@ -36,14 +48,23 @@ impl<'a> FragilityTable<'a> {
     /// # Errors
     /// A table that cannot be made.
     pub fn new(study: &'a Study) -> Result<Option<FragilityTable<'a>>, Error> {
-        let along = |figure: &Figure| match &figure.kind {
-            FigureKind::Fragility(fragility) => Some(fragility.x),
+        let kind = |figure: &'a Figure| match &figure.kind {
+            FigureKind::Fragility(fragility) => Some(fragility),
             _ => None,
         };
-        let along: Vec<usize> = study.figures.iter().filter_map(along).collect();
-        if along.is_empty() {
+        let figures: Vec<&Fragility> = study.figures.iter().filter_map(kind).collect();
+        if figures.is_empty() {
             return Ok(None);
         }
+        let along = figures.iter().filter_map(|figure| figure.parameter());
+        let measure = |figure: &&Fragility| match figure.x {
+            ColumnRef::Metric(row) => Some(row),
+            ColumnRef::Parameter(_) => None,
+        };
+        let mut measures: Vec<usize> = figures.iter().filter_map(measure).collect();
+        measures.sort_unstable();
+        measures.dedup();
+        let intervals = figures.iter().any(|figure| figure.fit != Fit::Likelihood);
         let outside = study.outside_ensemble(&[]);
         let mut parameters = study.varying_columns();
         parameters.retain(|row| outside.contains(row));
@@ -54,10 +75,15 @@ impl<'a> FragilityTable<'a> {
         let table = study.problem.parameters();
         let names = parameters.iter().map(|row| table[*row].column_name());
         let mut writer = csv::Writer::from_writer(Vec::new());
-        let header = COLUMNS.0.into_iter().chain(names).chain(COLUMNS.1);
+        let places = measures.iter().map(|row| &*study.measures[*row].name);
+        let header = COLUMNS.0.into_iter().chain(names).chain(places);
+        let more = INTERVALS.into_iter().filter(|_| intervals);
+        let header = header.chain(COLUMNS.1).chain(more);
         writer.write_record(header).map_err(failed)?;
         Ok(Some(FragilityTable {
             study,
+            measures,
+            intervals,
             parameters,
             writer,
         }))
@@ -77,19 +103,33 @@ impl<'a> FragilityTable<'a> {
         let first = [name.to_owned(), metric.clone(), cell(Some(figure.limit))];
         for curve in curves {
             for point in &curve.points {
-                let value = |row: &usize| match *row == figure.x {
-                    true => cell(Some(point.at)),
+                let at = cell(Some(point.at).filter(|at| !at.is_nan()));
+                let value = |row: &usize| match figure.parameter() == Some(*row) {
+                    true => at.clone(),
                     false => {
                         let value = curve.shared.get(*row).copied().flatten();
                         value.map(|value| value.to_string()).unwrap_or_default()
                     }
                 };
                 let values = self.parameters.iter().map(value);
+                let place = |row: &usize| match figure.x == ColumnRef::Metric(*row) {
+                    true => at.clone(),
+                    false => String::new(),
+                };
+                let ends = curve
+                    .intervals
+                    .unwrap_or([[f64::NAN; 2]; 2])
+                    .into_iter()
+                    .flatten();
+                let ends = ends.filter(|_| self.intervals);
+                let ends = ends.map(|end| cell(Some(end).filter(|end| !end.is_nan())));
                 let row = first
                     .iter()
                     .cloned()
                     .chain(values)
-                    .chain(cells(curve, point));
+                    .chain(self.measures.iter().map(place))
+                    .chain(cells(curve, point))
+                    .chain(ends);
                 self.writer.write_record(row).map_err(failed)?;
             }
         }

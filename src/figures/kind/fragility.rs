@@ -4,7 +4,7 @@ use super::Draw;
 use super::ensembles::{Ensemble, ensembles, stroke, without_value};
 use crate::batch::GroupResults;
 use crate::batch::groups::fragility::{FragilityCurve, Probability};
-use crate::figures::FigureData;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
@@ -13,9 +13,9 @@ use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Marker};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
-use slipgap_statistics::lognormal::{Fragility as Function, NoFit};
-use slipgap_study::kinds::Fragility;
-use slipgap_study::{Scale, Study};
+use slipgap_statistics::lognormal::Fragility as Function;
+use slipgap_study::kinds::{Fit, Fragility};
+use slipgap_study::{ColumnRef, Scale, Study};
 
 /// Points of a fitted curve.
 const POINTS: u32 = 200;
@@ -23,11 +23,23 @@ const POINTS: u32 = 200;
 /// Distance of the intervals of different curves at one value of x.
 const APART: f64 = 2.4 * style::MARKER;
 
-/// What points and intervals are.
-const POINTS_ARE: &str = "Points: part of the cases, with 95 % intervals (Clopper and Pearson).";
-
-/// What curves are.
-const CURVES_ARE: &str = "Curves: the lognormal function of the largest likelihood.";
+/// What points and intervals, and what curves are.
+fn words(fit: Fit) -> [&'static str; 2] {
+    match fit {
+        Fit::Likelihood => [
+            "Points: part of the cases, with 95 % intervals (Clopper and Pearson).",
+            "Curves: the lognormal function of the largest likelihood.",
+        ],
+        Fit::Incremental => [
+            "Points: part of the ensemble that has reached the limit, with 95 % intervals (Clopper and Pearson).",
+            "Curves: the lognormal function of the values at which it does; in brackets 95 % intervals.",
+        ],
+        Fit::Cloud => [
+            "Points: the cases, at 1 if they exceed.",
+            "Curves: the lognormal function of a line through the logarithms of the cases; in brackets 95 % intervals.",
+        ],
+    }
+}
 
 /// How points of several curves are drawn.
 const BESIDE: &str = "Points at the same value are drawn side by side.";
@@ -40,7 +52,7 @@ impl Draw for Fragility {
             cases,
             groups,
         } = *data;
-        let (found, all) = ensembles(study, cases, self.by, Some(self.x));
+        let (found, all) = of_curves(self, study, cases);
         let curves = curves(groups);
         let height = 190.0;
         let width = figure.width.unwrap_or(1.2 * style::SINGLE);
@@ -55,8 +67,8 @@ impl Draw for Fragility {
         let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), 4.0);
         let places = found.iter().zip(curves);
         let places = places.flat_map(|(_, curve)| drawn(curve)).map(|(at, _)| at);
-        let title = &study.problem.parameters()[self.x].symbol;
-        let x_axis = limits::axis(title, places, self.x_scale, x_range, grid.width / 40.0);
+        let title = axis_title(self, study);
+        let x_axis = limits::axis(&title, places, self.x_scale, x_range, grid.width / 40.0);
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
         for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
             if let Ok(fit) = &curve.fit {
@@ -73,7 +85,7 @@ impl Draw for Fragility {
         };
         layout::left_out(&mut sheet, found.len(), all);
         let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
-            label: label(&ensemble.label, &curve.fit),
+            label: label(&ensemble.label, curve),
             stroke: stroke(k),
             width: curve.fit.map_or(0.0, |_| style::CASE_LINE),
             marker: Some(Marker::of_case(k)),
@@ -81,9 +93,10 @@ impl Draw for Fragility {
         let keys = found.iter().zip(curves).enumerate().map(key).collect();
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         let fitted = curves.iter().take(found.len()).any(|of| of.fit.is_ok());
+        let [points_are, curves_are] = words(self.fit);
         let parts = [
-            Some(POINTS_ARE),
-            fitted.then_some(CURVES_ARE),
+            Some(points_are),
+            fitted.then_some(curves_are),
             (found.len() > 1).then_some(BESIDE),
         ];
         let parts: Vec<&str> = parts.into_iter().flatten().collect();
@@ -100,11 +113,11 @@ impl Draw for Fragility {
             groups,
             ..
         } = *data;
-        let (found, _) = ensembles(study, cases, self.by, Some(self.x));
+        let (found, _) = of_curves(self, study, cases);
         let Some(panel) = sheet.panels.first() else {
             return Vec::new();
         };
-        let symbol = plain(&study.problem.parameters()[self.x].symbol);
+        let symbol = plain(&axis_title(self, study));
         let mut points = Vec::new();
         for (k, (ensemble, curve)) in found.iter().zip(curves(groups)).enumerate() {
             let shift = shift(k, found.len());
@@ -203,16 +216,53 @@ fn points(panel: &mut Panel, curve: &FragilityCurve, shift: f64, k: usize, label
 }
 
 /// The label of an ensemble with its fit.
-fn label(name: &str, fit: &Result<Function, NoFit>) -> String {
-    let fit = match fit {
+fn label(name: &str, curve: &FragilityCurve) -> String {
+    let fit = match &curve.fit {
         Ok(fit) => {
-            let [median, dispersion] = [fit.median, fit.dispersion].map(|x| number::rounded(x, 3));
-            format!("median {median}, dispersion {dispersion}")
+            let rounded = |x| number::rounded(x, 3);
+            let ends = |i: usize| match curve.intervals {
+                Some(intervals) => {
+                    let [low, high] = intervals[i].map(rounded);
+                    format!(" [{low}, {high}]")
+                }
+                None => String::new(),
+            };
+            let [median, dispersion] = [fit.median, fit.dispersion].map(rounded);
+            format!(
+                "median {median}{}, dispersion {dispersion}{}",
+                ends(0),
+                ends(1)
+            )
         }
         Err(why) => format!("no fit, {why}"),
     };
     match name {
         "" => fit,
         name => format!("{name}: {fit}"),
+    }
+}
+
+/// The ensembles of the curves, at most as many as are drawn, and the number of all.
+fn of_curves<'a, 'c>(
+    figure: &Fragility,
+    study: &Study,
+    cases: &'a [DrawnCase<'c>],
+) -> (Vec<Ensemble<'a, 'c>>, usize) {
+    match (figure.parameter(), figure.by) {
+        // Over a metric, all cases make one curve.
+        (None, None) => {
+            let label = String::new();
+            let cases = cases.iter().collect();
+            (vec![Ensemble { label, cases }], 1)
+        }
+        (x, by) => ensembles(study, cases, by, x),
+    }
+}
+
+/// The title of the horizontal axis.
+fn axis_title(figure: &Fragility, study: &Study) -> String {
+    match figure.x {
+        ColumnRef::Parameter(row) => study.problem.parameters()[row].symbol.to_string(),
+        ColumnRef::Metric(row) => study.measures[row].symbol.clone(),
     }
 }

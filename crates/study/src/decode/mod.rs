@@ -99,6 +99,12 @@ impl Input {
         let starts: Vec<usize> = starts.collect();
         let mut faults = Faults::default();
         setting::put_all(&mut root, &self.settings, &starts, &mut faults);
+        let before = faults.count();
+        structure::record_axis::expand(&mut root, &self.folder, &mut faults);
+        if faults.count() > before {
+            // Without its files, an axis would be a fault of its own.
+            return Err(Error::Faults(faults.in_file_order(texts)));
+        }
         let set = self
             .settings
             .iter()

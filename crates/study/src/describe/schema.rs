@@ -14,7 +14,7 @@ use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::decoded_value::MARKS;
 use crate::figure::extent::WIDTHS;
-use crate::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
+use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{self, KINDS};
 use crate::reduction::OPERATORS;
 use crate::units::IN;
@@ -255,6 +255,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::InUnits if problem.schema().units.is_empty() => json!({ "const": false }),
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
+        Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
     }

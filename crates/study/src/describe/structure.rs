@@ -3,7 +3,7 @@
 use super::schema::{block_keys, reduction, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::decode::checks;
-use crate::figure::keys::{COMMON, Key, ORDINATES, RIDGES, SCALES, Takes};
+use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{KINDS, Needs};
 use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
@@ -11,11 +11,12 @@ use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::QUANTITIES;
 use slipgap_solver::problem::structure::contacts::NAMES;
+use slipgap_solver::problem::structure::ground_metric::PREFIX;
 use slipgap_solver::problem::structure::metric::REDUCTIONS;
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
 use slipgap_solver::system::loads::Unit;
 use slipgap_solver::system::loads::record::Mean;
-use slipgap_solver::system::structure::Direction;
+use slipgap_solver::system::structure::{Baseline, Direction};
 
 /// The rules for studies of structures.
 pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
@@ -129,9 +130,13 @@ fn function_value(key: &str) -> Json {
     match key {
         "sine" => all_numbers(keys::SINE, &["amplitude", "omega"]),
         "table" => described(keys::TABLE, |_| numbers(), &["t", "f"]),
-        "record" => json!({ "type": "string" }),
+        "record" => json!({ "anyOf": [{ "type": "string" }, files()] }),
         "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
         "mean" => json!({ "enum": Mean::ALL.map(Mean::name) }),
+        "column" | "component" => json!({ "type": "integer", "minimum": 1 }),
+        "dt" => number(Range::Positive),
+        "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
+        "scale_to" => scale_to(),
         "pulse" => described(
             keys::PULSE,
             |key| match key {
@@ -142,6 +147,39 @@ fn function_value(key: &str) -> Json {
         ),
         "synthetic" => json!({ "anyOf": [all_numbers(keys::SYNTHETIC, &["seed"]), any()] }),
         _ => any(),
+    }
+}
+
+/// The strength of a motion.
+fn scale_to() -> Json {
+    let mut spectrum = described(
+        keys::SPECTRUM,
+        |key| match key {
+            "ASCE 7" => all_numbers(keys::ASCE_7, &keys::names(keys::ASCE_7)),
+            _ => all_numbers(keys::EN_1998, &keys::names(keys::EN_1998)),
+        },
+        &[],
+    );
+    add_properties(
+        &mut spectrum,
+        &described(keys::TARGET_TABLE, |_| numbers(), &[]),
+    );
+    described(
+        keys::SCALE_TO,
+        |key| match key {
+            "spectrum" => spectrum.clone(),
+            "unit" => json!({ "enum": Unit::ALL.map(Unit::name) }),
+            _ => any(),
+        },
+        &[],
+    )
+}
+
+/// Adds the properties of a schema to those of another one.
+fn add_properties(schema: &mut Json, more: &Json) {
+    if let (Json::Object(to), Json::Object(from)) = (&mut schema["properties"], &more["properties"])
+    {
+        to.extend(from.clone());
     }
 }
 
@@ -248,18 +286,14 @@ fn support(function: &Json) -> Json {
     let own = described(
         keys::SUPPORT,
         |key| match key {
-            "baseline" => json!({ "enum": keys::BASELINES }),
+            "baseline" => json!({ "enum": Baseline::ALL.map(Baseline::name) }),
             "displacement" => imposed(),
             _ => any(),
         },
         &[],
     );
     for more in [directions, own] {
-        if let (Json::Object(to), Json::Object(from)) =
-            (&mut schema["properties"], &more["properties"])
-        {
-            to.extend(from.clone());
-        }
+        add_properties(&mut schema, &more);
     }
     schema
 }
@@ -279,11 +313,15 @@ fn imposed() -> Json {
 
 /// The name of a metric.
 fn metric() -> Json {
-    let all: Vec<&str> = REDUCTIONS.iter().map(|known| known.0).collect();
+    let one = |name: &str| match name.strip_prefix(PREFIX) {
+        Some(measure) => format!("ground\\.([xyz]\\.)?{measure}"),
+        None => name.to_owned(),
+    };
+    let all: Vec<String> = REDUCTIONS.iter().map(|known| one(known.0)).collect();
     json!({
         "type": "string",
         "pattern": format!("^({})( *\\(.+\\))?$", all.join("|")),
-        "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12)",
+        "description": "a reduction of a channel, such as peak(g1.right - p2) or impacts(gap12), or a measure of the ground, such as ground.pga or, of several directions, ground.y.pga",
     })
 }
 
@@ -342,6 +380,7 @@ fn taken(key: &Key) -> Json {
         Takes::Marks => json!({ "type": "object" }),
         Takes::InUnits => json!({ "const": false }),
         Takes::Ridge => json!({ "enum": RIDGES }),
+        Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
         Takes::ScaleOrLog => json!({ "enum": SCALES, "default": SCALES[1] }),
         Takes::Text
@@ -392,6 +431,19 @@ pub(super) fn reference() -> String {
         "A function of time has one of `sine`, `table`, `record`, `pulse`, `synthetic`. A load has the key `at` too, the node:",
         keys::FUNCTION,
     );
+    text += &table(
+        "`scale_to`, one of `pga`, `Sa` and `spectrum`:",
+        keys::SCALE_TO,
+    );
+    text += &table("`spectrum`, one of these, or a table:", keys::SPECTRUM);
+    text += &table("`spectrum` as a table:", keys::TARGET_TABLE);
+    text += &table("`EN 1998-1`:", keys::EN_1998);
+    text += &table("`ASCE 7`:", keys::ASCE_7);
+    text += &table(
+        "Record files as an axis, under `record` or as the value of a parameter that chooses a record. The files of several parameters of a block that \
+                    are in no `zip` go together, those with the same text for `*`:",
+        keys::FILES,
+    );
     text += &table("`sine`:", keys::SINE);
     text += &table("`table`:", keys::TABLE);
     text += &table("`pulse`:", keys::PULSE);
@@ -413,7 +465,7 @@ pub(super) fn reference() -> String {
              `g1.right - p2`:\n";
     text += &table("`CONTACT.` and one of:", &QUANTITIES);
     text += "\nHistory figures and curves draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \
-             channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`; the study lists them under `metrics`:\n";
+             channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`; the study lists them under `metrics`. A ground with several directions has its measures by direction, such as `ground.y.pga`:\n";
     text += &table("Reductions (c computed):", &REDUCTIONS);
     text
 }
@@ -421,5 +473,10 @@ pub(super) fn reference() -> String {
 /// Values of a parameter with a free name.
 fn axis_values() -> Json {
     let list = json!({ "type": "array", "minItems": 1, "items": { "type": ["number", "string"] } });
-    json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL)] })
+    json!({ "anyOf": [{ "type": "number" }, expression(), list, refer(RULE), refer(INTERVAL), files()] })
+}
+
+/// All files of a folder or a pattern.
+fn files() -> Json {
+    described(keys::FILES, |_| json!({ "type": "string" }), &["files"])
 }

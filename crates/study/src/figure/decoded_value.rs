@@ -1,7 +1,8 @@
 //! The values under the keys of a figure, decoded by the types in the table of `kinds`.
 
 use super::extent;
-use super::keys::{Key, ORDINATES, RIDGES, SCALES, Takes};
+use super::keys::{FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
+use super::kinds::Fit;
 use crate::faults::{Faults, join};
 use crate::object::Object;
 use crate::scope::{Scope, names};
@@ -25,6 +26,7 @@ pub(crate) enum DecodedValue {
     Range([f64; 2]),
     Scale(Scale),
     Ridge(Ridge),
+    Fit(Fit),
     Marks(Marks),
     Switch(bool),
 }
@@ -77,6 +79,13 @@ impl Values<'_> {
         match self.get(key)? {
             DecodedValue::Ridge(ridge) => Some(*ridge),
             _ => None,
+        }
+    }
+
+    pub fn fit(&self, key: &str) -> Fit {
+        match self.get(key) {
+            Some(DecodedValue::Fit(fit)) => *fit,
+            _ => Fit::default(),
         }
     }
 
@@ -188,6 +197,10 @@ pub(crate) fn take(
             let all = [Ridge::Least, Ridge::Greatest, Ridge::NearestToOne];
             return name(node, path, "ridge", &RIDGES, faults)
                 .map(|row| DecodedValue::Ridge(all[row]));
+        }
+        Takes::Fit => {
+            return name(node, path, "fit", &FITS, faults)
+                .map(|row| DecodedValue::Fit(Fit::ALL[row]));
         }
         Takes::Parameter => {
             name(node, path, "parameter", &scope.parameters(), faults).map(|row| vec![row])

@@ -55,6 +55,8 @@ pub(crate) enum Takes {
     ScaleOrLog,
     /// Which value a line follows.
     Ridge,
+    /// How a fragility function is found.
+    Fit,
     /// Whether axes are in the units of the study.
     InUnits,
     /// One or several ordinates of response spectra.
@@ -81,6 +83,9 @@ pub(crate) const ORDINATES: [(&str, &str); 3] = [
 
 /// Names of the scales, as `Scale` has them.
 pub(crate) const SCALES: [&str; 2] = ["linear", "log"];
+
+/// Names of the ways to find a fragility function, as `Fit` has them.
+pub(crate) const FITS: [&str; 3] = ["likelihood", "incremental", "cloud"];
 
 /// Names of the lines along a map, as `Ridge` has them.
 pub(crate) const RIDGES: [&str; 3] = ["least", "greatest", "nearest to 1"];

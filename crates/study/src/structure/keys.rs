@@ -117,9 +117,6 @@ pub(crate) const GROUND: Keys = &[
     ("z", "acceleration in z"),
 ];
 
-/// Names of the baselines of supports.
-pub(crate) const BASELINES: [&str; 1] = ["linear"];
-
 /// Keys of imposed displacements.
 pub(crate) const IMPOSED: Keys = &[
     ("t", "times, rising"),
@@ -141,7 +138,7 @@ pub(crate) const SUPPORT: Keys = &[
     ),
     (
         "baseline",
-        "\"linear\" removes the mean slope of the velocity up to the end of the function, after which the support moves no more",
+        "\"none\", \"mean\" or \"linear\" as of a function; with \"linear\" the support moves no more after the end of the function",
     ),
 ];
 
@@ -257,7 +254,7 @@ pub(crate) const FUNCTION: Keys = &[
     ("table", "straight lines between points, constant beyond"),
     (
         "record",
-        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, CSV), or a parameter that chooses it",
+        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, SMC, COSMOS V1 and V2, GeoNet V1A and V2A, or a table), a parameter that chooses it, or {\"files\": ...}, all files of a folder or a pattern as an axis",
     ),
     ("pulse", "a pulse of acceleration"),
     (
@@ -272,11 +269,107 @@ pub(crate) const FUNCTION: Keys = &[
         "mean",
         "mean of a record: \"removed\" or \"kept\"; if left out, that of K-NET is removed, because its counts have an offset, and others are kept",
     ),
-    ("scale", "factor of the function"),
+    (
+        "column",
+        "column of a table with the accelerations, from 1; if left out, the table has two columns, t and a",
+    ),
+    (
+        "dt",
+        "time step in s of a table without times; its only column, or the one of \"column\", has the accelerations",
+    ),
+    (
+        "component",
+        "component of a file with several (COSMOS, GeoNet), from 1 in the order of the file",
+    ),
+    (
+        "scale",
+        "factor of the function, in addition to \"scale_to\"",
+    ),
+    (
+        "start",
+        "time of the function at which the motion begins, its t = 0; not of a sine, nor are the keys below",
+    ),
+    (
+        "end",
+        "time of the function at which the motion ends; 0 after",
+    ),
+    (
+        "baseline",
+        "what is removed from the motion from start to end: \"none\"; \"mean\", the mean of its points; \"linear\", the mean slope of its velocity, which is then 0 at the end",
+    ),
+    (
+        "scale_to",
+        "strength that the motion from start to end gets, without its baseline",
+    ),
+    (
+        "delay",
+        "time >= 0 by which all of the motion is later; 0 before",
+    ),
+];
+
+/// Keys of `scale_to`; one of the first three is given.
+pub(crate) const SCALE_TO: Keys = &[
+    ("pga", "largest acceleration"),
+    ("Sa", "pseudo-acceleration of an oscillator"),
+    (
+        "spectrum",
+        "target spectrum of pseudo-acceleration; the factor is that of the least squares of the difference at 101 periods, evenly spaced from \"from\" to \"to\"",
+    ),
+    ("T", "period of the oscillator of \"Sa\""),
+    ("from", "the shorter period of \"spectrum\""),
+    ("to", "the longer period of \"spectrum\""),
+    (
+        "ratio",
+        "damping ratio of \"Sa\" and \"spectrum\"; 0.05 if left out",
+    ),
+    (
+        "unit",
+        "unit of the accelerations: g, m/s2, cm/s2 or mm/s2; that of the study if left out",
+    ),
+];
+
+/// Keys of a target spectrum: one of these, or those of a table.
+pub(crate) const SPECTRUM: Keys = &[
+    (
+        "EN 1998-1",
+        "horizontal elastic response spectrum of EN 1998-1:2004, (3.2) to (3.5), with the damping correction (3.6)",
+    ),
+    ("ASCE 7", "design response spectrum of ASCE 7-16, 11.4.6"),
+];
+
+/// Keys of a target spectrum as a table.
+pub(crate) const TARGET_TABLE: Keys = &[
+    ("T", "periods, rising"),
+    (
+        "Sa",
+        "ordinates at these periods, straight between, constant beyond",
+    ),
+];
+
+/// Keys of the spectrum of EN 1998-1.
+pub(crate) const EN_1998: Keys = &[
+    ("ag", "design ground acceleration on type A ground"),
+    ("S", "soil factor"),
+    ("TB", "start of the plateau"),
+    ("TC", "end of the plateau"),
+    ("TD", "start of constant displacement"),
+];
+
+/// Keys of the spectrum of ASCE 7.
+pub(crate) const ASCE_7: Keys = &[
+    ("SDS", "design acceleration at short periods"),
+    ("SD1", "design acceleration at 1 s"),
+    ("TL", "long-period transition"),
 ];
 
 /// Number of the keys of [`FUNCTION`] of which one is needed.
 pub(crate) const FUNCTIONS: usize = 5;
+
+/// Key of the files of an axis of records.
+pub(crate) const FILES: Keys = &[(
+    "files",
+    "a folder, whose files but .md are the values, or a pattern with one * in the name of the files, such as \"records/*.smc\"; in the order of their names",
+)];
 
 /// Keys of `sine`.
 pub(crate) const SINE: Keys = &[

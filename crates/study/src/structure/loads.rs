@@ -5,6 +5,7 @@ use super::keys::{
 };
 use super::reader::{Reader, open};
 use super::records::record;
+use super::shape::shape;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
@@ -25,6 +26,10 @@ pub(super) fn load(node: &Node, path: &str, reader: &Reader, faults: &mut Faults
         let path = object.path("at");
         reader.moved(&text(node, &path, faults)?, node.at, &path, faults)
     });
+    if let Some(node) = object.get("scale_to") {
+        let message = "only an acceleration is scaled to a strength";
+        faults.add(node.at, &object.path("scale_to"), message);
+    }
     let force = function(&object, node.at, path, reader, faults);
     Some(Load {
         at: at?,
@@ -84,12 +89,15 @@ pub(super) fn ground(
 }
 
 /// Keys that only a record has, and the message for another function with one.
-const OF_RECORDS: [(&str, &str); 2] = [
+const OF_RECORDS: [(&str, &str); 5] = [
     (
         "unit",
         "only a record has a unit; other functions are in the units of the study",
     ),
     ("mean", "only the mean of a record is removed or kept"),
+    ("column", "only a record has columns"),
+    ("dt", "only a record has a time step"),
+    ("component", "only a record has components"),
 ];
 
 /// The function of an object, whose other keys belong to something else.
@@ -120,10 +128,11 @@ pub(super) fn function(
     }
     let inner = join(path, &member.key);
     let scale = reader.optional(object, "scale", Range::Any, faults);
+    let shape = shape(object, reader, faults);
     let kind = match member.key.as_str() {
         "sine" => sine(&member.node, &inner, reader, faults),
         "table" => {
-            let [t, f] = table(&member.node, &inner, TABLE, reader, faults)?;
+            let [t, f] = table(&member.node, &inner, (TABLE, ["t", "f"]), reader, faults)?;
             Some(Kind::Table { t, f })
         }
         "record" => record(&member.node, &inner, object, reader, faults),
@@ -133,6 +142,7 @@ pub(super) fn function(
     Some(Scaled {
         source: Source::new(kind?, (at, path.to_owned())),
         scale,
+        shape: shape?,
     })
 }
 
@@ -147,16 +157,15 @@ fn sine(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
     })
 }
 
-/// Times under `t` and values under another key, lists of one length.
+/// Lists of one length under two keys, such as times and values.
 pub(super) fn table(
     node: &Node,
     path: &str,
-    keys: super::keys::Keys,
+    (keys, [times, values]): (super::keys::Keys, [&str; 2]),
     reader: &Reader,
     faults: &mut Faults,
 ) -> Option<[Vec<Amount>; 2]> {
     let object = open(node, path, keys, faults)?;
-    let [times, values] = [keys[0].0, keys[1].0];
     let mut list = |key: &str| {
         let node = object.need(key, "a list of numbers", faults)?;
         let path = object.path(key);

@@ -11,7 +11,9 @@ mod named_metrics;
 mod names;
 mod parts;
 mod reader;
+pub(super) mod record_axis;
 mod records;
+mod shape;
 mod supports;
 #[cfg(test)]
 mod tests;
@@ -136,7 +138,8 @@ pub(super) fn problem(
     let faulty: Vec<String> = faulty.map(|(name, ..)| name.clone()).collect();
     contacts.extend(faulty);
     let known = reader.names.clone().with_contacts(contacts);
-    let metrics = named_metrics::metrics(root, &known, faults);
+    let mut metrics = named_metrics::metrics(root, &known, faults);
+    named_metrics::measures(&mut metrics, &template, &reader, faults);
     let drawn = named_metrics::drawn(root, &known, faults);
     let reduced = (&of_matrices[..], modes);
     matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);

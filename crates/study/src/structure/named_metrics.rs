@@ -1,14 +1,18 @@
 //! The metrics and channels that a study names, which become the tables of its problem.
 
+use super::reader::Reader;
 use crate::reduction::decode;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::expression::printable;
+use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::Channel;
+use slipgap_solver::problem::structure::loads::Kind;
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::Drawn;
+use slipgap_solver::problem::structure::template::{Scaled, Template};
 
 /// The metrics in the list `metrics`, and those that reductions, checks and figures name.
 pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<StructureMetric> {
@@ -31,6 +35,7 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
                     channel: None,
                     contact: None,
                     threshold: 0.0,
+                    ground: None,
                     place: (at, path.to_owned()),
                 });
             }
@@ -58,6 +63,39 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
         }
     }
     metrics
+}
+
+/// Gives measures of the ground their numbers, and reports those of a ground that the study does not have.
+pub(super) fn measures(
+    metrics: &mut [StructureMetric],
+    template: &Template,
+    reader: &Reader,
+    faults: &mut Faults,
+) {
+    for metric in metrics {
+        let Some(ground) = &mut metric.ground else {
+            continue;
+        };
+        let (at, path) = &metric.place;
+        let name = quoted(&metric.name);
+        match ground.of(template) {
+            Ok(Scaled { source, .. }) if matches!(source.kind(), Kind::Sine { .. }) => {
+                let message = format!("{name}: a sine has no end, so that it has no such measure");
+                faults.add(*at, path, message);
+            }
+            Ok(_) => {}
+            Err(why) => faults.add(*at, path, format!("{name}: {why}")),
+        }
+        let ranges = [Range::Positive, Range::UpToOne];
+        let amount = |(text, range): (&String, Range)| {
+            let node = Node {
+                at: *at,
+                tree: Tree::Text(text.clone()),
+            };
+            reader.amount(&node, path, range, faults)
+        };
+        ground.amounts = ground.texts.iter().zip(ranges).filter_map(amount).collect();
+    }
 }
 
 /// The kinds of figure that draw channels.

@@ -5,12 +5,12 @@ use super::reader::Reader;
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::value::{name, text};
+use crate::value::{name, number, text};
 use slipgap_solver::problem::interned;
-use slipgap_solver::problem::parameter::shortest;
+use slipgap_solver::problem::parameter::{Range, shortest};
 use slipgap_solver::problem::structure::loads::Kind;
 use slipgap_solver::problem::structure::template::Chosen;
-use slipgap_solver::system::loads::record::Mean;
+use slipgap_solver::system::loads::record::{Mean, Reading};
 use slipgap_solver::system::loads::{self, SignalFault, Unit};
 use slipgap_solver::system::structure::Signal;
 use std::sync::Arc;
@@ -33,13 +33,7 @@ pub(super) fn record(
             Some(Unit::ALL[name(node, &function.path("unit"), "unit", &names, faults)?])
         }
     };
-    let mean = match function.get("mean") {
-        None => None,
-        Some(node) => {
-            let names = Mean::ALL.map(Mean::name);
-            Some(Mean::ALL[name(node, &function.path("mean"), "mean", &names, faults)?])
-        }
-    };
+    let reading = reading(function, faults)?;
     let file = text(node, path, faults)?;
     let (chosen, files) = match reader.choices(&file) {
         Some((row, files)) => (
@@ -54,7 +48,7 @@ pub(super) fn record(
     let before = faults.count();
     let mut records = Vec::new();
     for file in files {
-        match read(file, (unit, mean), reader) {
+        match read(file, (unit, reading), reader) {
             Ok(signal) => records.push((file, signal)),
             Err((key, why)) => {
                 let wrong = key.and_then(|key| Some((function.get(key)?.at, function.path(key))));
@@ -69,23 +63,56 @@ pub(super) fn record(
     })
 }
 
+/// What the function says about its file besides the unit.
+fn reading(function: &Object, faults: &mut Faults) -> Option<Reading> {
+    let before = faults.count();
+    let mean = function.get("mean").and_then(|node| {
+        let names = Mean::ALL.map(Mean::name);
+        let place = name(node, &function.path("mean"), "mean", &names, faults)?;
+        Some(Mean::ALL[place])
+    });
+    let mut whole = |key: &str| {
+        let node = function.get(key)?;
+        let path = function.path(key);
+        let x = number(node, &path, Range::Positive, faults)?;
+        if x.fract() == 0.0 && x <= 1e6 {
+            return Some(x as usize);
+        }
+        let message = format!(
+            "must be a whole number from 1 to 1000000, got {}",
+            shortest(x)
+        );
+        faults.add(node.at, &path, message);
+        None
+    };
+    let (column, component) = (whole("column"), whole("component"));
+    let dt = function.get("dt");
+    let dt = dt.and_then(|node| number(node, &function.path("dt"), Range::Positive, faults));
+    (faults.count() == before).then_some(Reading {
+        mean,
+        column,
+        dt,
+        component,
+    })
+}
+
 /// Why a file gives no signal, and the key of the function that contradicts it; without one, the file itself is at fault.
 type Fault = (Option<&'static str>, String);
 
 /// The signal of a file, in the study's units.
 fn read(
     file: &str,
-    (unit, mean): (Option<Unit>, Option<Mean>),
+    (unit, reading): (Option<Unit>, Reading),
     reader: &Reader,
 ) -> Result<Arc<Signal>, Fault> {
     let bytes = bytes(&reader.folder.join(file), LARGEST).map_err(|why| (None, why))?;
-    let record = loads::record::parse(file, &bytes, mean);
+    let record = loads::record::parse(file, &bytes, reading);
     let record = record.map_err(|fault| (None, format!("line {}: {}", fault.line, fault.cause)))?;
     let signal = loads::signal(&record, unit, 1.0 / reader.metre).map_err(|why| match why {
         SignalFault::TwoUnits { .. } => (Some("unit"), why.to_string()),
         SignalFault::NoUnit | SignalFault::NotFinite => (None, why.to_string()),
     })?;
-    if let (None, Some(removed), Some(unit)) = (mean, record.removed_mean, record.unit) {
+    if let (None, Some(removed), Some(unit)) = (reading.mean, record.removed_mean, record.unit) {
         let removed = format!("{} {unit}", shortest(four_digits(removed)));
         let mut means = reader.removed_means.borrow_mut();
         if !means.iter().any(|(known, _)| known == file) {

@@ -1,14 +1,15 @@
 //! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
 
-use super::keys::{BASELINES, DISPLACEMENT, FUNCTION, GROUND, IMPOSED, SUPPORT, names};
+use super::keys::{DISPLACEMENT, FUNCTION, GROUND, IMPOSED, SUPPORT, names};
 use super::loads::{function, table};
 use super::parts::Part;
 use super::reader::Reader;
+use super::shape::baseline;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::name;
 use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::template::{Course, Support};
 use slipgap_solver::system::structure::{Baseline, Direction};
 
@@ -39,6 +40,20 @@ pub(super) fn refuse_ground(object: &Object, faults: &mut Faults) {
     }
 }
 
+/// A delay or a baseline of a support and of one of its directions, too.
+fn refuse_twice(support: &Object, direction: &Node, path: &str, faults: &mut Faults) {
+    let Tree::Object(members) = &direction.tree else {
+        return;
+    };
+    let twice = members.iter().filter(|member| {
+        SUPPORT.iter().any(|key| key.0 == member.key) && support.get(&member.key).is_some()
+    });
+    for member in twice {
+        let message = "give it for the support or for its directions, not both";
+        faults.add(member.at, &join(path, &member.key), message);
+    }
+}
+
 fn support(
     (own_name, node, path): &Part,
     reader: &Reader,
@@ -47,50 +62,72 @@ fn support(
     let mut keys = names(FUNCTION);
     keys.extend(names(GROUND).into_iter().chain(names(SUPPORT)));
     let object = Object::open(node, path, &keys, faults)?;
-    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
-    let baseline = match object.get("baseline") {
-        None => Baseline::None,
-        Some(node) => {
-            name(
-                node,
-                &object.path("baseline"),
-                "baseline",
-                &BASELINES,
-                faults,
-            )?;
-            Baseline::Linear
-        }
-    };
-    let support = |direction, course| Support {
-        name: own_name.clone(),
-        direction,
-        course,
-        delay: delay.clone(),
-        baseline,
-    };
     let given = directions(node);
     let members = object.members.iter();
-    let plain = members.clone().find(|member| is_course(&member.key));
+    let plain = members
+        .clone()
+        .filter(|member| {
+            member.key == DISPLACEMENT.0 || !SUPPORT.iter().any(|key| key.0 == member.key)
+        })
+        .find(|member| is_course(&member.key));
     let by_directions = members
         .clone()
         .any(|member| GROUND.iter().any(|key| key.0 == member.key));
+    // The delay and the baseline of a function are those of the support, whose displacement follows from them. Its strength is that
+    // without the baseline; to remove it once more changes nothing.
+    let support = |direction, mut course: Course, delay: Option<Amount>| {
+        let (delay, baseline) = match &mut course {
+            Course::Acceleration(acceleration) => {
+                let shape = &mut acceleration.shape;
+                let baseline = shape.baseline;
+                if shape.scale_to.is_none() {
+                    shape.baseline = Baseline::None;
+                }
+                (shape.delay.take(), baseline)
+            }
+            Course::Displacement(..) => (delay, Baseline::None),
+        };
+        Support {
+            name: own_name.clone(),
+            direction,
+            course,
+            delay,
+            baseline,
+        }
+    };
     if !by_directions {
         let course = course(&object, node.at, path, reader, faults)?;
-        return Some(vec![support(Direction::X, course)]);
+        let delay = match &course {
+            Course::Displacement(..) => {
+                reader.optional(&object, "delay", Range::NotNegative, faults)
+            }
+            Course::Acceleration(_) => None,
+        };
+        return Some(vec![support(Direction::X, course, delay)]);
     }
     if let Some(member) = plain {
         let message = "give a function of time, which is the motion in x, or x, y and z, not both";
         faults.add(member.at, &join(path, &member.key), message);
         return None;
     }
+    let delay = reader.optional(&object, "delay", Range::NotNegative, faults);
+    let baseline = baseline(&object, faults).unwrap_or_default();
     let one = |(direction, given): (Direction, bool)| {
         let node = object.get(direction.name()).filter(|_| given)?;
         let path = object.path(direction.name());
+        refuse_twice(&object, node, &path, faults);
         let mut keys = names(FUNCTION);
         keys.push(DISPLACEMENT.0);
         let object = Object::open(node, &path, &keys, faults)?;
-        let course = course(&object, node.at, &path, reader, faults)?;
-        Some(support(direction, course))
+        let mut course = course(&object, node.at, &path, reader, faults)?;
+        if let Course::Acceleration(acceleration) = &mut course {
+            let shape = &mut acceleration.shape;
+            shape.delay = shape.delay.take().or_else(|| delay.clone());
+            if shape.baseline == Baseline::None {
+                shape.baseline = baseline;
+            }
+        }
+        Some(support(direction, course, delay.clone()))
     };
     let all: Vec<Support> = (Direction::TRANSLATIONS.into_iter().zip(given))
         .filter_map(one)
@@ -116,15 +153,14 @@ fn course(
             object, at, path, reader, faults,
         )?));
     };
-    let mut others = object.members.iter();
-    let other =
-        others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key) || own.key == "baseline");
+    let mut others = object.members.iter().filter(|own| own.key != "delay");
+    let other = others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key));
     if let Some(other) = other {
         let message = format!("a support with displacements has no {}", other.key);
         faults.add(other.at, &join(path, &other.key), message);
         return None;
     }
     let path = object.path(DISPLACEMENT.0);
-    let points = table(node, &path, IMPOSED, reader, faults)?;
+    let points = table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?;
     Some(Course::Displacement(points, (node.at, path)))
 }

@@ -1,9 +1,12 @@
 //! The acceleration of the ground in a case, for response spectra.
 
-use super::template::Template;
+use super::describe::short;
+use super::loads::Kind;
+use super::template::{Scaled, Template};
 use super::units::UnitNames;
 use crate::problem::Case;
-use crate::system::structure::{Signal, Table};
+use crate::system::loads::measures::Measure;
+use crate::system::structure::{Direction, Signal, Table};
 use std::f64::consts::PI;
 
 /// The acceleration of the ground in a case.
@@ -20,6 +23,31 @@ const POINTS: f64 = 400.0;
 
 /// Most points of a sine.
 const MOST: f64 = 1e6;
+
+/// The recorded and changed motions of the ground in a case, one line each: the file, the factor of its strength, and its measures.
+pub fn described(template: &Template, case: &Case) -> String {
+    let line = |(direction, ground): &(Direction, Scaled)| {
+        let file = match ground.source.kind() {
+            Kind::Record { name, .. } => format!(" {},", name.name(case)),
+            _ if ground.shape.is_plain() => return None,
+            _ => String::new(),
+        };
+        let (_, factor) = ground.in_case(case, template.metre).ok()?;
+        let measure = |measure| ground.measure(measure, case, template.metre).ok()?;
+        let pga = measure(Measure::PeakAcceleration)?;
+        let pgv = measure(Measure::PeakVelocity)?;
+        let duration = measure(Measure::Duration)?;
+        Some(format!(
+            "ground in {}:{file} factor {}, pga {}, pgv {}, d5_95 {}\n",
+            direction.name(),
+            short(factor),
+            short(pga),
+            short(pgv),
+            short(duration)
+        ))
+    };
+    template.ground.iter().filter_map(line).collect()
+}
 
 /// The ground motion of a case; `None` without one, or if a number of it breaks a rule. A sine acts until the end of the case.
 pub fn ground_motion(template: &Template, case: &Case, duration: f64) -> Option<GroundMotion> {

@@ -2,7 +2,7 @@
 
 use super::amount::Amount;
 use super::signal_cache::SignalCache;
-use super::template::{Chosen, Scaled};
+use super::template::Chosen;
 use crate::problem::parameter::shortest;
 use crate::problem::{Case, Violation};
 use crate::system::loads::pulse::{self, PulseFault};
@@ -110,6 +110,18 @@ impl Source {
             self.make(&numbers, metre).map(Arc::new)
         };
         cell.get_or_init(make).clone()
+    }
+
+    /// What identifies the signal in a case among those of the function.
+    pub fn key(&self, case: &Case) -> Result<Vec<u64>, Violation> {
+        match &self.kind {
+            Kind::Record { name, records } => {
+                let name = name.name(case);
+                let place = records.iter().position(|record| record.0 == name);
+                Ok(vec![place.unwrap_or(records.len()) as u64])
+            }
+            _ => Ok(key(&self.numbers(case)?)),
+        }
     }
 
     /// Every rule that the function breaks in a case; samples are not computed.
@@ -262,23 +274,4 @@ fn key(numbers: &[f64]) -> Vec<u64> {
 fn no_motion(omega: f64) -> String {
     let omega = shortest(omega);
     format!("no motion from 1/30 to 25 Hz passes a ground filter of omega = {omega} rad/s")
-}
-
-impl Scaled {
-    /// Every rule that the function breaks in a case; samples are not computed.
-    pub fn check(&self, case: &Case, metre: f64) -> Result<(), Violation> {
-        self.source.check(case, metre)?;
-        self.scale
-            .as_ref()
-            .map_or(Ok(()), |scale| scale.value(case).map(|_| ()))
-    }
-
-    /// The signal in a case, and its factor.
-    pub fn in_case(&self, case: &Case, metre: f64) -> Result<(Arc<Signal>, f64), Violation> {
-        let scale = self
-            .scale
-            .as_ref()
-            .map_or(Ok(1.0), |scale| scale.value(case));
-        Ok((self.source.signal(case, metre)?, scale?))
-    }
 }

@@ -1,21 +1,24 @@
 //! Metrics of a structure: a reduction of a channel over time.
 
 use super::channel::{Channel, QUANTITIES};
+use super::ground_metric::{GroundMetric, PREFIX, without_direction};
 use super::names::Names;
 
 /// A metric of the study.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct StructureMetric {
     /// Its column: the text in the study, such as `peak(g1.right - p2)`.
     pub name: String,
     /// How the channel is reduced to a number.
     pub reduction: Reduction,
-    /// The channel; none for `energy_error` and `numerical_dissipation`.
+    /// The channel; none for measures of the ground, `energy_error` and `numerical_dissipation`.
     pub channel: Option<Channel>,
     /// The contact of a reduction of contacts, by its place in the list.
     pub contact: Option<usize>,
     /// The threshold of a divergence, over the peak.
     pub threshold: f64,
+    /// What a measure of the ground is of.
+    pub ground: Option<GroundMetric>,
     /// Byte offset and path of the text in the study.
     pub place: (usize, String),
 }
@@ -42,6 +45,8 @@ enum Takes {
     Contact,
     Nothing,
     ChannelAndThreshold,
+    Ground,
+    GroundAndOscillator,
 }
 
 reductions! {
@@ -69,6 +74,13 @@ reductions! {
     Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
     ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold "sum of impacts over all contacts that are impacts, of the steps before divergence; of all steps where it never comes",
     Difference "difference" Channel "largest difference over the steps between this run and one with start and loads 1e-10 larger, over the peak; empty where the channel is always 0",
+    GroundPga "ground.pga" Ground "largest acceleration of the ground as the structure gets it",
+    GroundPgv "ground.pgv" Ground "largest velocity of the ground: its acceleration, straight between the points, integrated from rest; also between the points",
+    GroundPgd "ground.pgd" Ground "largest displacement of the ground: its acceleration integrated twice from rest; a baseline changes it much",
+    GroundArias "ground.arias" Ground "Arias intensity, pi/(2 g) times the integral of a^2 by trapezoids",
+    GroundDuration "ground.d5_95" Ground "time from 5 to 95 % of the Arias intensity",
+    GroundSpectral "ground.Sa" GroundAndOscillator "(2 pi/T)^2 times the largest displacement of an oscillator on the ground: ground.Sa(T, ratio), ratio 0.05 if left out; exact for straight lines, also between the points",
+    GroundMeanPeriod "ground.Tm" Ground "mean of 1/f weighted by the squared Fourier amplitudes from 0.25 to 20 Hz (Rathje et al. 1998)",
 }
 
 impl Reduction {
@@ -99,9 +111,10 @@ pub const OF_ALL: [&str; 2] = ["energy_error", "numerical_dissipation"];
 /// Whether a text has the form of a metric: `name(...)`, or one of [`OF_ALL`].
 pub fn looks_like_metric(text: &str) -> bool {
     let name = text.split('(').next().unwrap_or_default().trim();
+    let name = &*without_direction(name).0;
     let with_brackets = text.contains('(') && text.trim_end().ends_with(')');
     let known = REDUCTIONS.iter().any(|known| known.0 == name);
-    known && (with_brackets || OF_ALL.contains(&name))
+    known && (with_brackets || OF_ALL.contains(&name) || name.starts_with(PREFIX))
 }
 
 impl StructureMetric {
@@ -121,6 +134,8 @@ impl StructureMetric {
                 )
             }
         };
+        let (name, direction) = without_direction(name);
+        let name = &*name;
         let Some(place) = REDUCTIONS.iter().position(|known| known.0 == name) else {
             let all = REDUCTIONS.map(|known| known.0).join(", ");
             return Err(format!("no metric '{name}'; allowed: {all}"));
@@ -132,10 +147,15 @@ impl StructureMetric {
             channel: None,
             contact: None,
             threshold: 0.0,
+            ground: None,
             place: (0, String::new()),
         };
         let inside = inside.map(str::trim);
         match (takes, inside) {
+            (Takes::Ground | Takes::GroundAndOscillator, inside) => {
+                let oscillator = takes == Takes::GroundAndOscillator;
+                metric.ground = Some(GroundMetric::new(name, direction, oscillator, inside)?);
+            }
             (Takes::Nothing, None) => {}
             (Takes::Nothing, Some(_)) => return Err(format!("{name} has no channel")),
             (_, None | Some("")) => {
@@ -184,6 +204,7 @@ fn contact(text: &str, names: &Names) -> Result<usize, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::system::structure::Direction;
 
     fn names() -> Names {
         let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
@@ -205,6 +226,12 @@ mod tests {
             assert_eq!(metric(name).reduction.name(), name);
             assert!(looks_like_metric(name));
         }
+        let ground = |text| metric(text).ground.unwrap();
+        assert_eq!(ground("ground.pga").direction, None);
+        let spectral = ground("ground.y.Sa( T1 ,0.02)");
+        assert_eq!(spectral.direction, Some(Direction::Y));
+        assert_eq!(spectral.texts, ["T1", "0.02"]);
+        assert!(looks_like_metric("ground.z.Tm") && !looks_like_metric("ground.x"));
         let divergence = metric("divergence(p1, 0.01)");
         assert_eq!(divergence.threshold, 0.01);
         for (text, part) in [
@@ -216,6 +243,10 @@ mod tests {
             ("energy_error(p1)", "has no channel"),
             ("divergence(p1)", "a channel and a threshold"),
             ("divergence(p1, 0)", "must be a number > 0"),
+            ("ground.pga(1)", "has no brackets"),
+            ("ground.Sa", "needs the period"),
+            ("ground.y.Sa(1, 2, 3)", "needs the period"),
+            ("ground.w.pga", "no metric 'ground.w.pga'"),
         ] {
             let why = StructureMetric::parse(text, &names()).unwrap_err();
             assert!(why.contains(part), "{text}: {why}");

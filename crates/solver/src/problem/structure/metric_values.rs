@@ -189,7 +189,14 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         | Reduction::Work
         | Reduction::ResidualSlip
         | Reduction::EnergyError
-        | Reduction::NumericalDissipation => None,
+        | Reduction::NumericalDissipation
+        | Reduction::GroundPga
+        | Reduction::GroundPgv
+        | Reduction::GroundPgd
+        | Reduction::GroundArias
+        | Reduction::GroundDuration
+        | Reduction::GroundSpectral
+        | Reduction::GroundMeanPeriod => None,
     }
 }
 

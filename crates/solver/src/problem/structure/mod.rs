@@ -10,6 +10,7 @@ mod damping;
 mod describe;
 mod diverge;
 mod ground;
+pub mod ground_metric;
 pub mod loads;
 mod massless;
 pub mod metric;
@@ -20,8 +21,10 @@ pub mod names;
 pub mod node;
 pub mod reduce;
 pub mod rows;
+pub mod scale_to;
 pub mod schema;
 pub mod scheme;
+pub mod shape;
 mod signal_cache;
 mod solve;
 mod supports;
@@ -205,6 +208,16 @@ impl StructureProblem {
         distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
     }
 
+    /// Every number of a measure of the ground is in its range.
+    fn check_measures(&self, case: &Case) -> Vec<Violation> {
+        let metrics = self.metrics.iter();
+        let measure = |metric: &StructureMetric| {
+            let ground = metric.ground.as_ref()?;
+            ground.measure(metric.reduction, case).err()
+        };
+        metrics.filter_map(measure).collect()
+    }
+
     /// Every channel has its nodes in a case.
     fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
         let metrics = self.metrics.iter();
@@ -270,6 +283,7 @@ impl Problem for StructureProblem {
             Err(broken) => violations.extend(broken),
             Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering));
+                violations.extend(self.check_measures(case));
                 let contacts = self.template.contacts.len();
                 let numbers = (2 * numbering.nodes() + 3 * contacts) as f64;
                 let steps = duration / step;
@@ -389,6 +403,7 @@ impl Problem for StructureProblem {
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
         let models = models::Models::of(&self.template, case, &structure, &numbering);
         let mut text = describe::describe(&structure, &models, times, &self.template.units);
+        text += &ground::described(&self.template, case);
         text += &reduce::described(&self.template, case, describe::short);
         Some(text)
     }

@@ -258,10 +258,11 @@ impl StructureProblem {
             against_rigid: rigid,
             impulses: method.has_impulses(),
         };
-        let metrics = self.metrics.iter();
-        let values = metrics
-            .map(|metric| metric_values::value(metric, of, &motions).filter(|x| x.is_finite()))
-            .collect();
+        let value = |metric: &StructureMetric| match &metric.ground {
+            Some(ground) => ground.value(metric.reduction, &self.template, &ready.case),
+            None => metric_values::value(metric, of, &motions).filter(|x| x.is_finite()),
+        };
+        let values = self.metrics.iter().map(value).collect();
         let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
         Ok((motions, values, warnings))
     }

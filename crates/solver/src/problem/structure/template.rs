@@ -5,6 +5,7 @@ use super::loads::Source;
 use super::node::NodeName;
 use super::reduce::Reduce;
 use super::rows::Rows;
+use super::shape::Shape;
 use crate::problem::{Case, Violation};
 use crate::system::import::Imported;
 use crate::system::structure::{Baseline, Direction};
@@ -352,6 +353,8 @@ pub struct Scaled {
     pub source: Source,
     /// The factor; none for 1.
     pub scale: Option<Amount>,
+    /// What is done to the function before.
+    pub shape: Box<Shape>,
 }
 
 /// A static load, which acts before t = 0 and stays.

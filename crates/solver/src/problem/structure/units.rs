@@ -56,7 +56,16 @@ impl UnitNames<'_> {
                 let channel = metric.channel.as_ref()?;
                 Some(self.of_dimension(channel.dimension()))
             }
-            Reduction::TimeOfPeak
+            Reduction::GroundPga | Reduction::GroundSpectral => {
+                Some(self.of_dimension(Dimension::Acceleration))
+            }
+            Reduction::GroundPgv | Reduction::GroundArias => {
+                Some(self.of_dimension(Dimension::Velocity))
+            }
+            Reduction::GroundPgd => Some(self.length.to_owned()),
+            Reduction::GroundDuration
+            | Reduction::GroundMeanPeriod
+            | Reduction::TimeOfPeak
             | Reduction::ContactTime
             | Reduction::OpenTime
             | Reduction::Divergence => Some(self.time.to_owned()),
@@ -92,6 +101,11 @@ mod tests {
             ("residual_slip(stop)", Some("m")),
             ("impacts(stop)", None),
             ("energy_error", None),
+            ("ground.pga", Some("m/s2")),
+            ("ground.Sa(1)", Some("m/s2")),
+            ("ground.arias", Some("m/s")),
+            ("ground.pgd", Some("m")),
+            ("ground.Tm", Some("s")),
         ] {
             let parsed = StructureMetric::parse(metric, &names).unwrap();
             assert_eq!(units.of_metric(&parsed).as_deref(), unit, "{metric}");

@@ -3,6 +3,7 @@
 //! Small motions, masses lumped or consistent. A node is a degree of freedom. B has one column for each contact: the factors of u
 //! in r. Between two nodes they are -1 at node I and +1 at node J, so that S resists the opening of the contact: S <= 0 in an impact.
 
+mod baseline;
 mod direction;
 pub mod factor;
 mod inertia;
@@ -15,10 +16,11 @@ mod signal;
 mod structure_law;
 mod support;
 
+pub use baseline::{Baseline, NoEnd};
 pub use direction::Direction;
 pub use inertia::Inertia;
 pub use matrix::Symmetric;
-pub use motion::{Baseline, Motion, MotionFault, Quantity};
+pub use motion::{Motion, MotionFault, Quantity};
 pub use preload::Preload;
 pub use signal::{Signal, Table};
 pub use structure_law::{Limit, Pressure, StructureLaw};

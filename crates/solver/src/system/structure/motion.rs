@@ -1,6 +1,7 @@
 //! Motions of supports: an acceleration with its integrals from rest.
 
-use super::{Signal, Table};
+use super::baseline::NoEnd;
+use super::{Baseline, Signal, Table};
 use libm::{cos, sin};
 use std::fmt;
 
@@ -41,16 +42,6 @@ pub enum Quantity {
     Velocity,
     /// a.
     Acceleration,
-}
-
-/// What is removed from the velocity of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Baseline {
-    /// Nothing.
-    #[default]
-    None,
-    /// Its mean slope up to the last point, after which the velocity stays 0.
-    Linear,
 }
 
 /// Why a function is no motion of a support.
@@ -97,7 +88,7 @@ impl Motion {
                 omega,
                 phase,
             } => {
-                if baseline == Baseline::Linear {
+                if baseline != Baseline::None {
                     return Err(MotionFault::NoEnd);
                 }
                 Course::Sine {
@@ -321,22 +312,8 @@ fn pieces(
     delay: f64,
     baseline: Baseline,
 ) -> Result<Vec<Piece>, MotionFault> {
-    let mut points = vec![(0.0, scale * table.at(0.0))];
-    let own = table.times().iter().zip(table.values());
-    let own = own.filter(|(time, _)| **time > 0.0);
-    points.extend(own.map(|(time, a)| (*time, scale * a)));
-    if baseline == Baseline::Linear {
-        let last = points.last().copied().unwrap_or_default();
-        if last.0 <= 0.0 {
-            return Err(MotionFault::NoEnd);
-        }
-        let areas = points
-            .windows(2)
-            .map(|pair| 0.5 * (pair[0].1 + pair[1].1) * (pair[1].0 - pair[0].0));
-        let mean = areas.sum::<f64>() / last.0;
-        points.iter_mut().for_each(|(_, a)| *a -= mean);
-        points.push((last.0, 0.0));
-    }
+    let points = baseline.removed(table, scale);
+    let points = points.map_err(|NoEnd| MotionFault::NoEnd)?;
     let [mut u, mut v] = [0.0; 2];
     let mut pieces: Vec<Piece> = Vec::with_capacity(points.len());
     for (i, (time, a)) in points.iter().enumerate() {

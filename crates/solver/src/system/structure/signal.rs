@@ -56,6 +56,16 @@ impl Table {
         &self.values
     }
 
+    /// Times and values without a jump from 0 at the first point and one to 0 at the last point, with which a motion starts and ends.
+    pub fn own_points(&self) -> (&[f64], &[f64]) {
+        let (t, f) = (&self.times, &self.values);
+        let count = t.len();
+        let first = count > 1 && t[0] == t[1] && f[0] == 0.0;
+        let last = count > 1 && t[count - 2] == t[count - 1] && f[count - 1] == 0.0;
+        let range = usize::from(first)..count - usize::from(last && count > 2);
+        (&t[range.clone()], &f[range])
+    }
+
     /// The value at time t; at a jump the one from then on.
     pub fn at(&self, t: f64) -> f64 {
         self.after(self.times.partition_point(|time| *time <= t), t)

@@ -115,6 +115,7 @@ macro_rules! kinds {
     };
 }
 
+pub use fragility::Fit;
 pub use spectrum::Ordinate;
 
 kinds! {

@@ -121,9 +121,15 @@ fn relation(object: &Object, reader: &Reader, faults: &mut Faults) -> Option<Rel
     let normal = object
         .get("N")
         .and_then(|node| normal(node, &object.path("N"), reader, faults));
-    let points = object
-        .get("table")
-        .and_then(|node| table(node, &object.path("table"), LAW_TABLE, reader, faults));
+    let points = object.get("table").and_then(|node| {
+        table(
+            node,
+            &object.path("table"),
+            (LAW_TABLE, ["r", "S"]),
+            reader,
+            faults,
+        )
+    });
     let relation = Relation {
         law: law?,
         gap,
@@ -257,7 +263,7 @@ fn normal(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Opti
             vertical: vertical?,
         });
     }
-    let [t, f] = table(node, path, NORMAL_TABLE, reader, faults)?;
+    let [t, f] = table(node, path, (NORMAL_TABLE, ["t", "N"]), reader, faults)?;
     let source = Source::new(Kind::Table { t, f }, (node.at, path.to_owned()));
     Some(Normal::Table(source))
 }

@@ -439,7 +439,7 @@ fn faults_of_supports_have_places() {
             "a sine has none",
         ),
         (
-            format!(r#"{{"left": {{"x": {sine}, "baseline": "mean"}}}}"#),
+            format!(r#"{{"left": {{"x": {sine}, "baseline": "parabolic"}}}}"#),
             String::new(),
             "supports.left.baseline",
             "linear",

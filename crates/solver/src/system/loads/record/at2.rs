@@ -1,9 +1,20 @@
 //! PEER AT2: a header of four lines, the last with NPTS and DT, then the accelerations in rows.
 
-use super::Record;
 use super::fault::{LineFault, RecordCause, fault};
 use super::number::{all, number};
+use super::{Format, Reading, Record, columns};
 use crate::system::loads::Unit;
+
+/// The format.
+pub(super) const FORMAT: Format = Format {
+    name: "PEER AT2",
+    find: |lines| match header(lines) {
+        Some(_) => Ok(()),
+        None => Err("no line of the first 20 names NPTS and DT"),
+    },
+    read,
+    components: false,
+};
 
 /// Lines that are searched for NPTS and DT. PEER has them in line 4; an editor or a mail may have added some.
 const HEADER: usize = 20;
@@ -15,8 +26,16 @@ enum Key {
     Dt,
 }
 
+/// The record; the header of a table may name NPTS and DT, too.
+fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+    let Some(header) = header(lines) else {
+        return columns::parse(lines, reading);
+    };
+    parse(lines, header).or_else(|fault| columns::parse(lines, reading).map_err(|_| fault))
+}
+
 /// The index of the line that names NPTS and DT.
-pub(super) fn header(lines: &[&str]) -> Option<usize> {
+fn header(lines: &[&str]) -> Option<usize> {
     let both = |line: &&str| {
         [Key::Npts, Key::Dt]
             .iter()
@@ -36,7 +55,7 @@ fn keys(line: &str) -> impl Iterator<Item = Key> + '_ {
 }
 
 /// The record of a file whose line `header` names NPTS and DT.
-pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> {
+fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> {
     let titles = &lines[..header];
     for (index, title) in titles.iter().enumerate() {
         let title = title.to_ascii_lowercase();
@@ -48,13 +67,18 @@ pub(super) fn parse(lines: &[&str], header: usize) -> Result<Record, LineFault> 
     }
     let (npts, dt) = counts(lines[header]).map_err(|cause| fault(header, cause))?;
     let source = format!("NPTS of line {}", header + 1);
-    let values = all(lines, header + 1, npts, &source)?;
-    Ok(Record {
-        times: (0..values.len()).map(|i| i as f64 * dt).collect(),
-        values,
-        unit: titles.iter().find_map(|title| unit(title)),
-        removed_mean: None,
-    })
+    let values = all(before_end(lines), header + 1, npts, &source)?;
+    let unit = titles.iter().find_map(|title| unit(title));
+    Ok(Record::even(values, dt, unit))
+}
+
+/// The lines before one such as `*** End Data ***`, with which some programs end a file.
+fn before_end<'a, 'b>(lines: &'a [&'b str]) -> &'a [&'b str] {
+    let is_end = |line: &&str| {
+        let line = line.trim().to_ascii_lowercase();
+        line.starts_with("***") && line.contains("end data")
+    };
+    &lines[..lines.iter().position(is_end).unwrap_or(lines.len())]
 }
 
 /// NPTS and DT: the first two numbers of the line, in the order of the names, which are before, between or after them.

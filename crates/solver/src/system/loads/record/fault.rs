@@ -46,12 +46,27 @@ pub enum RecordCause {
     Npts(f64),
     /// A DT that is not > 0, or too large.
     Dt(f64),
-    /// No row of two numbers.
-    NoRow,
+    /// No row of so many numbers.
+    NoRow(usize),
     /// One row of two numbers.
     OneRow,
-    /// A row with so many numbers instead of two.
-    Fields(usize),
+    /// A row with so many numbers, without the wanted column; or without a wanted one, but with more than one acceleration. The last
+    /// one says whether the rows have no times.
+    Fields(usize, Option<usize>, bool),
+    /// The wanted column has the times.
+    ColumnOfTimes,
+    /// Columns and components together.
+    TwoChoices,
+    /// A component of a file in this format, which has one.
+    OneComponent(&'static str),
+    /// None of these components is wanted, or one that is not there.
+    Components(Vec<Shown>, Option<usize>),
+    /// The header ends before this line.
+    HeaderEnds(usize),
+    /// A number of something that is no whole number >= 2.
+    Count(&'static str, f64),
+    /// The file is no table, for this reason, and in no other format, for those.
+    Unknown(Box<RecordCause>, Vec<(&'static str, &'static str)>),
     /// A time that is not after the one before it.
     Time {
         /// The time.
@@ -80,7 +95,10 @@ impl fmt::Display for RecordCause {
                 write!(f, "more numbers than {source}, {count}")
             }
             RecordCause::FewerNumbers(numbers, source, count) => {
-                write!(f, "the file ends after {numbers} numbers; {source} is {count}")
+                write!(
+                    f,
+                    "the file ends after {numbers} numbers; {source} is {count}"
+                )
             }
             RecordCause::OneNumber => f.write_str("a record needs two or more numbers"),
             RecordCause::Quantity(other) => {
@@ -91,16 +109,60 @@ impl fmt::Display for RecordCause {
             ),
             RecordCause::Npts(npts) => write!(f, "NPTS must be a whole number >= 2, got {npts}"),
             RecordCause::Dt(dt) => write!(f, "DT must be > 0 and finite, got {dt}"),
-            RecordCause::NoRow => f.write_str(
-                "the file has no row of two numbers; allowed: two columns t and a with decimal points, PEER AT2, K-NET ASCII",
+            RecordCause::NoRow(1) => f.write_str("the file has no row of numbers"),
+            RecordCause::NoRow(_) => f.write_str(
+                "the file has no row of two numbers, t and a; if it has no times, give \"dt\"",
             ),
             RecordCause::OneRow => {
                 f.write_str("the file has one row of numbers; a record needs two or more")
             }
-            RecordCause::Fields(count) => write!(
+            RecordCause::Fields(count, Some(column), _) => {
+                write!(f, "a row needs {column} numbers or more, got {count}")
+            }
+            RecordCause::Fields(count, None, false) => write!(
                 f,
-                "a row must have two numbers, t and a, with decimal points, got {count}"
+                "a row must have two numbers, t and a, with decimal points, got {count}; of several columns give \"column\""
             ),
+            RecordCause::Fields(count, None, true) => write!(
+                f,
+                "a row must have one number, a, since \"dt\" is given, got {count}; of several columns give \"column\""
+            ),
+            RecordCause::ColumnOfTimes => f.write_str(
+                "column 1 has the times; give another column, or \"dt\" if the table has no times",
+            ),
+            RecordCause::TwoChoices => f.write_str(
+                "column and dt are of tables, which have no components; give one or the other",
+            ),
+            RecordCause::OneComponent(format) => {
+                write!(
+                    f,
+                    "the file is {format}, which has one component; give none"
+                )
+            }
+            RecordCause::Components(names, wanted) => {
+                let names = names.iter().enumerate();
+                let names: Vec<String> =
+                    names.map(|(i, name)| format!("{} {name}", i + 1)).collect();
+                let wanted = wanted.map_or(String::new(), |number| format!(", got {number}"));
+                let names = names.join(", ");
+                write!(
+                    f,
+                    "\"component\" must be the number of one of the file's components, {names}{wanted}"
+                )
+            }
+            RecordCause::HeaderEnds(line) => write!(f, "the header needs line {line}"),
+            RecordCause::Count(what, count) => {
+                write!(f, "{what} must be a whole number >= 2, got {count}")
+            }
+            RecordCause::Unknown(table, others) => {
+                let others = others.iter().map(|(name, why)| format!("{name} ({why})"));
+                let others: Vec<String> = others.collect();
+                write!(
+                    f,
+                    "{table}; the file is in no other format, either: {}",
+                    others.join(", ")
+                )
+            }
             RecordCause::Time { t, last } => {
                 write!(f, "the times must rise, got {t} after {last}")
             }

@@ -2,16 +2,22 @@
 
 use super::fault::{LineFault, RecordCause, Shown, fault};
 use super::number::{all, number};
-use super::{Mean, Record, end, mean as means};
+use super::{Format, Mean, Reading, Record, end, mean as means};
 use crate::system::loads::Unit;
+
+/// The format.
+pub(super) const FORMAT: Format = Format {
+    name: "K-NET ASCII",
+    find: |lines| match header(lines, "Scale Factor") {
+        Some(_) => Ok(()),
+        None => Err("no line of the first 17 begins with \"Scale Factor\""),
+    },
+    read: |lines, reading: &Reading| parse(lines, reading.mean.unwrap_or(Mean::Removed)),
+    components: false,
+};
 
 /// Lines of the header.
 const HEADER: usize = 17;
-
-/// Whether the header has a line `Scale Factor`.
-pub(super) fn is_format(lines: &[&str]) -> bool {
-    header(lines, "Scale Factor").is_some()
-}
 
 /// The index and the rest of the line of the header that begins with `label`.
 fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
@@ -24,7 +30,7 @@ fn header<'a>(lines: &[&'a str], label: &str) -> Option<(usize, &'a str)> {
 }
 
 /// The record in gal (cm/s2): (count - mean of all counts) a/b with the scale factor a(gal)/b, or count a/b if the mean is kept.
-pub(super) fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
+fn parse(lines: &[&str], mean: Mean) -> Result<Record, LineFault> {
     let memo = lines.get(HEADER - 1).map(|line| line.trim());
     if !memo.is_some_and(|memo| memo.starts_with("Memo")) {
         return Err(fault(end(lines).min(HEADER - 1), RecordCause::Header));

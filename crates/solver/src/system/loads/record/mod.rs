@@ -1,20 +1,22 @@
-//! Recorded accelerations: PEER AT2, K-NET ASCII, and two columns.
+//! Recorded accelerations: the formats of record files, one file each, and the choice among them.
 //!
-//! The content decides on the format: a file with a line `Scale Factor` in its header is K-NET, one with a line that names NPTS and
-//! DT is AT2, and any other file has two columns.
+//! The content decides on the format. A file that is in none of the others is a table.
 
 mod at2;
 mod columns;
+mod cosmos;
 mod fault;
+mod geonet;
 mod knet;
 mod mean;
 mod number;
+mod smc;
 
 pub use fault::{RecordCause, RecordFault, Shown};
 pub use mean::Mean;
 
 use super::Unit;
-use fault::LineFault;
+use fault::{LineFault, fault};
 
 /// A recorded acceleration. It is straight between its points.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,13 +25,56 @@ pub struct Record {
     pub times: Vec<f64>,
     /// Accelerations in the record's unit, one for each time.
     pub values: Vec<f64>,
-    /// The unit that the file has: cm/s2 (gal) for K-NET, the one of the header for AT2 and for two columns, none without one there.
+    /// The unit that the file has: that of the format, or the one of the header; none without one there.
     pub unit: Option<Unit>,
     /// The mean that was subtracted from the values, in the same unit; `None` if they are those of the file.
     pub removed_mean: Option<f64>,
 }
 
+/// What a study says about a file besides its name.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Reading {
+    /// What happens to the mean. Without it, the mean of K-NET is removed, because its counts have the offset of the digitiser, and
+    /// that of the other formats is kept.
+    pub mean: Option<Mean>,
+    /// The column of a table that has the accelerations, from 1.
+    pub column: Option<usize>,
+    /// The time step of a table without times.
+    pub dt: Option<f64>,
+    /// The component of a file with several, from 1.
+    pub component: Option<usize>,
+}
+
+/// A format besides tables.
+struct Format {
+    name: &'static str,
+    /// Whether a file is in this format; else why not.
+    find: fn(&[&str]) -> Result<(), &'static str>,
+    read: fn(&[&str], &Reading) -> Result<Record, LineFault>,
+    /// Whether a file may have several components.
+    components: bool,
+}
+
+/// The formats besides tables, in the order in which they are tried.
+const FORMATS: [Format; 5] = [
+    knet::FORMAT,
+    at2::FORMAT,
+    smc::FORMAT,
+    cosmos::FORMAT,
+    geonet::FORMAT,
+];
+
 impl Record {
+    /// Values that are `dt` apart, from t = 0 on.
+    fn even(values: Vec<f64>, dt: f64, unit: Option<Unit>) -> Record {
+        Record {
+            times: (0..values.len()).map(|i| i as f64 * dt).collect(),
+            values,
+            unit,
+            removed_mean: None,
+        }
+    }
+
     /// The same without the mean of its values, if that is not yet removed.
     fn without_mean(mut self) -> Record {
         if self.removed_mean.is_none() {
@@ -41,20 +86,14 @@ impl Record {
     }
 }
 
-/// The content of a record file; `name` is for messages only. Without `mean`, the mean of K-NET is removed, because its counts have
-/// the offset of the digitiser, and that of the other formats is kept.
-pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, RecordFault> {
+/// The content of a record file; `name` is for messages only.
+///
+/// # Errors
+/// The first line at fault. Of a file in an unknown format, the formats that were tried and why it is in none of them.
+pub fn parse(name: &str, bytes: &[u8], reading: Reading) -> Result<Record, RecordFault> {
     let text = String::from_utf8_lossy(bytes); // Names of stations in a header may have any encoding.
     let lines: Vec<&str> = text.trim_start_matches('\u{feff}').lines().collect();
-    let record = if knet::is_format(&lines) {
-        knet::parse(&lines, mean.unwrap_or(Mean::Removed))
-    } else if let Some(header) = at2::header(&lines) {
-        // The header of two columns may name NPTS and DT, too.
-        at2::parse(&lines, header).or_else(|fault| columns::parse(&lines).map_err(|_| fault))
-    } else {
-        columns::parse(&lines)
-    };
-    let record = record.map(|record| match mean {
+    let record = record(&lines, &reading).map(|record| match reading.mean {
         Some(Mean::Removed) => record.without_mean(),
         Some(Mean::Kept) | None => record,
     });
@@ -65,6 +104,55 @@ pub fn parse(name: &str, bytes: &[u8], mean: Option<Mean>) -> Result<Record, Rec
     })
 }
 
+/// The record of a file by its format.
+fn record(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+    // Only a table has columns, or no times.
+    if reading.column.is_some() || reading.dt.is_some() {
+        if reading.component.is_some() {
+            return Err(fault(0, RecordCause::TwoChoices));
+        }
+        return columns::parse(lines, reading);
+    }
+    let mut others = Vec::new();
+    for format in &FORMATS {
+        match (format.find)(lines) {
+            Ok(()) if reading.component.is_some() && !format.components => {
+                return Err(fault(0, RecordCause::OneComponent(format.name)));
+            }
+            Ok(()) => return (format.read)(lines, reading),
+            Err(why) => others.push((format.name, why)),
+        }
+    }
+    if reading.component.is_some() {
+        return Err(fault(0, RecordCause::OneComponent(columns::NAME)));
+    }
+    columns::parse(lines, reading).map_err(|LineFault { line, cause }| {
+        // Rows before this one would be those of a table.
+        let is_first = columns::first_row(lines).is_none_or(|first| line <= first + 1);
+        let is_none = matches!(cause, RecordCause::NoRow(_) | RecordCause::Fields(..));
+        let cause = match is_first && is_none {
+            true => RecordCause::Unknown(Box::new(cause), others),
+            false => cause,
+        };
+        LineFault { line, cause }
+    })
+}
+
+/// The place of the wanted one of these components, from 0.
+///
+/// # Errors
+/// There are several and none is wanted, or there is no such component.
+fn component(names: &[String], wanted: Option<usize>) -> Result<usize, LineFault> {
+    match (names.len(), wanted) {
+        (_, Some(number)) if (1..=names.len()).contains(&number) => Ok(number - 1),
+        (1, None) => Ok(0),
+        (_, wanted) => {
+            let names = names.iter().map(|name| Shown::new(name)).collect();
+            Err(fault(0, RecordCause::Components(names, wanted)))
+        }
+    }
+}
+
 /// The last line of a file, as an index.
 fn end(lines: &[&str]) -> usize {
     lines.len().saturating_sub(1)
@@ -72,3 +160,5 @@ fn end(lines: &[&str]) -> usize {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_formats;

@@ -1,0 +1,254 @@
+//! What a study does to the function of a motion: a part of it, its baseline, its strength and its delay, in this order.
+
+use super::amount::Amount;
+use super::loads::Source;
+use super::scale_to::ScaleTo;
+use super::signal_cache::SignalCache;
+use super::template::Scaled;
+use crate::problem::{Case, Violation};
+use crate::system::loads::STANDARD_GRAVITY;
+use crate::system::loads::cut::{cut, delayed, without_baseline};
+use crate::system::loads::measures::Measure;
+use crate::system::structure::{Baseline, NoEnd, Signal, Table};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// What is done to a function. Cases with the same numbers share the result.
+#[derive(Debug, Clone, Default)]
+pub struct Shape {
+    /// Where the motion begins, in the time of the function; none for 0.
+    pub start: Option<Amount>,
+    /// Where it ends; none for the last point.
+    pub end: Option<Amount>,
+    /// What is removed from the part.
+    pub baseline: Baseline,
+    /// The strength that it gets; none for its own.
+    pub scale_to: Option<ScaleTo>,
+    /// Time by which all of it is later, >= 0; none for 0.
+    pub delay: Option<Amount>,
+    made: Arc<Mutex<Made>>,
+}
+
+/// The results so far.
+#[derive(Debug, Default)]
+struct Made {
+    signals: SignalCache,
+    /// Measures of motions by the bits of all numbers on which they depend.
+    measures: BTreeMap<Vec<u64>, Option<f64>>,
+}
+
+/// Most measures that are kept.
+const MOST_MEASURES: usize = 1 << 18;
+
+impl Shape {
+    /// Whether nothing is done.
+    pub fn is_plain(&self) -> bool {
+        let amounts = [&self.start, &self.end, &self.delay];
+        let none = amounts.into_iter().all(|amount| amount.is_none());
+        none && self.baseline == Baseline::None && self.scale_to.is_none()
+    }
+
+    fn made(&self) -> MutexGuard<'_, Made> {
+        self.made.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Start, end and delay in a case.
+    fn times(&self, case: &Case) -> Result<[Option<f64>; 3], Violation> {
+        let of = |amount: &Option<Amount>| amount.as_ref().map(|x| x.value(case)).transpose();
+        let times = [of(&self.start)?, of(&self.end)?, of(&self.delay)?];
+        if let ([start, Some(end), _], Some(place)) = (times, &self.end)
+            && end <= start.unwrap_or(0.0)
+        {
+            return Err(place.violation("must be later than the start"));
+        }
+        Ok(times)
+    }
+
+    /// Every number of the shape is in its range.
+    fn check_numbers(&self, case: &Case) -> Result<(), Violation> {
+        self.times(case)?;
+        match &self.scale_to {
+            Some(scale_to) => scale_to.check(case),
+            None => Ok(()),
+        }
+    }
+
+    /// The part of a function without its baseline, before its delay; and what identifies it.
+    fn part(&self, scaled: &Scaled, case: &Case, metre: f64) -> Result<Part, Violation> {
+        let signal = scaled.source.signal(case, metre)?;
+        let [start, end, _] = self.times(case)?;
+        let mut key = scaled.source.key(case)?;
+        let bits = |time: Option<f64>| time.unwrap_or(f64::NAN).to_bits();
+        key.extend([bits(start), bits(end)]);
+        if start.is_none() && end.is_none() && self.baseline == Baseline::None {
+            return Ok(Part { signal, key });
+        }
+        let table = points(&signal, &scaled.source)?;
+        let cell = self.made().signals.cell(&key, table.times().len());
+        let make = || {
+            let part = match start.is_some() || end.is_some() {
+                true => cut(table, start, end),
+                false => Some(table.clone()),
+            };
+            let why = "has no points from start to end";
+            let part = part.ok_or_else(|| scaled.source.violation(why))?;
+            let level = without_baseline(part, self.baseline);
+            let level = level.map_err(|NoEnd| {
+                scaled
+                    .source
+                    .violation("a baseline needs a function with an end after t = 0")
+            })?;
+            Ok(Arc::new(Signal::Table(level)))
+        };
+        let signal = cell.get_or_init(make).clone()?;
+        Ok(Part { signal, key })
+    }
+
+    /// A measure of a part; computed once.
+    fn measure(
+        &self,
+        part: &Part,
+        source: &Source,
+        measure: Measure,
+        metre: f64,
+    ) -> Result<Option<f64>, Violation> {
+        let table = points(&part.signal, source)?;
+        let mut key = part.key.clone();
+        key.extend(identity(measure));
+        if let Some(known) = self.made().measures.get(&key) {
+            return Ok(*known);
+        }
+        let value = measure.of(table, STANDARD_GRAVITY / metre);
+        let mut made = self.made();
+        if made.measures.len() >= MOST_MEASURES {
+            made.measures.clear();
+        }
+        made.measures.insert(key, value);
+        Ok(value)
+    }
+
+    /// The factor with which a part reaches its strength.
+    fn factor(
+        &self,
+        part: &Part,
+        scaled: &Scaled,
+        case: &Case,
+        metre: f64,
+    ) -> Result<f64, Violation> {
+        let Some(scale_to) = &self.scale_to else {
+            return Ok(1.0);
+        };
+        let factor = scale_to.factor(case, &|measure| {
+            let value = self.measure(part, &scaled.source, measure, metre)?;
+            let none = "the motion has no such strength, so that it cannot be scaled to one";
+            let value = value.filter(|value| *value > 0.0);
+            value.ok_or_else(|| scaled.source.violation(none))
+        })?;
+        match factor.is_finite() {
+            true => Ok(factor),
+            false => Err(scaled.source.violation("scale_to gives no finite factor")),
+        }
+    }
+}
+
+/// A part of a function, and what identifies it among the parts of this function.
+struct Part {
+    signal: Arc<Signal>,
+    key: Vec<u64>,
+}
+
+/// The points of a signal.
+fn points<'a>(signal: &'a Signal, source: &Source) -> Result<&'a Table, Violation> {
+    match signal {
+        Signal::Table(table) => Ok(table),
+        Signal::Sine { .. } | Signal::Motion(..) => Err(source.violation(
+            "start, end, baseline, scale_to and delay need a function with points; a sine has none",
+        )),
+    }
+}
+
+/// What identifies a measure.
+fn identity(measure: Measure) -> [u64; 3] {
+    let kind = match measure {
+        Measure::PeakAcceleration => 1,
+        Measure::PeakVelocity => 2,
+        Measure::PeakDisplacement => 3,
+        Measure::Arias => 4,
+        Measure::Duration => 5,
+        Measure::MeanPeriod => 6,
+        Measure::Spectral { period, ratio } => return [7, period.to_bits(), ratio.to_bits()],
+    };
+    [kind, 0, 0]
+}
+
+impl Scaled {
+    /// Every rule that the function breaks in a case; samples are not computed.
+    pub fn check(&self, case: &Case, metre: f64) -> Result<(), Violation> {
+        match self.shape.is_plain() || self.source.is_sampled() {
+            true => {
+                self.source.check(case, metre)?;
+                self.shape.check_numbers(case)?;
+            }
+            false => {
+                self.shaped(case, metre)?;
+            }
+        }
+        self.scale
+            .as_ref()
+            .map_or(Ok(()), |scale| scale.value(case).map(|_| ()))
+    }
+
+    /// The signal in a case, and its factor.
+    pub fn in_case(&self, case: &Case, metre: f64) -> Result<(Arc<Signal>, f64), Violation> {
+        let scale = self
+            .scale
+            .as_ref()
+            .map_or(Ok(1.0), |scale| scale.value(case));
+        if self.shape.is_plain() {
+            return Ok((self.source.signal(case, metre)?, scale?));
+        }
+        let (signal, factor) = self.shaped(case, metre)?;
+        Ok((signal, scale? * factor))
+    }
+
+    /// A measure of the function in a case; `None` if it has none.
+    ///
+    /// # Errors
+    /// The first rule that the function breaks.
+    pub fn measure(
+        &self,
+        measure: Measure,
+        case: &Case,
+        metre: f64,
+    ) -> Result<Option<f64>, Violation> {
+        let shape = &self.shape;
+        let part = shape.part(self, case, metre)?;
+        let value = shape.measure(&part, &self.source, measure, metre)?;
+        let scale = self
+            .scale
+            .as_ref()
+            .map_or(Ok(1.0), |scale| scale.value(case));
+        let factor = scale? * shape.factor(&part, self, case, metre)?;
+        Ok(value.map(|value| measure.scaled(value, factor)))
+    }
+
+    /// The signal in a case with all that is done to it, and the factor of its strength.
+    fn shaped(&self, case: &Case, metre: f64) -> Result<(Arc<Signal>, f64), Violation> {
+        let shape = &self.shape;
+        let mut part = shape.part(self, case, metre)?;
+        let factor = shape.factor(&part, self, case, metre)?;
+        let [.., delay] = shape.times(case)?;
+        let Some(delay) = delay else {
+            return Ok((part.signal, factor));
+        };
+        let table = points(&part.signal, &self.source)?;
+        part.key.push(delay.to_bits());
+        let cell = shape.made().signals.cell(&part.key, table.times().len());
+        let make = || {
+            let late = delayed(table, delay);
+            let late = late.ok_or_else(|| self.source.violation("the delay is too large"))?;
+            Ok(Arc::new(Signal::Table(late)))
+        };
+        Ok((cell.get_or_init(make).clone()?, factor))
+    }
+}

@@ -1,0 +1,102 @@
+//! COSMOS V1 and V2: channels one after the other, each with lines of text, whole numbers, numbers and comments, and a line that
+//! says how many values of which quantity follow. A file in V2 may have velocities and displacements behind the accelerations.
+
+use super::fault::{LineFault, RecordCause, fault};
+use super::number::{first, number, table};
+use super::{Format, Reading, Record, component, end};
+use crate::system::loads::Unit;
+
+/// The format.
+pub(super) const FORMAT: Format = Format {
+    name: "COSMOS V1 or V2",
+    find: |lines| match lines.first().is_some_and(is_start) {
+        true => Ok(()),
+        false => Err("line 1 has no \"(Format v\" with a number of text lines"),
+    },
+    read,
+    components: true,
+};
+
+/// Place of the time step in ms among the numbers of the header, from 0.
+const STEP: usize = 61;
+
+/// Whether a channel begins with this line, such as `Corrected acceleration (Format v01.20 with 13 text lines)`.
+fn is_start(line: &&str) -> bool {
+    let line = line.to_ascii_lowercase();
+    line.contains("(format v") && line.contains("text lines")
+}
+
+/// The record of a channel, in the unit that the file names.
+fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
+    // Channels of velocities and displacements in files of their own kind are no components.
+    let starts = starts.filter(|(_, line)| line.to_ascii_lowercase().contains("acceleration"));
+    let starts: Vec<usize> = starts.map(|(index, _)| index).collect();
+    if starts.is_empty() {
+        return Err(fault(0, RecordCause::Quantity("velocity or displacement")));
+    }
+    let names: Vec<String> = starts.iter().map(|start| name(lines, *start)).collect();
+    let start = starts[component(&names, reading.component)?];
+    let (header, count) = labelled(lines, start, "real-header value", "lines")?;
+    let numbers = table(lines, header + 1, count)?;
+    let step = numbers.get(STEP).copied().unwrap_or_default();
+    let (data, values) = labelled(lines, header + count, "acceleration", "pts")?;
+    if step <= 0.0 || !(step * values as f64).is_finite() {
+        let cause = RecordCause::NotPositive("real header 62, the time step in ms,", step);
+        return Err(fault(header, cause));
+    }
+    if values < 2 {
+        return Err(fault(data, RecordCause::OneNumber));
+    }
+    let source = format!("the number of points of line {}", data + 1);
+    let values = first(lines, data + 1, values as f64, &source)?;
+    Ok(Record::even(values, step / 1000.0, unit(lines[data])))
+}
+
+/// The station and channel as the header names them.
+fn name(lines: &[&str], start: usize) -> String {
+    let mut header = lines.iter().skip(start).take(20).map(|line| line.trim());
+    let named = header.find(|line| line.starts_with("Sta Chan"));
+    let named = named.unwrap_or_default().split('(').next();
+    named.unwrap_or_default().trim().to_owned()
+}
+
+/// The index of the first line from `from` on that has both words, and a number of it: the one behind `on` if there is one, else the
+/// first.
+fn labelled(
+    lines: &[&str],
+    from: usize,
+    label: &'static str,
+    unit: &'static str,
+) -> Result<(usize, usize), LineFault> {
+    let found = lines
+        .iter()
+        .enumerate()
+        .skip(from.max(1))
+        .find(|(_, line)| {
+            let line = line.to_ascii_lowercase();
+            !line.starts_with('|')
+                && line.contains(label)
+                && line.contains(unit)
+                && !is_start(&&*line)
+        });
+    let Some((index, line)) = found else {
+        return Err(fault(end(lines), RecordCause::NoLine(label)));
+    };
+    let text = line.to_ascii_lowercase();
+    let text = text.split_once(" on ").map_or(&*text, |(_, after)| after);
+    let count = text.split_whitespace().next().unwrap_or_default();
+    let count = number(count).map_err(|cause| fault(index, cause))?;
+    // So many lines or points fit in no file.
+    match (1.0..1e9).contains(&count) && count.fract() == 0.0 {
+        true => Ok((index, count as usize)),
+        false => Err(fault(index, RecordCause::Count(label, count))),
+    }
+}
+
+/// The unit of a line such as `42000 acceleration pts, approx 210 secs, units=cm/sec2(04),Format=(1E15.6)`.
+fn unit(line: &str) -> Option<Unit> {
+    let (_, after) = line.split_once("units")?;
+    let after = after.trim_start_matches([' ', '=']);
+    Unit::spelled(after.split(['(', ',']).next()?)
+}

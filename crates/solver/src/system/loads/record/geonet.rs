@@ -1,0 +1,63 @@
+//! GeoNet V1A and V2A: components one after the other, each with 16 lines of text, 4 lines of whole numbers and 6 of numbers, then
+//! the accelerations in fields of eight characters. V2A has velocities and displacements behind them.
+
+use super::fault::{LineFault, RecordCause, fault};
+use super::number::{first, table};
+use super::{Format, Reading, Record, component};
+use crate::system::loads::Unit;
+
+/// The format.
+pub(super) const FORMAT: Format = Format {
+    name: "GeoNet V1A or V2A",
+    find: |lines| match lines.first().is_some_and(is_start) {
+        true => Ok(()),
+        false => Err(
+            "line 1 does not begin with \"Corrected accelerogram\" or \"Uncorrected accelerogram\"",
+        ),
+    },
+    read,
+    components: true,
+};
+
+/// Lines of text, of whole numbers and of numbers in the header.
+const HEADER: [usize; 3] = [16, 4, 6];
+
+/// Line and field of the number of accelerations among the whole numbers, and of the time step among the numbers.
+const PLACES: [[usize; 2]; 2] = [[3, 3], [2, 5]];
+
+/// Whether a component begins with this line.
+fn is_start(line: &&str) -> bool {
+    let line = line.trim_start().to_ascii_lowercase();
+    line.starts_with("corrected accelerogram") || line.starts_with("uncorrected accelerogram")
+}
+
+/// The record of a component in mm/s2.
+fn read(lines: &[&str], reading: &Reading) -> Result<Record, LineFault> {
+    let starts = lines.iter().enumerate().filter(|(_, line)| is_start(line));
+    let starts: Vec<usize> = starts.map(|(index, _)| index).collect();
+    let name = |start: &usize| {
+        let mut header = lines.iter().skip(*start).take(HEADER[0]);
+        let named = header.find_map(|line| line.trim().strip_prefix("Component"));
+        named.unwrap_or_default().trim().to_owned()
+    };
+    let names: Vec<String> = starts.iter().map(name).collect();
+    let start = starts[component(&names, reading.component)?];
+    let [text, whole, numbers] = HEADER;
+    let number = |from: usize, [line, field]: [usize; 2]| {
+        let row = table(lines, start + from + line, 1)?;
+        Ok(row.get(field).copied().unwrap_or_default())
+    };
+    let count = number(text, PLACES[0])?;
+    if count < 2.0 || count.fract() != 0.0 {
+        let cause = RecordCause::Count("field 4, the number of accelerations,", count);
+        return Err(fault(start + text + PLACES[0][0], cause));
+    }
+    let dt = number(text + whole, PLACES[1])?;
+    if dt <= 0.0 || !(count * dt).is_finite() {
+        let cause = RecordCause::NotPositive("field 6, the time step,", dt);
+        return Err(fault(start + text + whole + PLACES[1][0], cause));
+    }
+    let source = format!("field 4 of line {}", start + text + PLACES[0][0] + 1);
+    let values = first(lines, start + text + whole + numbers, count, &source)?;
+    Ok(Record::even(values, dt, Some(Unit::MillimetrePerSecond2)))
+}

@@ -1,0 +1,71 @@
+//! SMC of the U.S. Geological Survey: 11 lines of text, 48 whole numbers in 6 lines, 50 numbers in 10 lines, comments that begin
+//! with `|`, then the accelerations in fields of ten characters.
+
+use super::fault::{LineFault, RecordCause, fault};
+use super::number::{all, table};
+use super::{Format, Record, end};
+use crate::system::loads::Unit;
+
+/// The format.
+pub(super) const FORMAT: Format = Format {
+    name: "SMC",
+    find: |lines| match quantity(lines) {
+        Some(_) => Ok(()),
+        None => {
+            Err("line 1 does not begin with a digit and \"CORRECTED ACCELEROGRAM\" or the like")
+        }
+    },
+    read: |lines, _| read(lines),
+    components: false,
+};
+
+/// Lines of text, of whole numbers and of numbers in the header.
+const HEADER: [usize; 3] = [11, 6, 10];
+
+/// Place of the number of values among the whole numbers, and of the sampling rate in 1/s among the numbers.
+const PLACES: [usize; 2] = [16, 1];
+
+/// The quantity that line 1 names, such as `2 CORRECTED ACCELEROGRAM`.
+fn quantity(lines: &[&str]) -> Option<&'static str> {
+    let line = lines.first()?.trim().to_ascii_uppercase();
+    let named = line.strip_prefix(|c: char| c.is_ascii_digit())?.trim();
+    const NAMES: [(&str, &str); 5] = [
+        ("UNCORRECTED ACCEL", "acceleration"),
+        ("CORRECTED ACCEL", "acceleration"),
+        ("VELOCITY", "velocity"),
+        ("DISPLACEMENT", "displacement"),
+        ("RESPONSE SPECTRA", "response spectrum"),
+    ];
+    let known = NAMES.iter().find(|known| named.starts_with(known.0));
+    known.map(|known| known.1)
+}
+
+/// The record in cm/s2.
+fn read(lines: &[&str]) -> Result<Record, LineFault> {
+    match quantity(lines) {
+        None | Some("acceleration") => {}
+        Some(other) => return Err(fault(0, RecordCause::Quantity(other))),
+    }
+    let [text, whole, numbers] = HEADER;
+    let whole = table(lines, text, whole)?;
+    let count_line = text + PLACES[0] / 8;
+    let count = whole.get(PLACES[0]).copied().unwrap_or_default();
+    if count < 2.0 || count.fract() != 0.0 {
+        let cause = RecordCause::Count("whole number 17, the number of values,", count);
+        return Err(fault(count_line, cause));
+    }
+    let from = text + HEADER[1];
+    let numbers = table(lines, from, numbers)?;
+    let rate = numbers.get(PLACES[1]).copied().unwrap_or_default();
+    if rate <= 0.0 || !(count / rate).is_finite() {
+        let cause = RecordCause::NotPositive("number 2, the samples per second,", rate);
+        return Err(fault(from, cause));
+    }
+    let comments = from + HEADER[2];
+    let is_comment = |line: &&&str| line.starts_with('|');
+    let data = comments + lines.iter().skip(comments).take_while(is_comment).count();
+    let source = format!("whole number 17 of the header, in line {}", count_line + 1);
+    let values = all(lines, data.min(end(lines)), count, &source)?;
+    let dt = 1.0 / rate;
+    Ok(Record::even(values, dt, Some(Unit::CentimetrePerSecond2)))
+}
