@@ -184,6 +184,7 @@ pages! {
     from_your_model "docs/from-your-model.md",
     guide "docs/guide.md",
     laws_and_methods "docs/laws-and-methods.md",
+    parts "docs/parts.md",
     performance "docs/performance.md",
     results "docs/results.md",
     scope "docs/scope.md",

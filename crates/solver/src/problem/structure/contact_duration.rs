@@ -10,7 +10,8 @@ pub fn time(structure: &Structure, contact: &Contact, overlap: Option<f64>) -> O
     let inverse: f64 = nodes
         .map(|(node, factor)| factor * factor / mass(structure, *node))
         .sum();
-    if !inverse.is_finite() {
+    // Supports alone, which do not bounce, have none.
+    if !inverse.is_finite() || inverse == 0.0 {
         return None;
     }
     let law = contact.law.law(0.0);
