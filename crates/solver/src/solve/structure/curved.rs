@@ -4,11 +4,9 @@
 //! the flexibilities a for r' and `pace` a for rdot' is that of a structure with one contact. In an explicit method r' does not depend on
 //! the forces: there y and a are those of rdot' = y - a S.
 
+use super::curved_step::{Motion, Scale, explicit_line, line, trial};
 use crate::contact::coupled::curved::{CurvedForces, Laws};
-use crate::contact::{
-    AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Flexibility, StepFlexibility, Trial,
-    Unsolved,
-};
+use crate::contact::{AnyRunningLaw, ContactKind, ContactLaw, ContactResponse, Trial, Unsolved};
 use crate::lane::Lane;
 use crate::system::structure::{Structure, StructureLaw};
 
@@ -20,16 +18,6 @@ pub(super) struct Curved {
     d: Vec<f64>,
     size: Vec<f64>,
     force: Vec<f64>,
-}
-
-/// How a contact moves in a step.
-#[derive(Debug, Clone, Copy)]
-struct Scale {
-    /// Change of rdot' for a unit of r'; infinite in an explicit method.
-    pace: f64,
-    dt: f64,
-    /// Whether a node of the contact has no mass, and so no velocity: rdot' is (r' - r)/dt.
-    is_massless: bool,
 }
 
 /// A contact.
@@ -48,23 +36,6 @@ struct Contact {
     bounds: [f64; 2],
     /// The motion over the step without the forces at its end.
     motion: Motion,
-}
-
-/// The motion of a contact over a step without the forces at its end.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Motion {
-    /// r(i).
-    pub(super) displacement: f64,
-    /// rdot(i).
-    pub(super) velocity: f64,
-    /// S(i).
-    pub(super) force: f64,
-    /// r* - r(i).
-    pub(super) change: f64,
-    /// rdot*.
-    pub(super) rate: f64,
-    /// Size of the terms of r* and r*- r(i); in an explicit method of rdot*.
-    pub(super) size: f64,
 }
 
 impl Curved {
@@ -194,41 +165,6 @@ impl Curved {
     }
 }
 
-impl Scale {
-    fn is_explicit(self) -> bool {
-        self.pace == f64::INFINITY
-    }
-
-    /// The y without forces: r* - r(i), or rdot*.
-    fn free(self, motion: &Motion) -> f64 {
-        match self.is_explicit() {
-            true => motion.rate,
-            false => motion.change,
-        }
-    }
-
-    /// The flexibilities of an answer, and of a motion that is given.
-    fn steps(&self, own: f64) -> [StepFlexibility<1>; 2] {
-        let flexibility = |own: f64| {
-            let [h, h_rate] = match self.is_explicit() {
-                true => [0.0, own],
-                false => [own, self.pace * own],
-            };
-            Flexibility {
-                h: Lane([h]),
-                h_rate: Lane([h_rate]),
-            }
-        };
-        [own, 0.0].map(|h| StepFlexibility {
-            // The motion contains S(i).
-            start: flexibility(0.0),
-            end: flexibility(h),
-            dt: Lane([self.dt]),
-            by_impulse: false,
-        })
-    }
-}
-
 impl Contact {
     /// The trial with this y.
     fn trial(&self, y: f64) -> Trial<1> {
@@ -270,16 +206,6 @@ impl Contact {
     }
 }
 
-fn trial(motion: &Motion, change: f64, rate: f64) -> Trial<1> {
-    Trial {
-        displacement: Lane([motion.displacement]),
-        velocity: Lane([motion.velocity]),
-        force: Lane([motion.force]),
-        change: Lane([change]),
-        rate: Lane([rate]),
-    }
-}
-
 /// The contacts over a step.
 struct Contacts<'a>(&'a [Contact]);
 
@@ -310,29 +236,6 @@ impl Laws for Contacts<'_> {
 
     fn bounds(&self, contact: usize) -> [f64; 2] {
         self.0[contact].bounds
-    }
-}
-
-/// 1/f' of a law that is a clipped line.
-fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
-    match relation {
-        StructureLaw::ImpactSpring { stiffness }
-        | StructureLaw::DisplacementControl { stiffness, .. } => Some(1.0 / stiffness),
-        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => Some(0.0),
-        StructureLaw::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
-        StructureLaw::CurvedImpact { .. }
-        | StructureLaw::CurvedFriction { .. }
-        | StructureLaw::Link { .. } => None,
-    }
-}
-
-/// The same in an explicit method: S does not follow rdot' where it follows r'.
-fn explicit_line(relation: &StructureLaw) -> Option<f64> {
-    match relation {
-        StructureLaw::ImpactSpring { .. } | StructureLaw::DisplacementControl { .. } => {
-            Some(f64::INFINITY)
-        }
-        _ => line(relation, 1.0),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Lanes whose structures have contacts with laws that are not clipped lines.
 
-use super::curved::{Curved, Motion};
+use super::curved::Curved;
+use super::curved_step::Motion;
 use super::forces::Forces;
 use crate::contact::Unsolved;
 use crate::lane::Lane;

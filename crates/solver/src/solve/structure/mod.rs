@@ -61,6 +61,7 @@
 mod books;
 mod curved;
 mod curved_lanes;
+mod curved_step;
 mod forces;
 mod general;
 mod initial;

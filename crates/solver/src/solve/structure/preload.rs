@@ -10,7 +10,8 @@
 //! no velocity. What is left out of the equilibrium is q M (u' - u), which tells when the steps may end. Where they converge slowly,
 //! q is made smaller; with a regular K it is 0 from the beginning.
 
-use super::curved::{Curved, Motion};
+use super::curved::Curved;
+use super::curved_step::Motion;
 use crate::contact::ContactKind;
 use crate::solve::Unsolvable;
 use crate::system::structure::factor::Factor;

@@ -1,7 +1,8 @@
 //! The state of structures in lanes, by the constant average acceleration method.
 
-use super::curved::{Curved, Motion};
+use super::curved::Curved;
 use super::curved_lanes::curved_lanes;
+use super::curved_step::Motion;
 use super::forces::Forces;
 use super::initial;
 use super::laws::{Line, bounds};

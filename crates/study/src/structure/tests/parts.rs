@@ -172,7 +172,7 @@ fn numbers_that_make_no_part_are_faults_with_their_place() {
         ),
         (
             r#""law": "multilinear", "table": {"r": [1]}"#,
-            "needs \"S\"",
+            "table.S: missing",
         ),
         (
             r#""law": "viscous", "c": 5, "a": 1, "k": 3"#,

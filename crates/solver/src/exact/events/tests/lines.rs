@@ -141,11 +141,11 @@ fn energy_is_kept_and_steps_tend_to_the_motion() {
             let [done] = run_steps::<1>(&[&structure], &prepared, 400 * parts, |step, state| {
                 if step % parts == 0 {
                     let row = rows[step / parts];
-                    for node in 0..2 {
-                        worst = worst.max((state.displacement(node).0[0] - row[node]).abs());
-                    }
-                    for c in 0..2 {
-                        worst = worst.max((state.contact(c).displacement.0[0] - row[4 + c]).abs());
+                    for i in 0..2 {
+                        let found = [state.displacement(i), state.contact(i).displacement];
+                        for (found, k) in found.into_iter().zip([i, 4 + i]) {
+                            worst = worst.max((found.0[0] - row[k]).abs());
+                        }
                     }
                 }
             });

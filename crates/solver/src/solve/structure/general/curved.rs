@@ -4,8 +4,9 @@ use super::linear::Linear;
 use super::stepper::General;
 use crate::lane::Lane;
 use crate::solve::structure::Prepared;
-use crate::solve::structure::curved::{Curved, Motion};
+use crate::solve::structure::curved::Curved;
 use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
+use crate::solve::structure::curved_step::Motion;
 use crate::solve::structure::forces::Forces;
 use crate::system::structure::{Structure, StructureLaw};
 

@@ -1,0 +1,101 @@
+//! The motion of a contact over a step, for laws that are not clipped lines.
+
+use crate::contact::{Flexibility, StepFlexibility, Trial};
+use crate::lane::Lane;
+use crate::system::structure::StructureLaw;
+
+/// How a contact moves in a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scale {
+    /// Change of rdot' for a unit of r'; infinite in an explicit method.
+    pub(super) pace: f64,
+    pub(super) dt: f64,
+    /// Whether a node of the contact has no mass, and so no velocity: rdot' is (r' - r)/dt.
+    pub(super) is_massless: bool,
+}
+
+/// The motion of a contact over a step without the forces at its end.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Motion {
+    /// r(i).
+    pub(super) displacement: f64,
+    /// rdot(i).
+    pub(super) velocity: f64,
+    /// S(i).
+    pub(super) force: f64,
+    /// r* - r(i).
+    pub(super) change: f64,
+    /// rdot*.
+    pub(super) rate: f64,
+    /// Size of the terms of r* and r*- r(i); in an explicit method of rdot*.
+    pub(super) size: f64,
+}
+
+impl Scale {
+    pub(super) fn is_explicit(self) -> bool {
+        self.pace == f64::INFINITY
+    }
+
+    /// The y without forces: r* - r(i), or rdot*.
+    pub(super) fn free(self, motion: &Motion) -> f64 {
+        match self.is_explicit() {
+            true => motion.rate,
+            false => motion.change,
+        }
+    }
+
+    /// The flexibilities of an answer, and of a motion that is given.
+    pub(super) fn steps(&self, own: f64) -> [StepFlexibility<1>; 2] {
+        let flexibility = |own: f64| {
+            let [h, h_rate] = match self.is_explicit() {
+                true => [0.0, own],
+                false => [own, self.pace * own],
+            };
+            Flexibility {
+                h: Lane([h]),
+                h_rate: Lane([h_rate]),
+            }
+        };
+        [own, 0.0].map(|h| StepFlexibility {
+            // The motion contains S(i).
+            start: flexibility(0.0),
+            end: flexibility(h),
+            dt: Lane([self.dt]),
+            by_impulse: false,
+        })
+    }
+}
+
+/// The trial of a law with r* - r(i) and rdot*.
+pub(super) fn trial(motion: &Motion, change: f64, rate: f64) -> Trial<1> {
+    Trial {
+        displacement: Lane([motion.displacement]),
+        velocity: Lane([motion.velocity]),
+        force: Lane([motion.force]),
+        change: Lane([change]),
+        rate: Lane([rate]),
+    }
+}
+
+/// 1/f' of a law that is a clipped line.
+pub(super) fn line(relation: &StructureLaw, pace: f64) -> Option<f64> {
+    match relation {
+        StructureLaw::ImpactSpring { stiffness }
+        | StructureLaw::DisplacementControl { stiffness, .. } => Some(1.0 / stiffness),
+        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. } => Some(0.0),
+        StructureLaw::VelocityControl { viscosity, .. } => Some(1.0 / (viscosity * pace)),
+        StructureLaw::CurvedImpact { .. }
+        | StructureLaw::CurvedFriction { .. }
+        | StructureLaw::Link { .. } => None,
+    }
+}
+
+/// The same in an explicit method: S does not follow rdot' where it follows r'.
+pub(super) fn explicit_line(relation: &StructureLaw) -> Option<f64> {
+    match relation {
+        StructureLaw::ImpactSpring { .. } | StructureLaw::DisplacementControl { .. } => {
+            Some(f64::INFINITY)
+        }
+        _ => line(relation, 1.0),
+    }
+}
