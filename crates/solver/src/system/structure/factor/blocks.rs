@@ -38,7 +38,7 @@ struct Block {
     values: usize,
 }
 
-/// Number of entries of a group of columns above one another, and of those between their rows.
+/// Number of entries of so many columns in the rows of one another.
 fn inside(columns: usize) -> usize {
     columns * columns.saturating_sub(1) / 2
 }
@@ -121,11 +121,11 @@ impl Blocks {
         let (columns, start) = group.unwrap_or((column..column + 1, block.values));
         let width = columns.len();
         let before = column - columns.start;
-        let inside = inside(width);
-        // Each column has one entry inside less than the one before.
-        let own = start + inside - super::blocks::inside(width - before);
-        let own = &self.values[own..own + width - 1 - before];
-        let below = self.values[start + inside + before..].iter().step_by(width);
+        let values = &self.values[start..start + block.entries(&columns)];
+        let (own, below) = values.split_at(inside(width));
+        // Each column has one entry there less than the one before.
+        let own = &own[own.len() - inside(width - before)..][..width - 1 - before];
+        let below = below.iter().skip(before).step_by(width);
         let rows = self.rows[block.rows[0]..block.rows[1]].iter();
         let rows = (column + 1..block.end).chain(rows.map(|row| *row as usize));
         rows.zip(own.iter().chain(below))
