@@ -16,7 +16,7 @@ import large
 import large_libraries
 from large import FEW, MESHES, STEPS
 
-TURNS = 5
+TURNS = 3
 SOLUTIONS = [400, 100, 20]
 STEPS_OF_OPENSEES = [(200, 40), (50, 10), (10, 3)]  # without and with contacts
 FORCES = ["peak(face.1.S)"]
