@@ -3,6 +3,7 @@
 use super::Entry;
 use super::panels::Panel;
 use crate::lane::Lane;
+use multiversion::multiversion;
 use std::ops::Range;
 
 /// Most columns of a group.
@@ -133,8 +134,12 @@ impl Blocks {
     }
 
     /// Replaces x by L^-1 x.
-    #[inline(always)]
     pub fn eliminate<const L: usize>(&self, x: &mut [Lane<L>]) {
+        eliminate(self, x);
+    }
+
+    #[inline(always)]
+    fn eliminate_all<const L: usize>(&self, x: &mut [Lane<L>]) {
         let mut start = 0;
         for block in &self.blocks {
             let mut first = block.first;
@@ -197,8 +202,12 @@ impl Blocks {
     }
 
     /// Replaces y by the solution x of D L^T x = y.
-    #[inline(always)]
     pub fn substitute<const L: usize>(&self, y: &mut [Lane<L>]) {
+        substitute(self, y);
+    }
+
+    #[inline(always)]
+    fn substitute_all<const L: usize>(&self, y: &mut [Lane<L>]) {
         let mut end = self.values.len();
         for block in self.blocks.iter().rev() {
             let mut last = block.end;
@@ -254,6 +263,17 @@ impl Blocks {
             x[first + j] = x[first + j] * self.reciprocals[first + j] - sums[j];
         }
     }
+}
+
+// Functions of their own, so that the steps of small structures keep their registers.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
+    blocks.eliminate_all(x);
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
+    blocks.substitute_all(y);
 }
 
 /// The sums of K of C columns, from `from` on, times x over these rows.
