@@ -48,7 +48,7 @@ guard: ## compare the instruction counts of sweeps with recorded ones (needs val
 	cargo run --release --locked --quiet --package slipgap-guard
 
 # OpenSees needs the system's BLAS and LAPACK (Debian: libblas3, liblapack3).
-peers: ## the same sweeps and three girders with contacts by slipgap, numba, numpy and OpenSees, in tables
+peers: ## the same sweeps, girders with contacts and large models by slipgap and other programs, in tables
 	benches/peers/run
 
 # With PROGRAM=path, the times of another build beside it.

@@ -10,7 +10,7 @@ import openseespy.opensees as ops
 
 from large import LENGTH, NU, STIFFNESS, WIDTH
 
-SYSTEM = "UmfPack"
+SYSTEM = "SparseSYM"
 
 
 def build(of, contacts):

@@ -1,7 +1,7 @@
 //! K and C as springs, dashpots and couplings, and the rows of Khat with its factor.
 
+use crate::system::structure::Structure;
 use crate::system::structure::factor::{Blocks, Columns, Entry, Factor, Triangle};
-use crate::system::structure::{Structure, Symmetric};
 
 /// A row of Khat/4. Most nodes have one neighbour that is eliminated later, in trees all of them.
 #[derive(Debug, Clone, Copy)]
@@ -40,15 +40,12 @@ pub(super) fn links(structure: &Structure, place: &[usize], dt: f64) -> [Vec<Lin
     let n = structure.len();
     let (mut links, mut couplings) = (Vec::new(), Vec::new());
     let direction = |node: usize| structure.nodes[node].direction;
-    let stiffness = |k: f64| [k, 0.0];
-    let damping = |c: f64| [0.0, c * (1.0 / dt)];
-    let numbers: [(&Symmetric, &dyn Fn(f64) -> [f64; 2]); 2] = [
-        (&structure.stiffness, &stiffness),
-        (&structure.damping, &damping),
-    ];
-    for (matrix, numbers) in numbers {
+    for (matrix, damps) in [(&structure.stiffness, false), (&structure.damping, true)] {
         let between = |[i, j]: [usize; 2], value: f64| {
-            let [k, c] = numbers(value);
+            let [k, c] = match damps {
+                false => [value, 0.0],
+                true => [0.0, value * (1.0 / dt)],
+            };
             Link {
                 from: i.min(j),
                 to: i.max(j),

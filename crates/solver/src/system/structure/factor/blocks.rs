@@ -3,6 +3,7 @@
 use super::Entry;
 use super::panels::Panel;
 use crate::lane::Lane;
+use multiversion::multiversion;
 use std::ops::Range;
 
 /// Most columns of a group.
@@ -38,7 +39,7 @@ struct Block {
     values: usize,
 }
 
-/// Number of entries of a group of columns above one another, and of those between their rows.
+/// Number of entries of so many columns in the rows of one another.
 fn inside(columns: usize) -> usize {
     columns * columns.saturating_sub(1) / 2
 }
@@ -121,11 +122,11 @@ impl Blocks {
         let (columns, start) = group.unwrap_or((column..column + 1, block.values));
         let width = columns.len();
         let before = column - columns.start;
-        let inside = inside(width);
-        // Each column has one entry inside less than the one before.
-        let own = start + inside - super::blocks::inside(width - before);
-        let own = &self.values[own..own + width - 1 - before];
-        let below = self.values[start + inside + before..].iter().step_by(width);
+        let values = &self.values[start..start + block.entries(&columns)];
+        let (own, below) = values.split_at(inside(width));
+        // Each column has one entry there less than the one before.
+        let own = &own[own.len() - inside(width - before)..][..width - 1 - before];
+        let below = below.iter().skip(before).step_by(width);
         let rows = self.rows[block.rows[0]..block.rows[1]].iter();
         let rows = (column + 1..block.end).chain(rows.map(|row| *row as usize));
         rows.zip(own.iter().chain(below))
@@ -133,8 +134,12 @@ impl Blocks {
     }
 
     /// Replaces x by L^-1 x.
-    #[inline(always)]
     pub fn eliminate<const L: usize>(&self, x: &mut [Lane<L>]) {
+        eliminate(self, x);
+    }
+
+    #[inline(always)]
+    fn eliminate_all<const L: usize>(&self, x: &mut [Lane<L>]) {
         let mut start = 0;
         for block in &self.blocks {
             let mut first = block.first;
@@ -197,8 +202,12 @@ impl Blocks {
     }
 
     /// Replaces y by the solution x of D L^T x = y.
-    #[inline(always)]
     pub fn substitute<const L: usize>(&self, y: &mut [Lane<L>]) {
+        substitute(self, y);
+    }
+
+    #[inline(always)]
+    fn substitute_all<const L: usize>(&self, y: &mut [Lane<L>]) {
         let mut end = self.values.len();
         for block in self.blocks.iter().rev() {
             let mut last = block.end;
@@ -254,6 +263,17 @@ impl Blocks {
             x[first + j] = x[first + j] * self.reciprocals[first + j] - sums[j];
         }
     }
+}
+
+// Functions of their own, so that the steps of small structures keep their registers.
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn eliminate<const L: usize>(blocks: &Blocks, x: &mut [Lane<L>]) {
+    blocks.eliminate_all(x);
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
+fn substitute<const L: usize>(blocks: &Blocks, y: &mut [Lane<L>]) {
+    blocks.substitute_all(y);
 }
 
 /// The sums of K of C columns, from `from` on, times x over these rows.

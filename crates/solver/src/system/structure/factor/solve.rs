@@ -1,8 +1,7 @@
 //! Solutions with a factor.
 
-use super::{Blocks, Columns, Factor, Triangle};
+use super::{Columns, Factor, Triangle};
 use crate::lane::Lane;
-use multiversion::multiversion;
 
 impl Factor {
     /// Replaces b by A^-1 b, in the order of the matrix.
@@ -16,7 +15,8 @@ impl Factor {
             } => solve(reciprocals, columns, &mut x),
             Triangle::Blocks(blocks) => {
                 let mut lanes: Vec<Lane<1>> = x.iter().map(|x| Lane([*x])).collect();
-                solve_blocks(blocks, &mut lanes);
+                blocks.eliminate(&mut lanes);
+                blocks.substitute(&mut lanes);
                 for (x, lane) in x.iter_mut().zip(lanes) {
                     *x = lane.0[0];
                 }
@@ -39,12 +39,6 @@ fn solve(reciprocals: &[f64], columns: &Columns, x: &mut [f64]) {
         let sum: f64 = column.map(|entry| entry.value * x[entry.at]).sum();
         x[i] = x[i] * reciprocals[i] - sum;
     }
-}
-
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
-fn solve_blocks(blocks: &Blocks, x: &mut [Lane<1>]) {
-    blocks.eliminate(x);
-    blocks.substitute(x);
 }
 
 #[cfg(test)]
