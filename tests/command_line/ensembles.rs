@@ -163,7 +163,7 @@ fn fragility_by_incremental_scaling_and_of_a_cloud_has_intervals() {
     let scales = [0.1, 1.0, 10.0];
     bench.file(
         "s.json",
-        &format!(
+        format!(
             r#"{{"problem": "structure", "parameters": {{"record": {{"files": "{records}"}}, "scale": {scales:?}, "T1": 1,
                "dt": 0.005, "duration": 36}},
              "structure": {{"units": "kg, N, m, s", "masses": {{"m": 1}},
@@ -249,13 +249,13 @@ fn a_fragility_figure_over_a_metric_needs_a_fit() {
     let bench = Bench::new();
     let figure = |keys: &str| STUDY.replace(r#""kind": "distribution", "y": "rms_error""#, keys);
     let keys = r#""kind": "fragility", "x": "peak_error", "y": "rms_error", "limit": 1"#;
-    bench.file("s.json", &figure(keys));
+    bench.file("s.json", figure(keys));
     let found = bench.expect(2, &["run", "s.json"]).err;
     assert!(
         found.contains("is a metric; give \"fit\": incremental or cloud"),
         "{found}"
     );
-    bench.file("s.json", &figure(&format!(r#"{keys}, "fit": "best""#)));
+    bench.file("s.json", figure(&format!(r#"{keys}, "fit": "best""#)));
     let found = bench.expect(2, &["run", "s.json"]).err;
     assert!(
         found.contains("unknown fit \"best\"; allowed: likelihood, incremental, cloud"),

@@ -149,9 +149,8 @@ fn course(
     faults: &mut Faults,
 ) -> Option<Course> {
     let Some(node) = object.get(DISPLACEMENT.0) else {
-        return Some(Course::Acceleration(function(
-            object, at, path, reader, faults,
-        )?));
+        let acceleration = function(object, at, path, reader, faults)?;
+        return Some(Course::Acceleration(Box::new(acceleration)));
     };
     let mut others = object.members.iter().filter(|own| own.key != "delay");
     let other = others.find(|own| FUNCTION.iter().any(|key| key.0 == own.key));

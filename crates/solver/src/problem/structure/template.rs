@@ -157,7 +157,7 @@ pub struct Support {
 #[derive(Debug, Clone)]
 pub enum Course {
     /// An acceleration.
-    Acceleration(Scaled),
+    Acceleration(Box<Scaled>),
     /// Displacements at times, with their place in the study.
     Displacement([Vec<Amount>; 2], (usize, String)),
 }
