@@ -369,7 +369,15 @@ fn components_of_a_station_go_together() {
         assert!(found.contains(part), "{pattern}: {found}");
     }
     let found = faults("", r#"{"record": {"files": 3}}"#);
-    assert!(found.contains("must be a string, got 3"), "{found}");
+    assert!(
+        found.contains("structure.ground.record.files: must be a string, got 3"),
+        "{found}"
+    );
+    let found = faults(r#""record": {"files": "no/*"},"#, r#"{"record": "record"}"#);
+    assert!(
+        found.contains("parameters.record.files: \"no/*\""),
+        "{found}"
+    );
 }
 
 #[test]

@@ -21,7 +21,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
     let Some(structure) = root.member("structure") else {
         return;
     };
-    take(structure, "", &mut named);
+    take(structure, "", "structure", &mut named);
     for (path, block) in blocks(root) {
         let Some(parameters) = block.member("parameters") else {
             continue;
@@ -29,7 +29,7 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
         let Tree::Object(own) = &mut parameters.tree else {
             continue;
         };
-        for new in &named {
+        for (new, _) in &named {
             if !own.iter().any(|known| known.key == new.key) {
                 own.push(new.clone());
             }
@@ -37,7 +37,12 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
         let path = join(&path, "parameters");
         let mut found = Vec::new();
         for given in own.iter_mut().filter(|given| has_files(&given.node)) {
-            let path = join(&path, &given.key);
+            // The files of the structure are at fault there.
+            let mut of_structure = named.iter().filter(|new| new.0.at == given.at);
+            let path = match of_structure.next() {
+                Some((_, path)) => path.clone(),
+                None => join(&path, &given.key),
+            };
             if let Some(files) = files(&given.node, &path, folder, faults) {
                 found.push((given.key.clone(), given.node.at, path, files));
             }
@@ -52,16 +57,17 @@ fn has_files(node: &Node) -> bool {
 }
 
 /// Takes the files out of the structure: `record` becomes the name of a parameter.
-fn take(node: &mut Node, name: &str, found: &mut Vec<Member>) {
+fn take(node: &mut Node, name: &str, path: &str, found: &mut Vec<(Member, String)>) {
     match &mut node.tree {
         Tree::Object(members) => {
             for member in members {
+                let path = join(path, &member.key);
                 if member.key == "record" && has_files(&member.node) {
                     let key = format!("record{name}");
                     let at = member.node.at;
                     let tree = Tree::Text(key.clone());
                     let node = std::mem::replace(&mut member.node, Node { at, tree });
-                    found.push(Member { key, at, node });
+                    found.push((Member { key, at, node }, path));
                     continue;
                 }
                 // The ground in x is `record_x`, a support `record_left`.
@@ -69,12 +75,12 @@ fn take(node: &mut Node, name: &str, found: &mut Vec<Member>) {
                     "ground" | "supports" | "contacts" => name.to_owned(),
                     key => format!("{name}_{key}"),
                 };
-                take(&mut member.node, &own, found);
+                take(&mut member.node, &own, &path, found);
             }
         }
         Tree::List(items) => {
             for (i, item) in items.iter_mut().enumerate() {
-                take(item, &format!("{name}_{i}"), found);
+                take(item, &format!("{name}_{i}"), &format!("{path}[{i}]"), found);
             }
         }
         Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}

@@ -80,10 +80,10 @@ impl Shape {
         let mut key = scaled.source.key(case)?;
         let bits = |time: Option<f64>| time.unwrap_or(f64::NAN).to_bits();
         key.extend([bits(start), bits(end)]);
+        let table = points(&signal, &scaled.source)?;
         if start.is_none() && end.is_none() && self.baseline == Baseline::None {
             return Ok(Part { signal, key });
         }
-        let table = points(&signal, &scaled.source)?;
         let cell = self.made().signals.cell(&key, table.times().len());
         let make = || {
             let part = match start.is_some() || end.is_some() {
@@ -182,15 +182,13 @@ fn identity(measure: Measure) -> [u64; 3] {
 }
 
 impl Scaled {
-    /// Every rule that the function breaks in a case; samples are not computed.
+    /// Every rule that the function breaks in a case; neither samples nor the factor of its strength are computed.
     pub fn check(&self, case: &Case, metre: f64) -> Result<(), Violation> {
-        match self.shape.is_plain() || self.source.is_sampled() {
-            true => {
-                self.source.check(case, metre)?;
-                self.shape.check_numbers(case)?;
-            }
-            false => {
-                self.shaped(case, metre)?;
+        self.source.check(case, metre)?;
+        if !self.shape.is_plain() {
+            self.shape.check_numbers(case)?;
+            if !self.source.is_sampled() {
+                self.shape.part(self, case, metre)?;
             }
         }
         self.scale
