@@ -172,6 +172,7 @@ pages! {
     readme "README.md",
     contributing "CONTRIBUTING.md",
     python "python/README.md",
+    classics "docs/classics.md",
     clusters "docs/clusters.md",
     conventions "docs/conventions.md",
     errata "docs/errata.md",
