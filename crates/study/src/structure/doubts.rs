@@ -1,8 +1,7 @@
 //! What may be a mistake in a structure, though it can be solved.
 
-use crate::source::faults::{Faults, join};
-use crate::source::object::Object;
-use crate::source::tree::{Node, Tree};
+use crate::source::faults::any_of;
+use crate::source::tree::Node;
 use slipgap_solver::contact::ContactKind;
 use slipgap_solver::problem::structure::amount::Source;
 use slipgap_solver::problem::structure::contacts::law_named;
@@ -28,13 +27,14 @@ pub(super) fn notes(template: &Template, names: &Names, structure: &Node) -> Vec
             "nothing moves the structure: it has no ground motion, supports, loads, static loads or start".to_owned(),
         );
     }
+    notes.extend(idle_ground(template));
     let exchanged = template.contacts.iter();
     notes.extend(exchanged.filter_map(|contact| exchanged_nodes(contact, names)));
     notes
 }
 
-/// Ground motion in a direction in which no node moves.
-pub(super) fn refuse_idle_ground(template: &Template, object: &Object, faults: &mut Faults) {
+/// The directions of the ground in which no node moves.
+fn idle_ground(template: &Template) -> Option<String> {
     let masses = template.masses.iter().map(|own| own.direction);
     let bars = template.bars.iter().map(|own| own.direction);
     let rows = template.matrices.iter();
@@ -43,33 +43,19 @@ pub(super) fn refuse_idle_ground(template: &Template, object: &Object, faults: &
         .chain(bars)
         .chain(rows.map(|dof| dof.direction))
         .collect();
-    let Some(node) = object.get("ground") else {
-        return;
+    let names = |moves: bool, wanted: &[Direction]| {
+        let own = wanted.iter().filter(|one| all.contains(one) == moves);
+        own.map(|one| one.name()).collect::<Vec<_>>()
     };
-    for (direction, _) in &template.ground {
-        if all.is_empty() || all.contains(direction) {
-            continue;
-        }
-        let path = object.path("ground");
-        let own = match &node.tree {
-            Tree::Object(members) => members.iter().find(|own| own.key == direction.name()),
-            _ => None,
-        };
-        let (at, path) = match own {
-            Some(own) => (own.at, join(&path, &own.key)),
-            None => (node.at, path),
-        };
-        let known = Direction::TRANSLATIONS
-            .into_iter()
-            .filter(|one| all.contains(one));
-        let known: Vec<&str> = known.map(Direction::name).collect();
-        let message = format!(
-            "no node moves in {}; nodes move in {}",
-            direction.name(),
-            crate::source::faults::any_of(&known)
-        );
-        faults.add(at, &path, message);
-    }
+    let ground: Vec<Direction> = template.ground.iter().map(|own| own.0).collect();
+    let idle = names(false, &ground);
+    (!idle.is_empty()).then(|| {
+        format!(
+            "the ground motion in {} moves nothing: nodes move in {}",
+            any_of(&idle),
+            any_of(&names(true, &Direction::TRANSLATIONS))
+        )
+    })
 }
 
 fn nothing_moves(template: &Template) -> bool {

@@ -125,7 +125,6 @@ pub(super) fn problem(
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
     };
-    doubts::refuse_idle_ground(&template, &object, faults);
     let decoded = template.contacts.iter().map(|contact| contact.name.clone());
     let mut contacts: Vec<String> = decoded.collect();
     // One with a fault is known all the same, so that it has one message.

@@ -458,10 +458,10 @@ fn faults_of_supports_have_places() {
         ),
         (
             left.clone(),
-            r#", "contacts": {"c": {"law": "impact", "between": ["left", "ground"], "k": 1}}"#
+            r#", "contacts": {"c": {"law": "coulomb", "between": ["left", "ground"], "limit": 1}}"#
                 .to_owned(),
             "contacts.c",
-            "a node that is not a support",
+            "needs a law with a stiffness or a damper",
         ),
     ] {
         let found = of(&supports, &more);
