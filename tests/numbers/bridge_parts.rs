@@ -159,6 +159,41 @@ fn springs_in_series_are_one_spring() {
 }
 
 #[test]
+fn a_gap_in_series_with_any_law_has_one_force() {
+    for law in [
+        json!({"law": "displacement-control", "k": 2e4, "limit": 200}),
+        json!({"law": "bouc-wen", "k": 2e4, "limit": 200}),
+        json!({"law": "dahl", "k": 2e4, "limit": 200}),
+        json!({"law": "bilinear", "k1": 2e4, "Fy": 200, "k2": 100}),
+        json!({"law": "viscous", "c": 2000, "a": 1}),
+        json!({"law": "viscous", "c": 100, "a": 0.5}),
+        json!({"law": "tanh", "c": 2e4, "limit": 200}),
+    ] {
+        let gap = json!({"law": "impact", "gap": 0.02, "k": 1e5});
+        let contact = json!({"between": ["deck", "ground"], "series": [gap, law]});
+        let mut study = deck(
+            json!({"soil": contact}),
+            1e-3,
+            &["peak(soil.1.S)", "peak(soil.2.S)", "energy_error"],
+        );
+        study["figures"] =
+            json!([{"name": "h", "kind": "history", "y": ["soil.1.S", "soil.2.S", "soil.node1"]}]);
+        let found = metrics(&study);
+        assert!(found[0] > 10.0 && found[2] < 1e-12, "{law} {found:?}");
+        let [first, second, node] = &channels(&study)[..] else {
+            panic!("three channels");
+        };
+        for ((a, b), u) in first.iter().zip(second).zip(node) {
+            // The spring that keeps the place of the node has 1e-7 of the softest stiffness, at most 1e5.
+            assert!(
+                (a - b).abs() <= 0.011 * u.abs() + 1e-9,
+                "{law}: {a} {b} {u}"
+            );
+        }
+    }
+}
+
+#[test]
 fn laws_in_parallel_are_contacts_of_the_same_nodes() {
     let [a, b] = [
         json!({"law": "bilinear", "k1": 3000, "Fy": 20, "k2": 100}),

@@ -196,7 +196,8 @@ impl CurvedForces {
             }
             self.steps += 1;
             let (own, flexibility) = (&self.own, &self.flexibility);
-            if !self.tangents.solve(step, &self.now, own, flexibility) {
+            let steps = self.steps;
+            if !(self.tangents).solve(step, &self.now, own, flexibility, steps) {
                 self.average(step);
                 continue;
             }

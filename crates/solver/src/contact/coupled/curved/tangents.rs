@@ -7,6 +7,14 @@ use crate::contact::coupled::{CoupledForces, Unsolved};
 /// Least 1/f' as part of a: without it, tangents of contacts that depend on each other may be singular.
 const SOFTENING: f64 = 1e-12;
 
+/// Least width of a chord over the sizes of y and a S, whose difference is r'. Where a is far larger than the law's own 1/f', at nodes
+/// without mass, such a chord may be as long as the law; the search then goes on with the narrow one, a thousand times round-off.
+const WIDE: f64 = 1e-8;
+const NARROW: f64 = 1e-12;
+
+/// Number of steps with wide chords. Few searches need more than 20.
+const WITH_WIDE: usize = 40;
+
 /// The step from a point to the minimum of the tangents.
 #[derive(Debug, Clone)]
 pub(super) struct Tangents {
@@ -34,21 +42,23 @@ impl Tangents {
         }
     }
 
-    /// The change of S to the minimum of the tangents; false if there is none.
+    /// The change of S to the minimum of the tangents; false if there is none. `steps` were taken before.
     pub(super) fn solve(
         &mut self,
         step: Numbers,
         point: &Point,
         own: &[f64],
         flexibility: &[f64],
+        steps: usize,
     ) -> bool {
         let m = own.len();
+        let least = if steps > WITH_WIDE { NARROW } else { WIDE };
         for (i, own) in own.iter().enumerate() {
             let (y, s) = (point.y[i], point.answer[i]);
             let scale = y.abs() + own * s.abs();
             // A chord is to be short beside the step.
             let rest = own * (s - point.force[i]).abs();
-            let width = f64::max(1e-3 * rest, 1e-8 * scale);
+            let width = f64::max(1e-3 * rest, least * scale);
             let g = step.compliance(i, y, s, width);
             self.compliance[i] = g;
             let [low, high] = step.laws.bounds(i);
