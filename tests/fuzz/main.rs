@@ -59,10 +59,10 @@ fn try_seed(seed: u64, shipped: &[String]) -> Stage {
 fn random_studies_have_faults_or_run() {
     let shipped = shipped();
     let mut stages: BTreeMap<Stage, usize> = BTreeMap::new();
-    for seed in 0..400 {
+    for seed in 0..500 {
         *stages.entry(try_seed(seed, &shipped)).or_default() += 1;
     }
-    // Generated studies test little if all have faults.
+    // Generated studies test little if all have faults. (About one in twenty of these texts is solved but has no figure.)
     for least in [Stage::Refused, Stage::Solved, Stage::Drawn] {
         assert!(stages.get(&least).copied().unwrap_or(0) >= 20, "{stages:?}");
     }

@@ -22,7 +22,9 @@ impl Faults {
     /// Adds a fault of the key `path` at byte `at`.
     pub fn add(&mut self, at: usize, path: &str, message: impl Into<String>) {
         if self.first.len() < MOST_REPORTED {
-            self.first.push((at, path.to_owned(), message.into()));
+            // A message may have names of the study in it.
+            let message = printable(&message.into()).replace(['\n', '\t'], " ");
+            self.first.push((at, path.to_owned(), message));
         } else {
             self.more += 1;
         }
@@ -77,7 +79,7 @@ impl Faults {
 /// Most faults whose lines are shown. Finding thousands of lines takes time.
 const MOST_SHOWN: usize = 20;
 
-use slipgap_solver::expression::{ExpressionFault, UnknownName};
+use slipgap_solver::expression::{ExpressionFault, UnknownName, printable};
 pub use slipgap_solver::expression::{quoted, shortened};
 
 /// The path of `key` within `path`.
