@@ -184,11 +184,10 @@ fn a_gap_in_series_with_any_law_has_one_force() {
             panic!("three channels");
         };
         for ((a, b), u) in first.iter().zip(second).zip(node) {
-            // The spring that keeps the place of the node has 1e-7 of the softest stiffness, at most 1e5.
-            assert!(
-                (a - b).abs() <= 0.011 * u.abs() + 1e-9,
-                "{law}: {a} {b} {u}"
-            );
+            // The spring that keeps the place of the node has 1e-7 of the softest stiffness, at most 1e5. Its flexibility of 100
+            // makes r' a difference of numbers up to 5e5, with a round-off of 1e-10, which a dashpot takes times c/dt = 2e6.
+            let tolerance = 0.011 * u.abs() + 1e-7 * found[0];
+            assert!((a - b).abs() <= tolerance, "{law}: {a} {b} {u}");
         }
     }
 }
