@@ -102,11 +102,3 @@ impl ContactState {
         }
     }
 }
-
-/// Whether the law has no compliance.
-pub fn is_rigid(law: &StructureLaw) -> bool {
-    matches!(
-        law,
-        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-    )
-}

@@ -7,7 +7,7 @@ use super::book::Book;
 use super::cholesky::Cholesky;
 use super::least::{Singular, least};
 use super::model::Model;
-use super::phase::{ContactState, Phase, is_rigid};
+use super::phase::{ContactState, Phase};
 use super::scales::Scales;
 use super::series::Series;
 use crate::system::structure::StructureLaw;
@@ -27,7 +27,7 @@ impl Constraints {
     pub fn new(model: &Model, states: &[ContactState]) -> Result<Constraints, Singular> {
         let contacts = model.contacts.iter().zip(states).enumerate();
         let closed = contacts
-            .filter(|(_, (contact, state))| is_rigid(&contact.law) && state.phase == Phase::Closed);
+            .filter(|(_, (contact, state))| contact.law.is_rigid() && state.phase == Phase::Closed);
         let contacts: Vec<usize> = closed.map(|(i, _)| i).collect();
         let factor =
             Cholesky::of_any(model.flexibility(&contacts), contacts.len()).ok_or(Singular)?;

@@ -3,7 +3,7 @@
 use super::least::Singular;
 use super::lines::End;
 use super::motion::Motion;
-use super::phase::{ContactState, Phase, is_rigid};
+use super::phase::{ContactState, Phase};
 use super::rigid::{Constraints, impacts};
 use super::rigid_phases::determine_rigid_phases;
 use super::softened_phases::SoftenedPhases;
@@ -38,7 +38,7 @@ impl Motion<'_> {
             .couple(&self.model, &self.states)
             .map_err(singular)?;
         let mut contacts = self.model.contacts.iter();
-        if contacts.any(|contact| is_rigid(&contact.law)) {
+        if contacts.any(|contact| contact.law.is_rigid()) {
             self.settle_rigid().map_err(singular)?;
         }
         self.length = self.model.piece_length(&self.states);
@@ -80,7 +80,7 @@ impl Motion<'_> {
         let contact = found.contact;
         let law = &self.model.contacts[contact].law;
         let closes = match found.crossing {
-            Crossing::Touch => !is_rigid(law),
+            Crossing::Touch => !law.is_rigid(),
             // A line without force of an impact.
             Crossing::Line(End::Low) => {
                 self.states[contact].phase == Phase::Open && law.kind() == ContactKind::Impact

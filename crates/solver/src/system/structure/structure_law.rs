@@ -103,6 +103,14 @@ impl StructureLaw {
         }
     }
 
+    /// Whether the law has no compliance: its force does not follow from its motion.
+    pub fn is_rigid(&self) -> bool {
+        matches!(
+            self,
+            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
+        )
+    }
+
     /// Whether the law is not a clipped line over a step.
     pub fn is_curved(&self) -> bool {
         matches!(

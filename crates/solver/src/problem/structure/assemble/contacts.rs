@@ -22,7 +22,7 @@ impl Draft<'_> {
                 self.detail == Detail::Whole,
             );
             if let Some(law) = self.checked(law) {
-                if is_driven && self.violations.is_empty() && is_rigid(&law) {
+                if is_driven && self.violations.is_empty() && law.is_rigid() {
                     let message = "a contact between supports, or of a support and the ground, needs a law with a stiffness or a damper";
                     self.violations.push(contacts::violation(contact, message));
                 }
@@ -50,12 +50,4 @@ impl Draft<'_> {
             }
         }
     }
-}
-
-/// Whether the force of a law is not given by its motion.
-fn is_rigid(law: &StructureLaw) -> bool {
-    matches!(
-        law,
-        StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-    )
 }

@@ -8,7 +8,7 @@ use crate::solve::structure::curved::Curved;
 use crate::solve::structure::curved_lanes::{any_curved, curved_lanes, meet_lane};
 use crate::solve::structure::curved_step::Motion;
 use crate::solve::structure::forces::Forces;
-use crate::system::structure::{Structure, StructureLaw};
+use crate::system::structure::Structure;
 
 /// The contacts of each sub-step in each lane that has such a law; empty if there is none.
 pub(super) fn contacts<const L: usize>(
@@ -34,14 +34,8 @@ pub(super) fn contacts<const L: usize>(
 pub(super) fn refused(case: &Structure, prepared: &Prepared) -> Option<String> {
     let curved = case.contacts.iter().find(|c| c.law.is_curved())?;
     let impulses = prepared.method.has_impulses();
-    let rigid = |law: &StructureLaw| {
-        matches!(
-            law,
-            StructureLaw::RigidStop { .. } | StructureLaw::Coulomb { .. }
-        )
-    };
     let mut contacts = case.contacts.iter();
-    let rigid = contacts.find(|contact| impulses && rigid(&contact.law))?;
+    let rigid = contacts.find(|contact| impulses && contact.law.is_rigid())?;
     Some(format!(
         "method: moreau-jean has no forces for '{}' without compliance together with the law of '{}'; allowed: another method",
         rigid.name, curved.name
