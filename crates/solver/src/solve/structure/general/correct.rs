@@ -121,7 +121,7 @@ impl<const L: usize> General<'_, L> {
             lambda,
             size,
             moved,
-        } = corrections;
+        } = &mut **corrections;
         forces.solve(end, trial, |c, l| size[c].0[l], lambda);
         moved.fill(Lane::splat(0.0));
         for (column, lambda) in columns.iter().zip(lambda) {

@@ -90,7 +90,7 @@ impl<'a, const L: usize> General<'a, L> {
             stages: vec![stage; parts.len() + 1],
             inputs: Inputs::of_sub_steps(cases, prepared, steps, &weights),
             impacts: Impacts::new(&contacts, prepared),
-            corrections: Corrections::new(cases, &contacts, prepared),
+            corrections: Corrections::new(cases, &contacts, prepared).map(Box::new),
             knows: contacts.iter().any(|contact| contact.known.contains(&true)),
             contacts,
             lines,

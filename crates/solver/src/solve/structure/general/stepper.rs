@@ -31,7 +31,7 @@ pub(in crate::solve::structure) struct General<'a, const L: usize> {
     /// Rigid stops with impulses; `None` without any.
     pub(super) impacts: Option<Impacts<L>>,
     /// Rigid stops that correct displacements; `None` without any.
-    pub(super) corrections: Option<Corrections<L>>,
+    pub(super) corrections: Option<Box<Corrections<L>>>,
     /// Whether a law gives S' before r' is known.
     pub(super) knows: bool,
     /// The last step.
