@@ -351,3 +351,43 @@ fn a_where_without_cases_names_the_setting_that_changed_them() {
         "{done:?}"
     );
 }
+
+#[test]
+fn a_record_replaces_synthetic_motions_of_the_studies_that_have_them() {
+    let bench = Bench::new();
+    let study = |seed: &str, ground: &str| {
+        format!(
+            r#"{{ "problem": "structure", "parameters": {{ "seed": {seed}, "omega": "10 + seed", "k": [5, 6], "dt": 0.01, "duration": 3 }},
+            "structure": {{ "units": "t, kN, m, s", "masses": {{ "m": 1 }}, "springs": [{{ "between": ["ground", "m"], "k": "k" }}],
+            "ground": {{ "synthetic": {ground}, "scale": 2 }} }}, "metrics": ["peak(m)", "ground.pga"] }}"#
+        )
+    };
+    let by_seed = r#"{ "seed": "seed", "omega": "omega" }"#;
+    bench.file("synthetic.json", &study("[1, 2, 3]", by_seed));
+    bench.file("drawn.json", &study(r#""round(k)""#, by_seed));
+    bench.file("a.csv", "0, 0\n1, 3\n2, 1\n3, 0\n");
+    bench.file("b.csv", "0, 0\n1, -1\n2, 1\n3, 0\n");
+    let set = ["--set", r#"record=["a.csv", "b.csv"]"#, "--set", "unit=g"];
+    let with = |files: &[&'static str]| [&["run"], files, &set].concat();
+    let done = bench.expect(0, &with(&["synthetic.json", "drawn.json"]));
+    assert!(done.err.contains("drawn.json: left out: "), "{done:?}");
+    assert!(bench.path("figures/synthetic").is_dir() && !bench.path("figures/drawn").exists());
+    let results = bench.text("figures/synthetic/results.csv");
+    let header: Vec<&str> = results.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| header.iter().position(|own| *own == name).unwrap();
+    let (record, pga) = (column("record"), column("ground.pga"));
+    let rows: Vec<Vec<&str>> = results
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').collect())
+        .collect();
+    assert_eq!(rows.len(), 4);
+    assert!(rows.iter().any(|row| row[record] == "b.csv"));
+    // 0.3 g of the synthetic motions, twice by the study.
+    for row in &rows {
+        assert!((row[pga].parse::<f64>().unwrap() / (0.6 * 9.80665) - 1.0).abs() < 1e-15);
+    }
+    // Alone it is an error as before.
+    let done = bench.expect(2, &with(&["drawn.json"]));
+    assert!(done.err.contains("\"record\" is not used"), "{done:?}");
+}

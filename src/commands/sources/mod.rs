@@ -1,5 +1,6 @@
 //! Reads the studies of a command. Each has the name of its folder of results.
 
+use super::terminal::note;
 use slipgap::batch::output;
 use slipgap::error::Error;
 pub use slipgap::run::Source;
@@ -18,7 +19,7 @@ pub fn read(paths: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<S
     }
     let files = distinct(files)?;
     let several = files.len() > 1;
-    files::read_all(files, |(file, name)| {
+    let inputs = files::read_all(files, |(file, name)| {
         let (file, input) = match file == Path::new(DASH) {
             true => (PathBuf::from(study::STDIN), Input::of_stdin()?),
             false => {
@@ -26,7 +27,20 @@ pub fn read(paths: &[PathBuf], settings: &[Setting], limit: u64) -> Result<Vec<S
                 (file, input)
             }
         };
-        let input = input.with(settings);
+        Ok((file, name, input.with(settings)))
+    })?;
+    let left_out = |input: &Input| several && !input.uses_settings();
+    let some = inputs.iter().any(|(_, _, input)| !left_out(input));
+    let (without, inputs): (Vec<_>, Vec<_>) = inputs
+        .into_iter()
+        .partition(|(_, _, input)| some && left_out(input));
+    for (file, ..) in &without {
+        note(&format!(
+            "{}: left out: it has no parameter record, and no synthetic motions with a list of seeds that records could replace",
+            file.display()
+        ));
+    }
+    files::read_all(inputs, |(file, name, input)| {
         let source = Source::of_input(file.clone(), name, input, limit);
         source.map_err(|error| match several {
             true => with_file_name(error, &file),

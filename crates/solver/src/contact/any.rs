@@ -199,6 +199,14 @@ macro_rules! laws {
             }
         }
 
+        impl<const L: usize> AnyRunningLaw<L> {
+            fn own_correction(&self, displacement: Lane<L>) -> Lane<L> {
+                match self {
+                    $(AnyRunningLaw::$law(law) => law.correction(displacement)),+
+                }
+            }
+        }
+
         // A function of its own: it is compiled once, and not in every loop over steps.
         #[multiversion(targets("x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl", "x86_64+avx2"))]
         fn answer<const L: usize>(law: &mut AnyRunningLaw<L>, part: usize, trial: &Trial<L>) -> Lane<L> {
@@ -250,6 +258,10 @@ impl ContactLaw {
 impl<const L: usize> ContactResponse<L> for AnyRunningLaw<L> {
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
         answer(self, part, trial)
+    }
+
+    fn correction(&self, displacement: Lane<L>) -> Lane<L> {
+        self.own_correction(displacement)
     }
 }
 

@@ -190,12 +190,24 @@ pub trait StepLaw<const L: usize>: Copy {
 
     /// S(i+1), and the memory after the step.
     fn force(&self, trial: &Trial<L>, memory: &mut Self::Memory) -> Lane<L>;
+
+    /// What a contact without compliance adds to this r so that it does not overlap; 0 for the others.
+    #[inline(always)]
+    fn correction(&self, _displacement: Lane<L>) -> Lane<L> {
+        Lane::splat(0.0)
+    }
 }
 
 /// What answers the trials of a run, step by step: a law with its memory.
 pub trait ContactResponse<const L: usize> {
     /// S at the end of the sub-step `part`, 0 or 1; 0 in a method without sub-steps.
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L>;
+
+    /// See [`StepLaw::correction`].
+    #[inline(always)]
+    fn correction(&self, _displacement: Lane<L>) -> Lane<L> {
+        Lane::splat(0.0)
+    }
 }
 
 /// A law over the steps of a run: its coefficients for each sub-step, and its memory.
@@ -230,6 +242,11 @@ impl<S: StepLaw<L>, const L: usize> ContactResponse<L> for RunningLaw<S, L> {
     #[inline(always)]
     fn force(&mut self, part: usize, trial: &Trial<L>) -> Lane<L> {
         self.parts[part].force(trial, &mut self.memory)
+    }
+
+    #[inline(always)]
+    fn correction(&self, displacement: Lane<L>) -> Lane<L> {
+        self.parts[0].correction(displacement)
     }
 }
 

@@ -3,8 +3,8 @@
 use super::amplification::Amplification;
 use super::lanes::{ModeCount, Recursion};
 use super::{
-    AverageAcceleration, Bathe, Coefficients, Description, MoreauJean, SubStep,
-    average_acceleration, bathe, family, moreau_jean,
+    AverageAcceleration, Bathe, Coefficients, ContactStabilized, Description, MoreauJean, SubStep,
+    average_acceleration, bathe, contact_stabilized, family, moreau_jean,
 };
 
 /// All methods, in the order of the schema.
@@ -17,6 +17,7 @@ pub static METHODS: &[Description] = &[
     bathe::DESCRIPTION,
     family::central_difference::DESCRIPTION,
     moreau_jean::DESCRIPTION,
+    contact_stabilized::DESCRIPTION,
 ];
 
 /// A method with its numbers: one of the schemes.
@@ -30,6 +31,8 @@ pub enum Method {
     Bathe(Bathe),
     /// Moreau and Jean's method with impulses.
     MoreauJean(MoreauJean),
+    /// Newmark's method with contacts stabilised.
+    ContactStabilized(ContactStabilized),
 }
 
 /// An expression with the scheme of a method, whatever its type is.
@@ -40,6 +43,7 @@ macro_rules! each {
             $crate::methods::Method::Family($own) => $result,
             $crate::methods::Method::Bathe($own) => $result,
             $crate::methods::Method::MoreauJean($own) => $result,
+            $crate::methods::Method::ContactStabilized($own) => $result,
         }
     };
 }
@@ -52,6 +56,12 @@ pub trait Scheme: Copy + Into<Method> {
 
     /// Whether dt S' is an impulse on the contact. Only then rigid contacts have a restitution.
     const HAS_IMPULSES: bool = false;
+
+    /// Whether S' acts over the whole step, so that its work is dt S' (rdot + rdot')/2.
+    const FORCE_AT_END: bool = false;
+
+    /// Whether rigid contacts correct displacements before a step, see [`ContactStabilized`].
+    const CORRECTS: bool = false;
 
     /// Whether the work of the contact is always the energy that the modes lose.
     const CONSERVES: bool = false;
@@ -82,6 +92,7 @@ impl Method {
             Method::Family(_) => 1,
             Method::Bathe(_) => 2,
             Method::MoreauJean(_) => 3,
+            Method::ContactStabilized(_) => 4,
         }
     }
 
@@ -97,6 +108,22 @@ impl Method {
     pub fn has_impulses(&self) -> bool {
         fn of<S: Scheme>(_: &S) -> bool {
             S::HAS_IMPULSES
+        }
+        each!(self, own => of(own))
+    }
+
+    /// See [`Scheme::FORCE_AT_END`].
+    pub fn has_force_at_end(&self) -> bool {
+        fn of<S: Scheme>(_: &S) -> bool {
+            S::FORCE_AT_END
+        }
+        each!(self, own => of(own))
+    }
+
+    /// See [`Scheme::CORRECTS`].
+    pub fn corrects(&self) -> bool {
+        fn of<S: Scheme>(_: &S) -> bool {
+            S::CORRECTS
         }
         each!(self, own => of(own))
     }

@@ -8,6 +8,7 @@
 mod amplification;
 mod average_acceleration;
 mod bathe;
+mod contact_stabilized;
 mod critical_step;
 mod description;
 mod family;
@@ -19,6 +20,7 @@ mod sub_step;
 pub use amplification::{Amplification, Principal};
 pub use average_acceleration::AverageAcceleration;
 pub use bathe::Bathe;
+pub use contact_stabilized::ContactStabilized;
 pub use critical_step::{highest_frequency, six_digits_below};
 pub use description::{Description, MethodParameter};
 pub use family::Coefficients;

@@ -66,6 +66,7 @@ impl From<MoreauJean> for Method {
 
 impl Scheme for MoreauJean {
     const HAS_IMPULSES: bool = true;
+    const FORCE_AT_END: bool = true;
     type Lanes<const L: usize, N: ModeCount> = Lanes<L, N::Of<ModeState<L>>>;
 
     /// a' = (v' - v)/dt. Jean (1999), section 5.

@@ -332,7 +332,7 @@ fn step_all<const L: usize, N: Recursion<L>, T: Track<L>, W: ContactResponse<L> 
 ) -> Lane<L> {
     let (mut own, mut own_law) = (stepper.take(), *law);
     let mut work = Lane::splat(0.0);
-    let form = ContactWork::new(N::Scheme::HAS_IMPULSES, own.flexibilities()[0].dt);
+    let form = ContactWork::new(N::Scheme::FORCE_AT_END, own.flexibilities()[0].dt);
     for row in track.rows(from, steps) {
         let before = own.contact();
         let after = own.step(&mut own_law);

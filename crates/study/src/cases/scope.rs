@@ -27,8 +27,8 @@ pub struct Scope {
     pub ensemble: Option<Vec<usize>>,
     /// Whether each step is solved once; there are then no profiles.
     pub once: bool,
-    /// Names of the parameters that the command line sets.
-    pub set: Vec<String>,
+    /// The parameters that the command line sets, each with the name of its setting.
+    pub set: Vec<[String; 2]>,
 }
 
 impl Scope {
@@ -168,9 +168,10 @@ impl Scope {
             shown.push("...".into());
         }
         let shown = shown.join(", ");
-        let by = match self.set.iter().any(|name| **name == **parameter) {
-            true => format!(", by --set {parameter}"),
-            false => String::new(),
+        let mut set = self.set.iter();
+        let by = match set.find(|[name, _]| **name == **parameter) {
+            Some([_, setting]) => format!(", by --set {setting}"),
+            None => String::new(),
         };
         Some(format!(
             "no case has {parameter} = {wanted}; the values are {shown}{by}"

@@ -21,9 +21,10 @@ use crate::source::object::Object;
 use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
+use crate::structure::{self, own_records, record_axis};
 use crate::units::Units;
 use crate::value::{self, name};
-use crate::{Check, Figure, Study, reduction, structure};
+use crate::{Check, Figure, Study, reduction};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use ensemble::ensemble;
@@ -87,6 +88,20 @@ pub fn parse(file: &str, text: &str) -> Result<Study, Error> {
 }
 
 impl Input {
+    /// Whether the study can use every setting: false if `record` is set and it has neither such a parameter nor synthetic motions
+    /// that records can replace. A text that is not JSON can; reading it gives its faults.
+    pub fn uses_settings(&self) -> bool {
+        if !self.sets_record() {
+            return true;
+        }
+        tree_of(&self.file, &self.text).map_or(true, |root| own_records::takes_record(&root))
+    }
+
+    fn sets_record(&self) -> bool {
+        let mut settings = self.settings.iter();
+        settings.any(|setting| setting.name() == own_records::RECORD)
+    }
+
     /// The study, of at most `limit` raw combinations.
     ///
     /// # Errors
@@ -98,18 +113,27 @@ impl Input {
         let starts = settings.map(|setting| texts.push(setting.source(), setting.text()));
         let starts: Vec<usize> = starts.collect();
         let mut faults = Faults::default();
+        let seed = self
+            .sets_record()
+            .then(|| own_records::seed(&root))
+            .flatten();
         setting::put_all(&mut root, &self.settings, &starts, &mut faults);
         let before = faults.count();
-        structure::record_axis::expand(&mut root, &self.folder, &mut faults);
+        record_axis::expand(&mut root, &self.folder, &mut faults);
         if faults.count() > before {
             // Without its files, an axis would be a fault of its own.
             return Err(Error::Faults(faults.in_file_order(texts)));
         }
+        if let Some(seed) = &seed {
+            own_records::replace(&mut root, seed, &mut faults);
+        }
         let set = self
             .settings
             .iter()
-            .map(|setting| setting.name().to_owned());
-        match study(&root, limit, &self.folder, set.collect(), &mut faults) {
+            .map(|setting| [setting.name().to_owned(), setting.name().to_owned()]);
+        let of_records = seed.map(|seed| [seed, own_records::RECORD.to_owned()]);
+        let set = set.chain(of_records).collect();
+        match study(&root, limit, &self.folder, set, &mut faults) {
             Some(study) if faults.count() == 0 => Ok(Study {
                 settings: self.settings.clone(),
                 sha256: self.sha256(),
@@ -121,12 +145,12 @@ impl Input {
 }
 
 /// The study at `root`, of at most `limit` raw combinations, without its settings and hash; records are in `folder`. The command
-/// line set the parameters `set`.
+/// line set the parameters `set`, each with the name of its setting.
 pub(crate) fn study(
     root: &Node,
     limit: u64,
     folder: &Path,
-    set: Vec<String>,
+    set: Vec<[String; 2]>,
     faults: &mut Faults,
 ) -> Option<Study> {
     let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();

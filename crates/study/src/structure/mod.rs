@@ -9,6 +9,7 @@ mod loads;
 mod matrices;
 mod named_metrics;
 mod names;
+pub(super) mod own_records;
 mod parts;
 mod reader;
 pub(super) mod record_axis;

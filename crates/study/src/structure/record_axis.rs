@@ -88,7 +88,7 @@ fn take(node: &mut Node, name: &str, path: &str, found: &mut Vec<(Member, String
 }
 
 /// The study, or its blocks, each with its path.
-fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
+pub(super) fn blocks(root: &mut Node) -> Vec<(String, &mut Node)> {
     if member(root, "blocks").is_none() {
         return vec![(String::new(), root)];
     }
@@ -248,7 +248,7 @@ fn go_together(
 }
 
 /// Adds a group to the `zip` of a block.
-fn add_zip(block: &mut Node, group: Node) {
+pub(super) fn add_zip(block: &mut Node, group: Node) {
     if let Some(zip) = block.member("zip") {
         if let Tree::List(groups) = &mut zip.tree {
             groups.push(group);

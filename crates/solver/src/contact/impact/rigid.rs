@@ -138,6 +138,11 @@ impl<const L: usize> StepLaw<L> for Step<L> {
     type Memory = ();
 
     #[inline(always)]
+    fn correction(&self, displacement: Lane<L>) -> Lane<L> {
+        displacement.map(|r| if r < 0.0 { -r } else { 0.0 })
+    }
+
+    #[inline(always)]
     fn force(&self, trial: &Trial<L>, _: &mut ()) -> Lane<L> {
         let free = Free::new(trial, &self.start);
         let (active, by) = if self.by_impulse {

@@ -8,14 +8,14 @@ pub enum ContactWork<const L: usize> {
     /// The mean of both forces, on the displacement: for methods whose forces are functions of time. It is of second order, and
     /// exact for a linear spring. The force between the sub-steps of a method enters the motion only.
     Trapezoids,
-    /// The force at the end, on the mean velocity during this time: S(i+1) dt is the impulse of a step of Moreau and Jean.
+    /// The force at the end, on the mean velocity during this time: S(i+1) dt is the impulse of a step.
     Impulses(Lane<L>),
 }
 
 impl<const L: usize> ContactWork<L> {
-    /// That of a method with this time step. `by_impulse`: whether dt S(i+1) is an impulse.
-    pub fn new(by_impulse: bool, dt: Lane<L>) -> Self {
-        if by_impulse {
+    /// That of a method with this time step. `at_end`: whether S(i+1) acts over the whole step.
+    pub fn new(at_end: bool, dt: Lane<L>) -> Self {
+        if at_end {
             ContactWork::Impulses(dt)
         } else {
             ContactWork::Trapezoids

@@ -223,6 +223,9 @@ fn change(choice: Method, w: f64) -> DMatrix<f64> {
     match choice {
         Method::Bathe(Bathe) => DMatrix::from_column_slice(2, 2, Bathe::change(w).as_slice()),
         Method::MoreauJean(own) => DMatrix::from_column_slice(2, 2, own.change(w).as_slice()),
+        Method::ContactStabilized(ContactStabilized) => {
+            change(Method::MoreauJean(MoreauJean { theta: 0.5 }), w)
+        }
         Method::Family(own) => three(own),
         Method::AverageAcceleration(AverageAcceleration) => three(Coefficients::newmark(0.25, 0.5)),
     }

@@ -42,6 +42,7 @@ fn methods_with_the_mean_of_both_ends_dissipate_nothing() {
         Method::Family(Coefficients::newmark(0.25, 0.5)),
         Method::Family(Coefficients::generalized_alpha(1.0)),
         Method::MoreauJean(MoreauJean { theta: 0.5 }),
+        Method::ContactStabilized(ContactStabilized),
     ] {
         for w in SIZES {
             let energy = |[u, v]: [f64; 2]| v * v / (w * w) + u * u;
@@ -135,7 +136,7 @@ impl WithMethod for Work<'_> {
         };
         let (first, form) = (
             energy(&method),
-            ContactWork::new(N::Scheme::HAS_IMPULSES, Lane([0.1])),
+            ContactWork::new(N::Scheme::FORCE_AT_END, Lane([0.1])),
         );
         let (mut work, mut most) = (0.0, 0.0_f64);
         for i in 0..1000 {
@@ -159,6 +160,7 @@ fn without_dissipation_the_modes_lose_the_work_of_the_contact() {
         Method::Family(Coefficients::newmark(0.25, 0.5)),
         Method::Family(Coefficients::generalized_alpha(1.0)),
         Method::MoreauJean(MoreauJean { theta: 0.5 }),
+        Method::ContactStabilized(ContactStabilized),
     ] {
         with(&start(choice, 0.1, 0.0, 0.0), &modes, Work(&modes));
     }

@@ -10,8 +10,8 @@ mod recursion;
 mod step;
 
 use super::{
-    AverageAcceleration, Bathe, Coefficients, ContactWork, ManyModes, Method, Mode, ModeStart,
-    MoreauJean, Recursion, Scheme, Start, each,
+    AverageAcceleration, Bathe, Coefficients, ContactStabilized, ContactWork, ManyModes, Method,
+    Mode, ModeStart, MoreauJean, Recursion, Scheme, Start, each,
 };
 use crate::contact::{ContactResponse, StepFlexibility, Trial};
 use crate::lane::Lane;
@@ -43,6 +43,7 @@ fn all() -> Vec<(Method, f64)> {
     for theta in [0.5, 0.7, 1.0] {
         all.push((Method::MoreauJean(MoreauJean { theta }), f64::INFINITY));
     }
+    all.push((Method::ContactStabilized(ContactStabilized), f64::INFINITY));
     all
 }
 
@@ -198,6 +199,10 @@ fn lanes_are_the_same_alone_and_together() {
         })
     });
     check::<Lanes<MoreauJean, 1>, Lanes<MoreauJean, 4>>(theta, dt, &starts, &force);
+    let corrected = [Method::ContactStabilized(ContactStabilized); 4];
+    check::<Lanes<ContactStabilized, 1>, Lanes<ContactStabilized, 4>>(
+        corrected, dt, &starts, &force,
+    );
 }
 
 #[test]
@@ -212,4 +217,7 @@ fn methods_need_a_mode_and_their_own_choice() {
     let one = || [mode(1.0, 1.0, 0.0, 0.0)].into_iter();
     assert!(Lanes::<Coefficients, 1>::new(&at(theta), one()).is_none());
     assert!(Lanes::<MoreauJean, 1>::new(&at(family), one()).is_none());
+    let corrected = Method::ContactStabilized(ContactStabilized);
+    assert!(Lanes::<ContactStabilized, 1>::new(&at(corrected), none()).is_none());
+    assert!(Lanes::<ContactStabilized, 1>::new(&at(theta), one()).is_none());
 }

@@ -55,10 +55,10 @@ impl Problem<'_> {
         0.25 * libm::log2(self.error(choice, steps) / self.error(choice, 16 * steps))
     }
 
-    /// Checks the order of each method; impulses make Moreau and Jean's method first order once the contact acts.
-    fn check(&self, steps: u32, tolerance: f64, impulses: bool) {
+    /// Checks the order of each method; those with the force at the end of a step are of first order once the contact acts.
+    fn check(&self, steps: u32, tolerance: f64, contact: bool) {
         for (choice, _) in all() {
-            let expected = match impulses && choice.has_impulses() {
+            let expected = match contact && choice.has_force_at_end() {
                 true => 1.0,
                 false => f64::from(choice.order()),
             };

@@ -103,6 +103,9 @@ impl Compare<'_> {
                 self.structure
                     .moreau_jean(*theta, self.dt, &self.state, first)
             }
+            Method::ContactStabilized(ContactStabilized) => {
+                self.structure.moreau_jean(0.5, self.dt, &self.state, first)
+            }
             Method::AverageAcceleration(AverageAcceleration) => unreachable!(),
         }
     }

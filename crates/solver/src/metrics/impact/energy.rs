@@ -117,15 +117,15 @@ fn rates<const L: usize>(rdot: [Lane<L>; 2]) -> [Lane<L>; 2] {
 
 /// The form of the contact's work in a step of systems with methods of one scheme.
 pub fn step_work<const L: usize>(systems: &[impl ToSystem; L]) -> ContactWork<L> {
-    let by_impulse = systems[0].system().method.has_impulses();
+    let at_end = systems[0].system().method.has_force_at_end();
     let mut dt = Lane::splat(0.0);
     // Most runs are by trapezoids, which need no time step.
-    if by_impulse {
+    if at_end {
         for (dt, system) in dt.0.iter_mut().zip(systems) {
             *dt = system.system().step;
         }
     }
-    ContactWork::new(by_impulse, dt)
+    ContactWork::new(at_end, dt)
 }
 
 /// Energy that the damping of the contact of a case takes: the work of the part of S that does none on the stored energy.

@@ -150,7 +150,7 @@ impl FrictionOscillator {
 /// Numerical dissipation over the energy at t = 0, the cost, and the amplification of the method.
 fn taken(case: &OscillatorCase, track: &ContactTrack) -> [Option<f64>; 5] {
     let end = track.0.last().map(|[x, v, _]| [*x, *v]);
-    let form = ContactWork::new(case.method.has_impulses(), Lane([case.step]));
+    let form = ContactWork::new(case.method.has_force_at_end(), Lane([case.step]));
     let work = work_by_steps(&track.0, case.x0, &form);
     let step = case.method.amplification(case.step);
     let principal = step.principal.as_ref();

@@ -82,13 +82,19 @@ fn ignored_restitution(case: &Case) -> Option<Violation> {
     })
 }
 
-/// Impulses act on nodes with mass.
+/// Impulses and corrections act on nodes with mass.
 fn no_impulse(scaled: &Scaled) -> Option<Violation> {
     let massless = scaled.pair.contact_compliance() > 0.0;
-    let refused = massless && scaled.method.has_impulses();
-    refused.then(|| Violation {
+    let acts = match (scaled.method.has_impulses(), scaled.method.corrects()) {
+        (true, _) => "moreau-jean acts by impulses",
+        (false, true) => "contact-stabilized-newmark acts by corrections",
+        (false, false) => return None,
+    };
+    massless.then(|| Violation {
         parameter: "method".into(),
-        message: "moreau-jean acts by impulses on contact nodes with mass; allowed: another mass matrix, or another method".into(),
+        message: format!(
+            "{acts} on contact nodes with mass; allowed: another mass matrix, or another method"
+        ),
         at: None,
     })
 }

@@ -53,9 +53,14 @@ fn stiffness(contact: &Contact) -> Option<f64> {
 pub fn fault(structure: &Structure, method: &Method) -> Option<(usize, String)> {
     let massless = structure.massless();
     let node = massless.iter().position(|massless| *massless)?;
-    if method.has_impulses() {
-        let why = "has no mass: impulses need one; choose another method, or give it a mass";
-        return Some((node, why.into()));
+    let needs = match (method.has_impulses(), method.corrects()) {
+        (true, _) => Some("impulses need one"),
+        (false, true) => Some("the correction of displacements needs one"),
+        (false, false) => None,
+    };
+    if let Some(needs) = needs {
+        let why = format!("has no mass: {needs}; choose another method, or give it a mass");
+        return Some((node, why));
     }
     match condensed(structure, &massless) {
         Ok(_) => None,

@@ -14,8 +14,8 @@ const STEP: f64 = 0.01;
 const STEPS: usize = 3000;
 /// Number of cosines: multiples of 1/30 Hz up to 25 Hz.
 const COSINES: usize = 750;
-/// The peak in g.
-const PEAK: f64 = 0.3;
+/// The peak of every motion in g.
+pub const PEAK: f64 = 0.3;
 /// Circular frequency of the ground filter in rad/s for firm ground `[Clough and Penzien 1975]`.
 pub const FIRM_GROUND: f64 = 15.6;
 

@@ -4,6 +4,7 @@ mod assembled;
 mod contact_duration;
 mod ground;
 mod initial;
+mod own_records;
 mod parts;
 mod supports;
 mod titles;

@@ -42,7 +42,10 @@ impl<const L: usize> General<'_, L> {
                 if massless.contains(&place) {
                     return end.nodes[place][0] - start.nodes[place][0];
                 }
-                let [du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
+                let [mut du, _] = predict(sub_step, first.nodes[place], start.nodes[place]);
+                if let Some(corrections) = &self.corrections {
+                    du = du + corrections.moved[place];
+                }
                 du + end.nodes[place][2] * sub_step.d2
             };
             let by = |place: usize, k: usize| end.nodes[place][k] - start.nodes[place][k];
@@ -131,8 +134,12 @@ impl<const L: usize> General<'_, L> {
         };
         let mut step = by(ContactWork::Trapezoids);
         let impulse = by(ContactWork::Impulses(Lane::splat(length)));
-        for (l, by_impulse) in self.contacts[c].by_impulse.iter().enumerate() {
-            step.0[l] = if *by_impulse { impulse.0[l] } else { step.0[l] };
+        for (l, by_velocity) in self.contacts[c].by_velocity.iter().enumerate() {
+            step.0[l] = if *by_velocity {
+                impulse.0[l]
+            } else {
+                step.0[l]
+            };
         }
         step
     }

@@ -1,7 +1,7 @@
 //! The contacts of a structure over a sub-step.
 
 use crate::lane::Lane;
-use crate::methods::SubStep;
+use crate::methods::{Method, SubStep};
 use crate::solve::structure::laws::bounds;
 use crate::system::structure::{Contact, Structure, StructureLaw};
 
@@ -19,6 +19,8 @@ pub(super) struct LaneContact<const L: usize> {
     pub(super) stop: [bool; L],
     /// Whether it is a rigid stop or Coulomb friction that impulses act on.
     pub(super) by_impulse: [bool; L],
+    /// Whether its work is that of S' on the mean velocity.
+    pub(super) by_velocity: [bool; L],
     /// Whether the law gives S' before r' is known.
     pub(super) known: [bool; L],
     /// B^T (u* - u), and B^T v*, both without the forces of this sub-step but with everything else.
@@ -164,8 +166,9 @@ impl<const L: usize> LaneContact<L> {
         cases: &[&Structure; L],
         c: usize,
         explicit: bool,
-        impulses: bool,
+        method: &Method,
     ) -> LaneContact<L> {
+        let (impulses, at_end) = (method.has_impulses(), method.has_force_at_end());
         let zero = Lane::splat(0.0);
         let of = |number: fn(&Contact) -> f64| lanes(cases, |case| number(&case.contacts[c]));
         let is =
@@ -191,6 +194,7 @@ impl<const L: usize> LaneContact<L> {
             }),
             stop: is(&|law| impulses && rigid_stop(law)),
             by_impulse: is(&|law| impulses && (rigid_stop(law) || coulomb(law))),
+            by_velocity: is(&|law| at_end && (rigid_stop(law) || coulomb(law))),
             known: is(&|law| explicit && spring(law)),
             change: zero,
             rate: zero,

@@ -13,6 +13,7 @@
 
 mod books;
 mod contacts;
+mod correct;
 mod critical;
 mod curved;
 mod impact;

@@ -1,6 +1,7 @@
 //! Structures at t = 0.
 
 use super::contacts::{LaneContact, LaneLine};
+use super::correct::Corrections;
 use super::critical::{CriticalFault, critical_fault};
 use super::curved;
 use super::impact::Impacts;
@@ -25,7 +26,7 @@ impl<'a, const L: usize> General<'a, L> {
         let impulses = prepared.method.has_impulses();
         let explicit = parts.iter().any(|linear| linear.sub_step.is_explicit());
         let massless: Vec<usize> = prepared.massless_contacts().collect();
-        let contact = |c| LaneContact::new(cases, c, explicit, impulses);
+        let contact = |c| LaneContact::new(cases, c, explicit, &prepared.method);
         let contacts: Vec<_> = (0..m).map(contact).collect();
         let lines: Vec<Vec<_>> = parts
             .iter()
@@ -89,6 +90,7 @@ impl<'a, const L: usize> General<'a, L> {
             stages: vec![stage; parts.len() + 1],
             inputs: Inputs::of_sub_steps(cases, prepared, steps, &weights),
             impacts: Impacts::new(&contacts, prepared),
+            corrections: Corrections::new(cases, &contacts, prepared).map(Box::new),
             knows: contacts.iter().any(|contact| contact.known.contains(&true)),
             contacts,
             lines,

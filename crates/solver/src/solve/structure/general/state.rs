@@ -45,9 +45,11 @@ impl<const L: usize> General<'_, L> {
         let parts = self.prepared.sub_steps.len();
         std::array::from_fn(|l| {
             let of = |forces: &Forces<L>| forces.failures()[l];
+            let corrections = self.corrections.as_ref();
             let first = self
                 .forces
                 .iter()
+                .chain(corrections.map(|corrections| &corrections.forces))
                 .filter_map(of)
                 .min_by_key(|(end, _)| *end);
             let failure = |(end, why): (usize, Unsolved)| Unsolvable::NoForces {

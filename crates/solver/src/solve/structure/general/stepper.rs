@@ -1,6 +1,7 @@
 //! A step of structures in lanes.
 
 use super::contacts::{LaneContact, LaneLine};
+use super::correct::Corrections;
 use super::impact::Impacts;
 use super::linear::Linear;
 use crate::lane::Lane;
@@ -29,6 +30,8 @@ pub(in crate::solve::structure) struct General<'a, const L: usize> {
     pub(super) inputs: Inputs<L>,
     /// Rigid stops with impulses; `None` without any.
     pub(super) impacts: Option<Impacts<L>>,
+    /// Rigid stops that correct displacements; `None` without any.
+    pub(super) corrections: Option<Box<Corrections<L>>>,
     /// Whether a law gives S' before r' is known.
     pub(super) knows: bool,
     /// The last step.
@@ -111,11 +114,21 @@ impl<const L: usize> General<'_, L> {
         if end > 1 && self.inputs.loads_jump() {
             self.jump(part, end - 1);
         }
+        if self.corrections.is_some() {
+            self.correct(part, end);
+        }
+        let moved = self
+            .corrections
+            .as_ref()
+            .map(|corrections| &corrections.moved);
         let (first, start) = (&self.stages[0], &self.stages[part]);
         let [w, m0] = [sub_step.weights[1], sub_step.inertia[0]];
         for (i, mass) in self.prepared.mass.iter().enumerate() {
             let [u, v, a] = start.nodes[i];
-            let [du, dv] = predict(sub_step, first.nodes[i], [u, v, a]);
+            let [mut du, dv] = predict(sub_step, first.nodes[i], [u, v, a]);
+            if let Some(moved) = moved {
+                du = du + moved[i];
+            }
             self.predicted[i] = [du, dv];
             self.weighted[i] = [u + du * w, v + dv * w];
             self.work[i] = a * (-m0 * mass);

@@ -9,11 +9,13 @@ mod two_forms;
 mod vibration;
 
 use super::*;
-use crate::methods::{AverageAcceleration, Bathe, Coefficients, Method, MoreauJean};
+use crate::methods::{
+    AverageAcceleration, Bathe, Coefficients, ContactStabilized, Method, MoreauJean,
+};
 use crate::solve::structure::{Books, Prepared, State, run};
 
 /// Every method but constant average acceleration, with its name.
-fn methods() -> [(&'static str, Method); 8] {
+fn methods() -> [(&'static str, Method); 9] {
     let family = Method::Family;
     [
         (
@@ -35,6 +37,10 @@ fn methods() -> [(&'static str, Method); 8] {
         (
             "moreau-jean 0.7",
             Method::MoreauJean(MoreauJean { theta: 0.7 }),
+        ),
+        (
+            "contact-stabilized-newmark",
+            Method::ContactStabilized(ContactStabilized),
         ),
     ]
 }

@@ -60,7 +60,7 @@ fn smooth_motions_have_the_order_of_the_method() {
             // Forces of contacts act at the end of a step in the method of Moreau and Jean; newmark has gamma = 0.6 here.
             let order = match name {
                 "newmark" | "moreau-jean 0.7" => 1.0,
-                "moreau-jean" if contacts => 1.0,
+                "moreau-jean" | "contact-stabilized-newmark" if contacts => 1.0,
                 _ => 2.0,
             };
             let observed = (coarse / fine).log2();

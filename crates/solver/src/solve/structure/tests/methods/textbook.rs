@@ -217,6 +217,35 @@ impl Dense<'_> {
         self.u = &u + (&v * (1.0 - theta) + &self.v * theta) * dt;
     }
 
+    /// The contact-stabilised method in displacements: rigid stops move u first, in the norm of M, until none overlaps.
+    fn contact_stabilized(&mut self, t: f64, dt: f64) {
+        let bt = self.b.transpose();
+        let push = self.m.clone().lu().solve(&self.b).unwrap() * (dt * dt);
+        let overlaps = &bt * (&self.u + &self.v * dt) + self.gaps();
+        let none = DVector::zeros(self.s.len());
+        let mut low = none.clone();
+        for (i, contact) in self.structure.contacts.iter().enumerate() {
+            if matches!(contact.law, StructureLaw::RigidStop { .. }) {
+                low[i] = f64::NEG_INFINITY;
+            }
+        }
+        let lambda = all_patterns(&(&bt * &push), &overlaps, &low, &none);
+        let (u, v) = (self.u.clone(), self.v.clone());
+        let moved = &u - push * lambda;
+        let load = (self.loads(t) + self.loads(t - dt)) * 0.5;
+        let known = &self.m * (&moved * (2.0 / (dt * dt)) + &v * (2.0 / dt));
+        self.solve(
+            t,
+            Equation {
+                matrix: &self.m * (2.0 / (dt * dt)) + &self.c / dt + &self.k * 0.5,
+                right: load + known + &self.c * &moved / dt - &self.k * &u * 0.5,
+                s1: 1.0,
+                by_u: 2.0 / dt,
+                rest: &moved * (-2.0 / dt) - &v,
+            },
+        );
+    }
+
     /// Central differences of displacements at three times; `last` is u(i-1). Gives u(i+1), and v(i) and S(i) become those of i.
     fn central(&mut self, last: &DVector<f64>, t: f64, dt: f64) -> DVector<f64> {
         let bt = self.b.transpose();
@@ -405,6 +434,9 @@ fn the_textbook_forms_move_alike() {
                     Method::Family(of) => dense.family(of, t, dt),
                     Method::Bathe(Bathe) => dense.bathe(t, dt),
                     Method::MoreauJean(MoreauJean { theta }) => dense.moreau_jean(*theta, t, dt),
+                    Method::ContactStabilized(ContactStabilized) => {
+                        dense.contact_stabilized(t, dt);
+                    }
                     Method::AverageAcceleration(AverageAcceleration) => unreachable!(),
                 }
                 comparison.add(state, [&dense.u, &dense.v, &dense.s]);
