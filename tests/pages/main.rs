@@ -176,6 +176,7 @@ pages! {
     clusters "docs/clusters.md",
     conventions "docs/conventions.md",
     errata "docs/errata.md",
+    evidence_structures "docs/evidence-structures.md",
     findings "docs/findings.md",
     findings_blocks "docs/findings-blocks.md",
     findings_friction "docs/findings-friction.md",
