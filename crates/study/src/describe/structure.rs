@@ -382,6 +382,7 @@ fn taken(key: &Key) -> Json {
         Takes::Number => any(),
         Takes::Marks => json!({ "type": "object" }),
         Takes::InUnits => json!({ "const": false }),
+        Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),

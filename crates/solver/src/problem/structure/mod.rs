@@ -419,6 +419,7 @@ impl Problem for StructureProblem {
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
         let models = models::Models::of(&self.template, case, &structure, &numbering);
         let mut text = describe::describe(&structure, &models, times, &self.template.units);
+        text += &channel::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case);
         text += &reduce::described(&self.template, case, describe::short);
         Some(text)

@@ -444,3 +444,40 @@ fn wrong_channels_say_what_is_allowed() {
         assert!(found.contains(part), "{y}: {found}");
     }
 }
+
+#[test]
+fn cases_side_by_side_have_the_bits_of_each_alone() {
+    let gaps: Vec<f64> = (0..23).map(|i| 0.002 * f64::from(i)).collect();
+    let study = study(&format!(
+        r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 3, "gap": {gaps:?}, "method": ["average-acceleration", "hht"]}},
+            "structure": {{"masses": {{"a": 2, "b": 3}},
+              "springs": [{{"name": "s", "between": ["ground", "a"], "k": "90 + 100*gap", "c": 0.8}},
+                          {{"between": ["ground", "a"], "k": "10 - 100*gap"}}, {{"between": ["a", "b"], "k": 40}}],
+              "contacts": {{"stop": {{"law": "impact", "k": 4000, "between": ["b", "ground"], "gap": "gap"}}}},
+              "ground": {SHAKE}}},
+            "metrics": ["peak(a.a)", "max(b.a_abs)", "peak(s.S)", "peak(base)", "last(energy.input)", "last(energy.method)",
+                        "peak(stop.dissipated)", "difference(b.a)", "last(ground.u)"]}}"#
+    ));
+    let (_, cases) = study.columns(0, study.raw_len());
+    let rows: Vec<u32> = (0..cases.len() as u32).collect();
+    let swept = study.problem.sweep(&cases, &rows);
+    for i in 0..cases.len() {
+        let alone = study
+            .problem
+            .solve(&study.case(i as u64).unwrap(), &[])
+            .unwrap();
+        let row: Vec<Option<f64>> = swept.row(i).collect();
+        assert_eq!(row, alone.metrics, "{i}");
+    }
+}
+
+#[test]
+fn gravity_acts_where_masses_are_coupled_to_supports() {
+    // At rest the supports carry the weight of the free rows: M times 1 in them, 6 each, and the mass of 3.
+    let shaken = r#""supports": {"left": {"displacement": {"t": [0, 9], "u": [0, 0]}}, "right": {"displacement": {"t": [0, 9], "u": [0, 0]}}},
+                    "static": {"gravity": {"x": 10}}"#;
+    let solution = matrices(true, shaken, &["base", "t.1.x"]);
+    for x in &solution.computed.channels[0] {
+        assert!((x + 150.0).abs() < 1e-9, "{x}");
+    }
+}

@@ -77,7 +77,15 @@ impl Draft<'_> {
     pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
         let all = &self.structure.nodes;
         // Supports come after the nodes.
-        let is_shaken = |i: usize| all.get(i).is_some_and(|node| node.direction == direction);
+        let direction_of = |i: usize| match all.get(i) {
+            Some(node) => Some(node.direction),
+            None => self
+                .template
+                .supports
+                .get(i - all.len())
+                .map(|own| own.direction),
+        };
+        let is_shaken = |i: usize| direction_of(i) == Some(direction);
         let nodes = self.structure.nodes.iter().enumerate();
         let mut shaken: Vec<f64> = nodes
             .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })

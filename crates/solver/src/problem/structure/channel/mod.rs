@@ -4,7 +4,7 @@ mod describe;
 mod number;
 mod term;
 
-pub use describe::{OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, UNKNOWN};
+pub use describe::{OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, UNKNOWN, listed};
 pub use number::{Derived, Energy, Number};
 pub use term::Term;
 
