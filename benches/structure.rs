@@ -84,6 +84,7 @@ fn girders(n: usize, gamma: f64, scale: f64, ground: &Arc<Signal>) -> Structure 
         velocity: vec![0.0; size],
         supports: Vec::new(),
         preload: Default::default(),
+        observed: None,
     }
 }
 

@@ -111,6 +111,7 @@ fn structure(json: &Json) -> Structure {
         velocity: numbers(&json["velocity"]),
         supports: Vec::new(),
         preload: Default::default(),
+        observed: None,
     }
 }
 

@@ -552,6 +552,7 @@ fn masses(first: &StructureLaw, second: &StructureLaw) -> Structure {
         velocity: vec![6.0, -3.0],
         supports: Vec::new(),
         preload: Default::default(),
+        observed: None,
     }
 }
 

@@ -40,6 +40,10 @@ impl Units {
             Dimension::Velocity => format!("{}{over}{}", self.length, self.time),
             Dimension::Acceleration => format!("{}{over}{}2", self.length, self.time),
             Dimension::Force => self.force.clone(),
+            Dimension::Energy => {
+                let times = if over == "/" { " " } else { "_" };
+                format!("{}{times}{}", self.force, self.length)
+            }
         }
     }
 }

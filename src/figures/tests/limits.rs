@@ -18,6 +18,7 @@ fn history(y: Vec<usize>, panels: Option<usize>) -> FigureKind {
         by: None,
         panels,
         in_units: false,
+        stacked: false,
     })
 }
 

@@ -161,6 +161,7 @@ fn history(panels: Option<usize>) -> FigureKind {
         by: None,
         panels,
         in_units: false,
+        stacked: false,
     })
 }
 
@@ -228,6 +229,7 @@ fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
         by: None,
         panels: None,
         in_units: false,
+        stacked: false,
     }));
     assert_eq!(sheet.legend.len(), 9);
     for entry in &sheet.legend {

@@ -371,3 +371,61 @@ fn any_links_are_drawn_in_a_narrow_sheet_too() {
     assert_eq!(words.len(), 4 + 5);
     assert!(png(&sheet, style::DPI).is_ok());
 }
+
+#[test]
+fn stacked_energies_reach_up_to_the_input() {
+    // The load is a sine and not a ground motion, so that the work has both signs.
+    let parts = r#""masses": {"m": 2}, "springs": [{"name": "k", "between": ["ground", "m"], "k": "80*s", "c": 0.5}],
+                   "loads": [{"at": "m", "sine": {"amplitude": 3, "omega": 9}}]"#;
+    let all = r#"["energy.damping", "energy.elastic", "energy.kinetic", "energy.method"]"#;
+    let figure = format!(
+        r#"{{"name": "e", "kind": "history", "stacked": true, "y": {all}, "where": {{"n": 4}}}},
+           {{"name": "i", "kind": "history", "y": ["energy.input", "k.S"], "where": {{"n": 4}}}}"#
+    );
+    let study = structure(parts, &figure);
+    let [(sheet, _), (input, _)] = [0, 1].map(|figure| drawn(&study, figure));
+    let [first, second] = sheet.panels.as_slice() else {
+        panic!("{} panels", sheet.panels.len());
+    };
+    for (panel, input) in [first, second].into_iter().zip(&input.panels[0].series) {
+        let labels: Vec<&str> = panel.series.iter().map(|own| &*own.label).collect();
+        assert_eq!(
+            labels,
+            [
+                "energy.damping",
+                "+ energy.elastic",
+                "+ energy.kinetic",
+                "+ energy.method"
+            ]
+        );
+        let top = &panel.series[3].points;
+        assert_eq!(top.len(), input.points.len());
+        for (top, input) in top.iter().zip(&input.points) {
+            // Round-off of 100 steps.
+            assert!(top[0] == input[0] && (top[1] - input[1]).abs() < 1e-14);
+        }
+        // Each area begins where the one below it ends.
+        assert!(panel.bands[0].lower.iter().all(|point| point[1] == 0.0));
+        for pair in panel.bands.windows(2) {
+            assert_eq!(pair[0].upper, pair[1].lower);
+        }
+        assert_eq!(panel.bands[3].upper, *top);
+    }
+    assert_eq!(first.y.title, "Sum (kN m)");
+    for (y, by, what) in [
+        (
+            r#"["energy.input", "k.S"]"#,
+            "",
+            "quantities of one dimension",
+        ),
+        (all, r#""by": "s", "#, "one panel for each case"),
+    ] {
+        let text = format!(
+            r#"{{"problem": "structure", "parameters": {{"dt": 0.01, "duration": 1, "s": [1, 2]}}, "structure": {{"units": "t, kN, m, s", {}}},
+                "figures": [{{"name": "e", "kind": "history", {by}"stacked": true, "y": {y}}}]}}"#,
+            parts
+        );
+        let why = slipgap_study::parse("s", &text).unwrap_err().to_string();
+        assert!(why.contains(what), "{why}");
+    }
+}

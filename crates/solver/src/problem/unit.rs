@@ -15,6 +15,8 @@ pub enum Dimension {
     Acceleration,
     /// A force.
     Force,
+    /// An energy.
+    Energy,
 }
 
 /// A unit of scaled results. Its size differs from case to case: [`super::Problem::size`].

@@ -254,6 +254,7 @@ fn taken(key: &Key, problem: &dyn Problem) -> Json {
         Takes::Marks => marks(),
         Takes::InUnits if problem.schema().units.is_empty() => json!({ "const": false }),
         Takes::InUnits => json!({ "type": "boolean", "default": false }),
+        Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),

@@ -9,7 +9,9 @@ use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::channel::QUANTITIES;
+use slipgap_solver::problem::structure::channel::{
+    OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
+};
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::ground_metric::PREFIX;
 use slipgap_solver::problem::structure::metric::REDUCTIONS;
@@ -248,6 +250,7 @@ fn structure(function: &Json, contact: &Json) -> Json {
                 "between" => between(),
                 "along" => along(),
                 "direction" => direction(),
+                "name" => json!({ "type": "string", "pattern": "^[A-Za-z_][A-Za-z0-9_]*$" }),
                 _ => any(),
             };
             let spring = described(keys::SPRING, spring, &[]);
@@ -379,6 +382,7 @@ fn taken(key: &Key) -> Json {
         Takes::Number => any(),
         Takes::Marks => json!({ "type": "object" }),
         Takes::InUnits => json!({ "const": false }),
+        Takes::Switch => json!({ "type": "boolean" }),
         Takes::Ridge => json!({ "enum": RIDGES }),
         Takes::Fit => json!({ "enum": FITS, "default": FITS[0] }),
         Takes::Scale => json!({ "enum": SCALES, "default": SCALES[0] }),
@@ -395,7 +399,7 @@ fn taken(key: &Key) -> Json {
 
 /// The section of the reference page.
 pub(super) fn reference() -> String {
-    let table = |title: &str, keys: Keys| {
+    let table = |title: &str, keys: &[(&str, &str)]| {
         let rows = keys
             .iter()
             .map(|(key, meaning)| format!("| `{key}` | {} |\n", meaning.replace('|', "\\|")));
@@ -461,9 +465,21 @@ pub(super) fn reference() -> String {
         keys::STATIC,
     );
     text += &table("`start`, for each node or bar:", keys::START);
-    text += "\nChannels are `NODE.u` (or `NODE`), `NODE.v`, also of supports, `.a` of supports, the following of a contact, and sums and differences such as \
-             `g1.right - p2`:\n";
+    text += "\nChannels are the following, and sums and differences of one dimension, such as `g1.right - p2`.\n";
+    text += &table(
+        "`NODE.` and one of these; a support has u, v and a:",
+        &OF_NODES,
+    );
     text += &table("`CONTACT.` and one of:", &QUANTITIES);
+    text += &table("Springs and bars:", &OF_SPRINGS);
+    text += &table(
+        "The ground and the forces at it:",
+        &[OF_GROUND, OF_BASE].concat(),
+    );
+    text += &table(
+        "Energies of the whole structure, of the motion relative to the ground or beside what supports carry; no exact motion has them:",
+        &OF_ENERGY,
+    );
     text += "\nHistory figures and curves draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \
              channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`; the study lists them under `metrics`. A ground with several directions has its measures by direction, such as `ground.y.pga`:\n";
     text += &table("Reductions (c computed):", &REDUCTIONS);

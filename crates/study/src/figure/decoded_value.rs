@@ -263,6 +263,13 @@ pub(crate) fn take(
                 .collect();
             names(node, path, "budget", &all, faults)
         }
+        Takes::Switch => {
+            let Tree::Bool(on) = node.tree else {
+                faults.must_be(node, path, "true or false");
+                return None;
+            };
+            return Some(DecodedValue::Switch(on));
+        }
         Takes::Marks => return marks(node, path, faults).map(DecodedValue::Marks),
         Takes::InUnits => {
             let Tree::Bool(on) = node.tree else {

@@ -59,6 +59,8 @@ pub(crate) enum Takes {
     Fit,
     /// Whether axes are in the units of the study.
     InUnits,
+    /// `true` or `false`.
+    Switch,
     /// One or several ordinates of response spectra.
     Ordinates,
     /// One or several damping ratios, from 0 to less than 1.

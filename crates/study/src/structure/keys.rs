@@ -160,6 +160,10 @@ pub(crate) const BAR: Keys = &[
 
 /// Keys of a spring.
 pub(crate) const SPRING: Keys = &[
+    (
+        "name",
+        "name of the spring, with which its force is the channel NAME.S",
+    ),
     ("between", "two nodes"),
     ALONG,
     ("k", "stiffness"),

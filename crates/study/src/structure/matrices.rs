@@ -10,6 +10,7 @@ use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::parameter::Range;
+use slipgap_solver::problem::structure::channel::Term;
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric};
 use slipgap_solver::problem::structure::reduce::{Modes, Reduce, named_rows};
 use slipgap_solver::problem::structure::rows::Rows;
@@ -82,6 +83,9 @@ pub(super) fn reduce(
         let message = format!("{} needs \"reduce\" in \"matrices\"", quoted(&metric.name));
         faults.add(*at, path, message);
     }
+    if reduced {
+        refuse_base(metrics, drawn, faults);
+    }
     let named = named_rows(template, metrics, drawn);
     let matrices = template.matrices.iter_mut().zip(named);
     for (((matrices, kept), modes), part) in matrices.zip(modes).zip(parts) {
@@ -104,6 +108,21 @@ pub(super) fn reduce(
         let rows: Vec<String> = kept.iter().map(|row| row.to_string()).collect();
         reader.keep(&format!("{name}\0kept"), rows.join(",").into_bytes());
         matrices.reduce = Some(Reduce::new(matrices.imported.clone(), kept, modes));
+    }
+}
+
+/// Reports channels of the force of the ground, which the coordinates of reduced matrices do not tell.
+fn refuse_base(metrics: &[StructureMetric], drawn: &[Drawn], faults: &mut Faults) {
+    let metrics = metrics.iter();
+    let of_metrics = metrics.filter_map(|own| Some((own.channel.as_ref()?, &own.place)));
+    let all = of_metrics.chain(drawn.iter().map(|own| (&own.channel, &own.place)));
+    let is_base = |(_, term): &(f64, Term)| matches!(term, Term::Base(_));
+    for (channel, (at, path)) in all.filter(|(channel, _)| channel.terms.iter().any(is_base)) {
+        let message = format!(
+            "{}: reduced matrices do not tell the force of the ground; leave out \"reduce\", or name a support that moves, as in base.left",
+            quoted(&channel.name)
+        );
+        faults.add(*at, path, message);
     }
 }
 

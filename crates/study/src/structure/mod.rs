@@ -49,15 +49,16 @@ pub(super) fn problem(
     let first = schema::schema(&parameters, &[], &[], "");
     let object = open(node, "structure", STRUCTURE, faults)?;
     let mut taken = HashSet::new();
-    let mut parts = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
+    let mut all_of = |key: &str, what: &str, faults: &mut Faults| match object.get(key) {
         Some(node) => named(node, &object.path(key), what, &mut taken, faults),
         None => Vec::new(),
     };
-    let masses = parts("masses", "mass", faults);
-    let bars = parts("bars", "bar", faults);
-    let of_matrices = parts("matrices", "model", faults);
-    let of_contacts = parts("contacts", "contact", faults);
-    let of_supports = parts("supports", "support", faults);
+    let masses = all_of("masses", "mass", faults);
+    let bars = all_of("bars", "bar", faults);
+    let of_matrices = all_of("matrices", "model", faults);
+    let of_contacts = all_of("contacts", "contact", faults);
+    let of_supports = all_of("supports", "support", faults);
+    parts::check_spring_names(&object, &mut taken, faults);
     supports::refuse_ground(&object, faults);
     let directions = of_supports.iter();
     let directions = directions.map(|(name, node, _)| (name.clone(), supports::directions(node)));
@@ -125,6 +126,7 @@ pub(super) fn problem(
         at_rest: parts::static_loads(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
+        observed: false,
     };
     let decoded = template.contacts.iter().map(|contact| contact.name.clone());
     let mut contacts: Vec<String> = decoded.collect();
@@ -138,6 +140,7 @@ pub(super) fn problem(
     let faulty: Vec<String> = faulty.map(|(name, ..)| name.clone()).collect();
     contacts.extend(faulty);
     let known = reader.names.clone().with_contacts(contacts);
+    let known = known.with_structure(&template);
     let mut metrics = named_metrics::metrics(root, &known, faults);
     named_metrics::measures(&mut metrics, &template, &reader, faults);
     let drawn = named_metrics::drawn(root, &known, faults);

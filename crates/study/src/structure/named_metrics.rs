@@ -3,11 +3,12 @@
 use super::reader::Reader;
 use crate::reduction::decode;
 use crate::source::faults::{Faults, join, quoted};
+use crate::source::hint::nearest;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::expression::printable;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::channel::Channel;
+use slipgap_solver::problem::structure::channel::{Channel, UNKNOWN};
 use slipgap_solver::problem::structure::loads::Kind;
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
 use slipgap_solver::problem::structure::names::Names;
@@ -22,12 +23,22 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
             return;
         }
         match StructureMetric::parse(text, names) {
-            Ok(metric) => metrics.push(StructureMetric {
-                place: (at, path.to_owned()),
-                ..metric
-            }),
+            Ok(metric) => {
+                if metric.reduction.needs_exact() {
+                    let channel = metric.channel.as_ref();
+                    refuse_energy(channel, text, (at, path), faults);
+                }
+                metrics.push(StructureMetric {
+                    place: (at, path.to_owned()),
+                    ..metric
+                });
+            }
             Err(why) => {
-                faults.add(at, path, format!("{}: {}", quoted(text), printable(&why)));
+                faults.add(
+                    at,
+                    path,
+                    format!("{}: {}", quoted(text), hinted(&why, names)),
+                );
                 // The name is known from here on, so that it is reported once.
                 metrics.push(StructureMetric {
                     name: text.trim().to_owned(),
@@ -98,6 +109,37 @@ pub(super) fn measures(
     }
 }
 
+/// Reports an error of an energy.
+fn refuse_energy(
+    channel: Option<&Channel>,
+    text: &str,
+    (at, path): (usize, &str),
+    faults: &mut Faults,
+) {
+    if channel.is_some_and(Channel::has_energy) {
+        let message = format!(
+            "{}: the exact motion has no energies by kind; compare u, v, a or forces",
+            quoted(text)
+        );
+        faults.add(at, path, message);
+    }
+}
+
+/// Why a text is no channel, with the nearest channel to an unknown name.
+fn hinted(why: &str, names: &Names) -> String {
+    let why = printable(why);
+    let unknown = why
+        .strip_prefix(UNKNOWN)
+        .and_then(|rest| rest.split_once('\''));
+    let hint = unknown.and_then(|(word, rest)| {
+        let known: Vec<String> = names.channels().collect();
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let nearest = nearest(word, &known)?;
+        Some(format!("{UNKNOWN}{word}', did you mean '{nearest}'?{rest}"))
+    });
+    hint.unwrap_or_else(|| why.to_string())
+}
+
 /// The kinds of figure that draw channels.
 const KINDS: [&str; 2] = ["history", "curve"];
 
@@ -128,12 +170,19 @@ pub(super) fn drawn(root: &Object, names: &Names, faults: &mut Faults) -> Vec<Dr
                     .strip_prefix("error(")
                     .and_then(|rest| rest.strip_suffix(')'));
                 let channel = Channel::parse(inside.unwrap_or(text), names).unwrap_or_else(|why| {
-                    faults.add(at, path, format!("{}: {}", quoted(text), printable(&why)));
+                    faults.add(
+                        at,
+                        path,
+                        format!("{}: {}", quoted(text), hinted(&why, names)),
+                    );
                     Channel {
                         name: text.to_owned(),
                         terms: Vec::new(),
                     }
                 });
+                if inside.is_some() {
+                    refuse_energy(Some(&channel), text, (at, path), faults);
+                }
                 all.push(Drawn {
                     name: text.to_owned(),
                     channel,

@@ -1,16 +1,19 @@
 //! Masses, bars, springs, damping and start of a structure.
 
 use super::keys::{BAR, GRAVITY, GROUND, MASS, RAYLEIGH, SPRING, START};
-use super::reader::{Reader, open};
+use super::names::member;
+use super::reader::{Reader, open, take_name};
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
+use crate::value::text;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
 use slipgap_solver::problem::structure::template::{
     Bar, Mass, Spring, SpringNumbers, Start, StaticLoad,
 };
 use slipgap_solver::system::structure::Direction;
+use std::collections::HashSet;
 
 /// A named part with its value in the study.
 pub(super) type Part<'a> = (String, &'a Node, String);
@@ -100,9 +103,32 @@ pub(super) fn spring(
         SpringNumbers::Stiffness { k: k?, c }
     };
     Some(Spring {
+        name: object
+            .get("name")
+            .and_then(|node| text(node, &object.path("name"), faults))
+            .unwrap_or_default(),
         along: along?,
         numbers,
     })
+}
+
+/// Reports names of springs that are no names, or those of other parts.
+pub(super) fn check_spring_names(
+    object: &Object,
+    taken: &mut HashSet<String>,
+    faults: &mut Faults,
+) {
+    let Some(Tree::List(springs)) = object.get("springs").map(|node| &node.tree) else {
+        return;
+    };
+    for (i, spring) in springs.iter().enumerate() {
+        if let Some(node) = member(spring, "name")
+            && let Tree::Text(name) = &node.tree
+        {
+            let path = format!("{}[{i}].name", object.path("springs"));
+            take_name(name, "spring", (node.at, &path), taken, faults);
+        }
+    }
 }
 
 /// The number 0 at the place of another.

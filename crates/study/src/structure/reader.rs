@@ -296,19 +296,34 @@ pub(super) fn named<'a>(
     for member in members.iter().filter(|member| member.key != "//") {
         let path = crate::source::faults::join(path, &member.key);
         for name in member.key.split('|').map(str::trim) {
-            if !is_name(name) || name == "ground" {
-                let message = format!(
-                    "{} cannot name a {what}; a name is letters, digits and _, and not \"ground\"",
-                    quoted(name)
-                );
-                faults.add(member.at, &path, message);
-            } else if !taken.insert(name.to_owned()) {
-                let message = format!("{} is the name of another part", quoted(name));
-                faults.add(member.at, &path, message);
-            } else {
+            if take_name(name, what, (member.at, &path), taken, faults) {
                 found.push((name.to_owned(), &member.node, path.clone()));
             }
         }
     }
     found
+}
+
+/// Takes a name for a part, or reports that it is no name or that of another part.
+pub(super) fn take_name(
+    name: &str,
+    what: &str,
+    (at, path): (usize, &str),
+    taken: &mut HashSet<String>,
+    faults: &mut Faults,
+) -> bool {
+    if !is_name(name) || name == "ground" {
+        let message = format!(
+            "{} cannot name a {what}; a name is letters, digits and _, and not \"ground\"",
+            quoted(name)
+        );
+        faults.add(at, path, message);
+        return false;
+    }
+    let is_new = taken.insert(name.to_owned());
+    if !is_new {
+        let message = format!("{} is the name of another part", quoted(name));
+        faults.add(at, path, message);
+    }
+    is_new
 }

@@ -78,6 +78,10 @@ impl Curves<'_> {
             .collect();
         let exact = self.study.problem.exact(&shown.case(), &all)?;
         let values = exact.channel(quantity.channel);
+        // No exact motion has energies by kind.
+        if values.is_empty() {
+            return None;
+        }
         let line = exact.time.iter().zip(values);
         Some(line.map(|(t, x)| times([*t, *x], sizes)).collect())
     }

@@ -2,6 +2,7 @@
 
 pub(super) mod arrangement;
 pub(super) mod curves;
+mod stacked;
 
 use crate::figures::kind::Draw;
 use crate::figures::label;
@@ -22,6 +23,9 @@ use slipgap_study::{Scale, Study};
 
 impl Draw for History {
     fn sheet(&self, data: &FigureData) -> Sheet {
+        if self.stacked {
+            return stacked::sheet(self, data);
+        }
         let FigureData {
             study,
             figure,
@@ -33,6 +37,7 @@ impl Draw for History {
             by,
             panels,
             in_units,
+            stacked: _,
         } = self;
         let units = study.units.as_ref().filter(|_| *in_units);
         let in_units = units.is_some();

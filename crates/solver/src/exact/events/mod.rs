@@ -126,6 +126,7 @@ pub struct Summary {
 ///     velocity: vec![2.0],
 ///     supports: Vec::new(),
 ///     preload: Default::default(),
+///     observed: None,
 /// };
 /// let mut u = 0.0;
 /// let summary = run(&mass, &[1.0, 5.0], |_, state| u = state.u[0])?;

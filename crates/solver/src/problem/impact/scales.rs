@@ -41,6 +41,7 @@ impl Scales {
             Dimension::Velocity => self.speed,
             Dimension::Acceleration => self.speed / self.time,
             Dimension::Force => self.force,
+            Dimension::Energy => self.force * self.size(Dimension::Length),
         }
     }
 }

@@ -1,6 +1,10 @@
-//! The columns of a history: every node and every contact of a case.
+//! The columns of a history: every node and every contact of a case, and the channels of figures that are more.
 
-use super::channel::{Number, Quantity};
+use super::channel::{Number, Quantity, Term};
+use super::node::NodeRef;
+use super::schema::Drawn;
+use super::template::Template;
+use crate::problem::Case;
 use crate::problem::HistoryColumn;
 use crate::problem::schema::Channel as Column;
 use crate::problem::unit::Dimension;
@@ -58,4 +62,32 @@ pub fn of(structure: &Structure, first: usize, exact: bool) -> Vec<HistoryColumn
             },
         })
         .collect()
+}
+
+/// The columns of drawn channels that the motion of nodes and contacts does not have.
+pub fn of_drawn(drawn: &[Drawn], exact: bool) -> impl Iterator<Item = HistoryColumn> {
+    let more = drawn.iter().enumerate();
+    let more = more.filter(|(_, drawn)| drawn.channel.is_derived() && !drawn.error);
+    more.map(move |(index, drawn)| HistoryColumn {
+        index,
+        column: Column {
+            name: drawn.name.clone().into(),
+            dimension: drawn.channel.dimension(),
+            exact: exact && !drawn.channel.has_energy(),
+        },
+    })
+}
+
+/// Why a channel is not there in a case: the acceleration of a node without mass. `None` for others.
+pub fn massless(term: Term, template: &Template, case: &Case) -> Option<String> {
+    let (Term::Acceleration(node) | Term::Absolute(node)) = term else {
+        return None;
+    };
+    let reduced = |node| match node {
+        NodeRef::Dof(matrices, _) => template.matrices[matrices].reduce.is_some(),
+        _ => false,
+    };
+    // Reduced matrices have a mass at every dof that is kept.
+    (!reduced(node) && template.is_massless(node, case))
+        .then(|| "a node without mass has no acceleration of its own".to_owned())
 }

@@ -129,6 +129,7 @@ mod tests {
             velocity: vec![0.0; 3],
             supports: Vec::new(),
             preload: Default::default(),
+            observed: None,
         };
         structure.stiffness.add_spring([None, Some(0)], 100.0);
         structure.stiffness.add_spring([Some(0), Some(1)], 70.0);

@@ -1,7 +1,7 @@
 //! Whether a change of 1e-10 in start and loads reaches 1 % of the motion.
 
 use super::StructureProblem;
-use super::channel::{Number, Quantity};
+use super::channel::{Channel, Number, Quantity};
 use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{Motions, Recorded};
 use super::motion::{self, Recording};
@@ -13,6 +13,9 @@ use crate::problem::Case;
 
 /// The share of the peak from which two motions are different ones.
 const DIFFERENT: f64 = 0.01;
+
+/// A sum of quantities below this part of them is round-off, such as forces that are in equilibrium. It is no motion.
+const ROUND_OFF: f64 = 1e-10;
 
 impl StructureProblem {
     /// Whether the two motions of a case part in a channel of a metric; `None` if it cannot be solved.
@@ -52,11 +55,18 @@ impl StructureProblem {
         let mut channels = self.metrics.iter().filter_map(|m| m.channel.as_ref());
         let of = |motion: &Recorded, channel| motion.channel(channel, numbering);
         let computed = &motions.computed;
-        channels.any(|channel| part(&of(computed, channel), &of(other, channel)))
-            || self
-                .plain(numbering)
-                .into_iter()
-                .any(|number| part(computed.of(number), other.of(number)))
+        let vanishes = |channel: &Channel, sum: &[f64]| {
+            let terms = channel.numbers(numbering);
+            let size: f64 = terms.map(|term| reduce::peak(computed.of(term))).sum();
+            reduce::peak(sum) <= ROUND_OFF * size
+        };
+        channels.any(|channel| {
+            let own = of(computed, channel);
+            !vanishes(channel, &own) && part(&own, &of(other, channel))
+        }) || self
+            .plain(numbering)
+            .into_iter()
+            .any(|number| part(computed.of(number), other.of(number)))
     }
 
     /// The relative displacements of the contacts that metrics are of; the displacements of all nodes if no metric has a channel or

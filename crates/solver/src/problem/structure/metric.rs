@@ -83,6 +83,16 @@ reductions! {
     GroundMeanPeriod "ground.Tm" Ground "mean of 1/f weighted by the squared Fourier amplitudes from 0.25 to 20 Hz (Rathje et al. 1998)",
 }
 
+/// Reductions that compare with an exact motion.
+pub const ERRORS: [Reduction; 6] = [
+    Reduction::RmsError,
+    Reduction::LastError,
+    Reduction::PeakError,
+    Reduction::StepError,
+    Reduction::RegularisationError,
+    Reduction::MeshError,
+];
+
 impl Reduction {
     /// Whether it compares with the run with start and loads that are 1e-10 larger.
     pub fn needs_perturbed(self) -> bool {
@@ -90,6 +100,11 @@ impl Reduction {
             self,
             Reduction::Divergence | Reduction::ImpactsBeforeDivergence | Reduction::Difference
         )
+    }
+
+    /// Whether it compares with an exact motion.
+    pub fn needs_exact(self) -> bool {
+        ERRORS.contains(&self)
     }
 
     /// Its name.

@@ -47,9 +47,15 @@ impl Recorded {
         place.map_or(&[], |place| &self.series[place])
     }
 
-    /// The values of a channel of a structure with this numbering.
+    /// The values of a channel of a structure with this numbering; none if a quantity of it is not recorded.
     pub fn channel(&self, channel: &Channel, numbering: &Numbering) -> Vec<f64> {
         let mut sum = vec![0.0; self.len];
+        if channel
+            .numbers(numbering)
+            .any(|number| self.of(number).is_empty())
+        {
+            return Vec::new();
+        }
         for (sign, term) in &channel.terms {
             if let Ok(Some(number)) = term.number(numbering) {
                 for (sum, x) in sum.iter_mut().zip(self.of(number)) {

@@ -7,6 +7,7 @@ mod columns;
 pub mod contact_duration;
 pub mod contacts;
 mod damping;
+mod derived;
 mod describe;
 mod diverge;
 mod ground;
@@ -19,6 +20,7 @@ mod models;
 mod motion;
 pub mod names;
 pub mod node;
+mod observer;
 pub mod reduce;
 pub mod rows;
 pub mod scale_to;
@@ -47,7 +49,7 @@ use crate::solve::structure::{critical_fault, settle};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::{Model, assemble};
-use channel::Number;
+use channel::{Channel, Number, Term};
 use columns::all_numbers;
 use metric::StructureMetric;
 use metric_values::Recorded;
@@ -83,9 +85,15 @@ impl StructureProblem {
         identity: String,
         notes: Vec<String>,
     ) -> StructureProblem {
+        let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
+        let mut channels = channels.chain(drawn.iter().map(|drawn| &drawn.channel));
+        let observed = channels.any(Channel::is_derived);
         StructureProblem {
             schema,
-            template,
+            template: Template {
+                observed,
+                ..template
+            },
             metrics,
             drawn,
             identity,
@@ -195,6 +203,7 @@ impl StructureProblem {
     }
 
     /// The channels of histories: those of figures, then those of every node and contact.
+    /// Those that the motion does not have are empty: energies of an exact one.
     fn history(&self, recorded: &Recorded, numbering: &Numbering, all: &[Number]) -> Vec<Vec<f64>> {
         let drawn = self.drawn.iter();
         let drawn = drawn.map(|drawn| recorded.channel(&drawn.channel, numbering));
@@ -219,7 +228,7 @@ impl StructureProblem {
     }
 
     /// Every channel has its nodes in a case.
-    fn check_channels(&self, numbering: &Numbering) -> Vec<Violation> {
+    fn check_channels(&self, numbering: &Numbering, case: &Case) -> Vec<Violation> {
         let metrics = self.metrics.iter();
         let of_metrics =
             metrics.filter_map(|metric| Some((metric.channel.as_ref()?, &metric.place)));
@@ -227,7 +236,11 @@ impl StructureProblem {
         let drawn = drawn.map(|drawn| (&drawn.channel, &drawn.place));
         let faults = of_metrics.chain(drawn).filter_map(|(channel, (at, path))| {
             let mut terms = channel.terms.iter();
-            let message = terms.find_map(|(_, term)| term.number(numbering).err())?;
+            let fault = |(_, term): &(f64, Term)| {
+                let massless = || columns::massless(*term, &self.template, case);
+                term.number(numbering).err().or_else(massless)
+            };
+            let message = terms.find_map(fault)?;
             Some(Violation {
                 parameter: path.clone().into(),
                 message: format!("{}: {message}", channel.name),
@@ -282,7 +295,7 @@ impl Problem for StructureProblem {
         match assemble::check(&self.template, case) {
             Err(broken) => violations.extend(broken),
             Ok(numbering) => {
-                violations.extend(self.check_channels(&numbering));
+                violations.extend(self.check_channels(&numbering, case));
                 violations.extend(self.check_measures(case));
                 let contacts = self.template.contacts.len();
                 let numbers = (2 * numbering.nodes() + 3 * contacts) as f64;
@@ -376,7 +389,10 @@ impl Problem for StructureProblem {
     fn history_columns(&self, case: &Case) -> Vec<HistoryColumn> {
         let exact = self.template.reference.is_some();
         match assemble(&self.template, case, Model::Study) {
-            Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact),
+            Ok((structure, _)) => columns::of(&structure, self.drawn.len(), exact)
+                .into_iter()
+                .chain(columns::of_drawn(&self.drawn, exact))
+                .collect(),
             Err(_) => Vec::new(),
         }
     }
@@ -403,6 +419,7 @@ impl Problem for StructureProblem {
         let times = [case.at(self.schema.step)?, case.at(self.schema.duration)?];
         let models = models::Models::of(&self.template, case, &structure, &numbering);
         let mut text = describe::describe(&structure, &models, times, &self.template.units);
+        text += &channel::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case);
         text += &reduce::described(&self.template, case, describe::short);
         Some(text)

@@ -1,7 +1,9 @@
 //! Motions of structures as recorded quantities: by time steps, many side by side, and exact.
 
-use super::channel::{Number, Quantity};
+use super::channel::{Derived, Number, Quantity};
+use super::derived;
 use super::metric_values::Recorded;
+use super::observer::Observer;
 use crate::exact::events;
 use crate::lane::Lane;
 use crate::methods::Method;
@@ -59,6 +61,10 @@ pub fn steps<const L: usize>(
     // All lanes of a number are next to one another: one store for each number and step.
     let mut rows: Vec<Lane<L>> = Vec::with_capacity(count * numbers.len());
     let mut books: Option<Books<L>> = None;
+    let mut observer = match Observer::new(structures, numbers, prepared.dt(), last as usize) {
+        Ok(observer) => observer,
+        Err(why) => return why.map(Err),
+    };
     let mut watch: Option<Watch<L>> = None;
     let ends = run(
         structures,
@@ -66,6 +72,10 @@ pub fn steps<const L: usize>(
         last as usize,
         |step, state: &State<L>| {
             rows.extend(numbers.iter().map(|number| value(state, *number)));
+            if let Some(observer) = &mut observer {
+                let row = rows.len() - numbers.len();
+                observer.fill(step, state, &mut rows[row..]);
+            }
             match &mut books {
                 Some(books) => books.add(state),
                 None if energy && step == 0 => books = Some(Books::new(state)),
@@ -127,6 +137,8 @@ fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L> {
         Number::Displacement(node) => state.displacement(node),
         Number::Velocity(node) => state.velocity(node),
         Number::Acceleration(support) => state.support_acceleration(support),
+        // The observer writes it.
+        Number::Derived(_) | Number::Energy(_) => Lane::splat(0.0),
         Number::Contact(contact, quantity) => {
             let contact = state.contact(contact);
             match quantity {
@@ -150,12 +162,29 @@ pub fn exact(
     numbers: &[Number],
 ) -> Result<Recorded, Unsolvable> {
     let mut series = vec![Vec::with_capacity(times.len()); numbers.len()];
+    let derived: Vec<Derived> = numbers.iter().filter_map(Number::derived).collect();
+    let terms = derived::terms(structure, &derived)?;
     let record = |i: usize, state: &events::State| {
+        let mut terms = terms.iter();
         for (series, number) in series.iter_mut().zip(numbers) {
-            series.push(exact_value(structure, times[i], state, *number));
+            let value = match number {
+                Number::Derived(_) => terms.next().map(|own| {
+                    let force = |contact: usize| state.force[contact];
+                    own.value(|i| state.u[i], |i| state.v[i], force, own.at(times[i]))
+                }),
+                // Its series stays empty.
+                Number::Energy(_) => None,
+                number => Some(exact_value(structure, times[i], state, *number)),
+            };
+            series.extend(value);
         }
     };
-    let nodes: BTreeSet<usize> = numbers.iter().filter_map(Number::node).collect();
+    let of_terms = terms.iter().flat_map(|own| own.u.iter().chain(&own.v));
+    let nodes: BTreeSet<usize> = numbers
+        .iter()
+        .filter_map(Number::node)
+        .chain(of_terms.map(|term| term.0))
+        .collect();
     // Those behind the nodes are supports.
     let nodes = nodes.into_iter().filter(|node| *node < structure.len());
     let nodes: Vec<usize> = nodes.collect();
@@ -169,6 +198,7 @@ fn exact_value(structure: &Structure, t: f64, state: &events::State, number: Num
         Number::Displacement(node) => structure.total(node, t, 0, state.u),
         Number::Velocity(node) => structure.total(node, t, 1, state.v),
         Number::Acceleration(support) => structure.supports[support].motion.at(t)[2],
+        Number::Derived(_) | Number::Energy(_) => f64::NAN,
         Number::Contact(contact, quantity) => match quantity {
             Quantity::Displacement => state.r[contact],
             Quantity::Velocity => state.rate[contact],
@@ -230,6 +260,12 @@ pub fn perturbed(structure: &Structure) -> Structure {
     for support in &mut other.supports {
         let moved = support.gaps.iter_mut().chain(&mut support.carried);
         moved.for_each(larger);
+    }
+    if let Some(observed) = &mut other.observed {
+        observed
+            .ground
+            .iter_mut()
+            .for_each(|own| larger(&mut own.scale));
     }
     for load in &mut other.loads {
         load.pattern.iter_mut().for_each(|(_, x)| larger(x));

@@ -1,9 +1,10 @@
 //! The names of the parts of a structure.
 
 use super::node::{GROUND, NodeRef};
+use super::template::Template;
 use crate::system::import::Imported;
 use crate::system::structure::Direction;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// Names of masses, bars, matrices and contacts, each found without a search.
@@ -19,6 +20,12 @@ pub struct Names {
     pub supports: Vec<(String, [Option<usize>; 3])>,
     /// Contacts.
     pub contacts: Vec<String>,
+    /// The directions in which the ground moves.
+    pub ground: Vec<Direction>,
+    /// The directions in which nodes move.
+    pub directions: Vec<Direction>,
+    /// The springs that have a name, with their places in the list.
+    springs: Vec<(String, usize)>,
     parts: HashMap<String, Part>,
     places: HashMap<String, usize>,
 }
@@ -57,6 +64,9 @@ impl Names {
             matrices,
             supports: Vec::new(),
             contacts: Vec::new(),
+            ground: Vec::new(),
+            directions: Vec::new(),
+            springs: Vec::new(),
             places: HashMap::new(),
         }
     }
@@ -67,6 +77,39 @@ impl Names {
         self.places = places.map(|(place, name)| (name.clone(), place)).collect();
         self.contacts = contacts;
         self
+    }
+
+    /// The same with the springs, the ground and the directions of a structure.
+    pub fn with_structure(mut self, template: &Template) -> Names {
+        let springs = template.springs.iter().enumerate();
+        let named = springs.filter(|(_, spring)| !spring.name.is_empty());
+        self.springs = named
+            .map(|(place, spring)| (spring.name.clone(), place))
+            .collect();
+        self.ground = template.ground.iter().map(|own| own.0).collect();
+        let masses = template.masses.iter().map(|own| own.direction);
+        let bars = template.bars.iter().map(|own| own.direction);
+        let rows = template.matrices.iter();
+        let rows = rows.flat_map(|own| own.imported.dofs.rows());
+        let all: HashSet<Direction> = masses
+            .chain(bars)
+            .chain(rows.map(|dof| dof.direction))
+            .collect();
+        let moves = |own: &Direction| all.contains(own);
+        let directions = Direction::TRANSLATIONS.into_iter();
+        self.directions = directions.filter(moves).collect();
+        self
+    }
+
+    /// The place of the spring with this name.
+    pub fn spring(&self, name: &str) -> Option<usize> {
+        let mut springs = self.springs.iter();
+        springs.find(|own| own.0 == name).map(|own| own.1)
+    }
+
+    /// The names of springs.
+    pub fn springs(&self) -> impl Iterator<Item = &str> {
+        self.springs.iter().map(|own| own.0.as_str())
     }
 
     /// The same with these supports, whose motions have the directions x, y and z.

@@ -153,6 +153,19 @@ impl Numbering {
         self.masses + before.map(|n| *n as usize + 1).sum::<usize>()
     }
 
+    /// The nodes at the left and right end of an element of a bar, from 1 on.
+    ///
+    /// # Errors
+    /// The bar has no such element.
+    pub fn element(&self, bar: usize, element: u32) -> Result<[usize; 2], String> {
+        let count = self.elements[bar] / self.finer;
+        if element < 1 || element > count {
+            return Err(format!("the bar has elements 1 to {count}, got {element}"));
+        }
+        let node = |i: u32| self.first(bar) + (i * self.finer) as usize;
+        Ok([node(element - 1), node(element)])
+    }
+
     /// Number of a node; `None` for the ground. Those of supports follow the nodes.
     ///
     /// # Errors

@@ -1,7 +1,6 @@
 //! Reductions of matrices in a study: what is kept, with which modes, and what of it a case has.
 
 use super::amount::Amount;
-use super::channel::Term;
 use super::metric::StructureMetric;
 use super::node::NodeRef;
 use super::schema::Drawn;
@@ -76,10 +75,7 @@ pub fn named_rows(
     let channels = metrics.iter().filter_map(|metric| metric.channel.as_ref());
     let channels = channels.chain(drawn.iter().map(|drawn| &drawn.channel));
     let terms = channels.flat_map(|channel| &channel.terms);
-    let terms = terms.filter_map(|(_, term)| match term {
-        Term::Displacement(node) | Term::Velocity(node) => Some(*node),
-        Term::Acceleration(_) | Term::Contact(..) => None,
-    });
+    let terms = terms.filter_map(|(_, term)| term.node());
     let mut named = vec![Vec::new(); template.matrices.len()];
     for node in along.chain(moved).chain(terms) {
         if let NodeRef::Dof(matrices, row) = node {

@@ -3,7 +3,7 @@
 use super::StructureProblem;
 use super::assemble::{self, Model};
 use super::channel::Number;
-use super::metric::{Reduction, StructureMetric};
+use super::metric::{ERRORS, Reduction, StructureMetric};
 use super::metric_values::{self, MetricContext, Motions, Recorded};
 use super::motion::{self, Recording, Run};
 use super::node::Numbering;
@@ -18,16 +18,6 @@ use std::collections::HashSet;
 
 /// Refinement of the mesh that `mesh_error` compares with.
 const FINER: u32 = 4;
-
-/// Reductions that compare with an exact motion.
-const ERRORS: [Reduction; 6] = [
-    Reduction::RmsError,
-    Reduction::LastError,
-    Reduction::PeakError,
-    Reduction::StepError,
-    Reduction::RegularisationError,
-    Reduction::MeshError,
-];
 
 /// Reductions that compare with the motion of `contacts_reference`.
 const AGAINST_REFERENCE: [Reduction; 3] = [

@@ -2,7 +2,7 @@
 
 use super::amount::Amount;
 use super::loads::Source;
-use super::node::NodeName;
+use super::node::{NodeName, NodeRef};
 use super::reduce::Reduce;
 use super::rows::Rows;
 use super::shape::Shape;
@@ -46,6 +46,8 @@ pub struct Template {
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
     pub reference: Option<Reference>,
+    /// Whether a channel needs more of a structure than its equations.
+    pub observed: bool,
 }
 
 impl Template {
@@ -54,6 +56,24 @@ impl Template {
         let none = |mass: &Mass| mass.mass.value(case) == Ok(0.0);
         let has_massless = |own: &Matrices| own.in_case(case).massless_rows() > 0;
         self.matrices.iter().any(has_massless) || self.masses.iter().any(none)
+    }
+
+    /// Whether a mass or a row of matrices has no mass in a case.
+    pub fn is_massless(&self, node: NodeRef, case: &Case) -> bool {
+        match node {
+            NodeRef::Mass(mass) => self.masses[mass].mass.value(case) == Ok(0.0),
+            NodeRef::Dof(matrices, row) => {
+                let own = self.matrices[matrices].in_case(case);
+                !own.mass
+                    .entries()
+                    .any(|((i, j), m)| m != 0.0 && (i == row || j == row))
+            }
+            NodeRef::Ground
+            | NodeRef::Left(_)
+            | NodeRef::Right(_)
+            | NodeRef::Inner(..)
+            | NodeRef::Support(_) => false,
+        }
     }
 
     /// Byte offset of the mass or the matrices of a node in the study, by its name.
@@ -208,6 +228,8 @@ pub struct Bar {
 /// A spring with a dashpot.
 #[derive(Debug, Clone)]
 pub struct Spring {
+    /// Its name; empty without one.
+    pub name: String,
     /// The nodes whose displacements make its extension.
     pub along: Vec<Term>,
     /// Its numbers.

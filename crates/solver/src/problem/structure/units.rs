@@ -35,6 +35,7 @@ impl UnitNames<'_> {
             Dimension::Velocity => format!("{}/{}", self.length, self.time),
             Dimension::Acceleration => format!("{}/{}2", self.length, self.time),
             Dimension::Force => self.force.to_owned(),
+            Dimension::Energy => format!("{} {}", self.force, self.length),
         }
     }
 

@@ -41,6 +41,17 @@ pub struct Books<const L: usize> {
     work: Vec<Lane<L>>,
 }
 
+/// A kind of work in the books besides that of contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Work {
+    /// Of the loads on the structure.
+    Loads,
+    /// Of supports on gaps that they move.
+    Supports,
+    /// Of the structure on dashpots.
+    Damping,
+}
+
 impl<const L: usize> Books<L> {
     /// Books from the state at t = 0 on.
     pub fn new(start: &State<L>) -> Self {
@@ -71,10 +82,16 @@ impl<const L: usize> Books<L> {
     /// Adds the step to `state`.
     #[inline(always)]
     pub fn add(&mut self, state: &State<L>) {
+        self.add_by_kind(state, |_, _| {});
+    }
+
+    /// Adds the step to `state`; `each` gets its works by kind, but those of contacts ([`Books::work`]).
+    #[inline(always)]
+    pub fn add_by_kind(&mut self, state: &State<L>, each: impl FnMut(Work, Lane<L>)) {
         let difference = match &state.0 {
-            Kind::Average(state) => self.add_average(state),
+            Kind::Average(state) => self.add_average(state, each),
             Kind::General(state) => {
-                let done = state.work_of_step(&mut self.work, &mut self.loads);
+                let done = state.work_of_step(&mut self.work, &mut self.loads, each);
                 self.supplied = self.supplied + done.supplied;
                 self.unbalanced = self.unbalanced + done.unbalanced;
                 self.energy = state.energy();
@@ -87,7 +104,7 @@ impl<const L: usize> Books<L> {
 
     /// Adds a step by the constant average acceleration method. Returns the difference of both sides.
     #[inline(always)]
-    fn add_average(&mut self, state: &Average<L>) -> Lane<L> {
+    fn add_average(&mut self, state: &Average<L>, mut each: impl FnMut(Work, Lane<L>)) -> Lane<L> {
         let prepared = state.prepared;
         for ([change, w], now) in self.nodes.iter_mut().zip(&state.w) {
             // du = dt v_mean
@@ -102,15 +119,21 @@ impl<const L: usize> Books<L> {
         self.loads.fill(Lane::splat(0.0));
         state.inputs.add_loads(state.step, &mut self.loads);
         for (load, [change, _]) in self.loads.iter().zip(&self.nodes) {
-            supplied = supplied + *load * *change;
+            let work = *load * *change;
+            each(Work::Loads, work);
+            supplied = supplied + work;
         }
         for link in prepared.elimination.all_links() {
             let change = change(link.to) - change(link.from);
-            supplied = supplied - change * change * link.c;
+            let work = change * change * link.c;
+            each(Work::Damping, work);
+            supplied = supplied - work;
         }
         for coupling in &prepared.couplings {
             let both = change(coupling.from) * change(coupling.to);
-            supplied = supplied - both * (2.0 * coupling.c);
+            let work = both * (2.0 * coupling.c);
+            each(Work::Damping, work);
+            supplied = supplied - work;
         }
         let contacts = self.contacts.iter_mut().zip(&mut self.work);
         for (c, ((before, work), [r, s])) in contacts.zip(state.contact_states()).enumerate() {
@@ -120,7 +143,9 @@ impl<const L: usize> Books<L> {
             supplied = supplied - step;
             if let Some(moving) = &state.moving {
                 // Supports do the part of the work by which they move the gap.
-                supplied = supplied + mean * (moving.end[c][0] - moving.start[c][0]);
+                let work = mean * (moving.end[c][0] - moving.start[c][0]);
+                each(Work::Supports, work);
+                supplied = supplied + work;
             }
             *before = [r, s];
         }
@@ -172,7 +197,19 @@ impl<const L: usize> Average<'_, L> {
     /// Kinetic and strain energy, without the contacts.
     #[inline(always)]
     pub(super) fn energy(&self) -> Lane<L> {
-        let u = |place: usize| self.p[place] - self.w[place] * 0.5;
+        self.add_twice_strain(self.twice_kinetic()) * 0.5
+    }
+
+    /// Both by themselves.
+    pub(super) fn kinetic_and_strain(&self) -> [Lane<L>; 2] {
+        [
+            self.twice_kinetic() * 0.5,
+            self.add_twice_strain(Lane::splat(0.0)) * 0.5,
+        ]
+    }
+
+    #[inline(always)]
+    fn twice_kinetic(&self) -> Lane<L> {
         let mut twice = Lane::splat(0.0);
         for (w, inertia) in self.w.iter().zip(&self.prepared.inertia) {
             twice = twice + *w * *w * *inertia;
@@ -180,6 +217,12 @@ impl<const L: usize> Average<'_, L> {
         for (i, j, inertia) in &self.prepared.coupled_mass {
             twice = twice + self.w[*i] * self.w[*j] * (2.0 * inertia);
         }
+        twice
+    }
+
+    #[inline(always)]
+    fn add_twice_strain(&self, mut twice: Lane<L>) -> Lane<L> {
+        let u = |place: usize| self.p[place] - self.w[place] * 0.5;
         for link in self.prepared.elimination.all_links() {
             let change = u(link.to) - u(link.from);
             twice = twice + change * change * link.k;
@@ -187,7 +230,7 @@ impl<const L: usize> Average<'_, L> {
         for coupling in &self.prepared.couplings {
             twice = twice + u(coupling.from) * u(coupling.to) * (2.0 * coupling.k);
         }
-        twice * 0.5
+        twice
     }
 
     /// Energy that the contacts store.

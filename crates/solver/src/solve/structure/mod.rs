@@ -47,6 +47,7 @@
 //!     velocity: vec![2.0],
 //!     supports: Vec::new(),
 //!     preload: Default::default(),
+//!     observed: None,
 //! };
 //! let prepared = Prepared::new(&block, 0.01)?;
 //! let mut last = [0.0; 2];
@@ -66,6 +67,7 @@ mod forces;
 mod general;
 mod initial;
 mod laws;
+mod ledger;
 mod links;
 mod loads;
 mod massless;
@@ -77,8 +79,9 @@ mod state;
 mod step_view;
 mod watch;
 
-pub use books::Books;
+pub use books::{Books, Work};
 pub use general::{CriticalFault, critical_fault, critical_step};
+pub use ledger::Ledger;
 pub use preload::settle;
 pub use prepared::Prepared;
 pub use run::run;

@@ -37,10 +37,7 @@ impl<const L: usize> State<'_, L> {
     /// Displacement of a node, numbered as in the structure; the supports that move follow the nodes.
     #[inline(always)]
     pub fn displacement(&self, node: usize) -> Lane<L> {
-        let rest = |node| match &self.0 {
-            Kind::Average(state) => state.displacement(node),
-            Kind::General(state) => state.displacement(node),
-        };
+        let rest = |node| self.rest_displacement(node);
         match self.moving() {
             None => rest(node),
             Some(moving) => moving.total(node, 0, rest),
@@ -50,13 +47,28 @@ impl<const L: usize> State<'_, L> {
     /// Velocity of a node, numbered in the same way.
     #[inline(always)]
     pub fn velocity(&self, node: usize) -> Lane<L> {
-        let rest = |node| match &self.0 {
-            Kind::Average(state) => state.velocity(node),
-            Kind::General(state) => state.velocity(node),
-        };
+        let rest = |node| self.rest_velocity(node);
         match self.moving() {
             None => rest(node),
             Some(moving) => moving.total(node, 1, rest),
+        }
+    }
+
+    /// Displacement of a node; with supports that move, the rest beside what they carry.
+    #[inline(always)]
+    pub fn rest_displacement(&self, node: usize) -> Lane<L> {
+        match &self.0 {
+            Kind::Average(state) => state.displacement(node),
+            Kind::General(state) => state.displacement(node),
+        }
+    }
+
+    /// Velocity of a node; with supports that move, the rest beside what they carry.
+    #[inline(always)]
+    pub fn rest_velocity(&self, node: usize) -> Lane<L> {
+        match &self.0 {
+            Kind::Average(state) => state.velocity(node),
+            Kind::General(state) => state.velocity(node),
         }
     }
 
@@ -88,6 +100,14 @@ impl<const L: usize> State<'_, L> {
         match &self.0 {
             Kind::Average(state) => state.energy(),
             Kind::General(state) => state.energy(),
+        }
+    }
+
+    /// Kinetic energy and strain energy, without the contacts.
+    pub(super) fn kinetic_and_strain(&self) -> [Lane<L>; 2] {
+        match &self.0 {
+            Kind::Average(state) => state.kinetic_and_strain(),
+            Kind::General(state) => state.kinetic_and_strain(),
         }
     }
 

@@ -210,6 +210,7 @@ mod tests {
                 velocity: vec![0.0; 4],
                 supports: Vec::new(),
                 preload: Default::default(),
+                observed: None,
             }
         };
         let all = ["a", "b to c", "d"];

@@ -11,6 +11,7 @@ mod initial;
 pub mod lists;
 mod matrix;
 mod motion;
+mod observed;
 mod preload;
 mod signal;
 mod structure_law;
@@ -21,6 +22,7 @@ pub use direction::Direction;
 pub use inertia::Inertia;
 pub use matrix::Symmetric;
 pub use motion::{Motion, MotionFault, Quantity};
+pub use observed::{Elements, Ground, Observed, Reaction, Spring};
 pub use preload::Preload;
 pub use signal::{Signal, Table};
 pub use structure_law::{Limit, Pressure, StructureLaw};
@@ -51,6 +53,8 @@ pub struct Structure {
     pub supports: Vec<Support>,
     /// Static loads before t = 0.
     pub preload: Preload,
+    /// What channels need besides the equations; `None` where no channel does.
+    pub observed: Option<Box<Observed>>,
 }
 
 /// A node: a degree of freedom.

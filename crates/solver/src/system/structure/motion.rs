@@ -34,7 +34,7 @@ struct Piece {
 }
 
 /// A quantity of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// u.
     Displacement,

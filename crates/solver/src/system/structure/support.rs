@@ -20,7 +20,7 @@
 //! left of K R + K_fs is then a load by u_s.
 
 use super::factor::{Factor, NotPositive};
-use super::{Along, Load, Motion, Quantity, Signal, Structure, Symmetric};
+use super::{Along, Contact, Load, Motion, Quantity, Reaction, Signal, Structure, Symmetric};
 use std::sync::Arc;
 
 /// A support that moves in a direction.
@@ -77,6 +77,15 @@ impl Structure {
         let [mass, damping, stiffness] =
             [&self.coupled_mass, &self.damping, &self.stiffness].map(|all| Split::new(all, n));
         let carried = carried(self, &stiffness, count);
+        if let Some(observed) = &mut self.observed {
+            observed.reactions = (0..count)
+                .map(|s| Reaction {
+                    nodes: [&mass, &damping, &stiffness].map(|of| of.columns[s].clone()),
+                    supports: [&mass, &damping, &stiffness].map(|of| of.own[s].clone()),
+                    contacts: own_factors(&self.contacts, n + s),
+                })
+                .collect();
+        }
         (self.coupled_mass, self.damping) = (mass.free, damping.free);
         self.stiffness = stiffness.free;
         let mass_of_nodes = self.mass();
@@ -115,21 +124,29 @@ struct Split {
     free: Symmetric,
     /// The columns of the supports in the rows of the nodes.
     columns: Vec<Along>,
+    /// The columns of the supports in the rows of the supports.
+    own: Vec<Along>,
 }
 
 impl Split {
     fn new(all: &Symmetric, n: usize) -> Split {
         let mut free = Symmetric::zeros(n);
-        let mut columns = vec![Vec::new(); all.size().saturating_sub(n)];
+        let count = all.size().saturating_sub(n);
+        let (mut columns, mut own) = (vec![Vec::new(); count], vec![Vec::new(); count]);
         for ((i, j), value) in all.entries() {
             // i >= j.
             if i < n {
                 free.add(i, j, value);
             } else if j < n {
                 columns[i - n].push((j, value));
+            } else {
+                own[i - n].push((j - n, value));
+                if i != j {
+                    own[j - n].push((i - n, value));
+                }
             }
         }
-        Split { free, columns }
+        Split { free, columns, own }
     }
 }
 
@@ -153,6 +170,15 @@ fn pattern(matrix: &Symmetric, r: &[f64], column: &[(usize, f64)]) -> Along {
     let all = sums.into_iter().zip(sizes).enumerate();
     let kept = all.filter(|(_, (sum, size))| sum.abs() > ROUND_OFF * size);
     kept.map(|(row, (sum, _))| (row, sum)).collect()
+}
+
+/// The factor of a place in r of each contact that has one.
+fn own_factors(contacts: &[Contact], place: usize) -> Along {
+    let factors = contacts.iter().enumerate().filter_map(|(c, contact)| {
+        let own = contact.along.iter().find(|(at, _)| *at == place)?;
+        Some((c, own.1))
+    });
+    factors.collect()
 }
 
 /// B^T r + B_s^T of support `s` for a contact, without its round-off.
@@ -191,6 +217,7 @@ fn carried(structure: &Structure, stiffness: &Split, count: usize) -> Vec<Vec<f6
     let mut with_contacts = Split {
         free: stiffness.free.clone(),
         columns: stiffness.columns.clone(),
+        own: Vec::new(),
     };
     for all in [false, true] {
         let mut springs = Symmetric::zeros(n + count);

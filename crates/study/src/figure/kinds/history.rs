@@ -30,6 +30,12 @@ pub(super) const KIND: Kind = Kind {
         BY,
         PANELS,
         IN_UNITS,
+        key(
+            "stacked",
+            Takes::Switch,
+            false,
+            "true: the quantities, all of one dimension, as areas on one another, such as energies by kind; one panel for each case",
+        ),
         X_RANGE,
         Y_RANGE,
     ],
@@ -41,6 +47,7 @@ pub(super) const KIND: Kind = Kind {
             by: values.row("by"),
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
+            stacked: values.switch("stacked"),
         }))
     },
 };
@@ -56,6 +63,8 @@ pub struct History {
     pub panels: Option<usize>,
     /// Whether the axes are in the units of the study.
     pub in_units: bool,
+    /// Whether the quantities are areas on one another, with one panel for each case.
+    pub stacked: bool,
 }
 
 /// The first quantity, and the first that is an error.
@@ -68,10 +77,12 @@ fn response_and_error(scope: &Scope) -> Vec<usize> {
 
 impl Decoded for History {
     fn limited_axes(&self) -> Option<([Scale; 2], usize)> {
-        Some(([Scale::Linear; 2], self.y.len()))
+        let axes = if self.stacked { 1 } else { self.y.len() };
+        Some(([Scale::Linear; 2], axes))
     }
 
     fn check_cases(&self, checker: &mut Checker) {
+        self.check_stacked(checker);
         check(checker, self.by, self.panels, 1, KIND.name);
         self.check_times(checker);
     }
@@ -82,6 +93,28 @@ impl Decoded for History {
 }
 
 impl History {
+    /// Reports stacked quantities of several dimensions, errors, and keys that stacked panels do not have.
+    fn check_stacked(&self, checker: &mut Checker) {
+        if !self.stacked {
+            return;
+        }
+        let schema = checker.scope.problem.schema();
+        let mut quantities = self.y.iter().map(|row| &schema.quantities[*row]);
+        let dimension = |channel: usize| schema.channels[channel].dimension;
+        let first = quantities.clone().next().map(|own| dimension(own.channel));
+        let fits = quantities.all(|own| !own.error && Some(dimension(own.channel)) == first);
+        if !fits {
+            checker.fault(
+                "stacked",
+                "needs quantities of one dimension, without errors",
+            );
+        }
+        if self.by.is_some() || self.panels.is_some() || self.in_units {
+            let message = "has one panel for each case; leave out by, panels and in_units";
+            checker.fault("stacked", message);
+        }
+    }
+
     /// Reports an `x_range` after the end of every history, or before their start.
     fn check_times(&self, checker: &mut Checker) {
         let problem = &*checker.scope.problem;

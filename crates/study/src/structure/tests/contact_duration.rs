@@ -44,6 +44,7 @@ fn ratio(law: StructureLaw, keys: &str) -> f64 {
         velocity: vec![0.0; 2],
         supports: Vec::new(),
         preload: Default::default(),
+        observed: None,
     };
     let time = contact_duration::time(&structure, &contact, metrics[1].map(|r| -r));
     time.unwrap() / metrics[0].unwrap()

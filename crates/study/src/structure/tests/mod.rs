@@ -1,6 +1,7 @@
 //! Metrics that compare with a run with start and loads 1e-10 larger, and labels of cases.
 
 mod assembled;
+mod channels;
 mod contact_duration;
 mod ground;
 mod initial;

@@ -35,6 +35,7 @@ pub fn masses(masses: &[f64]) -> Structure {
         velocity: vec![0.0; masses.len()],
         supports: Vec::new(),
         preload: Default::default(),
+        observed: None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Detail, Draft};
 use crate::problem::structure::template::{Moved, Scaled, StaticLoad};
-use crate::system::structure::{Direction, Load, Node, Signal};
+use crate::system::structure::{Direction, Ground, Load, Node, Signal};
 use std::sync::Arc;
 
 impl Draft<'_> {
@@ -22,10 +22,18 @@ impl Draft<'_> {
                 Detail::Whole => self.shaken(*direction),
                 Detail::Numbers | Detail::WithoutSamples => Vec::new(),
             };
-            self.load(ground, |_, scale| {
+            let moved = self.load(ground, |_, scale| {
                 let masses = shaken.iter().enumerate().filter(|(_, mass)| **mass != 0.0);
                 masses.map(|(i, mass)| (i, -scale * mass)).collect()
             });
+            if let (Some(observed), Some((signal, scale))) = (&mut self.structure.observed, moved) {
+                let direction = *direction;
+                observed.ground.push(Ground {
+                    direction,
+                    signal,
+                    scale,
+                });
+            }
         }
     }
 
@@ -67,15 +75,25 @@ impl Draft<'_> {
 
     /// M times 1 in the nodes of a direction and 0 in the others.
     pub(super) fn shaken(&self, direction: Direction) -> Vec<f64> {
-        let is_shaken = |i: usize| self.structure.nodes[i].direction == direction;
+        let all = &self.structure.nodes;
+        // Supports come after the nodes.
+        let direction_of = |i: usize| match all.get(i) {
+            Some(node) => Some(node.direction),
+            None => self
+                .template
+                .supports
+                .get(i - all.len())
+                .map(|own| own.direction),
+        };
+        let is_shaken = |i: usize| direction_of(i) == Some(direction);
         let nodes = self.structure.nodes.iter().enumerate();
         let mut shaken: Vec<f64> = nodes
             .map(|(i, node)| if is_shaken(i) { node.mass } else { 0.0 })
             .collect();
         for ((i, j), mass) in self.structure.coupled_mass.entries() {
             for (row, column) in [(i, j), (j, i)] {
-                if is_shaken(column) {
-                    shaken[row] += mass;
+                if let (Some(sum), true) = (shaken.get_mut(row), is_shaken(column)) {
+                    *sum += mass;
                 }
             }
         }
@@ -110,21 +128,26 @@ impl Draft<'_> {
         self.moved(of).into_iter().map(|node| (node, 1.0)).collect()
     }
 
+    /// Adds a load; returns its signal and factor.
     pub(super) fn load(
         &mut self,
         force: &Scaled,
         pattern: impl Fn(&[Node], f64) -> Vec<(usize, f64)>,
-    ) {
+    ) -> Option<(Arc<Signal>, f64)> {
         if self.detail != Detail::Whole && force.source.is_sampled() {
             let checked = force.check(self.case, self.template.metre);
             self.checked(checked);
-            return;
+            return None;
         }
         let found = force.in_case(self.case, self.template.metre);
-        if let Some((signal, scale)) = self.checked(found) {
-            let pattern = pattern(&self.structure.nodes, scale);
-            self.structure.loads.push(Load { pattern, signal });
-        }
+        let (signal, scale) = self.checked(found)?;
+        let pattern = pattern(&self.structure.nodes, scale);
+        let load = Load {
+            pattern,
+            signal: signal.clone(),
+        };
+        self.structure.loads.push(load);
+        Some((signal, scale))
     }
 
     /// Prescribes the motions of the supports.

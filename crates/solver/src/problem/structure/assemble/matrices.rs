@@ -82,13 +82,14 @@ fn add_matrices(
     [mass, stiffness]: [&Symmetric; 2],
     damping: Option<&Symmetric>,
 ) {
-    for ((i, j), m) in mass.entries() {
-        let (Some(i), Some(j)) = (number(i), number(j)) else {
+    for ((row, column), m) in mass.entries() {
+        let (Some(i), Some(j)) = (number(row), number(column)) else {
             continue;
         };
         match to.nodes.get_mut(i) {
             Some(node) if i == j => node.mass = m,
-            _ if i != j && m != 0.0 => to.coupled_mass.add(i, j, m),
+            // Supports come after the nodes and have no masses of their own.
+            _ if m != 0.0 => to.coupled_mass.add(i, j, m * sides([row, column], [i, j])),
             _ => {}
         }
     }
@@ -100,9 +101,14 @@ fn add_matrices(
 
 /// Adds the entries of a matrix to another one with these numbers of its rows; those of rows without a number are left out.
 fn add_block(from: &Symmetric, number: impl Fn(usize) -> Option<usize>, to: &mut Symmetric) {
-    for ((i, j), value) in from.entries().filter(|(_, value)| *value != 0.0) {
-        if let (Some(i), Some(j)) = (number(i), number(j)) {
-            to.add(i, j, value);
+    for ((row, column), value) in from.entries().filter(|(_, value)| *value != 0.0) {
+        if let (Some(i), Some(j)) = (number(row), number(column)) {
+            to.add(i, j, value * sides([row, column], [i, j]));
         }
     }
+}
+
+/// How often an entry of a symmetric matrix counts: twice if two rows of one support meet.
+fn sides([row, column]: [usize; 2], [i, j]: [usize; 2]) -> f64 {
+    if row != column && i == j { 2.0 } else { 1.0 }
 }

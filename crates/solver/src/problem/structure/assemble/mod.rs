@@ -153,6 +153,7 @@ fn draft(
             velocity: vec![0.0; nodes],
             supports: Vec::new(),
             preload: Default::default(),
+            observed: (template.observed && detail != Detail::Numbers).then(Box::default),
         },
         violations,
     };

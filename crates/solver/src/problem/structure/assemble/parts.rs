@@ -3,7 +3,7 @@
 use super::Draft;
 use crate::problem::structure::damping::MOST_MODES;
 use crate::problem::structure::template::{DampingStiffness, SpringNumbers, Template};
-use crate::system::structure::{Node, Structure, Symmetric};
+use crate::system::structure::{Elements, Node, Spring, Structure, Symmetric};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -37,6 +37,9 @@ impl Draft<'_> {
             let k = elements * stiffness / length;
             let c = self.optional(&bar.stiffness_damping) * k;
             let first = self.numbering.first(b);
+            if let Some(observed) = &mut self.structure.observed {
+                observed.bars.push(Elements { k, c });
+            }
             for i in if self.is_built() { 0..n + 1 } else { 0..0 } {
                 let (place, mass) = match i {
                     0 => ("left".to_owned(), 0.5 * element),
@@ -78,6 +81,9 @@ impl Draft<'_> {
                 }
             };
             self.add(&along, k, c);
+            if let Some(observed) = &mut self.structure.observed {
+                observed.springs.push(Spring { along, k, c });
+            }
         }
     }
 

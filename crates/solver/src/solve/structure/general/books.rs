@@ -3,6 +3,7 @@
 use super::stepper::{General, predict};
 use crate::lane::Lane;
 use crate::methods::ContactWork;
+use crate::solve::structure::Work;
 
 /// What a step did.
 #[derive(Debug, Clone, Copy)]
@@ -14,11 +15,13 @@ pub(in crate::solve::structure) struct StepWork<const L: usize> {
 }
 
 impl<const L: usize> General<'_, L> {
-    /// The work of the last step; adds that of each contact to `contacts`. `room` has a number for each place.
+    /// The work of the last step; adds that of each contact to `contacts`, and gives the others to `each`. `room` has
+    /// a number for each place.
     pub(in crate::solve::structure) fn work_of_step(
         &self,
         contacts: &mut [Lane<L>],
         room: &mut [Lane<L>],
+        mut each: impl FnMut(Work, Lane<L>),
     ) -> StepWork<L> {
         let zero = Lane::splat(0.0);
         let (mut supplied, mut unbalanced) = (zero, zero);
@@ -52,7 +55,9 @@ impl<const L: usize> General<'_, L> {
             room.fill(zero);
             self.inputs.add_loads(number, room);
             for (at, load) in room.iter().enumerate() {
-                supplied = supplied + *load * by(at, 0);
+                let work = *load * by(at, 0);
+                each(Work::Loads, work);
+                supplied = supplied + work;
             }
             room.fill(zero);
             self.inputs.add_weighted(number, room);
@@ -71,7 +76,9 @@ impl<const L: usize> General<'_, L> {
                 let [v, v_end] = [start, end].map(|stage| difference(&|at| stage.nodes[at][1]));
                 unbalanced = unbalanced - du * (u * link.k + (v * w0 + v_end * w1) * link.c);
                 let mean = (v + v_end) * 0.5;
-                supplied = supplied - mean * difference(&|at| by(at, 0)) * link.c;
+                let work = mean * difference(&|at| by(at, 0)) * link.c;
+                each(Work::Damping, work);
+                supplied = supplied - work;
             }
             for coupling in &linear.couplings {
                 for (at, other) in [(coupling.from, coupling.to), (coupling.to, coupling.from)] {
@@ -79,7 +86,9 @@ impl<const L: usize> General<'_, L> {
                     let [v, v_end] = [start, end].map(|stage| stage.nodes[other][1]);
                     let force = u * coupling.k + (v * w0 + v_end * w1) * coupling.c;
                     unbalanced = unbalanced - moved(at) * force;
-                    supplied = supplied - (v + v_end) * by(at, 0) * (0.5 * coupling.c);
+                    let work = (v + v_end) * by(at, 0) * (0.5 * coupling.c);
+                    each(Work::Damping, work);
+                    supplied = supplied - work;
                 }
             }
             for (c, work) in contacts.iter_mut().enumerate() {
@@ -87,7 +96,9 @@ impl<const L: usize> General<'_, L> {
                 *work = *work + step;
                 supplied = supplied - step;
                 if self.moving.is_some() {
-                    supplied = supplied + self.work_of_supports(part, c);
+                    let work = self.work_of_supports(part, c);
+                    each(Work::Supports, work);
+                    supplied = supplied + work;
                 }
                 let mut change = zero;
                 for (at, factor) in self.prepared.along.list(c) {
@@ -155,6 +166,19 @@ impl<const L: usize> General<'_, L> {
 
     /// Kinetic and strain energy, without the contacts.
     pub(in crate::solve::structure) fn energy(&self) -> Lane<L> {
+        self.add_twice_strain(self.twice_kinetic()) * 0.5
+    }
+
+    /// Both by themselves.
+    pub(in crate::solve::structure) fn kinetic_and_strain(&self) -> [Lane<L>; 2] {
+        [
+            self.twice_kinetic() * 0.5,
+            self.add_twice_strain(Lane::splat(0.0)) * 0.5,
+        ]
+    }
+
+    #[inline(always)]
+    fn twice_kinetic(&self) -> Lane<L> {
         let nodes = &self.last().nodes;
         let mut twice = Lane::splat(0.0);
         for ([_, v, _], mass) in nodes.iter().zip(&self.prepared.mass) {
@@ -163,6 +187,12 @@ impl<const L: usize> General<'_, L> {
         for (i, j, mass) in &self.prepared.coupled_mass {
             twice = twice + nodes[*i][1] * nodes[*j][1] * (2.0 * mass);
         }
+        twice
+    }
+
+    #[inline(always)]
+    fn add_twice_strain(&self, mut twice: Lane<L>) -> Lane<L> {
+        let nodes = &self.last().nodes;
         for link in self.prepared.sub_steps[0].elimination.all_links() {
             let change = nodes[link.to][0] - nodes[link.from][0];
             twice = twice + change * change * link.k;
@@ -171,7 +201,7 @@ impl<const L: usize> General<'_, L> {
             let [u, other] = [coupling.from, coupling.to].map(|at| nodes[at][0]);
             twice = twice + u * other * (2.0 * coupling.k);
         }
-        twice * 0.5
+        twice
     }
 
     /// Energy that the contacts store.

@@ -38,6 +38,7 @@ fn masses(masses: &[f64]) -> Structure {
         velocity: vec![0.0; n],
         supports: Vec::new(),
         preload: Default::default(),
+        observed: None,
     }
 }
 
