@@ -33,13 +33,14 @@ from ._records import (
     SlipgapWarning,
     WarnedCases,
 )
-from ._slipgap import Figure, Results, Solution, Table, __version__
+from ._slipgap import Animation, Figure, Results, Solution, Table, __version__
 
 if TYPE_CHECKING:
     import numpy
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "Animation",
     "Candidate",
     "Change",
     "Check",
@@ -56,6 +57,7 @@ __all__ = [
     "Table",
     "WarnedCases",
     "__version__",
+    "animate",
     "compare",
     "exact",
     "recommend",
@@ -109,6 +111,27 @@ def solve(
     :raises SlipgapError: mistakes, or a case that cannot be solved
     """
     return _slipgap.solve(study_or_parameters, case)
+
+
+def animate(
+    study: str | PathLike[str] | Mapping[str, Any],
+    *cases: int,
+    exact: bool = False,
+    set: Mapping[str, Any] | None = None,
+) -> Animation:
+    """Show cases of a study in motion.
+
+    The drawing of the structure moves under its loads or the ground motion, with contacts lit when they touch or slide, and the
+    forces below. A notebook shows it; ``animate(study).save("motion.html")`` writes the page, which needs no other file.
+
+    :param study: a study as in :func:`run`
+    :param cases: numbers of one case or of two, from 0; if left out, the first case that a history figure shows, or else the first
+        case
+    :param exact: whether the exact motion of the one case is shown beside it
+    :param set: parameters to set, as in :func:`run`
+    :raises SlipgapError: mistakes, a case that cannot be solved, or one without an exact motion
+    """
+    return _slipgap.animate(study, list(cases), exact, set)
 
 
 def exact(

@@ -9,11 +9,13 @@ from numpy.typing import NDArray
 from ._records import Check, Comparison, Failure, Recommendation, WarnedCases
 
 __all__ = [
+    "Animation",
     "Figure",
     "Results",
     "Solution",
     "Table",
     "__version__",
+    "animate",
     "compare",
     "exact",
     "recommend",
@@ -45,6 +47,13 @@ class Figure:
     def pdf(self) -> bytes: ...
     def save(self, file: str | PathLike[str]) -> None: ...
     def _repr_svg_(self) -> str: ...
+
+@final
+class Animation:
+    @property
+    def html(self) -> str: ...
+    def save(self, file: str | PathLike[str]) -> None: ...
+    def _repr_html_(self) -> str: ...
 
 @final
 class Results:
@@ -85,6 +94,12 @@ def run(
     set: Mapping[str, Any] | None,
     progress: Callable[[int, int], object] | None,
 ) -> Results: ...
+def animate(
+    study: str | PathLike[str] | Mapping[str, Any],
+    cases: list[int],
+    exact: bool,
+    set: Mapping[str, Any] | None,
+) -> Animation: ...
 def solve(study: str | PathLike[str] | Mapping[str, Any], case: int) -> Solution: ...
 def exact(
     problem: str, t: bytes, parameters: dict[str, Any]

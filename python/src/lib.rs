@@ -1,6 +1,7 @@
 //! slipgap as a module of Python: `slipgap._slipgap`. The package `slipgap` has the functions with their types and
 //! descriptions, and calls this module.
 
+mod animation;
 mod arrays;
 mod case_of_dict;
 mod columns;
@@ -22,6 +23,10 @@ use pyo3::prelude::*;
 /// The module `slipgap._slipgap`.
 #[pymodule]
 mod _slipgap {
+    #[pymodule_export]
+    use super::animation::Animation;
+    #[pymodule_export]
+    use super::animation::animate;
     #[pymodule_export]
     use super::compare::compare;
     #[pymodule_export]

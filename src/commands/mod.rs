@@ -1,5 +1,6 @@
 //! The verbs of the command line, one file or folder each, with their arguments.
 
+mod animate;
 mod arguments;
 mod check;
 mod claims;
@@ -50,6 +51,8 @@ pub enum Verb {
     Compare(compare::CompareArgs),
     /// Write one page about studies, with figures, checks, claims, and tables to sort and filter; the page needs no other file
     Report(report::ReportArgs),
+    /// Write one page that shows a case in motion, or two cases side by side; the page needs no other file
+    Animate(animate::AnimateArgs),
     /// Test the statements of the papers and of the literature by studies, print the verdicts and write claims.md
     Claims(claims::ClaimsArgs),
     /// Find the cheapest parameters that reach a target; show the errors and the alternatives
@@ -72,6 +75,7 @@ impl Verb {
             Verb::Explain(args) => args.execute(),
             Verb::Compare(args) => args.execute(),
             Verb::Report(args) => args.execute(),
+            Verb::Animate(args) => args.execute(),
             Verb::Claims(args) => args.execute(),
             Verb::Recommend(args) => args.execute(),
             Verb::Schema(args) => args.execute(),

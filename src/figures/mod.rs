@@ -14,6 +14,7 @@ mod tests;
 pub use crate::batch::{DrawnCase, ShownCases};
 pub use front::Front;
 pub use hover::with_hover;
+pub(crate) use kind::scheme;
 pub use slipgap_drawing::draw::base64;
 pub use slipgap_drawing::layout::sheet;
 pub use slipgap_drawing::style;

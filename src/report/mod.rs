@@ -8,7 +8,7 @@ mod drawing;
 mod indices;
 mod quantiles;
 mod results;
-mod text;
+pub(crate) mod text;
 
 pub use checks::Checks;
 pub use counts::Counts;

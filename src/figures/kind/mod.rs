@@ -16,7 +16,7 @@ mod profile;
 mod quantiles;
 mod samples;
 mod scatter;
-mod scheme;
+pub(crate) mod scheme;
 mod sobol;
 mod spectrum;
 mod wave;

@@ -145,6 +145,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn scheme(&self, _case: &Case) -> Option<Scheme> {
         None
     }
+    /// The largest friction force of each contact of a completed case at the times of its motion, >= 0, in the unit of force; `None` for a
+    /// contact without friction. Empty for a problem with one contact.
+    fn friction_limits(&self, _case: &Case, _motion: &History) -> Vec<Option<Vec<f64>>> {
+        Vec::new()
+    }
     /// The acceleration of the ground in a completed case; `None` where there is none.
     fn ground_motion(&self, _case: &Case) -> Option<GroundMotion> {
         None
@@ -159,6 +164,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     }
     /// Size of the unit of a dimension in a completed case, in the units of its parameters; `None` for a problem without.
     fn size(&self, _case: &Case, _dimension: Dimension) -> Option<f64> {
+        None
+    }
+
+    /// The unit of a dimension as the study of a described structure names it; `None` if it names none, and for other problems.
+    fn unit_name(&self, _dimension: Dimension) -> Option<String> {
         None
     }
 

@@ -11,6 +11,8 @@ pub struct Snapshot {
     pub time: f64,
     /// In the order of `problem.schema().profiles`.
     pub profiles: Vec<Lines>,
+    /// Displacement along the structure since t = 0, in the problem's unit of length.
+    pub displacement: Lines,
     /// Positions of the fronts of the exact solution, including those at an end of a part.
     pub fronts: Vec<f64>,
 }

@@ -13,34 +13,103 @@ use slipgap_solver::problem::structure::scheme::{End, Link, LinkKind, Place};
 /// Length of an arrow.
 const FORCE: f64 = 22.0;
 
+/// A point of the picture.
+type Point = [f64; 2];
+
+/// Where a link is drawn.
+pub struct LinkPlace {
+    /// The link, by its place in the list.
+    pub link: usize,
+    /// From the lower or left end to the other one.
+    pub ends: [Point; 2],
+    /// Which end of the link, I (0) or J (1), is at each of these.
+    pub of: [usize; 2],
+    /// The part at each of these; `None` for the ground.
+    pub parts: [Option<usize>; 2],
+    /// +1 if the part at the second end moves to the right where the contact opens, else -1.
+    pub opens: f64,
+    /// Rods between the symbol and a part, each with its end, the first ones drawn before the symbol.
+    pub rods: [Vec<(usize, Vec<Point>)>; 2],
+    /// Place of the name.
+    pub name: (Point, Anchor),
+    /// Where ends are at parts.
+    pub attached: Vec<(usize, usize, Point)>,
+}
+
+/// A force on a part.
+pub struct LoadPlace {
+    /// The end that it acts on.
+    pub end: End,
+    /// From its tail to its head.
+    pub arrow: [Point; 2],
+    /// A post on the part that carries it.
+    pub post: Option<[Point; 2]>,
+    /// Where its end is at the part.
+    pub at: Point,
+}
+
+/// A surface of the ground from one point to the other, hatched on the side `away`.
+pub struct GroundPlace {
+    /// The points.
+    pub ends: [Point; 2],
+    /// See above.
+    pub away: Point,
+}
+
 impl Painter<'_> {
     /// All links, then the ground that they need.
     pub fn links(&mut self) {
+        for place in self.link_places() {
+            self.link(&place);
+        }
+        for place in self.ground_places() {
+            symbols::ground(&mut self.picture, place.ends, place.away);
+        }
+    }
+
+    /// Where all links are.
+    pub fn link_places(&self) -> Vec<LinkPlace> {
         let mut over = vec![0; self.scheme.parts.len() + 1];
+        let mut places = Vec::new();
+        for l in 0..self.scheme.links.len() {
+            match self.relations.joins[l] {
+                Join::Above(lower, upper) => places.extend(self.above(l, lower, upper)),
+                Join::Beside([Some(a), Some(b)]) if self.adjacent(a, b) => {
+                    places.extend(self.beside(l));
+                }
+                Join::Beside([Some(a), Some(b)]) | Join::Over(a, b) => {
+                    let row = self.row_over(l).unwrap_or(0);
+                    over[row] += 1;
+                    places.push(self.over(l, a, b, over[row]));
+                }
+                Join::Beside(_) => places.extend(self.beside(l)),
+            }
+        }
+        places
+    }
+
+    /// The surfaces of the ground: walls, then floors.
+    pub fn ground_places(&self) -> Vec<GroundPlace> {
         let mut floors: Vec<[f64; 2]> = Vec::new();
         let mut walls: Vec<(usize, usize)> = Vec::new();
         for l in 0..self.scheme.links.len() {
             match self.relations.joins[l] {
-                Join::Above(lower, upper) => floors.extend(self.above(l, lower, upper)),
-                Join::Beside([Some(a), Some(b)]) if self.adjacent(a, b) => self.beside(l),
-                Join::Beside([Some(a), Some(b)]) | Join::Over(a, b) => {
-                    let row = self.row_over(l).unwrap_or(0);
-                    over[row] += 1;
-                    self.over(l, a, b, over[row]);
-                }
-                Join::Beside([left, right]) => {
-                    self.beside(l);
+                Join::Above(None, upper) => floors.extend(self.floor_below(l, upper)),
+                Join::Beside([left, right]) if left.is_none() || right.is_none() => {
                     walls.extend(left.map(|part| (part, 1)));
                     walls.extend(right.map(|part| (part, 0)));
                 }
+                Join::Above(..) | Join::Beside(_) | Join::Over(..) => {}
             }
         }
-        for (part, side) in walls {
+        let wall = |(part, side): (usize, usize)| {
             let (x, rect) = (self.wall(part, side), self.rects[part]);
-            let away = [2.0 * side as f64 - 1.0, 0.0];
-            let ends = [[x, rect.top - 2.0], [x, rect.bottom() + 2.0]];
-            symbols::ground(&mut self.picture, ends, away);
-        }
+            GroundPlace {
+                ends: [[x, rect.top - 2.0], [x, rect.bottom() + 2.0]],
+                away: [2.0 * side as f64 - 1.0, 0.0],
+            }
+        };
+        let mut places: Vec<GroundPlace> = walls.into_iter().map(wall).collect();
         floors.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut joined: Vec<[f64; 2]> = Vec::new();
         for [from, to] in floors {
@@ -49,14 +118,32 @@ impl Painter<'_> {
                 _ => joined.push([from, to]),
             }
         }
-        for [from, to] in joined {
-            let ends = [[from, self.floor], [to, self.floor]];
-            symbols::ground(&mut self.picture, ends, [0.0, 1.0]);
+        let floor = |[from, to]: [f64; 2]| GroundPlace {
+            ends: [[from, self.floor], [to, self.floor]],
+            away: [0.0, 1.0],
+        };
+        places.extend(joined.into_iter().map(floor));
+        places
+    }
+
+    /// Draws a link at its place.
+    fn link(&mut self, place: &LinkPlace) {
+        let own = &self.scheme.links[place.link];
+        let rod = |(_, points): &(usize, Vec<Point>)| Shape::Line(points.clone(), symbols::OUTLINE);
+        self.picture.shapes.extend(place.rods[0].iter().map(rod));
+        link(&mut self.picture, own.kind, place.ends, place.opens);
+        self.picture.shapes.extend(place.rods[1].iter().map(rod));
+        if !own.name.is_empty() {
+            let (at, anchor) = place.name;
+            self.word(at, anchor, markup::escape(&own.name));
+        }
+        for (part, which, at) in &place.attached {
+            self.attach(place.link, *part, *which, *at);
         }
     }
 
-    /// A vertical link; the ground that it needs from left to right.
-    fn above(&mut self, l: usize, lower: Option<usize>, upper: usize) -> Option<[f64; 2]> {
+    /// Where a vertical link is.
+    fn above(&self, l: usize, lower: Option<usize>, upper: usize) -> Option<LinkPlace> {
         let own = &self.scheme.links[l];
         let slot = self.sizes.slots[l]?;
         let x = self.rects[slot.of].left + self.sizes.offset(slot);
@@ -67,9 +154,9 @@ impl Painter<'_> {
             let rect = self.rects[lower];
             x.clamp(rect.left + 4.0, rect.right() - 4.0)
         });
+        let mut rods = [Vec::new(), Vec::new()];
         if (foot - x).abs() > 0.5 {
-            let rod = vec![[foot, top], [foot, top - 3.0], [x, top - 3.0]];
-            self.picture.shapes.push(Shape::Line(rod, symbols::OUTLINE));
+            rods[0].push((0, vec![[foot, top], [foot, top - 3.0], [x, top - 3.0]]));
         }
         let top = if (foot - x).abs() > 0.5 {
             top - 3.0
@@ -77,38 +164,44 @@ impl Painter<'_> {
             top
         };
         let low_is_first = end(own, 0).map(|end| end.0) == lower;
-        // The second part of an impact is right of the first one.
-        let opens = if low_is_first { 1.0 } else { -1.0 };
         // The symbol of a long rod is at its foot.
         let end = bottom.max(top - ROWS);
-        link(&mut self.picture, own.kind, [[x, top], [x, end]], opens);
         if end > bottom {
-            let rod = vec![[x, end], [x, bottom]];
-            self.picture.shapes.push(Shape::Line(rod, symbols::OUTLINE));
+            rods[1].push((1, vec![[x, end], [x, bottom]]));
             // The post of an impact is at one side of the rod.
             if own.kind == LinkKind::Impact {
-                let across = vec![[x - symbols::GAP, end], [x + symbols::GAP, end]];
-                self.picture
-                    .shapes
-                    .push(Shape::Line(across, symbols::OUTLINE));
+                rods[1].push((1, vec![[x - symbols::GAP, end], [x + symbols::GAP, end]]));
             }
         }
-        if !own.name.is_empty() {
-            let away = symbols::across(own.kind) / 2.0 + NAME_GAP;
-            let y = (top + end + style::CAP_HEIGHT * style::LABEL) / 2.0;
-            let (x, anchor) = match slot.name_right {
-                true => (x + away, Anchor::Start),
-                false => (x - away, Anchor::End),
-            };
-            self.word([x, y], anchor, markup::escape(&own.name));
-        }
+        let away = symbols::across(own.kind) / 2.0 + NAME_GAP;
+        let y = (top + end + style::CAP_HEIGHT * style::LABEL) / 2.0;
+        let mut attached = Vec::new();
         if let Some(lower) = lower {
-            self.attach(l, lower, 0, [foot, self.rects[lower].top]);
+            attached.push((lower, 0, [foot, self.rects[lower].top]));
         }
-        self.attach(l, upper, 0, [x, bottom]);
+        attached.push((upper, 0, [x, bottom]));
+        Some(LinkPlace {
+            link: l,
+            ends: [[x, top], [x, end]],
+            of: if low_is_first { [0, 1] } else { [1, 0] },
+            parts: [lower, Some(upper)],
+            // The second part of an impact is right of the first one.
+            opens: if low_is_first { 1.0 } else { -1.0 },
+            rods,
+            name: match slot.name_right {
+                true => ([x + away, y], Anchor::Start),
+                false => ([x - away, y], Anchor::End),
+            },
+            attached,
+        })
+    }
+
+    /// The ground that a vertical link needs, from left to right.
+    fn floor_below(&self, l: usize, upper: usize) -> Option<[f64; 2]> {
+        let slot = self.sizes.slots[l]?;
+        let x = self.rects[slot.of].left + self.sizes.offset(slot);
         let rect = &self.rects[upper];
-        let bar = self.scheme.parts[upper].elements.is_some();
-        lower.is_none().then(|| match bar {
+        Some(match self.scheme.parts[upper].elements.is_some() {
             true => [x - 18.0, x + 18.0],
             false => [rect.left - 6.0, rect.right() + 6.0],
         })
@@ -132,15 +225,15 @@ impl Painter<'_> {
         })
     }
 
-    /// A link between two faces, one of several at different heights.
-    fn beside(&mut self, l: usize) {
+    /// Where a link between two faces is, one of several at different heights.
+    fn beside(&self, l: usize) -> Option<LinkPlace> {
         let Join::Beside(parts) = self.relations.joins[l] else {
-            return;
+            return None;
         };
         let (part, side) = match parts {
             [Some(left), _] => (left, 1),
             [_, Some(right)] => (right, 0),
-            [None, None] => return,
+            [None, None] => return None,
         };
         let alike: Vec<usize> = self
             .at_face(part, side)
@@ -168,27 +261,28 @@ impl Painter<'_> {
             let next = y + lane(own);
             if other == l {
                 let y = next - symbols::height(own.kind) / 2.0;
-                self.horizontal(own, [from, to], y);
-                for (part, x) in parts.into_iter().zip([from, to]) {
-                    part.into_iter()
-                        .for_each(|part| self.attach(l, part, 0, [x, y]));
-                }
+                let ends = [[from, y], [to, y]];
+                let first = end(own, 0).map(|end| end.0) == parts[0];
+                let attached = parts.into_iter().zip(ends);
+                let attached = attached.filter_map(|(part, at)| Some((part?, 0, at)));
+                return Some(LinkPlace {
+                    link: l,
+                    ends,
+                    of: if first { [0, 1] } else { [1, 0] },
+                    parts,
+                    opens: 1.0,
+                    rods: [Vec::new(), Vec::new()],
+                    name: over_symbol(own, ends),
+                    attached: attached.collect(),
+                });
             }
             y = next + free;
         }
+        None
     }
 
-    /// A horizontal link at a height with its name over it.
-    fn horizontal(&mut self, own: &Link, [from, to]: [f64; 2], y: f64) {
-        link(&mut self.picture, own.kind, [[from, y], [to, y]], 1.0);
-        if !own.name.is_empty() {
-            let at = [(from + to) / 2.0, y - symbols::height(own.kind) / 2.0 - 2.0];
-            self.word(at, Anchor::Middle, markup::escape(&own.name));
-        }
-    }
-
-    /// A link over the parts between its own.
-    fn over(&mut self, l: usize, a: usize, b: usize, count: usize) {
+    /// Where a link over the parts between its own is.
+    fn over(&self, l: usize, a: usize, b: usize, count: usize) -> LinkPlace {
         let own = &self.scheme.links[l];
         let parts = match self.rects[a].left <= self.rects[b].left {
             true => [a, b],
@@ -202,19 +296,47 @@ impl Painter<'_> {
             true => (first.left + in_[0], first.right() - in_[0]),
             false => (first.right() - in_[0], second.left + in_[1]),
         };
-        for (x, rect) in [(from, first), (to, second)] {
-            let rod = vec![[x, rect.top], [x, y]];
-            self.picture.shapes.push(Shape::Line(rod, symbols::OUTLINE));
+        let ends = [[from, y], [to, y]];
+        let in_order = end(own, 0).map(|end| end.0) == Some(parts[0]);
+        LinkPlace {
+            link: l,
+            ends,
+            of: if in_order { [0, 1] } else { [1, 0] },
+            parts: parts.map(Some),
+            opens: 1.0,
+            rods: [
+                vec![
+                    (0, vec![[from, first.top], ends[0]]),
+                    (1, vec![[to, second.top], ends[1]]),
+                ],
+                Vec::new(),
+            ],
+            name: over_symbol(own, ends),
+            attached: vec![
+                (parts[0], 0, [from, first.top]),
+                (parts[1], usize::from(a == b), [to, second.top]),
+            ],
         }
-        self.horizontal(own, [from, to], y);
-        self.attach(l, parts[0], 0, [from, first.top]);
-        let which = usize::from(a == b);
-        self.attach(l, parts[1], which, [to, second.top]);
     }
 
     /// An arrow for each load: at a free face of its part, or over it.
     pub fn loads(&mut self) {
+        for load in self.load_places() {
+            if let Some(post) = load.post {
+                let post = Shape::Line(post.to_vec(), symbols::OUTLINE);
+                self.picture.shapes.push(post);
+            }
+            self.picture.shapes.push(Shape::Arrow(load.arrow));
+            if let End::Part(part, Place::Dof(dof)) = load.end {
+                self.attach_dof(part, dof, load.at);
+            }
+        }
+    }
+
+    /// Where the loads are.
+    pub fn load_places(&self) -> Vec<LoadPlace> {
         let mut done: Vec<(usize, usize)> = Vec::new();
+        let mut places = Vec::new();
         for load in &self.scheme.loads {
             let End::Part(part, place) = *load else {
                 continue;
@@ -231,9 +353,10 @@ impl Painter<'_> {
                 Place::Left | Place::Right | Place::Mass | Place::Inner(_) | Place::Dof(_) => 2,
             };
             done.push((part, side));
-            let (from, to) = match (side, place) {
-                (0, _) => ([rect.left - FORCE, middle], [rect.left - 0.5, middle]),
-                (1, _) => ([rect.right(), middle], [rect.right() + FORCE, middle]),
+            let mut post = None;
+            let arrow = match (side, place) {
+                (0, _) => [[rect.left - FORCE, middle], [rect.left - 0.5, middle]],
+                (1, _) => [[rect.right(), middle], [rect.right() + FORCE, middle]],
                 (_, place) => {
                     let x = match place {
                         Place::Left => rect.left + 4.0,
@@ -241,22 +364,27 @@ impl Painter<'_> {
                         Place::Inner(part) => rect.left + part * rect.width,
                     };
                     let y = rect.top - 7.0;
-                    let post = vec![[x, rect.top], [x, y]];
-                    self.picture
-                        .shapes
-                        .push(Shape::Line(post, symbols::OUTLINE));
-                    ([x, y], [x + FORCE, y])
+                    post = Some([[x, rect.top], [x, y]]);
+                    [[x, y], [x + FORCE, y]]
                 }
             };
-            self.picture.shapes.push(Shape::Arrow([from, to]));
-            if let Place::Dof(dof) = place {
-                let at = match side {
+            places.push(LoadPlace {
+                end: *load,
+                arrow,
+                post,
+                at: match side {
                     0 => [rect.left, middle],
                     1 => [rect.right(), middle],
                     _ => [rect.right() - 4.0, rect.top],
-                };
-                self.attach_dof(part, dof, at);
-            }
+                },
+            });
         }
+        places
     }
+}
+
+/// The place of the name over a horizontal symbol.
+fn over_symbol(own: &Link, [from, to]: [Point; 2]) -> (Point, Anchor) {
+    let y = from[1] - symbols::height(own.kind) / 2.0 - 2.0;
+    ([(from[0] + to[0]) / 2.0, y], Anchor::Middle)
 }

@@ -22,6 +22,24 @@ const GREY: u8 = 228;
 
 /// The picture of a scheme with its upper left corner at 0, and its size.
 pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
+    let drawn = with_places(scheme, |mut painter, placed| {
+        painter.parts();
+        painter.links();
+        painter.loads();
+        if let Some(placed) = placed {
+            painter.nodes(placed);
+        }
+        painter.picture
+    });
+    let (mut picture, mut size) = boxed(drawn);
+    if scheme.ground_moves {
+        size[1] = ground_motion(&mut picture, size);
+    }
+    (picture, size)
+}
+
+/// The result of `draw` for a painter that knows the places of the parts and has drawn nothing, and the matrices with places.
+pub fn with_places<T>(scheme: &Scheme, draw: impl FnOnce(Painter<'_>, Option<&Placed>) -> T) -> T {
     let placed = Placed::of(scheme);
     let scheme = placed.as_ref().map_or(scheme, |placed| &placed.outer);
     let relations = Relations::of(scheme);
@@ -35,17 +53,7 @@ pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
         picture: Picture::default(),
     };
     painter.stack(&left);
-    painter.parts();
-    painter.links();
-    painter.loads();
-    if let Some(placed) = &placed {
-        painter.nodes(placed);
-    }
-    let (mut picture, mut size) = boxed(painter.picture);
-    if scheme.ground_moves {
-        size[1] = ground_motion(&mut picture, size);
-    }
-    (picture, size)
+    draw(painter, placed.as_ref())
 }
 
 /// The motion of the ground below a picture of this size, and the height with it.

@@ -49,6 +49,7 @@ impl Placed {
             let first = all.nodes.len();
             first_named[i] = all.interface.len();
             all.nodes.extend(&model.nodes);
+            all.names.extend(model.names.iter().cloned());
             all.held.extend(&model.held);
             let moved = model.couplings.iter();
             all.couplings

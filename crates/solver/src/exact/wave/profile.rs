@@ -27,6 +27,33 @@ impl Wave {
         line
     }
 
+    /// Displacement since t = 0 of bar `i` at `t`, as corners (s, u) of a line, from the corners of [`Wave::profile`] at this time.
+    ///
+    /// u is over c T_I/2, in the frame of the start. The end at the contact has moved by the integral of its velocity; along the bar
+    /// du/ds = -d_1 sigma in the left bar and d_2 theta sigma in the right one.
+    pub fn displacement(&self, i: usize, t: f64, corners: &[[f64; 3]]) -> Vec<[f64; 2]> {
+        let share = self.bars.share()[i];
+        let sign = [-1.0, 1.0][i];
+        let ends = self.pieces.iter().skip(1).map(|piece| piece.start);
+        let pieces = self.pieces.iter().zip(ends.chain([f64::INFINITY]));
+        let mut u = 0.0;
+        for (piece, end) in pieces.filter(|(piece, _)| piece.start < t) {
+            let velocity = piece.free[i] + sign * share * piece.force;
+            u += 2.0 * velocity * (end.min(t) - piece.start.max(0.0));
+        }
+        let slope = sign * share * self.bars.travel_times()[i];
+        let mut line = Vec::with_capacity(corners.len());
+        let mut before: Option<[f64; 3]> = None;
+        for corner in corners {
+            if let Some([s, _, sigma]) = before {
+                u += slope * sigma * (corner[0] - s);
+            }
+            line.push([corner[0], u]);
+            before = Some(*corner);
+        }
+        line
+    }
+
     /// Positions of the fronts on bar `i` at `t`, as s from 0 at the contact to 1 at the free end, both ends included.
     ///
     /// A front at an end has no jump inside the bar at that time, so the lines of [`Wave::profile`] do not show it.

@@ -14,7 +14,8 @@ const DRAWN: u32 = 1000;
 /// The profiles at the steps nearest to `times`, in the order of the times.
 ///
 /// The abscissa is in lengths of the left bar, with the contact at 0; velocity is (v - mean of the two V0)/(c/2); stress is force
-/// over F0, tension positive.
+/// over F0, tension positive; displacement is over c T_I/2,
+/// positive to the right, in the frame of the mean of the two V0, or of the wall.
 pub fn snapshots(system: &System, scaled: &Scaled, times: &[f64]) -> Vec<Snapshot> {
     let steps: Vec<u64> = times
         .iter()
@@ -67,6 +68,7 @@ fn snapshot(
 ) -> Snapshot {
     let mut velocity = Lines::default();
     let mut stress = Lines::default();
+    let mut displacement = Lines::default();
     let mut fronts = Vec::new();
     let mut modes = modes;
     // The motion at a wall is in the frame of the wall; the mean of the two V0 is half of the velocity of the bar.
@@ -90,6 +92,12 @@ fn snapshot(
                 .map(|k| [place(f64::from(k)), sign * field.at(k)[1] - frame])
                 .collect(),
         );
+        let nodes = (0..=n).step_by(stride as usize);
+        displacement.computed.push(
+            nodes
+                .map(|k| [place(f64::from(k)), sign * field.at(k)[0]])
+                .collect(),
+        );
         let elements = (0..n).step_by(stride as usize);
         stress.computed.push(
             elements
@@ -108,12 +116,17 @@ fn snapshot(
         };
         velocity.exact.push(line(&|c| 2.0 * c[1] - frame));
         stress.exact.push(line(&|c| c[2]));
+        let moved = wave.displacement(i, time, &exact).into_iter();
+        displacement
+            .exact
+            .push(moved.map(|[s, u]| [sign * length * s, u]).collect());
         let places = wave.fronts(i, time).into_iter();
         fronts.extend(places.map(|s| sign * length * s));
     }
     Snapshot {
         time,
         profiles: vec![velocity, stress],
+        displacement,
         fronts,
     }
 }
@@ -171,5 +184,52 @@ impl<'a> Field<'a> {
             }
         }
         sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::problem::parameter::Value;
+    use crate::problem::{Case, find};
+
+    /// The ends at the contact are r apart, in the computed and in the exact motion.
+    #[test]
+    fn displacements_of_the_ends_give_r() {
+        let problem = find("bar-impact").unwrap();
+        let unequal = [
+            ("right.E", Value::Number(250.0)),
+            ("right.L", Value::Number(7.0)),
+        ];
+        let wall = [("right", Value::Name("wall")); 1];
+        for own in [&unequal[..], &wall[..], &[]] {
+            let mut given = vec![
+                ("gamma", Value::Number(1.0)),
+                ("n", Value::Whole(12)),
+                ("dt", Value::Number(0.004)),
+                ("duration", Value::Number(3.0)),
+                ("gap", Value::Number(0.3)),
+            ];
+            given.extend(own);
+            let (case, broken) = Case::given(&*problem, &given);
+            assert_eq!(broken, []);
+            let solution = problem.solve(&case, &[]).unwrap();
+            let steps = [0, 1, 37, 120, 200, 310, 480, 750];
+            let times = steps.map(|step| solution.computed.time[step]);
+            let snapshots = problem.snapshots(&case, &times);
+            assert_eq!(snapshots.len(), steps.len());
+            for (step, snapshot) in steps.into_iter().zip(&snapshots) {
+                let motions = [
+                    (&snapshot.displacement.computed, &solution.computed),
+                    (&snapshot.displacement.exact, &solution.exact),
+                ];
+                for (bars, history) in motions {
+                    let right = bars.get(1).map_or(0.0, |bar| bar[0][1]);
+                    let r = 0.3 + right - bars[0][0][1];
+                    let own = history.displacement()[step];
+                    // Round-off of sums over the modes and over the pieces.
+                    assert!((r - own).abs() < 1e-10, "{step}: {r} {own}");
+                }
+            }
+        }
     }
 }

@@ -10,6 +10,7 @@ mod damping;
 mod derived;
 mod describe;
 mod diverge;
+mod friction_limits;
 mod ground;
 pub mod ground_metric;
 pub mod loads;
@@ -42,6 +43,7 @@ pub use signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 
 use super::cases::Cases;
 use super::method;
+use super::unit::Dimension;
 use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
 use crate::history::History;
 use crate::methods::Method;
@@ -407,6 +409,18 @@ impl Problem for StructureProblem {
 
     fn scheme(&self, case: &Case) -> Option<Scheme> {
         scheme::scheme(&self.template, case)
+    }
+
+    fn unit_name(&self, dimension: Dimension) -> Option<String> {
+        let units = units::UnitNames::of(&self.template.units)?;
+        Some(units.of_dimension(dimension))
+    }
+
+    fn friction_limits(&self, case: &Case, motion: &History) -> Vec<Option<Vec<f64>>> {
+        match self.structure(case, Model::Study) {
+            Ok((structure, _)) => friction_limits::of(&structure, self.drawn.len(), motion),
+            Err(_) => Vec::new(),
+        }
     }
 
     fn ground_motion(&self, case: &Case) -> Option<GroundMotion> {

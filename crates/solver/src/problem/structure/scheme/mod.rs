@@ -5,7 +5,7 @@ pub mod model;
 use super::amount::Amount;
 use super::contacts::law_named;
 use super::node::NodeRef;
-use super::template::{Moved, Spring, SpringNumbers, Template, Term};
+use super::template::{Moved, Spring, SpringNumbers, Support, Template, Term};
 use crate::contact::ContactKind;
 use crate::problem::Case;
 use crate::system::import::Dofs;
@@ -47,6 +47,8 @@ pub struct Link {
     pub between: [End; 2],
     /// X, Y, Z in which its end J in matrices moves against end I where r or the extension grows; 0 without ends in matrices.
     pub direction: [f64; 3],
+    /// For an end at a support that moves, its name with its direction, such as `left.x`.
+    pub supports: [Option<String>; 2],
 }
 
 /// The kinds of links.
@@ -134,6 +136,7 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
 
 /// The parts of a scheme, with the interfaces of matrices as far as they are known.
 struct Draft<'a> {
+    template: &'a Template,
     parts: Vec<Part>,
     masses: usize,
     /// Place of the first matrices in the list of parts.
@@ -168,6 +171,7 @@ impl<'a> Draft<'a> {
             rows.push((&*own.imported.dofs, nodes));
         }
         Some(Draft {
+            template,
             parts,
             masses: template.masses.len(),
             blocks,
@@ -214,9 +218,14 @@ impl<'a> Draft<'a> {
             _ => [0.0; 3],
         };
         let nodes = sides.map(|point| point.map_or(NodeRef::Ground, |point| point.node));
+        let support = |node| match node {
+            NodeRef::Support(support) => self.template.supports.get(support),
+            _ => None,
+        };
         Some(Link {
             kind,
             name,
+            supports: nodes.map(|node| support(node).map(Support::full_name)),
             between: nodes.map(|node| self.end(node)),
             direction,
         })

@@ -15,6 +15,8 @@ const HELD: f64 = 1e-6;
 pub struct Model {
     /// X, Y, Z of each node, in the order of the first rows of the nodes; empty if the file has no places.
     pub nodes: Vec<[f64; 3]>,
+    /// Name of each of these nodes.
+    pub names: Vec<String>,
     /// Pairs of nodes, the first one below the second, with an entry of K that is not 0, in rising order; empty without places.
     pub couplings: Vec<[usize; 2]>,
     /// Whether K holds each node to the ground: a motion of all nodes by 1 in some direction has a force there. Empty without places.
@@ -69,9 +71,14 @@ impl Model {
         };
         let couplings: BTreeSet<[usize; 2]> =
             imported.stiffness.entries().filter_map(couples).collect();
+        let mut names = vec![String::new(); count];
+        for (dof, node) in imported.dofs.rows().iter().zip(nodes) {
+            names[*node].clone_from(&dof.node);
+        }
         Model {
             held: held(imported, nodes, count),
             nodes: places,
+            names,
             couplings: couplings.into_iter().collect(),
             interface: Vec::new(),
         }
