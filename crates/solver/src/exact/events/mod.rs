@@ -40,14 +40,14 @@ mod watch;
 pub use book::Book;
 pub use fault::EventsFault;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
+pub(super) use model::Model;
 pub use phase::Phase;
+pub(super) use state_buffers::StateBuffers;
 
 use crate::contact::ContactKind;
 use crate::system::structure::{Contact, Limit, Structure};
-use model::Model;
 use motion::Motion;
 use phase::ContactState;
-use state_buffers::StateBuffers;
 
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,6 +2,7 @@
 
 mod case;
 mod law;
+mod reference;
 mod tables;
 
 use super::cases::Cases;
@@ -9,7 +10,6 @@ use super::method::{self, step_rules};
 use super::{Case, Form, Problem, Schema, Solution, Violation, selected, sweep_cases, time_rules};
 use crate::contact::ContactLaw;
 use crate::exact::coulomb::Coulomb;
-use crate::exact::regularised::{self, Regularised};
 use crate::history::History;
 use crate::lane::Lane;
 use crate::methods::ContactWork;
@@ -19,7 +19,7 @@ use crate::solve::{self, ContactTrack, MetricTable, ToSystem, Unsolvable, Warnin
 use crate::system::System;
 use case::{LANES, OscillatorCase, PlainCase};
 use std::sync::Arc;
-use tables::{BUDGET, LOSSES_AND_COST, SCHEMA, rows};
+use tables::{BUDGET, LOSSES_AND_COST, REFERENCE_ERROR, SCHEMA, rows};
 
 /// A mass on a spring that slides on a surface with Coulomb friction, released at rest from x0 [F Fig. 4].
 #[derive(Debug)]
@@ -43,9 +43,9 @@ impl Problem for FrictionOscillator {
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
-        // Measured: 0.4 us for the motion with the softened law at a step.
         let budget = wanted.iter().any(|row| BUDGET.contains(row));
         if budget {
+            // Measured: 0.4 us for the motion with a law of the papers at a step.
             self.steps(case).saturating_mul(200)
         } else {
             0
@@ -90,12 +90,7 @@ impl Problem for FrictionOscillator {
 
     fn exact_of_law(&self, case: &Case, times: &[f64]) -> Option<History> {
         let case = OscillatorCase::new(case)?;
-        match case.law {
-            ContactLaw::VelocityControl(law) if law.compliance == 0.0 => {
-                Some(coulomb(case.x0, times))
-            }
-            _ => softened(&case, times),
-        }
+        Some(reference::softened(&case, times, false)?.motion)
     }
 }
 
@@ -127,12 +122,19 @@ impl FrictionOscillator {
         let x: Vec<_> = computed.displacement().iter().map(|x| Lane([*x])).collect();
         let own = metrics::friction::evaluate(&x, Lane([work]), &case.exact_at_steps());
         let exact = coulomb(case.x0, &computed.time);
+        let with_error = wanted.contains(&REFERENCE_ERROR);
         let budget = wanted
             .iter()
             .any(|row| BUDGET.contains(row))
-            .then(|| softened(case, &computed.time))
+            .then(|| reference::softened(case, &computed.time, with_error))
             .flatten()
-            .map(|softened| metrics::friction::budget(case.x0, &computed, &exact, &softened));
+            .map(|own| {
+                let parts = metrics::friction::budget(case.x0, &computed, &exact, &own.motion);
+                let [law, step, of_law, of_step] = parts;
+                let coarse = own.coarse.as_ref();
+                let error = coarse.map(|c| metrics::friction::reference(case.x0, &own.motion, c));
+                [law, step, of_law, of_step, error]
+            });
         let metrics = cells(own)
             .into_iter()
             .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
@@ -168,17 +170,4 @@ fn taken(case: &OscillatorCase, track: &ContactTrack) -> [Option<f64>; 5] {
 fn coulomb(x0: f64, times: &[f64]) -> History {
     let coulomb = Coulomb::new(x0);
     History::sample(times, |time| coulomb.at(time).values())
-}
-
-/// The motion with the softened law of the case in continuous time; `None` outside the range of [`regularised::holds`].
-fn softened(case: &OscillatorCase, times: &[f64]) -> Option<History> {
-    let (x0, force, end) = (case.x0, case.force, *times.last()?);
-    let mut motion = match case.law {
-        ContactLaw::DisplacementControl(law) => regularised::holds(x0, law.compliance, force, end)
-            .then(|| Regularised::displacement(x0, law.compliance, force)),
-        ContactLaw::VelocityControl(law) => regularised::holds(x0, law.compliance, 0.0, end)
-            .then(|| Regularised::velocity(x0, law.compliance)),
-        _ => None,
-    }?;
-    Some(History::sample(times, |time| motion.at(time).values()))
 }

@@ -28,7 +28,9 @@ use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
 use std::sync::Arc;
-use tables::{BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, SCHEMA, rows};
+use tables::{
+    BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, REFERENCE_ERRORS, SCHEMA, rows,
+};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -176,14 +178,23 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
     let warnings = case.warnings(|metric| own[metric].0[0]);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
+    let with_error = REFERENCE_ERRORS.into_iter().any(|row| wanted.contains(&row));
     let budget = wants(BUDGET)
-        .then(|| budget::references(&case.scaled, &computed.time))
+        .then(|| budget::references(&case.scaled, &computed.time, with_error))
         .flatten()
-        .map(|[spring, mesh]| metrics::impact::budget(track, &sampled, &spring, &mesh));
+        .map(|own| {
+            let [bars, mesh] = &own.motions;
+            let parts = metrics::impact::budget(track, &sampled, bars, mesh);
+            let coarse = own.coarse.as_ref();
+            let errors = coarse.map(|c| metrics::impact::reference_errors(&own.motions, c));
+            parts.into_iter().chain(errors.unwrap_or([None; 2]))
+        });
+    let budget: Option<Vec<_>> = budget.map(Iterator::collect);
+    let none = vec![None; BUDGET.end - BUDGET.start];
     let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
     let metrics = cells(own)
         .into_iter()
-        .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
+        .chain(budget.unwrap_or(none))
         .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
         .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
         .collect();
