@@ -4,8 +4,8 @@ use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
 };
 use crate::lane::Lane;
 

@@ -4,8 +4,8 @@ use super::element::{DisplacementFriction, Element};
 use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 

@@ -3,7 +3,9 @@
 mod described;
 
 use super::saturation::{self, rise};
-use super::{Cycle, Evolution, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use super::{
+    Cycle, Evolution, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+};
 use crate::lane::Lane;
 
 /// LuGre model [Canudas de Wit, Olsson, Astrom and Lischinsky 1995]: bristles with the mean deflection z,

@@ -200,15 +200,20 @@ impl Contact {
         z: Option<f64>,
         limit: Option<LimitAt>,
     ) -> Option<f64> {
-        self.largest = [self.largest[0].max(r.abs()), self.largest[1].max(rdot.abs())];
+        self.largest = [
+            self.largest[0].max(r.abs()),
+            self.largest[1].max(rdot.abs()),
+        ];
         let law = self.law(limit);
         if let (Some(own), Some(z)) = (law.evolution(), z) {
             let bound = own.bound();
+            let z = self.within(z, bound);
             self.bound = match self.bound {
                 _ if bound <= 0.0 => Some(0.0),
                 Some(0.0) => None,
                 Some(side) => {
-                    let slack = ROUND_OFF * self.pressure(side, side * self.largest[1], limit).abs();
+                    let slack =
+                        ROUND_OFF * self.pressure(side, side * self.largest[1], limit).abs();
                     Some(side).filter(|_| self.pressure(side, rdot, limit) >= -slack)
                 }
                 None if z.abs() >= bound => {
@@ -217,7 +222,7 @@ impl Contact {
                 }
                 None => None,
             };
-            return Some(self.within(z, bound));
+            return Some(z);
         }
         let mut running = self.running;
         let s = self.answer(&mut running, law, [r, rdot], limit);

@@ -16,6 +16,9 @@ const FIRST: f64 = 1e-6;
 /// Part of the last length with which an integration starts anew behind an event.
 const RESTART: f64 = 0.01;
 
+/// Part of the whole motion that counts as its beginning: events are found to the round-off of later times.
+const BEGINNING: f64 = 1e-3;
+
 /// Most steps that find one event: each halves the time in which it is.
 const MOST_HALVES: usize = 120;
 
@@ -112,7 +115,7 @@ impl<'a, F: Flow> Drive<'a, F> {
     /// Takes a step; its error.
     fn attempt(&mut self, h: f64) -> Result<f64, AdaptiveFault> {
         self.left -= self.flow.work();
-        if self.left < 0.0 || h < f64::EPSILON * f64::EPSILON * self.length {
+        if self.left < 0.0 {
             return Err(AdaptiveFault::Work { time: self.t });
         }
         self.step.take(self.flow, self.t, h, &self.y);
@@ -146,7 +149,11 @@ impl<'a, F: Flow> Drive<'a, F> {
         let watched = self.flow.watch(self.t, &self.y);
         let anew = first || self.sides.len() != watched.len();
         let sides = watched.iter().enumerate().map(|(i, watched)| {
-            let Watched { value, least, one_sided } = *watched;
+            let Watched {
+                value,
+                least,
+                one_sided,
+            } = *watched;
             match one_sided {
                 true => 1.0,
                 false if value.abs() > least => value.signum(),
@@ -160,7 +167,7 @@ impl<'a, F: Flow> Drive<'a, F> {
     /// The length of the shortest step at whose end a watched number has another sign; the last step is this one.
     fn locate(&mut self, h: f64) -> Result<f64, AdaptiveFault> {
         let [mut low, mut high] = [0.0, h];
-        let least = f64::EPSILON * self.t.max(f64::EPSILON * self.length);
+        let least = f64::EPSILON * self.t.max(BEGINNING * self.length);
         for _ in 0..MOST_HALVES {
             let middle = 0.5 * (low + high);
             if high - low <= least || middle <= low || middle >= high {

@@ -1,7 +1,7 @@
 //! The equations of a structure: M u'' + C u' + K u + B S = p(t), in the coordinates of a model.
 
-use super::contact::{Contact, LimitAt, Watched};
 use super::Flow;
+use super::contact::{Contact, LimitAt, Watched};
 use crate::exact::events::{Model, State, StateBuffers};
 use crate::system::structure::{Limit, Structure, StructureLaw};
 

@@ -39,8 +39,8 @@ mod watch;
 
 pub use book::Book;
 pub use fault::EventsFault;
-pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub(super) use model::Model;
+pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
 pub(super) use state_buffers::StateBuffers;
 

@@ -178,7 +178,9 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
     let warnings = case.warnings(|metric| own[metric].0[0]);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
-    let with_error = REFERENCE_ERRORS.into_iter().any(|row| wanted.contains(&row));
+    let with_error = REFERENCE_ERRORS
+        .into_iter()
+        .any(|row| wanted.contains(&row));
     let budget = wants(BUDGET)
         .then(|| budget::references(&case.scaled, &computed.time, with_error))
         .flatten()

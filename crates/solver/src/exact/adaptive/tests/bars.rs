@@ -21,8 +21,13 @@ fn bars_on_the_impact_spring_move_as_its_closed_form() {
                 state.velocity - exact.velocity,
                 state.force - exact.force,
             ];
-            let largest = differences.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            assert!(largest < 1e-10 * gamma_n.max(1.0), "{gamma_n} {time}: {differences:?}");
+            let largest = differences
+                .iter()
+                .fold(0.0, |most: f64, x| most.max(x.abs()));
+            assert!(
+                largest < 1e-10 * gamma_n.max(1.0),
+                "{gamma_n} {time}: {differences:?}"
+            );
         }
     }
 }

@@ -18,22 +18,37 @@ fn the_laws_of_the_papers_move_as_their_closed_forms() {
             compliance: width,
             limit: 1.0,
         };
-        let own = at(&friction(ContactLaw::DisplacementControl(law)), &times, TOLERANCE);
+        let own = at(
+            &friction(ContactLaw::DisplacementControl(law)),
+            &times,
+            TOLERANCE,
+        );
         let mut exact = Regularised::displacement(12.0, width, 0.0);
         let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
         // 1e-12 of x0 in a step, of some hundred steps.
-        assert!(distance(&own, &exact, 0) < 1.2e-11, "{width} {}", distance(&own, &exact, 0));
+        assert!(
+            distance(&own, &exact, 0) < 1.2e-11,
+            "{width} {}",
+            distance(&own, &exact, 0)
+        );
         let law = VelocityControl {
             compliance: width,
             limit: 1.0,
         };
-        let own = at(&friction(ContactLaw::VelocityControl(law)), &times, TOLERANCE);
+        let own = at(
+            &friction(ContactLaw::VelocityControl(law)),
+            &times,
+            TOLERANCE,
+        );
         let mut exact = Regularised::velocity(12.0, width);
         let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
-        assert!(distance(&own, &exact, 0) < 1.2e-11, "{width} {}", distance(&own, &exact, 0));
+        assert!(
+            distance(&own, &exact, 0) < 1.2e-11,
+            "{width} {}",
+            distance(&own, &exact, 0)
+        );
     }
 }
-
 
 fn laws() -> Vec<ContactLaw> {
     let [compliance, limit] = [0.1, 1.0];
@@ -91,7 +106,10 @@ fn the_difference_of_two_tolerances_bounds_the_error_of_the_finer_one() {
                 .map(|(state, _)| *state)
                 .collect();
             let own_error = distance(&own, &chosen, 0);
-            assert!(own_error <= estimate, "{law:?} {fine}: {own_error} {estimate}");
+            assert!(
+                own_error <= estimate,
+                "{law:?} {fine}: {own_error} {estimate}"
+            );
         }
         assert!(error < 5e-10, "{law:?}: {error}");
     }
@@ -130,12 +148,22 @@ fn a_mass_bounces_on_springs_as_the_closed_forms_of_the_laws_say() {
         }),
     ];
     for law in laws {
-        let mut structure = one(0.0, StructureLaw::CurvedImpact { law, restitution: 1.0 }, 1.0);
+        let mut structure = one(
+            0.0,
+            StructureLaw::CurvedImpact {
+                law,
+                restitution: 1.0,
+            },
+            1.0,
+        );
         structure.velocity = vec![-2.0];
         let end = at(&structure, &[3.0], TOLERANCE)[0];
         let expected = law.collision(1.0, 2.0).unwrap();
         let restitution = end[1] / 2.0;
         println!("{law:?} {restitution} {expected:?}");
-        assert!((restitution - expected.restitution).abs() < 1e-10, "{law:?}: {restitution}");
+        assert!(
+            (restitution - expected.restitution).abs() < 1e-10,
+            "{law:?}: {restitution}"
+        );
     }
 }
