@@ -184,7 +184,7 @@ fn every_fault_has_its_place_and_says_what_is_allowed() {
 }
 
 #[test]
-fn errors_against_rigid_laws_exist_and_against_curved_ones_do_not() {
+fn errors_against_rigid_laws_and_against_curved_ones_exist() {
     let solve = |reference: &str, metric: &str| {
         let study = parse(&study(STOP, FRICTION, reference, metric));
         let case = study.case(0).unwrap();
@@ -194,11 +194,11 @@ fn errors_against_rigid_laws_exist_and_against_curved_ones_do_not() {
     // The stop returns the mass with about 0.7 of its speed in both motions.
     let error = solve("rigid", "rms_error(x)").unwrap().unwrap();
     assert!(error > 0.0 && error < 0.1, "{error}");
-    for metric in ["step_error(x)", "regularisation_error(x)"] {
-        let why = solve("softened", metric).unwrap_err().to_string();
-        assert!(
-            why.contains("contact stop is curved or damped") && why.contains("\"rigid\""),
-            "{metric}: {why}"
-        );
-    }
+    // The three errors are sides of a triangle.
+    let [total, of_step, of_law] = ["rms_error(x)", "step_error(x)", "regularisation_error(x)"]
+        .map(|metric| solve("rigid", metric).unwrap().unwrap());
+    assert!(total <= of_step + of_law && of_law <= total + of_step, "{total} {of_step} {of_law}");
+    // The integration has a tolerance of 1e-10 of the largest value in a step, or less.
+    let own = solve("softened", "reference_error(x)").unwrap().unwrap();
+    assert!(own < 1e-9 && own < 1e-3 * of_step, "{own} {of_step}");
 }

@@ -241,6 +241,11 @@ fn coupling(structure: &Structure) -> f64 {
     1.0 / (1.0 - largest).max(0.125).sqrt()
 }
 
+/// Whether every law is one of straight lines, so that the motion is known between events.
+pub fn knows_laws(structure: &Structure) -> bool {
+    refuse_laws(structure).is_ok()
+}
+
 /// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines are not known at
 /// nodes without mass, nor from a state that static loads leave and r and S do not tell.
 fn refuse_laws(structure: &Structure) -> Result<(), EventsFault> {

@@ -18,6 +18,14 @@ pub struct Softened {
     pub coarse: Option<History>,
 }
 
+/// Whether the motion with a law has a closed form.
+pub fn in_closed_form(law: &ContactLaw) -> bool {
+    matches!(
+        law,
+        ContactLaw::DisplacementControl(_) | ContactLaw::VelocityControl(_)
+    )
+}
+
 /// The motion at these times; `None` outside the range of [`regularised::holds`], and where the integration does not get to its end
 /// ([`adaptive::AdaptiveFault`]).
 pub fn softened(case: &OscillatorCase, times: &[f64], with_error: bool) -> Option<Softened> {
