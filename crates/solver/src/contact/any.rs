@@ -160,6 +160,13 @@ macro_rules! laws {
                 }
             }
 
+            /// Where S has a corner, see [`Law::corner`].
+            pub fn corner(&self, rdot: f64) -> f64 {
+                match self {
+                    $(ContactLaw::$law(law) => law.corner(rdot)),+
+                }
+            }
+
             /// The law as the papers print it, at r under S; `None` if they do not.
             pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
                 match self {

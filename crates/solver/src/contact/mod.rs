@@ -152,6 +152,11 @@ pub trait Law: Described + Properties {
         None
     }
 
+    /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
+    fn corner(&self, _rdot: f64) -> f64 {
+        0.0
+    }
+
     /// The law as the papers print it, at r under S; `None` if they do not.
     fn element(&self, _r: f64, _s: f64) -> Option<Box<dyn Element>> {
         None

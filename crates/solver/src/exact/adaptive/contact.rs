@@ -189,6 +189,7 @@ impl Contact {
                 let s = self.force([r, rdot], z, limit);
                 let cut = s <= low || s >= high;
                 to.push(two_sided(if cut { 1.0 } else { -1.0 }, 0.5));
+                to.push(two_sided(law.corner(rdot), 0.0));
             }
         }
     }
