@@ -43,7 +43,8 @@ impl Problem for FrictionOscillator {
     }
 
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
-        let budget = wanted.iter().any(|row| BUDGET.contains(row));
+        let needs = |row: &usize| BUDGET.contains(row) || *row == REFERENCE_ERROR;
+        let budget = wanted.iter().any(needs);
         let in_closed_form = || {
             let law = OscillatorCase::new(case).map(|own| own.law);
             law.is_none_or(|law| reference::in_closed_form(&law))
@@ -128,22 +129,23 @@ impl FrictionOscillator {
         let own = metrics::friction::evaluate(&x, Lane([work]), &case.exact_at_steps());
         let exact = coulomb(case.x0, &computed.time);
         let with_error = wanted.contains(&REFERENCE_ERROR);
-        let budget = wanted
-            .iter()
-            .any(|row| BUDGET.contains(row))
+        let with_parts = wanted.iter().any(|row| BUDGET.contains(row));
+        let softened = (with_parts || with_error)
             .then(|| reference::softened(case, &computed.time, with_error))
-            .flatten()
-            .map(|own| {
-                let parts = metrics::friction::budget(case.x0, &computed, &exact, &own.motion);
-                let [law, step, of_law, of_step] = parts;
-                let coarse = own.coarse.as_ref();
-                let error = coarse.map(|c| metrics::friction::reference(case.x0, &own.motion, c));
-                [law, step, of_law, of_step, error]
-            });
+            .flatten();
+        let parts = softened
+            .as_ref()
+            .filter(|_| with_parts)
+            .map(|own| metrics::friction::budget(case.x0, &computed, &exact, &own.motion));
+        let error = softened.as_ref().and_then(|own| {
+            let coarse = own.coarse.as_ref()?;
+            Some(metrics::friction::reference(case.x0, &own.motion, coarse))
+        });
         let metrics = cells(own)
             .into_iter()
-            .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
+            .chain(parts.unwrap_or([None; BUDGET.end - BUDGET.start]))
             .chain(selected(LOSSES_AND_COST, taken(case, track), wanted))
+            .chain([error])
             .collect();
         Ok(Solution {
             computed,

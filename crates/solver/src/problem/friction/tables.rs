@@ -199,10 +199,6 @@ pub(super) static METRICS: [Metric; 19] = [
         "share of the time step in the error: sum (c - g) (c - e) / sum (c - e)^2; the two shares add up to 1",
     ),
     Metric::selected(
-        ["reference_error", "reference error", "1"],
-        "estimated error of g: rms_error of g integrated with a tolerance of 1e-10 against g with 1e-12, at every third step and the last one; empty for the laws of [F], whose g is a closed form",
-    ),
-    Metric::selected(
         ["numerical_dissipation", "numerical dissipation", "1"],
         "energy that the method takes from the motion up to the last step, over the energy at t = 0; below 0 where it adds energy; 0 to round-off for average-acceleration",
     ),
@@ -219,13 +215,17 @@ pub(super) static METRICS: [Metric; 19] = [
         ["numerical_damping", "numerical damping ratio", "1"],
         "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate",
     ),
+    Metric::selected(
+        ["reference_error", "reference error", "1"],
+        "estimated error of g: rms_error of g integrated with a tolerance of 1e-10 against g with 1e-12, at every third step and the last one; empty for the laws of [F], whose g is a closed form",
+    ),
 ];
 
 /// Rows of the parts of the error.
 pub(super) const BUDGET: Rows<usize> =
-    metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "reference_error") + 1;
+    metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
 
-/// Row of the error of the reference.
+/// Row of the error of the reference, the last one.
 pub(super) const REFERENCE_ERROR: usize = metric_of(&METRICS, "reference_error");
 
 /// Rows of what the method takes and costs, and of its amplification.
