@@ -98,6 +98,25 @@ fn steps_tend_to_the_exact_motion() {
 }
 
 #[test]
+fn integrated_motions_tell_their_error() {
+    for (i, law) in LAWS.iter().enumerate() {
+        let text = driven(
+            law,
+            r#""dt": 0.01"#,
+            r#""reference_error(m)", "step_error(m)""#,
+        );
+        let study = study(&text);
+        let solution = study.problem.solve(&study.case(0).unwrap(), &[]).unwrap();
+        let (error, of_step) = (solution.metrics[0], solution.metrics[1].unwrap());
+        match i < 6 {
+            // By events.
+            true => assert_eq!(error, None, "{law}"),
+            false => assert!(error.unwrap() < 1e-4 * of_step, "{law} {error:?} {of_step}"),
+        }
+    }
+}
+
+#[test]
 fn an_axis_may_be_a_number_of_a_table() {
     let table = r#""law": "multilinear", "table": {"r": [0.05, 0.5], "S": [3, "top"]}"#;
     let text = driven(table, r#""dt": 0.01, "top": [3, 5]"#, r#""peak(c.S)""#);
