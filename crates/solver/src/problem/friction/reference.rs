@@ -97,6 +97,7 @@ fn structure(case: &OscillatorCase) -> Structure {
         displacement: vec![case.x0],
         velocity: vec![0.0],
         supports: Vec::new(),
+        observed: None,
         // S at release.
         preload: Preload {
             forces: vec![case.force],

@@ -115,6 +115,7 @@ fn mesh(scaled: &Scaled) -> Structure {
         displacement: vec![0.0; modes.len()],
         velocity,
         supports: Vec::new(),
+        observed: None,
         preload: Default::default(),
     }
 }

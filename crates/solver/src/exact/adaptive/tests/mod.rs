@@ -38,6 +38,7 @@ fn one(k: f64, law: StructureLaw, gap: f64) -> Structure {
         displacement: vec![0.0],
         velocity: vec![0.0],
         supports: Vec::new(),
+        observed: None,
         preload: Preload::default(),
     }
 }
