@@ -153,6 +153,20 @@ macro_rules! laws {
                 }
             }
 
+            /// The law in continuous time, see [`Law::evolution`].
+            pub fn evolution(&self) -> Option<&dyn Evolution> {
+                match self {
+                    $(ContactLaw::$law(law) => law.evolution()),+
+                }
+            }
+
+            /// Where S has a corner, see [`Law::corner`].
+            pub fn corner(&self, rdot: f64) -> f64 {
+                match self {
+                    $(ContactLaw::$law(law) => law.corner(rdot)),+
+                }
+            }
+
             /// The law as the papers print it, at r under S; `None` if they do not.
             pub fn element(&self, r: f64, s: f64) -> Option<Box<dyn Element>> {
                 match self {

@@ -36,9 +36,14 @@ pub struct Step<const L: usize> {
 }
 
 impl Bearing {
+    /// nu N at a velocity >= 0.
+    fn sliding(&self, v: f64) -> f64 {
+        self.limit * (self.ratio + (1.0 - self.ratio) * rise(self.rate * v))
+    }
+
     /// S at a velocity >= 0.
     fn force(&self, v: f64) -> f64 {
-        let limit = self.limit * (self.ratio + (1.0 - self.ratio) * rise(self.rate * v));
+        let limit = self.sliding(v);
         match v < self.compliance * limit {
             true => v / self.compliance,
             false => limit,
@@ -105,6 +110,10 @@ impl Law for Bearing {
 
     fn at_limit(self, limit: f64) -> Self {
         Bearing { limit, ..self }
+    }
+
+    fn corner(&self, rdot: f64) -> f64 {
+        self.sliding(rdot.abs()) - rdot.abs() / self.compliance
     }
 
     #[inline(always)]

@@ -4,8 +4,8 @@ use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
 };
 use crate::lane::Lane;
 
@@ -147,6 +147,10 @@ impl Law for BoucWen {
         BoucWen { limit, ..self }
     }
 
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
         let closed = |law: &BoucWen| law.exponent == 1.0 || law.exponent == 2.0;
@@ -162,6 +166,38 @@ impl Law for BoucWen {
     /// From rest to `reach`, to -`reach` and back.
     fn cycle(&self, reach: f64) -> Cycle {
         curve::over_displacement(*self, reach)
+    }
+}
+
+/// z is S.
+impl Evolution for BoucWen {
+    fn rate(&self, z: f64, rdot: f64) -> f64 {
+        if self.limit <= 0.0 {
+            return 0.0;
+        }
+        let elastic = rdot / self.compliance;
+        if z * rdot <= 0.0 {
+            return elastic;
+        }
+        let part = z.abs() / self.limit;
+        let power = match self.exponent {
+            1.0 => part,
+            2.0 => part * part,
+            n => libm::pow(part, n),
+        };
+        elastic * (1.0 - power).max(0.0)
+    }
+
+    fn force(&self, z: f64, _: f64, _: f64) -> f64 {
+        z
+    }
+
+    fn state(&self, s: f64, _: f64, _: f64) -> f64 {
+        s
+    }
+
+    fn bound(&self) -> f64 {
+        self.limit
     }
 }
 

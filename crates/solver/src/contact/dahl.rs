@@ -4,8 +4,8 @@ use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::saturation;
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
 };
 use crate::lane::Lane;
 
@@ -145,6 +145,10 @@ impl Law for Dahl {
         Dahl { limit, ..self }
     }
 
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
         Step {
@@ -162,6 +166,35 @@ impl Law for Dahl {
     /// From rest to `reach`, to -`reach` and back.
     fn cycle(&self, reach: f64) -> Cycle {
         curve::over_displacement(*self, reach)
+    }
+}
+
+/// z is S.
+impl Evolution for Dahl {
+    fn rate(&self, z: f64, rdot: f64) -> f64 {
+        if self.limit <= 0.0 {
+            return 0.0;
+        }
+        let along = if rdot < 0.0 { -z } else { z };
+        let q = (1.0 - along / self.limit).max(0.0);
+        let power = if self.exponent == 1.0 {
+            q
+        } else {
+            libm::pow(q, self.exponent)
+        };
+        rdot / self.compliance * power
+    }
+
+    fn force(&self, z: f64, _: f64, _: f64) -> f64 {
+        z
+    }
+
+    fn state(&self, s: f64, _: f64, _: f64) -> f64 {
+        s
+    }
+
+    fn bound(&self) -> f64 {
+        self.limit
     }
 }
 

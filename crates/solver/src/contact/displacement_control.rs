@@ -4,8 +4,8 @@ use super::element::{DisplacementFriction, Element};
 use super::numbers::{oscillator, structure};
 use super::offer::{Form, In, InOscillator, Offer};
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, Properties, StepFlexibility,
-    StepLaw, StoredEnergy, Trial, lanes,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, Properties,
+    StepFlexibility, StepLaw, StoredEnergy, Trial, lanes,
 };
 use crate::lane::Lane;
 
@@ -119,6 +119,10 @@ impl Law for DisplacementControl {
         DisplacementControl { limit, ..self }
     }
 
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
         let compliance = lanes(laws, |law| law.compliance);
@@ -157,6 +161,25 @@ impl Law for DisplacementControl {
             [width, limit],
         ];
         (points, vec![3, 4, 7, 8])
+    }
+}
+
+/// z is S.
+impl Evolution for DisplacementControl {
+    fn rate(&self, _: f64, rdot: f64) -> f64 {
+        rdot / self.compliance
+    }
+
+    fn force(&self, z: f64, _: f64, _: f64) -> f64 {
+        z
+    }
+
+    fn state(&self, s: f64, _: f64, _: f64) -> f64 {
+        s
+    }
+
+    fn bound(&self) -> f64 {
+        self.limit
     }
 }
 

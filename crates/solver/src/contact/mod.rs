@@ -25,6 +25,7 @@ mod dahl;
 mod described;
 mod displacement_control;
 pub mod element;
+mod evolution;
 mod fault;
 #[cfg(test)]
 mod friction_tests;
@@ -56,6 +57,7 @@ pub use coupled::{CoupledForces, Unsolved};
 pub use dahl::Dahl;
 pub use described::{ClosedForm, Described, Properties};
 pub use displacement_control::DisplacementControl;
+pub use evolution::Evolution;
 pub use fault::LawFault;
 pub use given::GivenNumbers;
 pub use impact::{
@@ -143,6 +145,16 @@ pub trait Law: Described + Properties {
     /// The law of friction with another limit, the static one in proportion; another law has none.
     fn at_limit(self, _limit: f64) -> Self {
         self
+    }
+
+    /// The law in continuous time, if it has a state; `None` where S follows from r and rdot, and from r and S at the last reversal.
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        None
+    }
+
+    /// A number that changes its sign where S has a corner at this rdot, besides rdot = 0 and the bounds of S; 0 for a law without one.
+    fn corner(&self, _rdot: f64) -> f64 {
+        0.0
     }
 
     /// The law as the papers print it, at r under S; `None` if they do not.

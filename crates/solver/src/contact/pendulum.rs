@@ -4,7 +4,7 @@ use super::number::{Number, Range};
 use super::numbers::structure;
 use super::offer::{Form, In, Offer};
 use super::{
-    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Law, LawFault, Properties,
+    ClosedForm, ContactKind, ContactLaw, Cycle, Described, Evolution, Law, LawFault, Properties,
     StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes,
 };
 use crate::lane::Lane;
@@ -168,6 +168,10 @@ impl Law for Pendulum {
         Pendulum { limit, ..self }
     }
 
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
         let elastic = lanes(laws, |law| 1.0 / law.compliance);
@@ -184,6 +188,25 @@ impl Law for Pendulum {
     /// From rest to `reach`, to -`reach` and back.
     fn cycle(&self, reach: f64) -> Cycle {
         curve::over_displacement(*self, reach)
+    }
+}
+
+/// z is F.
+impl Evolution for Pendulum {
+    fn rate(&self, _: f64, rdot: f64) -> f64 {
+        rdot / self.compliance
+    }
+
+    fn force(&self, z: f64, r: f64, _: f64) -> f64 {
+        z + self.stiffness() * r
+    }
+
+    fn state(&self, s: f64, r: f64, _: f64) -> f64 {
+        s - self.stiffness() * r
+    }
+
+    fn bound(&self) -> f64 {
+        self.limit
     }
 }
 

@@ -183,6 +183,10 @@ impl Law for Stribeck {
         }
     }
 
+    fn corner(&self, rdot: f64) -> f64 {
+        rdot.abs() - self.compliance * self.static_limit
+    }
+
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
         let compliance = lanes(laws, |law| law.compliance);

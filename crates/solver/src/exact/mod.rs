@@ -1,5 +1,6 @@
 //! Exact solutions. They never use the methods of integration, so that computed motions can be compared with them.
 
+pub mod adaptive;
 mod bisection;
 pub mod coulomb;
 pub mod events;

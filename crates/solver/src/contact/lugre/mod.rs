@@ -3,7 +3,9 @@
 mod described;
 
 use super::saturation::{self, rise};
-use super::{Cycle, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots};
+use super::{
+    Cycle, Evolution, Law, StepFlexibility, StepLaw, StoredEnergy, Trial, curve, lanes, roots,
+};
 use crate::lane::Lane;
 
 /// LuGre model [Canudas de Wit, Olsson, Astrom and Lischinsky 1995]: bristles with the mean deflection z,
@@ -137,6 +139,10 @@ impl Law for Lugre {
         }
     }
 
+    fn evolution(&self) -> Option<&dyn Evolution> {
+        Some(self)
+    }
+
     #[inline(always)]
     fn step<const L: usize>(laws: &[Self; L], on: &StepFlexibility<L>) -> Step<L> {
         Step {
@@ -177,6 +183,33 @@ impl Law for Lugre {
             }
         }
         (points, Vec::new())
+    }
+}
+
+/// z is the force of the bristles, sigma0 times their deflection.
+impl Evolution for Lugre {
+    fn rate(&self, z: f64, rdot: f64) -> f64 {
+        let [g, _] = self.strength(rdot);
+        if g <= 0.0 {
+            return 0.0;
+        }
+        self.sigma0 * (rdot - rdot.abs() * z / g)
+    }
+
+    fn force(&self, z: f64, _: f64, rdot: f64) -> f64 {
+        match self.limit > 0.0 {
+            true => z + self.sigma1 / self.sigma0 * self.rate(z, rdot) + self.sigma2 * rdot,
+            false => 0.0,
+        }
+    }
+
+    /// The bristles of a contact that moves are unbent.
+    fn state(&self, s: f64, _: f64, rdot: f64) -> f64 {
+        if rdot == 0.0 { s } else { 0.0 }
+    }
+
+    fn bound(&self) -> f64 {
+        self.static_limit
     }
 }
 

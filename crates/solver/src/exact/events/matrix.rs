@@ -23,6 +23,14 @@ impl Matrix {
         }
     }
 
+    /// Number of stored entries.
+    pub fn entries(&self) -> usize {
+        match self {
+            Matrix::Sparse(rows) => rows.entries(),
+            Matrix::Diagonal(list) | Matrix::Dense(list) => list.len(),
+        }
+    }
+
     /// Subtracts `factor` times the product with `x`.
     pub fn subtract_product(&self, factor: f64, x: &[f64], from: &mut [f64]) {
         match self {

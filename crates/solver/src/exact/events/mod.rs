@@ -39,15 +39,15 @@ mod watch;
 
 pub use book::Book;
 pub use fault::EventsFault;
+pub(super) use model::Model;
 pub use motion::{MOST_EVENTS, MOST_PIECES};
 pub use phase::Phase;
+pub(super) use state_buffers::StateBuffers;
 
 use crate::contact::ContactKind;
 use crate::system::structure::{Contact, Limit, Structure};
-use model::Model;
 use motion::Motion;
 use phase::ContactState;
-use state_buffers::StateBuffers;
 
 /// The motion at one time; at an event, after it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -239,6 +239,11 @@ fn coupling(structure: &Structure) -> f64 {
         .map(|(coupled, node)| coupled / node.mass)
         .fold(0.0, f64::max);
     1.0 / (1.0 - largest).max(0.125).sqrt()
+}
+
+/// Whether every law is one of straight lines, so that the motion is known between events.
+pub fn knows_laws(structure: &Structure) -> bool {
+    refuse_laws(structure).is_ok()
 }
 
 /// Between events every law has to be linear, and every limit the sum of a constant and a signal. Laws of lines are not known at

@@ -13,6 +13,14 @@ pub enum Row {
 }
 
 impl Row {
+    /// Number of stored numbers.
+    pub fn entries(&self) -> usize {
+        match self {
+            Row::Sparse(row) => row.len(),
+            Row::Dense(row) => row.len(),
+        }
+    }
+
     /// The sum of the products with `x`.
     pub fn dot(&self, x: &[f64]) -> f64 {
         match self {

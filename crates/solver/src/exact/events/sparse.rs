@@ -29,6 +29,11 @@ impl Rows {
         }
     }
 
+    /// Number of stored entries.
+    pub fn entries(&self) -> usize {
+        self.entries.len()
+    }
+
     /// Whether all entries are 0.
     pub fn is_zero(&self) -> bool {
         self.entries.is_empty()

@@ -25,6 +25,18 @@ pub fn budget(x0: f64, c: &History, e: &History, g: &History) -> [Option<f64>; 4
     [rms(g, e), rms(c, g), share(g, e), share(c, g)].map(|x| Some(x).filter(|x| x.is_finite()))
 }
 
+/// The error of a motion `g` against `coarse`, which has some of its times: the norm of their difference, defined as `rms_error`.
+pub fn reference(x0: f64, g: &History, coarse: &History) -> f64 {
+    let mut times = g.time.iter().zip(g.displacement());
+    let same = coarse.time.iter().zip(coarse.displacement());
+    let squares = same.filter_map(|(time, coarse)| {
+        let (_, x) = times.find(|(own, _)| *own == time)?;
+        let error = (x - coarse) / x0.abs();
+        Some(error * error)
+    });
+    rms_over_samples(Lane([squares.sum::<f64>()]), coarse.len()).0[0]
+}
+
 /// Displacements of two histories, step by step.
 fn pairs<'a>(c: &'a History, e: &'a History) -> impl Iterator<Item = (f64, f64)> + 'a {
     c.displacement()

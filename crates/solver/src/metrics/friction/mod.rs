@@ -6,7 +6,7 @@ mod budget;
 mod sampled;
 mod work;
 
-pub use budget::budget;
+pub use budget::{budget, reference};
 pub use sampled::Sampled;
 pub use work::{work_by_energy, work_by_steps};
 

@@ -24,6 +24,22 @@ pub fn budget(
     both.map(|x: f64| Some(x).filter(|x| x.is_finite()))
 }
 
+/// Errors of r and rdot of motions against `coarse` ones, which have some of their times: the larger root of the mean square.
+pub fn reference_errors(motions: &[History; 2], coarse: &[History; 2]) -> [Option<f64>; 2] {
+    [0, 1].map(|channel| {
+        let errors = motions.iter().zip(coarse).map(|(motion, coarse)| {
+            let mut own = motion.time.iter().zip(motion.channel(channel));
+            let same = coarse.time.iter().zip(coarse.channel(channel));
+            let squares = same.filter_map(|(time, coarse)| {
+                let (_, x) = own.find(|(own, _)| *own == time)?;
+                Some((x - coarse) * (x - coarse))
+            });
+            (squares.sum::<f64>() / coarse.len() as f64).sqrt()
+        });
+        Some(errors.fold(0.0, f64::max)).filter(|x| x.is_finite())
+    })
+}
+
 /// Three norms and three shares of one component, see [`Sampled::mean`].
 fn parts(
     component: usize,

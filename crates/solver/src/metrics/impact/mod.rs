@@ -7,7 +7,7 @@ mod reference;
 mod sampled;
 mod track;
 
-pub use budget::budget;
+pub use budget::{budget, reference_errors};
 pub use energy::{Energy, damping_work, energy_of_books, step_work};
 pub use reference::reference;
 pub use sampled::Sampled;

@@ -148,7 +148,7 @@ static SCALES: [[Text; 2]; 3] = [
     ],
 ];
 
-pub(super) static METRICS: [Metric; 18] = [
+pub(super) static METRICS: [Metric; 19] = [
     Metric::new(
         ["rms_error", "rms error", "1"],
         "sqrt(mean (c - e)^2) / abs(x0); c is the computed X, e the exact X",
@@ -184,11 +184,11 @@ pub(super) static METRICS: [Metric; 18] = [
     ),
     Metric::selected(
         ["regularisation_error", "regularisation error", "1"],
-        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
+        "error of the softened law alone: rms_error with g instead of c; g is the exact motion with the softened law in continuous time; of the laws of [F] it needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7; of others it is integrated (reference_error), and empty where this needs too many steps or the law is rigid and no Coulomb friction",
     ),
     Metric::selected(
         ["step_error", "step error", "1"],
-        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time; needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7",
+        "error of the time step alone: rms_error with g instead of e; g is the exact motion with the softened law in continuous time; of the laws of [F] it needs alpha or beta from 1e-100 to 1e100, abs(x0) <= 1e100, abs(x0) >= 1e-6 unless initial_slip is unloaded, duration <= 1e7; of others it is integrated (reference_error), and empty where this needs too many steps or the law is rigid and no Coulomb friction",
     ),
     Metric::selected(
         ["regularisation_share", "regularisation share", "1"],
@@ -215,11 +215,18 @@ pub(super) static METRICS: [Metric; 18] = [
         ["numerical_damping", "numerical damping ratio", "1"],
         "-ln(abs(lambda))/phase of the principal eigenvalue lambda of a step without friction, from the closed form of the method; undefined if the step does not oscillate",
     ),
+    Metric::selected(
+        ["reference_error", "reference error", "1"],
+        "estimated error of g: rms_error of g integrated with a tolerance of 1e-10 against g with 1e-12, at every third step and the last one; empty for the laws of [F], whose g is a closed form",
+    ),
 ];
 
 /// Rows of the parts of the error.
 pub(super) const BUDGET: Rows<usize> =
     metric_of(&METRICS, "regularisation_error")..metric_of(&METRICS, "step_share") + 1;
+
+/// Row of the error of the reference, the last one.
+pub(super) const REFERENCE_ERROR: usize = metric_of(&METRICS, "reference_error");
 
 /// Rows of what the method takes and costs, and of its amplification.
 pub(super) const LOSSES_AND_COST: Rows<usize> =

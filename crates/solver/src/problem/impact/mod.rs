@@ -28,7 +28,9 @@ use scaled::Scaled;
 use scales::Scales;
 use std::ops::Range;
 use std::sync::Arc;
-use tables::{BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, SCHEMA, rows};
+use tables::{
+    BUDGET, LOSSES_AND_COST, METHOD, MassMatrix, REFERENCE, REFERENCE_ERRORS, SCHEMA, rows,
+};
 
 /// Two uniform bars that meet end to end, an impact spring between them `[I Fig. 2]`.
 #[derive(Debug)]
@@ -67,7 +69,8 @@ impl Problem for BarImpact {
     fn reference_work(&self, case: &Case, wanted: &[usize]) -> u64 {
         // Measured: 1.3 s at n = 400 and 14 s at n = 1000 for the modes, and 45 to 65 ns for a mode at a step.
         let cube = |n: f64| 8.0 * n * n * n;
-        let budget = wanted.iter().any(|row| BUDGET.contains(row));
+        let needs = |row: &usize| BUDGET.contains(row) || REFERENCE_ERRORS.contains(row);
+        let budget = wanted.iter().any(needs);
         let elements = case.at(rows::N).filter(|_| budget);
         elements.map_or(0, |n| {
             let at_steps = self.work(case).saturating_mul(25);
@@ -176,16 +179,25 @@ fn judge(case: &ImpactCase, run: &Judged, wanted: &[usize]) -> Result<Solution, 
     let own = metrics::impact::evaluate(track, energy, Lane([run.restitution]), &sampled);
     let warnings = case.warnings(|metric| own[metric].0[0]);
     let wants = |rows: Range<usize>| wanted.iter().any(|row| rows.contains(row));
-    let budget = wants(BUDGET)
-        .then(|| budget::references(&case.scaled, &computed.time))
-        .flatten()
-        .map(|[spring, mesh]| metrics::impact::budget(track, &sampled, &spring, &mesh));
+    let (with_parts, with_error) = (wants(BUDGET), wants(REFERENCE_ERRORS));
+    let motions = (with_parts || with_error)
+        .then(|| budget::references(&case.scaled, &computed.time, with_error))
+        .flatten();
+    let parts = motions.as_ref().filter(|_| with_parts).map(|own| {
+        let [bars, mesh] = &own.motions;
+        metrics::impact::budget(track, &sampled, bars, mesh)
+    });
+    let errors = motions.as_ref().and_then(|own| {
+        let coarse = own.coarse.as_ref()?;
+        Some(metrics::impact::reference_errors(&own.motions, coarse))
+    });
     let reference = wants(REFERENCE).then(|| metrics::impact::reference(&wave, &sampled));
     let metrics = cells(own)
         .into_iter()
-        .chain(budget.unwrap_or([None; BUDGET.end - BUDGET.start]))
+        .chain(parts.unwrap_or([None; BUDGET.end - BUDGET.start]))
         .chain(reference.unwrap_or([None; REFERENCE.end - REFERENCE.start]))
         .chain(selected(LOSSES_AND_COST, taken(case, run), wanted))
+        .chain(errors.unwrap_or([None; REFERENCE_ERRORS.end - REFERENCE_ERRORS.start]))
         .collect();
     Ok(Solution {
         computed,

@@ -6,6 +6,7 @@ use super::motion::Energies;
 use super::node::Numbering;
 use super::solve::FEW;
 use crate::contact::ContactKind;
+use crate::exact::adaptive::coarse_times;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Structure, StructureLaw};
 use std::collections::HashMap;
@@ -100,6 +101,8 @@ pub struct Motions {
     pub perturbed: Option<Recorded>,
     /// Exact, with the softened laws.
     pub softened: Option<Recorded>,
+    /// The same at every third step and the last one, if it is integrated: with a coarser tolerance.
+    pub coarse: Option<Recorded>,
     /// Exact, with the rigid laws.
     pub rigid: Option<Recorded>,
     /// Exact, with the softened laws on a finer mesh, and the numbering of that mesh.
@@ -161,6 +164,11 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
             &exact(&motions.rigid)?,
         )),
         Reduction::StepError => Some(reduce::rms_error(&c, &exact(&motions.softened)?)),
+        Reduction::ReferenceError => {
+            let (g, coarse) = (exact(&motions.softened)?, exact(&motions.coarse)?);
+            let same = coarse_times(&g);
+            Some(reduce::rms_error(&same, &coarse))
+        }
         Reduction::MeshError => {
             let (finer, numbering) = motions.finer.as_ref()?;
             let finer = finer.channel(channel, numbering);

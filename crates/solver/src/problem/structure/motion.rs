@@ -4,7 +4,8 @@ use super::channel::{Derived, Number, Quantity};
 use super::derived;
 use super::metric_values::Recorded;
 use super::observer::Observer;
-use crate::exact::events;
+use crate::exact::adaptive::{self, AdaptiveFault};
+use crate::exact::events::{self, EventsFault};
 use crate::lane::Lane;
 use crate::methods::Method;
 use crate::solve::Unsolvable;
@@ -152,19 +153,60 @@ fn value<const L: usize>(state: &State<L>, number: Number) -> Lane<L> {
     }
 }
 
-/// The exact motion at these times.
+/// The exact motion at these times: by events, or, with laws that are not of straight lines, integrated.
 ///
 /// # Errors
-/// [`Unsolvable::Reference`]: the motion has too many events or pieces, or its rigid contacts have no unique forces.
+/// [`Unsolvable::Reference`]: the motion has too many events, pieces or steps, its rigid contacts have no unique forces, or it has a
+/// contact that neither knows.
 pub fn exact(
     structure: &Structure,
     times: &[f64],
     numbers: &[Number],
 ) -> Result<Recorded, Unsolvable> {
+    record(structure, times, numbers, |nodes, visit| {
+        let by_events = events::run_of(structure, nodes, times, &mut *visit);
+        match by_events {
+            Err(EventsFault::Law { .. }) => {}
+            ended => return ended.map_err(|why| why.to_string()),
+        }
+        let ended = adaptive::refuse_large(structure)
+            .and_then(|()| adaptive::run_of(structure, nodes, times, adaptive::TOLERANCE, visit));
+        ended.map_err(|why: AdaptiveFault| why.to_string())
+    })
+}
+
+/// The integrated motion with a coarser tolerance, whose difference tells its error; `None` where the motion is one by events.
+///
+/// # Errors
+/// Those of [`exact`].
+pub fn coarse(
+    structure: &Structure,
+    times: &[f64],
+    numbers: &[Number],
+) -> Result<Option<Recorded>, Unsolvable> {
+    if events::knows_laws(structure) {
+        return Ok(None);
+    }
+    let times = adaptive::coarse_times(times);
+    let recorded = record(structure, &times, numbers, |nodes, visit| {
+        let ended = adaptive::refuse_large(structure)
+            .and_then(|()| adaptive::run_of(structure, nodes, &times, adaptive::COARSE, visit));
+        ended.map_err(|why| why.to_string())
+    });
+    recorded.map(Some)
+}
+
+/// What a motion visits at these times.
+fn record(
+    structure: &Structure,
+    times: &[f64],
+    numbers: &[Number],
+    run: impl FnOnce(&[usize], &mut dyn FnMut(usize, &events::State)) -> Result<(), String>,
+) -> Result<Recorded, Unsolvable> {
     let mut series = vec![Vec::with_capacity(times.len()); numbers.len()];
     let derived: Vec<Derived> = numbers.iter().filter_map(Number::derived).collect();
     let terms = derived::terms(structure, &derived)?;
-    let record = |i: usize, state: &events::State| {
+    let mut visit = |i: usize, state: &events::State| {
         let mut terms = terms.iter();
         for (series, number) in series.iter_mut().zip(numbers) {
             let value = match number {
@@ -188,8 +230,7 @@ pub fn exact(
     // Those behind the nodes are supports.
     let nodes = nodes.into_iter().filter(|node| *node < structure.len());
     let nodes: Vec<usize> = nodes.collect();
-    let ended = events::run_of(structure, &nodes, times, record);
-    ended.map_err(|why| Unsolvable::Reference(why.to_string()))?;
+    run(&nodes, &mut visit).map_err(Unsolvable::Reference)?;
     Ok(Recorded::new(numbers, series, times.len()))
 }
 

@@ -27,9 +27,10 @@ const AGAINST_REFERENCE: [Reduction; 3] = [
 ];
 
 /// Reductions that always need the motion of the softened laws.
-const SOFTENED: [Reduction; 3] = [
+const SOFTENED: [Reduction; 4] = [
     Reduction::StepError,
     Reduction::RegularisationError,
+    Reduction::ReferenceError,
     Reduction::MeshError,
 ];
 
@@ -75,7 +76,13 @@ impl StructureProblem {
         if self.has(&[Reduction::MeshError]) {
             work += self.motion_work(case, Model::Finer(FINER));
         }
-        let at_steps = self.work(case).saturating_mul(30);
+        let outline = assemble::outline(&self.template, case, Model::Study);
+        // An integrated motion has 12 evaluations in a step at least, and 4 where its error is wanted.
+        let of_step = match outline.is_ok_and(|outline| !events::knows_laws(&outline)) {
+            true => 300,
+            false => 30,
+        };
+        let at_steps = self.work(case).saturating_mul(of_step);
         at_steps.saturating_add(work as u64)
     }
 
@@ -228,6 +235,9 @@ impl StructureProblem {
         if self.has(&SOFTENED) || referred && !rigid {
             let exact = motion::exact(structure, &times, &numbers);
             motions.softened = Some(exact.map_err(|why| self.needing(why))?);
+        }
+        if self.has(&[Reduction::ReferenceError]) {
+            motions.coarse = motion::coarse(structure, &times, &numbers)?;
         }
         if self.has(&[Reduction::RegularisationError]) || referred && rigid {
             let exact = motion::exact(&motion::rigid(structure)?, &times, &numbers);

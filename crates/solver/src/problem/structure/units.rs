@@ -53,6 +53,7 @@ impl UnitNames<'_> {
             | Reduction::RegularisationError
             | Reduction::StepError
             | Reduction::MeshError
+            | Reduction::ReferenceError
             | Reduction::ReductionError => {
                 let channel = metric.channel.as_ref()?;
                 Some(self.of_dimension(channel.dimension()))

@@ -4,7 +4,7 @@ use crate::problem::{self, Budget, Metric};
 use std::borrow::Cow::Borrowed;
 use std::ops::Range as Rows;
 
-pub(super) static METRICS: [Metric; 31] = [
+pub(super) static METRICS: [Metric; 33] = [
     Metric::new(
         ["contact_duration", "contact duration/*T*_I_", "T_I"],
         "time from the first zero of r (falling) to the last zero of r (rising), with r interpolated linearly between steps; undefined without contact, and if the bars still touch at the end",
@@ -59,7 +59,7 @@ pub(super) static METRICS: [Metric; 31] = [
             "regularisation error of *r*/(*cT*_I_/2)",
             "c T_I/2",
         ],
-        "error of the softened law alone: rms_error_r of continuous bars on the impact spring, compared with e; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
+        "error of the softened law alone: rms_error_r of continuous bars with the law, compared with e; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
     ),
     Metric::selected(
         [
@@ -67,23 +67,23 @@ pub(super) static METRICS: [Metric; 31] = [
             "regularisation error of *ṙ*/*c*",
             "c",
         ],
-        "error of the softened law alone: rms_error_rdot of continuous bars on the impact spring, compared with e; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
+        "error of the softened law alone: rms_error_rdot of continuous bars with the law, compared with e; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
     ),
     Metric::selected(
         ["mesh_error_r", "mesh error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars on the impact spring; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
+        "error of the mesh alone: rms_error_r of the elements in continuous time, compared with continuous bars with the law; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
     ),
     Metric::selected(
         ["mesh_error_rdot", "mesh error of *ṙ*/*c*", "c"],
-        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars on the impact spring; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
+        "error of the mesh alone: rms_error_rdot of the elements in continuous time, compared with continuous bars with the law; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
     ),
     Metric::selected(
         ["step_error_r", "step error of *r*/(*cT*_I_/2)", "c T_I/2"],
-        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
+        "error of the time step alone: rms_error_r of c, compared with the elements in continuous time; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
     ),
     Metric::selected(
         ["step_error_rdot", "step error of *ṙ*/*c*", "c"],
-        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20",
+        "error of the time step alone: rms_error_rdot of c, compared with the elements in continuous time; of the impact spring for equal bars, gamma n >= 0.404, n <= 1000, gamma n^2 <= 10^20; of other laws, which are integrated (reference_error), for equal bars or a wall, contact nodes with mass, n <= 1000, and where this needs not too many steps; empty for rigid contact",
     ),
     Metric::selected(
         ["regularisation_share_r", "regularisation share of *r*", "1"],
@@ -145,6 +145,14 @@ pub(super) static METRICS: [Metric; 31] = [
         ["cost", "cost", "1"],
         "steps times modes times sub-steps of the method",
     ),
+    Metric::selected(
+        ["reference_error_r", "reference error of *r*", "1"],
+        "estimated error of the two motions between the exact and the computed one: the larger rms of r integrated with a tolerance of 1e-10 less r with 1e-12, at every third step and the last one; empty for the impact spring, whose motions have closed forms",
+    ),
+    Metric::selected(
+        ["reference_error_rdot", "reference error of *ṙ*", "1"],
+        "estimated error of the two motions between the exact and the computed one: the larger rms of rdot integrated with a tolerance of 1e-10 less rdot with 1e-12, at every third step and the last one; empty for the impact spring, whose motions have closed forms",
+    ),
 ];
 
 const fn metric_of(name: &str) -> usize {
@@ -154,6 +162,10 @@ const fn metric_of(name: &str) -> usize {
 /// Rows of the parts of errors.
 pub const BUDGET: Rows<usize> =
     metric_of("regularisation_error_r")..metric_of("step_share_rdot") + 1;
+
+/// Rows of the errors of the motions between, the last ones.
+pub const REFERENCE_ERRORS: Rows<usize> =
+    metric_of("reference_error_r")..metric_of("reference_error_rdot") + 1;
 
 /// Rows of the metrics of the exact motion.
 pub const REFERENCE: Rows<usize> =

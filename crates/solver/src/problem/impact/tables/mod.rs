@@ -3,7 +3,7 @@
 mod metrics;
 mod parameters;
 
-pub(super) use metrics::{BUDGET, LOSSES_AND_COST, REFERENCE};
+pub(super) use metrics::{BUDGET, LOSSES_AND_COST, REFERENCE, REFERENCE_ERRORS};
 pub(super) use parameters::{MassMatrix, Opposite, rows};
 
 use super::law;

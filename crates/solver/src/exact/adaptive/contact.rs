@@ -1,0 +1,252 @@
+//! A contact in continuous time.
+
+use crate::contact::{
+    AnyRunningLaw, ContactLaw, ContactResponse, Flexibility, StepFlexibility, Trial,
+};
+use crate::lane::Lane;
+
+/// Relative size of values that are round-off.
+pub const ROUND_OFF: f64 = 1e-15;
+
+/// A contact between two ends of steps of the integration.
+///
+/// Most laws answer a motion: S follows from r, rdot and their values and S at the last end of a step. As a reversal and a first
+/// touch end a step, this is the force of the law in continuous time. Laws with a state have its rate
+/// ([`crate::contact::Evolution`]).
+#[derive(Debug, Clone)]
+pub struct Contact {
+    law: ContactLaw,
+    /// How much of S the velocity loses at once: 0 where the contact is between masses.
+    h_rate: f64,
+    running: AnyRunningLaw<1>,
+    /// r, rdot and S at the last end of a step.
+    last: [f64; 3],
+    /// The side of the bound at which the state is; 0 if the bound is 0.
+    bound: Option<f64>,
+    /// Largest |r| and |rdot| so far.
+    largest: [f64; 2],
+}
+
+/// A number whose change of sign ends a step of the integration.
+#[derive(Debug, Clone, Copy)]
+pub struct Watched {
+    /// Its value.
+    pub value: f64,
+    /// Smaller values are round-off.
+    pub least: f64,
+    /// Whether it is only watched for values below 0.
+    pub one_sided: bool,
+}
+
+impl Watched {
+    /// Of a change of sign in both directions.
+    pub fn sign(value: f64) -> Watched {
+        Watched {
+            value,
+            least: 0.0,
+            one_sided: false,
+        }
+    }
+}
+
+/// What a limit does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LimitAt {
+    /// Its value.
+    pub value: f64,
+    /// Its rate.
+    pub rate: f64,
+}
+
+impl Contact {
+    /// A contact at r with rdot under S; `memory` is what its law remembers.
+    pub fn new(
+        law: ContactLaw,
+        h_rate: f64,
+        start: [f64; 3],
+        memory: Option<AnyRunningLaw<1>>,
+    ) -> Contact {
+        let on = [flexibility(h_rate); 2];
+        let mut running = memory.unwrap_or_else(|| ContactLaw::running(&[law], &on));
+        running.change(&law, &on);
+        Contact {
+            law,
+            h_rate,
+            running,
+            last: start,
+            bound: None,
+            largest: [0.0; 2],
+        }
+    }
+
+    /// z at the start; `None` for a law without a state.
+    pub fn state(&self) -> Option<f64> {
+        let [r, rdot, s] = self.last;
+        self.law.evolution().map(|law| law.state(s, r, rdot))
+    }
+
+    /// The law with this limit; `None` leaves it.
+    fn law(&self, limit: Option<LimitAt>) -> ContactLaw {
+        limit.map_or(self.law, |limit| self.law.at_limit(limit.value))
+    }
+
+    /// S at a state. `rdot` is without the part that S takes at once.
+    pub fn force(&self, [r, rdot]: [f64; 2], z: Option<f64>, limit: Option<LimitAt>) -> f64 {
+        let law = self.law(limit);
+        match (law.evolution(), z) {
+            (Some(own), Some(z)) => own.force(self.within(z, own.bound()), r, rdot),
+            _ => self.answer(&mut self.running.clone(), law, [r, rdot], limit),
+        }
+    }
+
+    fn answer(
+        &self,
+        running: &mut AnyRunningLaw<1>,
+        law: ContactLaw,
+        [r, rdot]: [f64; 2],
+        limit: Option<LimitAt>,
+    ) -> f64 {
+        if limit.is_some() {
+            running.change(&law, &[flexibility(self.h_rate); 2]);
+        }
+        let [last_r, last_rdot, last_s] = self.last.map(|x| Lane([x]));
+        let trial = Trial {
+            displacement: last_r,
+            velocity: last_rdot,
+            force: last_s,
+            change: Lane([r]) - last_r,
+            rate: Lane([rdot]),
+        };
+        running.force(0, &trial).0[0]
+    }
+
+    /// dz/dt.
+    pub fn rate(&self, z: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
+        let law = self.law(limit);
+        match law.evolution() {
+            Some(own) if self.bound.is_none() => own.rate(self.within(z, own.bound()), rdot),
+            _ => 0.0,
+        }
+    }
+
+    /// z at its bound, or not beyond it.
+    fn within(&self, z: f64, bound: f64) -> f64 {
+        match self.bound {
+            Some(side) => side * bound,
+            None => z.clamp(-bound, bound),
+        }
+    }
+
+    /// How much faster than its bound z would leave it; not below 0 while it stays there.
+    fn pressure(&self, side: f64, rdot: f64, limit: Option<LimitAt>) -> f64 {
+        let rate = limit.map_or(0.0, |limit| limit.rate);
+        let law = self.law(limit);
+        law.evolution()
+            .map_or(0.0, |own| side * own.rate(side * own.bound(), rdot) - rate)
+    }
+
+    /// What is watched at a state.
+    pub fn watch(
+        &self,
+        [r, rdot]: [f64; 2],
+        z: Option<f64>,
+        limit: Option<LimitAt>,
+        to: &mut Vec<Watched>,
+    ) {
+        let [r_scale, rdot_scale] = self.largest.map(|x| ROUND_OFF * x);
+        let two_sided = |value: f64, least: f64| Watched {
+            value,
+            least,
+            one_sided: false,
+        };
+        to.push(two_sided(r, r_scale));
+        to.push(two_sided(rdot, rdot_scale));
+        let law = self.law(limit);
+        match (law.evolution(), z) {
+            (Some(own), Some(z)) => {
+                let bound = own.bound();
+                to.push(match self.bound {
+                    Some(0.0) => Watched {
+                        value: -bound,
+                        least: 0.0,
+                        one_sided: true,
+                    },
+                    None => Watched {
+                        value: bound - z.abs(),
+                        least: 0.0,
+                        one_sided: true,
+                    },
+                    Some(side) => Watched {
+                        value: self.pressure(side, rdot, limit),
+                        least: ROUND_OFF * self.pressure(side, side * self.largest[1], limit).abs(),
+                        one_sided: true,
+                    },
+                });
+                to.push(two_sided(z, ROUND_OFF * bound));
+            }
+            _ => {
+                let [low, high] = law.properties().bounds();
+                let s = self.force([r, rdot], z, limit);
+                let cut = s <= low || s >= high;
+                to.push(two_sided(if cut { 1.0 } else { -1.0 }, 0.5));
+                to.push(two_sided(law.corner(rdot), 0.0));
+            }
+        }
+    }
+
+    /// Takes a state as the last one; returns z there.
+    pub fn commit(
+        &mut self,
+        [r, rdot]: [f64; 2],
+        z: Option<f64>,
+        limit: Option<LimitAt>,
+    ) -> Option<f64> {
+        self.largest = [
+            self.largest[0].max(r.abs()),
+            self.largest[1].max(rdot.abs()),
+        ];
+        let law = self.law(limit);
+        if let (Some(own), Some(z)) = (law.evolution(), z) {
+            let bound = own.bound();
+            let z = self.within(z, bound);
+            self.bound = match self.bound {
+                _ if bound <= 0.0 => Some(0.0),
+                Some(0.0) => None,
+                Some(side) => {
+                    let slack =
+                        ROUND_OFF * self.pressure(side, side * self.largest[1], limit).abs();
+                    Some(side).filter(|_| self.pressure(side, rdot, limit) >= -slack)
+                }
+                None if z.abs() >= bound => {
+                    let side = 1.0_f64.copysign(z);
+                    Some(side).filter(|_| self.pressure(side, rdot, limit) >= 0.0)
+                }
+                None => None,
+            };
+            return Some(z);
+        }
+        let mut running = self.running;
+        let s = self.answer(&mut running, law, [r, rdot], limit);
+        self.running = running;
+        self.last = [r, rdot, s];
+        None
+    }
+}
+
+/// The flexibility of a contact whose motion is given, but for this part of rdot.
+fn flexibility(h_rate: f64) -> StepFlexibility<1> {
+    let zero = Lane([0.0]);
+    let none = Flexibility {
+        h: zero,
+        h_rate: zero,
+    };
+    StepFlexibility {
+        start: none,
+        end: Flexibility {
+            h: zero,
+            h_rate: Lane([h_rate]),
+        },
+        dt: Lane([1.0]),
+        by_impulse: false,
+    }
+}

@@ -1,0 +1,169 @@
+//! One mass.
+
+use super::*;
+
+fn friction(law: ContactLaw) -> Structure {
+    let limit = Limit::constant(1.0);
+    let mut structure = one(1.0, StructureLaw::CurvedFriction { law, limit }, 0.0);
+    structure.displacement = vec![12.0];
+    structure.preload.forces = vec![0.0];
+    structure
+}
+
+#[test]
+fn the_laws_of_the_papers_move_as_their_closed_forms() {
+    let times = times(8.0 * std::f64::consts::PI, 160);
+    for width in [0.01, 0.1, 1.0, 5.0] {
+        let law = DisplacementControl {
+            compliance: width,
+            limit: 1.0,
+        };
+        let own = at(
+            &friction(ContactLaw::DisplacementControl(law)),
+            &times,
+            TOLERANCE,
+        );
+        let mut exact = Regularised::displacement(12.0, width, 0.0);
+        let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
+        // 1e-12 of x0 in a step, of some hundred steps.
+        assert!(
+            distance(&own, &exact, 0) < 1.2e-11,
+            "{width} {}",
+            distance(&own, &exact, 0)
+        );
+        let law = VelocityControl {
+            compliance: width,
+            limit: 1.0,
+        };
+        let own = at(
+            &friction(ContactLaw::VelocityControl(law)),
+            &times,
+            TOLERANCE,
+        );
+        let mut exact = Regularised::velocity(12.0, width);
+        let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
+        assert!(
+            distance(&own, &exact, 0) < 1.2e-11,
+            "{width} {}",
+            distance(&own, &exact, 0)
+        );
+    }
+}
+
+fn laws() -> Vec<ContactLaw> {
+    let [compliance, limit] = [0.1, 1.0];
+    let lugre = Lugre {
+        sigma0: 10.0,
+        sigma1: 0.5,
+        sigma2: 0.1,
+        limit,
+        static_limit: 1.2,
+        stribeck_velocity: 0.5,
+    };
+    let mut laws = vec![ContactLaw::Lugre(lugre)];
+    for exponent in [0.0, 0.5, 1.0, 2.0] {
+        laws.push(ContactLaw::Dahl(Dahl {
+            compliance,
+            limit,
+            exponent,
+        }));
+    }
+    for exponent in [0.5, 1.0, 2.0, 5.0] {
+        laws.push(ContactLaw::BoucWen(BoucWen {
+            compliance,
+            limit,
+            exponent,
+        }));
+    }
+    for compliance in [1e-3, 1e-2, 0.1] {
+        laws.push(ContactLaw::Tanh(Tanh {
+            compliance,
+            limit,
+            ratio: 1.0,
+            rate: 0.0,
+        }));
+    }
+    laws
+}
+
+#[test]
+fn the_difference_of_two_tolerances_bounds_the_error_of_the_finer_one() {
+    let times = times(8.0 * std::f64::consts::PI, 80);
+    for law in laws() {
+        let structure = friction(law);
+        let best = at(&structure, &times, 1e-14);
+        let fine = at(&structure, &times, TOLERANCE);
+        let error = distance(&fine, &best, 0);
+        // The estimate of a study, and the same at a coarser pair.
+        for [fine, coarse] in [[TOLERANCE, COARSE], [1e-9, 1e-7]] {
+            let some = coarse_times(&times);
+            let own = at(&structure, &some, fine);
+            let estimate = distance(&own, &at(&structure, &some, coarse), 0);
+            let chosen: Vec<[f64; 3]> = best
+                .iter()
+                .zip(&times)
+                .filter(|(_, t)| some.contains(t))
+                .map(|(state, _)| *state)
+                .collect();
+            let own_error = distance(&own, &chosen, 0);
+            assert!(
+                own_error <= estimate,
+                "{law:?} {fine}: {own_error} {estimate}"
+            );
+        }
+        assert!(error < 5e-10, "{law:?}: {error}");
+    }
+}
+
+#[test]
+fn elastoplastic_laws_are_one() {
+    // Dahl's model with n = 0 is displacement-control.
+    let times = times(8.0 * std::f64::consts::PI, 80);
+    let [compliance, limit] = [0.1, 1.0];
+    let dahl = ContactLaw::Dahl(Dahl {
+        compliance,
+        limit,
+        exponent: 0.0,
+    });
+    let mut exact = Regularised::displacement(12.0, compliance, 0.0);
+    let exact: Vec<[f64; 3]> = times.iter().map(|t| exact.at(*t).values()).collect();
+    let own = at(&friction(dahl), &times, TOLERANCE);
+    assert!(distance(&own, &exact, 0) < 1.2e-11);
+}
+
+#[test]
+fn a_mass_bounces_on_springs_as_the_closed_forms_of_the_laws_say() {
+    // The restitution of two free masses, m = 1, with a closing speed of 2.
+    let [stiffness, damping] = [50.0, 0.8];
+    let laws = [
+        ContactLaw::Hertz(Hertz { stiffness }),
+        ContactLaw::KelvinVoigt(KelvinVoigt {
+            stiffness,
+            damping: 3.0,
+        }),
+        ContactLaw::HuntCrossley(HuntCrossley { stiffness, damping }),
+        ContactLaw::Jankowski(Jankowski {
+            stiffness,
+            damping: 3.0,
+        }),
+    ];
+    for law in laws {
+        let mut structure = one(
+            0.0,
+            StructureLaw::CurvedImpact {
+                law,
+                restitution: 1.0,
+            },
+            1.0,
+        );
+        structure.velocity = vec![-2.0];
+        let end = at(&structure, &[3.0], TOLERANCE)[0];
+        let expected = law.collision(1.0, 2.0).unwrap();
+        let restitution = end[1] / 2.0;
+        println!("{law:?} {restitution} {expected:?}");
+        assert!(
+            (restitution - expected.restitution).abs() < 1e-10,
+            "{law:?}: {restitution}"
+        );
+    }
+}

@@ -1,0 +1,149 @@
+//! Structures, against the motions by events of laws of straight lines.
+
+use super::*;
+use std::sync::Arc;
+
+/// A chain of three masses under a table and a sine, an impact between the first two, friction with a limit that changes in time at
+/// the last one.
+fn chain(law: impl Fn(Limit) -> StructureLaw) -> Structure {
+    let mut chain = one(3.0, law(limit()), 0.0);
+    let node = chain.nodes[0].clone();
+    chain.nodes = vec![node.clone(), node.clone(), node];
+    chain.stiffness = Symmetric::zeros(3);
+    chain.damping = Symmetric::zeros(3);
+    chain.coupled_mass = Symmetric::zeros(3);
+    for (i, j, k) in [(0, 0, 5.0), (1, 1, 7.0), (2, 2, 4.0), (1, 2, -3.0)] {
+        let (row, column) = (i.max(j), i.min(j));
+        chain.stiffness.add(row, column, k);
+        chain.damping.add(row, column, 0.01 * k);
+    }
+    chain.contacts[0].along = vec![(2, 1.0)];
+    chain.contacts.push(Contact {
+        name: "gap".into(),
+        along: vec![(0, -1.0), (1, 1.0)],
+        gap: 0.2,
+        law: StructureLaw::ImpactSpring { stiffness: 400.0 },
+    });
+    let table = Table::new(
+        vec![0.0, 0.7, 1.9, 1.9, 3.3, 8.0],
+        vec![0.0, 2.5, -3.0, 1.0, 2.0, 0.0],
+    );
+    let sine = Signal::Sine {
+        amplitude: 2.0,
+        omega: 1.7,
+        phase: 0.3,
+    };
+    for (node, signal) in [(0, Signal::Table(table.unwrap())), (2, sine)] {
+        chain.loads.push(Load {
+            pattern: vec![(node, 1.0)],
+            signal: Arc::new(signal),
+        });
+    }
+    chain.displacement = vec![0.1, 0.0, 0.4];
+    chain.velocity = vec![0.0, -0.5, 0.0];
+    chain
+}
+
+/// 0.6 and a table, which makes it 0 for some time.
+fn limit() -> Limit {
+    let table = Table::new(
+        vec![0.0, 2.0, 3.0, 5.0, 6.0],
+        vec![0.0, 0.5, -1.0, -0.9, 0.3],
+    );
+    Limit {
+        varying: Some((1.0, Arc::new(Signal::Table(table.unwrap())))),
+        ..Limit::constant(0.6)
+    }
+}
+
+#[test]
+fn laws_of_lines_move_as_by_events() {
+    let times = times(10.0, 250);
+    let elastic = |limit| StructureLaw::DisplacementControl {
+        stiffness: 20.0,
+        limit,
+    };
+    let viscous = |limit| StructureLaw::VelocityControl {
+        viscosity: 5.0,
+        limit,
+    };
+    for structure in [chain(elastic), chain(viscous)] {
+        let [own, exact] = [
+            at(&structure, &times, TOLERANCE),
+            by_events(&structure, &times),
+        ];
+        // Events err by 1e-12 of the largest value, too; impacts make errors grow.
+        for component in 0..3 {
+            let error = distance(&own, &exact, component);
+            println!("{component} {error:e}");
+            assert!(error < 1e-9, "{component}: {error}");
+        }
+    }
+}
+
+#[test]
+fn laws_with_a_state_follow_a_limit_that_changes() {
+    // Dahl's model with n = 0 is displacement-control, and a pendulum of a very large radius, too.
+    let times = times(10.0, 250);
+    let elastic = |limit| StructureLaw::DisplacementControl {
+        stiffness: 20.0,
+        limit,
+    };
+    let exact = by_events(&chain(elastic), &times);
+    let [compliance, constant] = [0.05, 0.6];
+    let dahl = ContactLaw::Dahl(Dahl {
+        compliance,
+        limit: constant,
+        exponent: 0.0,
+    });
+    let pendulum = ContactLaw::Pendulum(Pendulum {
+        compliance,
+        limit: constant,
+        restoring: 1e-14,
+        at_rest: [constant, 1.0],
+    });
+    for law in [dahl, pendulum] {
+        let structure = chain(|limit| StructureLaw::CurvedFriction { law, limit });
+        let own = at(&structure, &times, TOLERANCE);
+        let error = distance(&own, &exact, 0);
+        println!("{error:e}");
+        assert!(error < 1e-9, "{law:?}: {error}");
+    }
+}
+
+#[test]
+fn what_the_integration_does_not_know_is_said() {
+    let of = |law| run_of(&one(1.0, law, 0.0), &[0], &[1.0], TOLERANCE, |_, _| {});
+    let rigid = of(StructureLaw::Coulomb {
+        limit: Limit::constant(1.0),
+    });
+    let text = rigid.unwrap_err().to_string();
+    assert!(text.starts_with("contact floor is rigid, which"), "{text}");
+    let limit = Limit {
+        pressed_by: Some((0, 0.3)),
+        ..Limit::constant(1.0)
+    };
+    let text = of(StructureLaw::VelocityControl {
+        viscosity: 5.0,
+        limit,
+    });
+    let text = text.unwrap_err().to_string();
+    assert!(
+        text.contains("has a limit that follows another contact"),
+        "{text}"
+    );
+    // A law that is nearly vertical: steps of its width would take too long.
+    let mut stiff = one(
+        1.0,
+        StructureLaw::VelocityControl {
+            viscosity: 1e12,
+            limit: Limit::constant(1.0),
+        },
+        0.0,
+    );
+    stiff.displacement = vec![12.0];
+    let model = Model::new(&stiff).unwrap();
+    let text = run_model(model, &[0], &[20.0], [TOLERANCE, 1e5], |_, _| {});
+    let text = text.unwrap_err().to_string();
+    assert!(text.contains("needs too many steps from t = "), "{text}");
+}
