@@ -11,7 +11,7 @@ fn study(metrics: &str, more: &str) -> Study {
     let text = format!(
         r#"{{"problem": "structure", "parameters": {{"gamma": [1, 2, 4], "gap": [0.01, 0.05], "speed": [0.1, 1], "h": 3.2,
           "F1": "1000*gamma + h", "dt": 0.01, "duration": 2}}, "metrics": [{metrics}, "peak(m)", "max(m)", "peak(stop.S)"],
-          "structure": {{"masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": 20}}],
+          "structure": {{"masses": {{"m": 1}}, "springs": [{{"between": ["ground", "m"], "k": "20 + 0*F1"}}],
           "contacts": {{"stop": {{"law": "impact", "between": ["ground", "m"], "gap": "gap", "k": "1000*gamma"}}}},
           "start": {{"m": {{"v": "-speed"}}}}}}{more}}}"#
     );

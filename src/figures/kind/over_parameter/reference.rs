@@ -80,9 +80,10 @@ mod tests {
                 symbol: String::new(),
                 unit: String::new(),
                 meaning: String::new(),
-                metric,
+                metric: Some(metric),
                 dimension,
                 reduction: None,
+                computed: None,
             };
             names.iter().enumerate().map(one).collect::<Vec<_>>()
         };
