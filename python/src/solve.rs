@@ -98,7 +98,7 @@ fn columns(study: &Study, case: &Case, solution: &problem::Solution) -> Vec<(Str
     cases.push(case);
     let mut table = MetricTable::new(1, study.problem.metrics().len());
     table.put(0, Ok(solution.metrics.clone()));
-    let table = batch::with_unit_columns(study, &cases, table);
+    let table = batch::with_computed_columns(study, &cases, table);
     let row: Vec<Option<f64>> = table.row(0).collect();
     let columns = study.columns.iter();
     let value = |metric: usize| row.get(metric).copied().flatten();

@@ -2,6 +2,7 @@
 
 pub mod chunk;
 mod compute;
+mod computed;
 pub mod cost;
 pub mod divergence;
 pub mod groups;
@@ -21,12 +22,14 @@ pub mod store;
 #[cfg(test)]
 mod tests_columns;
 #[cfg(test)]
+mod tests_computed;
+#[cfg(test)]
 mod tests_samples;
-mod units;
 mod warned;
 pub mod work_progress;
 
 pub use compute::{keep_memory, solution};
+pub use computed::with_computed_columns;
 pub use groups::GroupResults;
 pub use missing::{MissingParts, missing_parts};
 pub use options::{OnSolution, RunOptions};
@@ -34,7 +37,6 @@ pub use part_result::{Outcome, PartResult};
 pub use reduced::reduced;
 pub use shard::{Shard, ShardFault, ShardResult, run_shard, shard_of};
 pub use shown::{DrawnCase, Needed, ShownCases};
-pub use units::with_unit_columns;
 pub use warned::{WarnedCases, WarningCounts};
 
 use indicatif::ProgressBar;
@@ -48,9 +50,30 @@ use store::Store;
 /// Runs every case, part by part. `take` receives the parts in order, each as soon as it and all parts before it are
 /// finished. An error of `take` ends the run.
 ///
+/// A ratio to a reference case needs the results of all cases: `take` then receives the parts after the last one.
+///
 /// # Errors
 /// The first of `on_solution`, of the store or of `take`.
 pub fn run(
+    study: &Study,
+    bar: &ProgressBar,
+    options: &RunOptions,
+    mut take: impl FnMut(PartResult) -> Result<(), Error> + Send,
+) -> Result<(), Error> {
+    if !study.has_ratios() {
+        return run_parts(study, bar, options, take);
+    }
+    let mut parts = Vec::new();
+    run_parts(study, bar, options, |part| {
+        parts.push(part);
+        Ok(())
+    })?;
+    computed::add_ratios(study, &mut parts);
+    parts.into_iter().try_for_each(&mut take)
+}
+
+/// Runs every case, part by part, without ratios.
+fn run_parts(
     study: &Study,
     bar: &ProgressBar,
     options: &RunOptions,

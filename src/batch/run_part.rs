@@ -5,7 +5,7 @@ use super::key::{CaseHash, Key};
 use super::options::RunOptions;
 use super::part_result::{PartResult, Solutions};
 use super::store::{EarlierCases, Miss, Store};
-use super::{compute, units};
+use super::{compute, computed};
 use indicatif::ProgressBar;
 use slipgap_solver::problem::cases::Cases;
 use slipgap_solver::solve::MetricTable;
@@ -53,7 +53,7 @@ pub(super) fn run_part(
     };
     Ok(PartResult {
         first,
-        metrics: units::with_unit_columns(study, &cases, metrics),
+        metrics: computed::with_computed_columns(study, &cases, metrics),
         cases,
         solutions,
         stored,

@@ -1,11 +1,11 @@
 //! The test of a reading by the cases of its study.
 
 use super::Finding;
-use super::ledger::{Demand, Expect, Over, Reading};
+use super::ledger::{Demand, Expect, Reading};
 use super::within::{Limits, Met, within};
 use crate::batch::{self, Outcome};
 use slipgap_solver::problem::{Lines, Problem, Snapshot};
-use slipgap_study::Study;
+use slipgap_study::{Reference, Study};
 
 /// Tests everything that a reading expects.
 pub fn reading(study: &Study, outcomes: &[Outcome], reading: &Reading) -> Finding {
@@ -142,7 +142,7 @@ fn expectation(study: &Study, outcomes: &[Outcome], expect: &Expect) -> Met {
 }
 
 /// The case that a metric is divided by.
-fn partner<'a>(over: &Over, outcome: &Outcome, all: &'a [Outcome]) -> Option<&'a Outcome> {
+fn partner<'a>(over: &Reference, outcome: &Outcome, all: &'a [Outcome]) -> Option<&'a Outcome> {
     all.iter()
         .find(|other| over.pairs(&outcome.case, &other.case))
 }

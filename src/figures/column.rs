@@ -12,10 +12,10 @@ pub fn value(shown: &DrawnCase, column: ColumnRef) -> Option<f64> {
 }
 
 /// The title of a column, in markup.
-pub fn title(study: &Study, column: ColumnRef) -> &str {
+pub fn title(study: &Study, column: ColumnRef) -> String {
     match column {
-        ColumnRef::Parameter(row) => &study.problem.parameters()[row].symbol,
-        ColumnRef::Metric(row) => &study.measures[row].symbol,
+        ColumnRef::Parameter(row) => study.problem.parameters()[row].title(),
+        ColumnRef::Metric(row) => study.measures[row].symbol.clone(),
     }
 }
 

@@ -201,7 +201,13 @@ pub fn value_label(parameter: &Parameter, value: Value, digits: usize) -> String
     match value {
         Value::Name(name) => markup::escape(name),
         Value::Number(_) | Value::Whole(_) => {
-            format!("{} = {}", parameter.symbol, number::value(value, digits))
+            let unit = parameter.shown_unit.as_ref();
+            let unit = unit.map_or(String::new(), |unit| format!(" {}", markup::escape(unit)));
+            format!(
+                "{} = {}{unit}",
+                parameter.symbol,
+                number::value(value, digits)
+            )
         }
     }
 }

@@ -6,6 +6,7 @@
 
 mod axes;
 mod cases;
+mod computed;
 mod decode;
 mod describe;
 pub mod error;
@@ -21,6 +22,7 @@ pub mod value;
 
 // For the ledger of claims, which has the same syntax.
 pub use cases::{alike, scope};
+pub use computed::reference;
 pub use figure::reduced;
 pub use source::{faults, input, object, place, tree};
 
@@ -29,6 +31,7 @@ pub use cases::design::{Design, Sampling};
 pub use cases::filter::Filter;
 pub use cases::group::{Axis, AxisGroup};
 pub use cases::values::Values;
+pub use computed::{Computed, Found, Partners, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
 pub use describe::{reference, schema, start};
@@ -64,11 +67,11 @@ pub struct Study {
     pub blocks: Vec<Block>,
     /// Names of the units of its parameters, if the study has results in units.
     pub units: Option<Units>,
-    /// The rows of `problem.metrics()`, then those in the units of the study, then the reductions.
+    /// The rows of `problem.metrics()`, then those in the units of the study, then what is computed from these, then the reductions.
     pub measures: Vec<Measure>,
     /// Rows of `problem.metrics()` that are computed and stored, in the order of the table.
     pub metrics: Vec<usize>,
-    /// Rows of `measures` that are columns of results.csv: each metric, then the same in units.
+    /// Rows of `measures` that are columns of results.csv: each metric, then the same in units; then what is computed from others.
     pub columns: Vec<usize>,
     /// Rows of `problem.parameters()` over which the cases are an ensemble; empty if the study has none.
     pub ensemble: Vec<usize>,

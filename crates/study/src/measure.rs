@@ -1,5 +1,6 @@
 //! The metrics of a study: those of its problem, the same in the units of the study, and their reductions.
 
+use super::computed::Computed;
 use super::reduction::Reduction;
 use super::units::Units;
 use slipgap_solver::problem::unit::Dimension;
@@ -16,12 +17,14 @@ pub struct Measure {
     pub unit: String,
     /// The formula as text.
     pub meaning: String,
-    /// Row of `problem.metrics()`: the metric itself, or the one that is reduced.
-    pub metric: usize,
+    /// Row of `problem.metrics()`: the metric itself, or the one that is reduced; `None` for one that is computed from others.
+    pub metric: Option<usize>,
     /// The dimension of a metric in the units of the study; `None` for the scaled metric.
     pub dimension: Option<Dimension>,
     /// How it is reduced; `None` for a metric, which each case has.
     pub reduction: Option<Reduction>,
+    /// How it is computed from others; `None` for a metric of the problem and for a reduction.
+    pub computed: Option<Computed>,
 }
 
 impl Measure {
@@ -50,9 +53,10 @@ pub fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Measure> {
         symbol: metric.symbol.to_string(),
         unit: metric.unit.to_string(),
         meaning: metric.meaning.to_string(),
-        metric: row,
+        metric: Some(row),
         dimension: None,
         reduction: None,
+        computed: None,
     });
     let in_units = units.into_iter().flat_map(|units| {
         metrics().filter_map(move |(row, metric)| {
@@ -63,9 +67,10 @@ pub fn measures(problem: &dyn Problem, units: Option<&Units>) -> Vec<Measure> {
                 symbol: units.title(problem, &metric.symbol, scale.dimension),
                 unit: units.of(scale.dimension),
                 meaning: format!("{} times {}", metric.name, scale.name),
-                metric: row,
+                metric: Some(row),
                 dimension: Some(scale.dimension),
                 reduction: None,
+                computed: None,
             })
         })
     });
@@ -77,8 +82,10 @@ pub(super) fn columns(measures: &[Measure], metrics: &[usize]) -> Vec<usize> {
     let of = |metric: &usize| {
         let metric = *metric;
         let rows = measures.iter().enumerate();
-        rows.filter(move |(_, measure)| measure.metric == metric && measure.reduction.is_none())
-            .map(|(row, _)| row)
+        rows.filter(move |(_, measure)| {
+            measure.metric == Some(metric) && measure.reduction.is_none()
+        })
+        .map(|(row, _)| row)
     };
     metrics.iter().flat_map(of).collect()
 }

@@ -6,8 +6,7 @@ mod over;
 
 pub use decode::read;
 
-use slipgap_solver::problem::parameter::Parameter;
-use slipgap_study::{Filter, Study};
+use slipgap_study::{Filter, Reference, Study};
 use std::path::PathBuf;
 
 /// The claims of one paper, or of the literature on one subject.
@@ -72,29 +71,9 @@ pub struct Expect {
     /// The cases that it applies to.
     pub filter: Filter,
     /// What the metric is divided by, if it is.
-    pub over: Option<Over>,
+    pub over: Option<Reference>,
     /// What must be true of these cases.
     pub demand: Demand,
-}
-
-/// What a metric is divided by: the same metric of the case with some other values that is otherwise the same.
-#[derive(Debug)]
-pub struct Over {
-    /// The other values, one for each parameter.
-    pub filter: Filter,
-    /// Rows of the parameters that both cases share, unless one of them does not have the parameter.
-    pub shared: Vec<usize>,
-}
-
-impl Over {
-    /// The other values, as in `law = kelvin-voigt, n = 5`.
-    pub fn text(&self, table: &[Parameter]) -> String {
-        let values = self.filter.0.iter().flat_map(|(row, wanted)| {
-            let name = &table[*row].name;
-            wanted.iter().map(move |value| format!("{name} = {value}"))
-        });
-        values.collect::<Vec<_>>().join(", ")
-    }
 }
 
 /// What must be true of the cases. Metrics are rows of the study's measures; `along` is a row of `problem.parameters()`.

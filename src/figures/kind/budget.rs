@@ -65,7 +65,7 @@ impl Draw for Budget {
         let width = figure.width.unwrap_or(usual);
         let grid = layout::grid(width, columns, &vec![height; rows], &axes, 6.0);
         let at = cases.iter().filter_map(|c| c.number(*x));
-        let title = &parameters[*x].symbol;
+        let title = &parameters[*x].title();
         let across = limits::axis(title, at, Scale::Log, x_range, grid.width / 40.0);
 
         let mut sheet = Sheet {

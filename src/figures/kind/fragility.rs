@@ -262,7 +262,7 @@ fn of_curves<'a, 'c>(
 /// The title of the horizontal axis.
 fn axis_title(figure: &Fragility, study: &Study) -> String {
     match figure.x {
-        ColumnRef::Parameter(row) => study.problem.parameters()[row].symbol.to_string(),
+        ColumnRef::Parameter(row) => study.problem.parameters()[row].title(),
         ColumnRef::Metric(row) => study.measures[row].symbol.clone(),
     }
 }

@@ -14,6 +14,7 @@ use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
 use slipgap_solver::problem::escape;
+use slipgap_solver::problem::schema::NO_VALUE;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Map;
 use std::collections::HashSet;
@@ -90,7 +91,7 @@ impl Draw for Map {
             // Contours reach from the first place to the last, cells half-way beyond them.
             let ends = if contoured { places } else { edges };
             let range = [ends[0], ends[ends.len() - 1]];
-            let title = parameters[row].symbol.to_string();
+            let title = parameters[row].title();
             match scale {
                 Scale::Linear => ticks::linear(&title, range, most),
                 Scale::Log => ticks::log_range(&title, range, most),
@@ -149,7 +150,11 @@ impl Draw for Map {
         if let (Some(map), false) = (&mut panel.map, hatched.is_empty()) {
             map.hatched = hatched;
             keys.push(Key {
-                label: escape(&study.problem.metrics()[metric.metric].empty),
+                label: escape(
+                    metric
+                        .metric
+                        .map_or(NO_VALUE, |row| &study.problem.metrics()[row].empty),
+                ),
                 stroke: Stroke::Solid,
                 width: 0.0,
                 marker: Some(Marker::Hatched),

@@ -49,7 +49,7 @@ impl Draw for Quantiles {
         let axes: Vec<Axis> = self.y.iter().zip(&panels).map(up).collect();
         let grid = layout::grid(width, 1, &vec![height; self.y.len()], &axes, 4.0);
         let places = panels.iter().flatten().flatten().map(|(x, _)| *x);
-        let title = &study.problem.parameters()[self.x].symbol;
+        let title = &study.problem.parameters()[self.x].title();
         let across = limits::axis(title, places, x_scale, x_range, grid.width / 40.0);
         let longest = panels.iter().flatten().map(Vec::len).max().unwrap_or(0);
         let marker = |k: usize| (longest <= MOST_MARKED).then_some(Marker::of_case(k));

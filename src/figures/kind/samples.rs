@@ -53,7 +53,7 @@ impl Draw for Samples {
         });
         let height = (width / count.max(1) as f64 - 20.0).clamp(40.0, 150.0);
         let axis = |of_it: (ColumnRef, Scale), room: f64| -> Axis {
-            limits::axis(title(study, of_it.0), column(of_it), of_it.1, None, room)
+            limits::axis(&title(study, of_it.0), column(of_it), of_it.1, None, room)
         };
         let ys: Vec<Axis> = up.iter().map(|row| axis(*row, height / 24.0)).collect();
         // The colours have the axis of the last row, so that the bar continues it.

@@ -40,17 +40,23 @@ impl Draw for Scatter {
         let height = 190.0;
         let [x_range, y_range] = figure.ranges;
         let heights = limits::heights(points.iter().map(|(at, _)| at), x_range).into_iter();
-        let y_axis = limits::axis(title(study, *y), heights, scales[1], y_range, height / 24.0);
+        let y_axis = limits::axis(
+            &title(study, *y),
+            heights,
+            scales[1],
+            y_range,
+            height / 24.0,
+        );
         let colours: Option<Axis> = colour.map(|column| {
             let values = points.iter().filter_map(|(_, value)| *value);
-            bar::axis(title(study, column), values, scales[2], None)
+            bar::axis(&title(study, column), values, scales[2], None)
         });
         let right = colours.as_ref().map_or(4.0, bar::room);
         let width = figure.width.unwrap_or(1.3 * style::SINGLE);
         let grid = layout::grid(width, 1, &[height], std::slice::from_ref(&y_axis), right);
         let places = points.iter().map(|(at, _)| at[0]);
         let most = grid.width / 40.0;
-        let x_axis = limits::axis(title(study, *x), places, scales[0], x_range, most);
+        let x_axis = limits::axis(&title(study, *x), places, scales[0], x_range, most);
         let frame = grid.frames[0][0];
         let mut panel = Panel::new(frame, grid.margin, x_axis, y_axis);
         let lacking = without_dot(points.len(), cases.len());

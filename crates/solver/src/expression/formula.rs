@@ -35,7 +35,7 @@ impl fmt::Display for ExpressionFault {
 impl std::error::Error for ExpressionFault {}
 
 /// A parsed expression. Its evaluation fails only if a number is not finite or a value is missing.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Formula {
     /// Each with its offset in the text.
     pub(super) steps: Vec<(Step, usize)>,

@@ -170,3 +170,21 @@ fn kinds_are_told_apart_before_anything_is_computed() {
         [1, 0]
     );
 }
+
+#[test]
+fn names_with_brackets_come_before_functions() {
+    let rows = ["max(a - b)", "max(a - b).S", "a"].map(|name| row(name, Kind::Number(Range::Any)));
+    let of = |row: usize| Some(Value::Number([3.0, 5.0, 7.0][row]));
+    for (text, expected) in [
+        ("max(a - b)/2", 1.5),
+        ("2*max(a - b).S", 10.0),
+        ("max(max(a - b), a)", 7.0),
+        ("a - max(a, max(a - b).S)", 0.0),
+    ] {
+        let formula = Formula::number(text, &rows).unwrap();
+        assert_eq!(formula.value(&of), Ok(expected), "{text}");
+    }
+    let fault = Formula::number("max(a - b)/c", &rows).unwrap_err();
+    assert_eq!(fault.offset, 11);
+    assert!(fault.message.contains("unknown name \"c\""), "{fault}");
+}

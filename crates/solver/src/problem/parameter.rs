@@ -3,7 +3,7 @@
 pub use super::digits::shortest;
 pub use crate::contact::number::Range;
 
-use super::text::{Text, text};
+use super::text::{Text, escape, text};
 use crate::contact::number::{Number, Usual, same};
 use std::fmt;
 
@@ -16,6 +16,8 @@ pub struct Parameter {
     pub symbol: Text,
     /// Unit, or `1` for a dimensionless number.
     pub unit: Text,
+    /// The unit that figures write behind the symbol and behind values; `None` where the symbol has the scale.
+    pub shown_unit: Option<Text>,
     /// The values allowed.
     pub kind: Kind,
     /// Its value if the study does not give it.
@@ -87,6 +89,7 @@ impl Parameter {
             name: Text::Borrowed(name),
             symbol: Text::Borrowed(symbol),
             unit: Text::Borrowed(unit),
+            shown_unit: None,
             kind,
             default,
             applies,
@@ -100,6 +103,14 @@ impl Parameter {
     pub const fn with_heading(mut self, heading: &'static str) -> Parameter {
         self.heading = Some(heading);
         self
+    }
+
+    /// The title of an axis along it, in markup.
+    pub fn title(&self) -> String {
+        match &self.shown_unit {
+            Some(unit) => format!("{} ({})", self.symbol, escape(unit)),
+            None => self.symbol.to_string(),
+        }
     }
 
     /// Name of its column in tables.

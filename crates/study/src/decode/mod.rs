@@ -11,9 +11,10 @@ pub(super) mod validate;
 use std::path::Path;
 
 use crate::cases::scope::Scope;
+use crate::computed::decode::Listed;
 use crate::error::Error;
 use crate::figure::figures;
-use crate::measure::{self, Measure};
+use crate::measure;
 use crate::source::faults::Faults;
 use crate::source::hint::nearest;
 use crate::source::input::{Input, tree_of};
@@ -21,10 +22,11 @@ use crate::source::object::Object;
 use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
+use crate::structure::names::SHOWN;
 use crate::structure::{self, own_records, record_axis};
 use crate::units::Units;
 use crate::value::{self, name};
-use crate::{Check, Figure, Study, reduction};
+use crate::{Check, Figure, Study, computed, reduction};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use ensemble::ensemble;
@@ -34,7 +36,7 @@ use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 13] = [
+pub(crate) const KEYS: [(&str, &str); 14] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -55,7 +57,7 @@ pub(crate) const KEYS: [(&str, &str); 13] = [
     ),
     (
         "metrics",
-        "metrics to compute in addition to the default ones; each is a column of results.csv",
+        "metrics to compute in addition to the default ones; each is a column of results.csv; a name, arithmetic such as \"max(a3 - a2)/h\", a ratio to a reference case such as \"peak(gap.S) relative to gamma = 1, n = 10\", or an object that gives one a name: {\"drift\": \"max(a3 - a2)/h\"} or {\"drift\": {\"value\": \"max(a3 - a2)/h\", \"unit\": \"rad\", \"title\": \"drift\"}}",
     ),
     reduction::decode::KEY,
     (
@@ -66,6 +68,7 @@ pub(crate) const KEYS: [(&str, &str); 13] = [
         "units",
         "names of the units of the parameters; results.csv then has the results in these units, too; nothing is converted",
     ),
+    structure::names::SHOWN,
     (
         "iteration",
         "converged (the default): each step is iterated to convergence; once: each step is solved once with the matrices of the papers, without iteration",
@@ -176,34 +179,35 @@ pub(crate) fn study(
         let message = "a structure has no un-iterated form; allowed: converged";
         faults.add(node.at, "iteration", message);
     }
-    let mut measures = measure::measures(&*problem, units.as_ref());
-    let metrics: Vec<String> = measures.iter().map(|m| m.name.clone()).collect();
-    let reductions = reduction::decode::measures(&object, &*problem, &measures, &blocks, faults);
-    measures.extend(reductions);
     let mut scope = Scope {
+        measures: measure::measures(&*problem, units.as_ref()),
         problem,
-        measures,
         blocks,
         ensemble: None,
         once,
         set,
     };
+    let listed = computed::decode::computed(&object, &mut scope, faults);
+    let reductions = reduction::decode::measures(
+        &object,
+        &*scope.problem,
+        &scope.measures,
+        &scope.blocks,
+        faults,
+    );
+    scope.measures.extend(reductions);
     scope.ensemble = ensemble(&object, &scope, faults);
-    let metrics: Vec<&str> = metrics.iter().map(String::as_str).collect();
-    let listed = object.items("metrics", faults, |node, path, faults| {
-        name(node, path, "metric", &metrics, faults)
-    });
     let figures = figures(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
-    let metrics = columns(&*scope.problem, &scope.measures, &listed, &figures, &checks);
+    let (metrics, columns) = columns(&scope, &listed, &figures, &checks);
     Some(Study {
         title,
         problem: scope.problem,
         once,
         units,
-        columns: measure::columns(&scope.measures, &metrics),
+        columns,
         metrics,
         measures: scope.measures,
         blocks: scope.blocks,
@@ -230,6 +234,10 @@ fn problem(
         let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
         faults.add(node.at, "structure", message);
     }
+    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(SHOWN.0)) {
+        let message = format!("only a study with \"problem\": \"{NAME}\" names its parameters");
+        faults.add(node.at, SHOWN.0, message);
+    }
     match (row, &node.tree) {
         (Some(_), _) if of_structure => structure::problem(object, root, folder, faults),
         (Some(row), _) => Some(PROBLEMS[row].clone()),
@@ -238,25 +246,49 @@ fn problem(
     }
 }
 
-/// The metrics that are default, that the study lists or reduces, and that a figure or check needs, in the order of the table.
+/// The metrics that are computed, in the order of the table: those that are default, that the study lists or reduces, that a
+/// figure or check needs, and what other metrics are computed from. Then the columns of results.csv: not what the study names only in
+/// arithmetic.
 fn columns(
-    problem: &dyn Problem,
-    measures: &[Measure],
-    listed: &[usize],
+    scope: &Scope,
+    listed: &Listed,
     figures: &[Figure],
     checks: &[Check],
-) -> Vec<usize> {
+) -> (Vec<usize>, Vec<usize>) {
+    let (problem, measures) = (&*scope.problem, &scope.measures);
     let shown = |figure: &Figure| figure.kind.decoded().measures(problem);
     let drawn = figures.iter().flat_map(shown);
     let checked = checks.iter().map(|check| check.metric);
     let reduced = measures.iter().enumerate();
-    let reduced = reduced.filter_map(|(row, measure)| measure.reduction.as_ref().map(|_| row));
-    let named = listed.iter().copied().chain(checked).chain(reduced);
-    let needed = named.chain(drawn).map(|row| measures[row].metric);
-    let needed: Vec<usize> = needed.collect();
+    let reduced = reduced.filter_map(|(row, measure)| Some([row, measure.reduction.as_ref()?.of]));
+    let named = listed.named.iter().copied().chain(checked);
+    let named: Vec<usize> = named.chain(reduced.flatten()).chain(drawn).collect();
+    let count = problem.parameters().len();
+    let all_of = |row: &usize| computed::metrics_of(measures, *row, count);
+    let needed: Vec<usize> = named
+        .iter()
+        .chain(&listed.columns)
+        .flat_map(all_of)
+        .collect();
+    let own = named.iter().filter_map(|row| measures[*row].metric);
+    let own: Vec<usize> = own.collect();
+    let parts: Vec<usize> = listed.columns.iter().flat_map(all_of).collect();
+    let described = problem.schema().described;
     let metrics = problem.metrics().iter().enumerate();
-    metrics
+    let metrics: Vec<usize> = metrics
         .filter(|(row, metric)| metric.default || needed.contains(row))
         .map(|(row, _)| row)
-        .collect()
+        .collect();
+    let is_part = |row: &usize| {
+        let usual = problem.metrics()[*row].default && !described;
+        parts.contains(row) && !own.contains(row) && !usual
+    };
+    let columns: Vec<usize> = metrics
+        .iter()
+        .copied()
+        .filter(|row| !is_part(row))
+        .collect();
+    let mut columns = measure::columns(measures, &columns);
+    columns.extend(&listed.columns);
+    (metrics, columns)
 }

@@ -10,6 +10,7 @@ use super::values::{
     refer, rule, value,
 };
 use crate::axes::design;
+use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::decoded_value::MARKS;
@@ -17,7 +18,9 @@ use crate::figure::extent::WIDTHS;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
 use crate::figure::kinds::{self, KINDS};
 use crate::reduction::OPERATORS;
+use crate::structure::names::SHOWN;
 use crate::units::IN;
+use slipgap_solver::expression::FUNCTIONS;
 use slipgap_solver::problem::parameter::{Kind, Parameter, Range};
 use slipgap_solver::problem::{self, Metric, PROBLEMS, Problem};
 use std::sync::Arc;
@@ -36,10 +39,12 @@ pub fn schema() -> String {
     ] {
         properties[key]["type"] = kind.into();
     }
-    for key in ["blocks", "metrics", "reductions", "figures", "checks"] {
+    for key in ["blocks", "reductions", "figures", "checks"] {
         properties[key]["type"] = "array".into();
     }
     let problems: Vec<&str> = problem::names().collect();
+    properties["metrics"]["type"] = json!(["array", "object"]);
+    properties["names"] = shown_names();
     properties["reductions"]["items"] = reduction();
     properties["problem"]["enum"] = json!(problems);
     properties["iteration"]["enum"] = json!(decode::ITERATIONS);
@@ -94,7 +99,10 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
     };
     let parameters = define("parameters", parameters(problem.parameters(), ""));
     let metric = define("metric", metric(problem));
-    define("column", json!({ "anyOf": [metric, reduction()] }));
+    define(
+        "column",
+        json!({ "anyOf": [metric, reduction(), computed()] }),
+    );
     define("where", filter(problem));
     let mut block = block_keys();
     block.insert("parameters".into(), parameters.clone());
@@ -111,7 +119,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "problem": { "description": problem.schema().meaning },
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
-            "metrics": { "items": metric },
+            "metrics": listed_metrics(&metric),
             "ensemble": several(parameter_names(problem, false)),
             "units": if problem.schema().units.is_empty() { json!(false) } else { units() },
             "figures": { "items": figure },
@@ -151,6 +159,57 @@ pub(super) fn reduction() -> Json {
         "pattern": format!("^({}) .+ over .+$", words.join("|")),
         "description": "a metric reduced over parameters, such as least rms_error over alpha",
     })
+}
+
+/// Names and units of parameters for figures.
+fn shown_names() -> Json {
+    let pair =
+        json!({ "type": "array", "minItems": 1, "maxItems": 2, "items": { "type": "string" } });
+    json!({ "type": "object", "additionalProperties": pair, "description": SHOWN.1 })
+}
+
+/// Arithmetic of metrics, or a ratio to a reference case.
+fn arithmetic() -> Json {
+    let functions = FUNCTIONS.map(|own| own.0).join("|");
+    let name = "[A-Za-z_][A-Za-z0-9_.]*";
+    json!({
+        "type": "string",
+        "pattern": format!("^[-+(.0-9]|^({functions}) *\\(|\\) *[-+*/^]|^{name} *[-+*/^]| relative to "),
+        "description": "arithmetic of metrics such as max(a3 - a2)/h, or a ratio to a reference case such as peak(gap.S) relative to gamma = 1, n = 10",
+    })
+}
+
+/// The same, or a name that the study gives a metric.
+pub(super) fn computed() -> Json {
+    let name = json!({
+        "type": "string",
+        "pattern": "^[A-Za-z][A-Za-z0-9_]*$",
+        "description": "a metric with a name of the study",
+    });
+    json!({ "anyOf": [arithmetic(), name] })
+}
+
+/// The key `metrics`: names of metrics, arithmetic, and objects that give names.
+pub(super) fn listed_metrics(metric: &Json) -> Json {
+    let mut properties = Map::new();
+    for (key, meaning) in NAMED {
+        properties.insert(
+            key.into(),
+            json!({ "type": "string", "description": meaning }),
+        );
+    }
+    let one = json!({ "anyOf": [{ "type": "string" }, object(properties, &[NAMED[0].0])] });
+    let named = json!({
+        "type": "object",
+        "propertyNames": { "pattern": "^([A-Za-z][A-Za-z0-9_]*|//)$" },
+        "properties": { "//": { "description": "a remark" } },
+        "additionalProperties": one,
+    });
+    let item = json!({ "anyOf": [metric, arithmetic(), named.clone()] });
+    let mut schema = named;
+    schema["type"] = json!(["array", "object"]);
+    schema["items"] = item;
+    schema
 }
 
 /// A name of a unit, as a regular expression.

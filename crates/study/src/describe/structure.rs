@@ -1,6 +1,6 @@
 //! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::schema::{block_keys, reduction, several, width_and_pair};
+use super::schema::{block_keys, computed, listed_metrics, reduction, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::decode::checks;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
@@ -46,7 +46,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "structure": structure,
-            "metrics": { "items": metric },
+            "metrics": listed_metrics(&metric),
             "ensemble": several(json!({ "type": "string" })),
             "units": false,
             "figures": { "items": {
@@ -55,7 +55,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
                 "required": ["kind"],
                 "allOf": figures,
             } },
-            "checks": { "items": check(&json!({ "anyOf": [metric, reduction()] })) },
+            "checks": { "items": check(&json!({ "anyOf": [metric, reduction(), computed()] })) },
         } },
         "else": { "properties": { "structure": false } },
     })

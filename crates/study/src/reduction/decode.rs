@@ -198,9 +198,10 @@ impl Scope<'_> {
             meaning: format!("{name}: {}", text(of.map(|of| &of.meaning))),
             name,
             unit: text(of.map(|of| &of.unit)),
-            metric: of.map_or(0, |of| of.metric),
+            metric: of.and_then(|of| of.metric),
             dimension: of.and_then(|of| of.dimension),
             reduction: Some(reduction.unwrap_or(nothing)),
+            computed: None,
         }
     }
 }

@@ -8,7 +8,7 @@ mod labels;
 mod loads;
 mod matrices;
 mod named_metrics;
-mod names;
+pub(super) mod names;
 pub(super) mod own_records;
 mod parts;
 mod reader;
@@ -45,7 +45,8 @@ pub(super) fn problem(
     let before = faults.count();
     let node = root.need("structure", "masses, bars, springs and contacts", faults)?;
     let choices = names::choices(node, root_node);
-    let parameters = names::parameters(root_node, &choices, faults);
+    let mut parameters = names::parameters(root_node, &choices, faults);
+    names::show(root, &mut parameters, faults);
     let first = schema::schema(&parameters, &[], &[], "");
     let object = open(node, "structure", STRUCTURE, faults)?;
     let mut taken = HashSet::new();
@@ -163,7 +164,14 @@ pub(super) fn problem(
         .collect();
     // A faulty value may be the one that contains the name.
     if faults.count() == before {
-        names::report_unused(root_node, &parameters, &first.parameters, faults);
+        let in_metrics = |name: &str| named_metrics::names_parameter(root, name);
+        names::report_unused(
+            root_node,
+            &parameters,
+            &first.parameters,
+            in_metrics,
+            faults,
+        );
     }
     let mut notes = Vec::from_iter(records::note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));

@@ -1,6 +1,7 @@
 //! The metrics and channels that a study names, which become the tables of its problem.
 
 use super::reader::Reader;
+use crate::computed::sources::{self, Source, is_arithmetic};
 use crate::reduction::decode;
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::hint::nearest;
@@ -11,6 +12,7 @@ use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::{Channel, UNKNOWN};
 use slipgap_solver::problem::structure::loads::Kind;
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
+use slipgap_solver::problem::structure::metric_pieces::{Piece, pieces};
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::Drawn;
 use slipgap_solver::problem::structure::template::{Scaled, Template};
@@ -52,28 +54,72 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
             }
         }
     };
-    if let Some(node) = root.get("metrics") {
-        each_text(node, "metrics", &mut |text, at, path| {
-            add(text, at, path, faults)
-        });
-    }
-    if let Some(node) = root.get(decode::KEY.0) {
-        each_text(node, decode::KEY.0, &mut |text, at, path| {
-            if let Some(parts) = decode::parts(text) {
-                add(parts.metric, at, path, faults);
-            }
-        });
+    let named: Vec<&str> = sources::listed(root).iter().filter_map(name).collect();
+    let asked = sources::listed(root).into_iter();
+    for own in asked.chain(sources::reduced(root)) {
+        // The text of a metric with a name, and of a reduction, may be another name.
+        let is_name = own.name.is_some() && !own.text.contains('(') || named.contains(&own.text);
+        match is_plain(own.text) {
+            true if is_name && !looks_like_metric(own.text) => {}
+            true => add(own.text, own.at, &own.path, faults),
+            false => parts(&own, &mut |text, at| add(text, at, &own.path, faults)),
+        }
     }
     for key in ["checks", "figures"] {
         if let Some(node) = root.get(key) {
             each_text(node, key, &mut |text, at, path| {
-                if looks_like_metric(text) {
+                if looks_like_metric(text) && is_plain(text) {
                     add(text, at, path, faults);
                 }
             });
         }
     }
+    for own in sources::shown(root) {
+        if is_arithmetic(own.text) && decode::parts(own.text).is_none() && !is_plain(own.text) {
+            parts(&own, &mut |text, at| add(text, at, &own.path, faults));
+        }
+    }
     metrics
+}
+
+/// The name that a study gives a metric.
+fn name<'a>(own: &Source<'a>) -> Option<&'a str> {
+    own.name.map(|member| member.key.as_str())
+}
+
+/// Whether a text is one reduction of a channel, perhaps with a fault, and no arithmetic.
+fn is_plain(text: &str) -> bool {
+    let text = text.trim();
+    let count = |bracket: char| text.chars().filter(|c| *c == bracket).count();
+    match &pieces(text)[..] {
+        [Piece::Metric(range), ..] if *range == (0..text.len()) => true,
+        // Without its closing bracket.
+        [Piece::Name(_), ..] if looks_like_metric(&format!("{text})")) => count('(') > count(')'),
+        _ => !is_arithmetic(text),
+    }
+}
+
+/// The reductions of channels in arithmetic, each with its byte offset in the study.
+fn parts<'a>(own: &Source<'a>, visit: &mut dyn FnMut(&'a str, usize)) {
+    let (metric, _) = own.parts();
+    for piece in pieces(metric) {
+        if let Piece::Metric(range) = piece {
+            visit(&own.text[range.clone()], own.place(range.start));
+        }
+    }
+}
+
+/// Whether arithmetic of metrics contains the name of a parameter.
+pub(super) fn names_parameter(root: &Object, name: &str) -> bool {
+    let all = sources::listed(root).into_iter();
+    let all = all.chain(sources::reduced(root));
+    let mut all = all.chain(sources::shown(root));
+    all.any(|own| {
+        let (metric, _) = own.parts();
+        let is_it =
+            |piece: Piece| matches!(piece, Piece::Name(range) if metric[range.clone()] == *name);
+        pieces(metric).into_iter().any(is_it)
+    })
 }
 
 /// Gives measures of the ground their numbers, and reports those of a ground that the study does not have.

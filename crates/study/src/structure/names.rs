@@ -3,7 +3,9 @@
 use super::labels::{is_label, labels, report_texts_of_tables};
 use super::reader::{Reader, is_name};
 use crate::source::faults::{Faults, join, quoted};
+use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
+use crate::value::text;
 use sha2::{Digest, Sha256};
 use slipgap_solver::expression::FUNCTIONS;
 use slipgap_solver::expression::Formula;
@@ -204,6 +206,7 @@ pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -
         parameters.push(Named {
             name: name.clone(),
             choices: part.or(label),
+            shown: None,
             required: part.is_some() || FIXED.iter().any(|fixed| fixed.0 == name),
         });
     }
@@ -212,6 +215,7 @@ pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -
             parameters.push(Named {
                 name: name.to_owned(),
                 choices: None,
+                shown: None,
                 required: true,
             });
         }
@@ -220,16 +224,60 @@ pub(super) fn parameters(root: &Node, choices: &Choosing, faults: &mut Faults) -
     parameters.extend(PARAMETERS.iter().map(|parameter| Named {
         name: parameter.name.to_string(),
         choices: None,
+        shown: None,
         required: true,
     }));
     parameters
 }
 
-/// Reports the parameters that neither the structure nor another parameter nor a condition contains, and that are no labels.
+/// The key of names for figures, with its meaning.
+pub(crate) const SHOWN: (&str, &str) = (
+    "names",
+    "the name and the unit of parameters in figures, as in {\"gap\": [\"width of the gap\", \"m\"]}; the unit may be left out; a study of structures only",
+);
+
+/// Gives parameters the names and units that figures write.
+pub(super) fn show(root: &Object, parameters: &mut [Named], faults: &mut Faults) {
+    let Some(node) = root.get(SHOWN.0) else {
+        return;
+    };
+    let known: Vec<String> = parameters.iter().map(|named| named.name.clone()).collect();
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let Some(object) = Object::open(node, SHOWN.0, &known, faults) else {
+        return;
+    };
+    for own in &object.members {
+        let path = object.path(&own.key);
+        let texts = match &own.node.tree {
+            Tree::List(items) if (1..=2).contains(&items.len()) => items,
+            _ => {
+                faults.must_be(
+                    &own.node,
+                    &path,
+                    "a list of a name and a unit, as in [\"gap\", \"m\"]",
+                );
+                continue;
+            }
+        };
+        let texts = texts.iter().enumerate();
+        let texts = texts.map(|(i, item)| text(item, &format!("{path}[{i}]"), faults));
+        let Some(mut texts) = texts.collect::<Option<Vec<String>>>() else {
+            continue;
+        };
+        let unit = texts.get_mut(1).map(std::mem::take).unwrap_or_default();
+        let name = texts.swap_remove(0);
+        if let Some(named) = parameters.iter_mut().find(|named| named.name == own.key) {
+            named.shown = Some([name, unit]);
+        }
+    }
+}
+
+/// Reports the parameters that neither the structure nor another parameter, a condition or a metric contains, and that are no labels.
 pub(super) fn report_unused(
     root: &Node,
     parameters: &[Named],
     table: &[Parameter],
+    in_metrics: impl Fn(&str) -> bool,
     faults: &mut Faults,
 ) {
     let given = given(root);
@@ -242,6 +290,9 @@ pub(super) fn report_unused(
     let conditions = conditions.filter_map(|text| Formula::condition(text, table).ok());
     for formula in formulas.chain(conditions) {
         formula.uses().iter().for_each(|row| used[*row] = true);
+    }
+    for (used, named) in used.iter_mut().zip(parameters) {
+        *used |= in_metrics(&named.name);
     }
     let is_used = |row: usize| {
         let named = &parameters[row];

@@ -115,7 +115,7 @@ impl Curves<'_> {
             .collect();
         let grid = layout::grid(width_of_sheet, 1, &vec![height; y.len()], &axes, 4.0);
         let values: Vec<f64> = cases.iter().filter_map(at).collect();
-        let title = parameter.symbol.to_string();
+        let title = parameter.title();
         let in_pi = |v: &f64| number::of_pi(*v).is_some();
         let (low, high) = values
             .iter()

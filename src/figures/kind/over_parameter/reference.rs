@@ -19,9 +19,9 @@ pub fn row(table: &[Measure], listed: &[usize], metric: usize) -> Option<usize> 
     if own.reduction.is_some() {
         return None;
     }
-    let name = format!("{}_exact", table[own.metric].name);
+    let name = format!("{}_exact", table[own.metric?].name);
     let exact = table.iter().position(|metric| metric.name == name)?;
-    let is_it = |row: &Measure| row.metric == exact && row.dimension == own.dimension;
+    let is_it = |row: &Measure| row.metric == Some(exact) && row.dimension == own.dimension;
     let row = table.iter().position(is_it)?;
     listed.contains(&row).then_some(row)
 }
@@ -80,9 +80,10 @@ mod tests {
                 symbol: String::new(),
                 unit: String::new(),
                 meaning: String::new(),
-                metric,
+                metric: Some(metric),
                 dimension,
                 reduction: None,
+                computed: None,
             };
             names.iter().enumerate().map(one).collect::<Vec<_>>()
         };

@@ -23,7 +23,8 @@ pub(super) enum Kind {
 }
 
 impl Formula {
-    /// Parses a number. Names are parameters of `table`, pi and e.
+    /// Parses a number. Names are parameters of `table`, pi and e. A name with brackets, such as `max(a3 - a2)`, is read as it is
+    /// written in the table, before a function of the same name.
     pub fn number(text: &str, table: &[Parameter]) -> Result<Formula, ExpressionFault> {
         parse(text, table, Kind::Number)
     }

@@ -94,6 +94,10 @@ impl Parser<'_> {
         if &rest[..length] == "not" {
             return self.not(length);
         }
+        if let Some(row) = self.row_with_brackets(rest) {
+            self.take(self.table[row].name.len());
+            return Ok(self.parameter(row, at));
+        }
         let name = self.take(length);
         if let Some((_, function)) = FUNCTIONS.iter().find(|(known, _)| *known == name) {
             return self.call(name, *function, at);
@@ -111,18 +115,30 @@ impl Parser<'_> {
                     let allowed = known.chain(parameters).collect();
                     return Err(unknown(at, "name", name, allowed));
                 };
-                if !self.uses.contains(&row) {
-                    self.uses.push(row);
-                }
-                if let parameter::Kind::Choice(_) = self.table[row].kind {
-                    return Ok(Kind::Choice(row));
-                }
-                self.step(Step::Parameter(row), at);
-                return Ok(Kind::Number);
+                return Ok(self.parameter(row, at));
             }
         };
         self.step(Step::Number(constant), at);
         Ok(Kind::Number)
+    }
+
+    /// The row of the table with the longest name that `rest` begins with, of the names with brackets, such as `max(a3 - a2)`.
+    fn row_with_brackets(&self, rest: &str) -> Option<usize> {
+        let rows = self.table.iter().enumerate();
+        let begins = rows.filter(|(_, own)| own.name.contains('(') && rest.starts_with(&*own.name));
+        Some(begins.max_by_key(|(_, own)| own.name.len())?.0)
+    }
+
+    /// The value of the parameter in a row.
+    fn parameter(&mut self, row: usize, at: usize) -> Kind {
+        if !self.uses.contains(&row) {
+            self.uses.push(row);
+        }
+        if let parameter::Kind::Choice(_) = self.table[row].kind {
+            return Kind::Choice(row);
+        }
+        self.step(Step::Parameter(row), at);
+        Kind::Number
     }
 
     /// The arguments in parentheses.

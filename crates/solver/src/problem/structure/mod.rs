@@ -16,6 +16,8 @@ pub mod ground_metric;
 pub mod loads;
 mod massless;
 pub mod metric;
+pub mod metric_pieces;
+mod metric_title;
 mod metric_values;
 mod models;
 mod motion;

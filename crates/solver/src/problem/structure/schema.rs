@@ -2,6 +2,7 @@
 
 use super::channel::Channel;
 use super::metric::{Reduction, StructureMetric};
+use super::metric_title;
 use super::units::UnitNames;
 use crate::problem::method::PARAMETERS;
 use crate::problem::parameter::{ColumnRule, Default, Kind, Parameter, Range};
@@ -30,6 +31,8 @@ pub struct Named {
     pub name: String,
     /// The names that it chooses from; none for a number.
     pub choices: Option<&'static [(&'static str, &'static str)]>,
+    /// The name and the unit that figures have instead of its own, if the study gives them.
+    pub shown: Option<[String; 2]>,
     /// Whether the structure itself contains it. If not, other parameters or a condition do, and a block may lack it.
     pub required: bool,
 }
@@ -62,7 +65,7 @@ pub fn schema(
     let unit_of = |metric: &StructureMetric| units.and_then(|units| units.of_metric(metric));
     let metric = |metric: &StructureMetric| Metric {
         name: metric.name.clone().into(),
-        symbol: in_unit(title(&metric.name), unit_of(metric)).into(),
+        symbol: in_unit(title(&metric_title::title(metric)), unit_of(metric)).into(),
         unit: unit_of(metric).map_or(Borrowed("1"), Text::Owned),
         meaning: Borrowed(metric.reduction.meaning()),
         default: true,
@@ -158,6 +161,7 @@ pub fn named(name: &str) -> Parameter {
     parameter(&Named {
         name: name.to_owned(),
         choices: None,
+        shown: None,
         required: false,
     })
 }
@@ -168,9 +172,17 @@ pub fn of_method(name: &str) -> bool {
 }
 
 fn parameter(named: &Named) -> Parameter {
-    if let Some(known) = PARAMETERS.iter().find(|known| known.name == named.name) {
-        return known.clone();
+    let known = PARAMETERS.iter().find(|known| known.name == named.name);
+    let mut parameter = known.cloned().unwrap_or_else(|| own_parameter(named));
+    if let Some([name, unit]) = &named.shown {
+        parameter.symbol = escape(name).into();
+        parameter.shown_unit = (!unit.is_empty()).then(|| unit.clone().into());
     }
+    parameter
+}
+
+/// A parameter that only studies of structures have.
+fn own_parameter(named: &Named) -> Parameter {
     let fixed = FIXED.iter().find(|fixed| fixed.0 == named.name);
     let kind = match (named.choices, fixed) {
         (Some(choices), _) => Kind::Choice(choices),
@@ -191,6 +203,7 @@ fn parameter(named: &Named) -> Parameter {
             None if named.choices.is_some() => "1",
             None => "the study's units",
         }),
+        shown_unit: None,
         kind,
         default: match named.required {
             true => Default::Required,
@@ -226,7 +239,7 @@ const GREEK: [(&str, &str); 18] = [
 ];
 
 /// A name as figures write it, in their markup: `k_I` as an italic k with the subscript I. A word keeps its `_`.
-fn symbol(name: &str) -> String {
+pub fn symbol(name: &str) -> String {
     let (base, below) = name.split_once('_').unwrap_or((name, ""));
     let greek = GREEK.iter().find(|letter| letter.0 == base);
     let base = greek.map_or(base, |letter| letter.1);
@@ -241,7 +254,7 @@ fn symbol(name: &str) -> String {
 }
 
 /// A title with a unit behind it.
-fn in_unit(title: String, unit: Option<String>) -> String {
+pub fn in_unit(title: String, unit: Option<String>) -> String {
     match unit {
         Some(unit) => format!("{title} ({})", escape(&unit)),
         None => title,
@@ -249,7 +262,7 @@ fn in_unit(title: String, unit: Option<String>) -> String {
 }
 
 /// A metric or channel as an axis title.
-fn title(name: &str) -> String {
+pub fn title(name: &str) -> String {
     escape(name).replace(" - ", " − ")
 }
 

@@ -1,0 +1,231 @@
+//! The texts of a study that name metrics.
+
+use crate::figure::keys::Takes;
+use crate::figure::kinds::KINDS;
+use crate::reduction::decode;
+use crate::source::faults::join;
+use crate::source::object::Object;
+use crate::source::tree::{Member, Node, Tree};
+use slipgap_solver::expression::FUNCTIONS;
+
+/// The words before the values of a reference case.
+pub const RELATIVE: &str = " relative to ";
+
+/// The keys of a metric with a name, each with its meaning.
+pub(crate) const NAMED: [(&str, &str); 3] = [
+    ("value", "the metric, arithmetic of metrics, or a ratio"),
+    ("unit", "its unit, for figures; none if left out"),
+    ("title", "its title in figures; the name if left out"),
+];
+
+/// A text that names a metric.
+#[derive(Debug, Clone)]
+pub struct Source<'a> {
+    /// The name that the study gives it.
+    pub name: Option<&'a Member>,
+    /// The text.
+    pub text: &'a str,
+    /// Byte offset of the string in the study.
+    pub at: usize,
+    /// Path of the string.
+    pub path: String,
+}
+
+impl Source<'_> {
+    /// Byte offset in the study of byte `offset` of the text.
+    pub fn place(&self, offset: usize) -> usize {
+        // With escapes, a text is shorter than what the study has.
+        match self.text.contains(['"', '\\']) {
+            true => self.at,
+            false => self.at + 1 + offset,
+        }
+    }
+
+    /// The text before the values of a reference case, if it has them, and these.
+    pub fn parts(&self) -> (&str, Option<&str>) {
+        match self.text.rsplit_once(RELATIVE) {
+            Some((metric, values)) => (metric, Some(values)),
+            None => (self.text, None),
+        }
+    }
+}
+
+fn source<'a>(node: &'a Node, path: String, name: Option<&'a Member>) -> Option<Source<'a>> {
+    let Tree::Text(text) = &node.tree else {
+        return None;
+    };
+    Some(Source {
+        name,
+        text,
+        at: node.at,
+        path,
+    })
+}
+
+/// The items of a list with their paths; an object instead of the list is its one item.
+pub fn items<'a>(node: &'a Node, path: &str) -> Vec<(&'a Node, String)> {
+    match &node.tree {
+        Tree::List(items) => {
+            let items = items.iter().enumerate();
+            items
+                .map(|(i, item)| (item, format!("{path}[{i}]")))
+                .collect()
+        }
+        _ => vec![(node, path.to_owned())],
+    }
+}
+
+/// The members of an object but remarks.
+pub fn members(node: &Node) -> impl Iterator<Item = &Member> {
+    let members = match &node.tree {
+        Tree::Object(members) => &members[..],
+        _ => &[],
+    };
+    members.iter().filter(|member| member.key != "//")
+}
+
+/// The texts under `metrics`.
+pub fn listed<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
+    let mut found = Vec::new();
+    let Some(node) = root.get("metrics") else {
+        return found;
+    };
+    for (item, path) in items(node, "metrics") {
+        found.extend(source(item, path.clone(), None));
+        for member in members(item) {
+            let path = join(&path, &member.key);
+            let value = members(&member.node).find(|inner| inner.key == NAMED[0].0);
+            found.extend(match value {
+                Some(inner) => source(&inner.node, join(&path, &inner.key), Some(member)),
+                None => source(&member.node, path, Some(member)),
+            });
+        }
+    }
+    found
+}
+
+/// The metrics of `reductions`.
+pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
+    let Some(node) = root.get(decode::KEY.0) else {
+        return Vec::new();
+    };
+    let of = |(item, path): (&'a Node, String)| {
+        let own = source(item, path, None)?;
+        let metric = decode::parts(own.text)?.metric;
+        let before = metric.as_ptr() as usize - own.text.as_ptr() as usize;
+        Some(Source {
+            at: own.place(before).saturating_sub(1),
+            text: metric,
+            ..own
+        })
+    };
+    items(node, decode::KEY.0)
+        .into_iter()
+        .filter_map(of)
+        .collect()
+}
+
+/// The texts of checks and figures where a metric is expected.
+pub fn shown<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
+    let mut found = Vec::new();
+    for key in ["checks", "figures"] {
+        let Some(node) = root.get(key) else {
+            continue;
+        };
+        for (item, path) in items(node, key) {
+            let takes = |name: &str| match key {
+                "checks" => name == "metric",
+                _ => takes_metric(item, name),
+            };
+            for member in members(item).filter(|member| takes(&member.key)) {
+                let path = join(&path, &member.key);
+                let texts = items(&member.node, &path).into_iter();
+                found.extend(texts.filter_map(|(node, path)| source(node, path, None)));
+            }
+        }
+    }
+    found
+}
+
+/// Whether metrics stand under a key of a figure.
+fn takes_metric(figure: &Node, key: &str) -> bool {
+    let of_kind = |name: &str| {
+        let is = |member: &Member| {
+            member.key == "kind" && matches!(&member.node.tree, Tree::Text(text) if text == name)
+        };
+        members(figure).any(is)
+    };
+    let mut kinds = KINDS.iter().filter(|kind| of_kind(kind.name));
+    kinds.any(|kind| {
+        kind.keys.iter().any(|own| {
+            let takes = matches!(own.takes, Takes::Metric | Takes::Metrics | Takes::Column);
+            own.name == key && takes
+        })
+    })
+}
+
+/// Whether a text is arithmetic or a ratio, not only a name with or without brackets.
+pub fn is_arithmetic(text: &str) -> bool {
+    let text = text.trim();
+    if text.contains(RELATIVE) {
+        return true;
+    }
+    let mut depth = 0;
+    let outside = text.chars().any(|c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0 && "+-*/^".contains(c)
+    });
+    outside || is_call(text) || text.starts_with(|c: char| c.is_ascii_digit() || c == '(')
+}
+
+/// Whether a text is a function of numbers, such as `max(a, b)`.
+fn is_call(text: &str) -> bool {
+    let Some((name, inside)) = text.split_once('(') else {
+        return false;
+    };
+    let (name, mut depth) = (name.trim(), 0);
+    let has_comma = inside.chars().any(|c| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0 && c == ','
+    });
+    let one = !["max", "min"].contains(&name);
+    FUNCTIONS.iter().any(|own| own.0 == name) && (one || has_comma)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_is_told_from_names() {
+        for text in [
+            "max(a3 - a2)/3.2",
+            "sqrt(peak(a))",
+            "max(peak(a), peak(b))",
+            "-peak(a)",
+            "(peak(a))",
+            "2",
+            "peak(gap.S) relative to gamma = 1, n = 10",
+        ] {
+            assert!(is_arithmetic(text), "{text}");
+        }
+        for text in [
+            "max(a3 - a2)",
+            "energy_error",
+            "peek(p1 - p2)",
+            "ground.Sa(1, 0.02)",
+            "divergence(p1 - p2, 0.01)",
+            "median peak(a) over seed",
+        ] {
+            assert!(!is_arithmetic(text), "{text}");
+        }
+    }
+}
