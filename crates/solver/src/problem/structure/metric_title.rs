@@ -28,6 +28,9 @@ pub fn title(metric: &StructureMetric) -> String {
 /// A channel in words, such as `displacement of p1`.
 fn described(channel: &Channel) -> String {
     let name = &channel.name;
+    if let Some(kind) = name.strip_prefix("energy.") {
+        return format!("{kind} energy");
+    }
     let word = word(channel);
     match channel.terms[..] {
         [(_, Term::Contact(_, Quantity::Displacement | Quantity::Velocity))] => {
@@ -54,6 +57,7 @@ fn word(channel: &Channel) -> &'static str {
         Dimension::Velocity => "velocity",
         Dimension::Acceleration => "acceleration",
         Dimension::Force => "force",
+        Dimension::Energy => "energy",
     }
 }
 
