@@ -10,7 +10,7 @@ use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style;
 use slipgap_solver::history::History;
 use slipgap_solver::problem::{Quantity, Solution};
 use slipgap_study::kinds::Curve;
@@ -32,6 +32,7 @@ impl Draw for Curve {
             cases,
             ..
         } = *data;
+        let look = data.look();
         let units = study.units.as_ref().filter(|_| self.in_units);
         let solved = cases.iter().copied().filter(|c| c.solution().is_some());
         let solved: Vec<DrawnCase> = solved.collect();
@@ -53,13 +54,14 @@ impl Draw for Curve {
             study,
             x: &all[self.x],
             in_units: units.is_some(),
+            times: self.times,
         };
         let curve = |quantity, i: usize| Series {
             label: labels[indices[i]].clone(),
             points: pairs.computed(quantity, &drawn[i]),
-            stroke: Stroke::of_case(indices[i]),
+            stroke: look.stroke(indices[i], labels.len()),
             width: style::CASE_LINE,
-            marker: Some(Marker::of_case(indices[i])),
+            marker: look.marker(indices[i]),
             marked: Vec::new(),
         };
         let group = |value| members(drawn, self.panels.map(|row| (row, value)));
@@ -150,6 +152,8 @@ struct Pairs<'a> {
     study: &'a Study,
     x: &'a Quantity,
     in_units: bool,
+    /// First and last time in the unit of the axes, if not all.
+    times: Option<[f64; 2]>,
 }
 
 impl Pairs<'_> {
@@ -176,7 +180,19 @@ impl Pairs<'_> {
             return Vec::new();
         };
         let both = [self.x, y].map(|quantity| values(quantity, solution));
-        self.points(y, shown, both)
+        let points = self.points(y, shown, both);
+        self.within(shown, &solution.computed.time, points)
+    }
+
+    /// The points at the times shown.
+    fn within(&self, shown: &DrawnCase, time: &[f64], points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        let Some([first, last]) = self.times else {
+            return points;
+        };
+        let size = sizes(self.study, self.in_units, &shown.case(), self.x)[0];
+        let pairs = time.iter().zip(points);
+        let inside = pairs.filter(|(t, _)| (first..=last).contains(&(**t * size)));
+        inside.map(|(_, point)| point).collect()
     }
 
     /// The exact curves of a group of cases, equal ones once; none for an error.
@@ -190,6 +206,7 @@ impl Pairs<'_> {
             let Some(exact) = exact else { continue };
             let both = [self.x, y].map(|quantity| exact.channel(quantity.channel).to_vec());
             let points = self.points(y, shown, both);
+            let points = self.within(shown, &exact.time, points);
             if !points.is_empty() && found.iter().all(|other| other.points != points) {
                 found.push(Series::exact(points));
             }

@@ -2,6 +2,7 @@
 
 use super::Draw;
 use crate::batch::GroupResults;
+use crate::batch::output::sobol::Estimates;
 use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::{Axis, Tick};
@@ -10,9 +11,9 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Marker, Stroke};
-use slipgap_statistics::sobol::Index;
-use slipgap_study::Scale;
+use slipgap_statistics::sobol::{Index, Indices};
 use slipgap_study::kinds::Sobol;
+use slipgap_study::{Scale, Study};
 
 /// Half the width of a bar, and of the cap of its interval, where parameters are 1 apart.
 const HALF: f64 = 0.17;
@@ -105,8 +106,45 @@ impl Draw for Sobol {
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         layout::small_print(&mut sheet, WHISKERS);
+        if let Some(words) = not_converged(study, &design.parameters, y, estimates) {
+            layout::small_print(&mut sheet, &words);
+        }
         sheet
     }
+}
+
+/// The parameters whose first-order index is above the total one by more than an interval. The indices of a large enough sample are
+/// not: the total contains the first order.
+fn not_converged(
+    study: &Study,
+    parameters: &[usize],
+    metrics: &[usize],
+    estimates: &[&Estimates],
+) -> Option<String> {
+    let wrong = |of: &Indices| {
+        let (first, total) = (of.first, of.total);
+        first.value > total.value
+            && (first.value > total.interval[1] || total.value < first.interval[0])
+    };
+    let of_metric = |(metric, found): (&usize, &&Estimates)| {
+        let pairs = found.iter().flatten().zip(parameters);
+        let wrong = pairs.filter(|(of, _)| wrong(of));
+        let names = wrong.map(|(_, row)| &*study.problem.parameters()[*row].symbol);
+        let names: Vec<&str> = names.collect();
+        let metric = study.measures[*metric].bare_symbol();
+        (!names.is_empty()).then(|| format!("{} ({metric})", names.join(", ")))
+    };
+    let parts: Vec<String> = metrics
+        .iter()
+        .zip(estimates)
+        .filter_map(of_metric)
+        .collect();
+    (!parts.is_empty()).then(|| {
+        format!(
+            "Not converged: the first order is above the total by more than an interval for {}; take more points.",
+            parts.join(", ")
+        )
+    })
 }
 
 fn middle(frame: &Rect) -> [f64; 2] {

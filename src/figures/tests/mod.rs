@@ -126,6 +126,8 @@ impl Run {
             note: None,
             width,
             ranges,
+            colour: None,
+            markers: false,
             filter: Filter::default(),
             kind,
         };
@@ -148,6 +150,7 @@ fn with_data<T>(
     let designs = DesignMetrics::of_cases(study, cases);
     let groups = GroupResults::new(study, figure, cases, &designs);
     draw(&FigureData {
+        colour: false,
         study,
         figure,
         cases,

@@ -186,6 +186,7 @@ pub(crate) fn study(
         blocks,
         ensemble: None,
         once,
+        checked: Vec::new(),
         set,
     };
     scope.ensemble = ensemble(&object, &scope, faults);
@@ -193,10 +194,11 @@ pub(crate) fn study(
     let listed = object.items("metrics", faults, |node, path, faults| {
         name(node, path, "metric", &metrics, faults)
     });
-    let figures = figures(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
+    scope.checked = checks.iter().map(|check| check.metric).collect();
+    let figures = figures(&object, &scope, faults);
     let metrics = columns(&*scope.problem, &scope.measures, &listed, &figures, &checks);
     Some(Study {
         title,
