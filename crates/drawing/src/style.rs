@@ -49,6 +49,8 @@ pub const HATCH_LINE: f64 = 0.35;
 pub const HATCH: f64 = 6.0;
 /// Distance of the lines of hatched bands along an axis.
 pub const BAND_HATCH: f64 = 4.0;
+/// Colour of these lines, so that curves stand out from them.
+pub const BAND_GREY: [u8; 3] = [140; 3];
 /// Width of the line along the ridge of a map.
 pub const RIDGE_LINE: f64 = 1.3;
 /// Width of the light band under the best of all cases.
@@ -64,6 +66,8 @@ pub const MARKER: f64 = 2.3;
 
 /// Radius of a dot, one of few.
 pub const DOT: f64 = 1.5;
+/// Radius of a dot at a case of a map.
+pub const MAP_DOT: f64 = 1.1;
 /// Radius of a dot, one of very many.
 pub const SMALL_DOT: f64 = 0.6;
 /// Width of a dot's outline, where dots are few.

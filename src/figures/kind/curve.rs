@@ -2,7 +2,7 @@
 
 use super::Draw;
 use super::history::arrangement::Arrangement;
-use super::history::curves::{keys, members, sizes};
+use super::history::curves::{keys, members, sizes, unmark_alone};
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
@@ -74,7 +74,8 @@ impl Draw for Curve {
             };
             groups.iter().map(of_group).collect()
         };
-        let series: Vec<Vec<Vec<Series>>> = quantities.iter().copied().map(series).collect();
+        let mut series: Vec<Vec<Vec<Series>>> = quantities.iter().copied().map(series).collect();
+        unmark_alone(series.iter_mut().flatten().flatten(), &labels);
 
         let [x_range, y_range] = figure.ranges;
         let height = if rows.len() == 1 { 160.0 } else { 130.0 };
@@ -240,8 +241,10 @@ fn values(quantity: &Quantity, solution: &Solution) -> Vec<f64> {
 fn mark(panel: &mut Panel, labels: &[String]) {
     let mut series = std::mem::take(&mut panel.series);
     let count = labels.len().clamp(1, 8);
-    for curve in series.iter_mut().filter(|curve| curve.marker.is_some()) {
-        let index = labels.iter().position(|label| *label == curve.label);
+    for curve in &mut series {
+        let Some(index) = labels.iter().position(|label| *label == curve.label) else {
+            continue;
+        };
         let places: Vec<[f64; 2]> = curve.points.iter().map(|p| panel.place(*p)).collect();
         let lengths: Vec<f64> = places
             .windows(2)
@@ -251,7 +254,7 @@ fn mark(panel: &mut Panel, labels: &[String]) {
         if !(spacing > 0.0 && spacing.is_finite()) {
             continue;
         }
-        let mut next = spacing * ((index.unwrap_or(0) % count) as f64 + 0.5) / count as f64;
+        let mut next = spacing * ((index % count) as f64 + 0.5) / count as f64;
         let mut reached = 0.0;
         for (i, length) in lengths.iter().enumerate() {
             reached += length;

@@ -251,11 +251,12 @@ fn dots(panel: &Panel, values: &bands::Values) -> Option<Cloud> {
     let dot = |(at, _)| Dot {
         at,
         value: None,
-        shade: style::DOT_SHADE,
+        // The bands are lighter.
+        shade: 0.0,
     };
     far.then(|| Cloud {
         dots: known.map(dot).collect(),
-        radius: style::SMALL_DOT,
+        radius: style::MAP_DOT,
         image: false,
     })
 }

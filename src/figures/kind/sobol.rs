@@ -19,6 +19,9 @@ use slipgap_study::{Scale, Study};
 const HALF: f64 = 0.17;
 const CAP: f64 = 0.06;
 
+/// A first-order index that is less above the total one is as good as equal.
+const LEAST: f64 = 0.01;
+
 /// What the intervals are.
 const WHISKERS: &str = "Intervals: middle 95 % of bootstrap samples. They assume random points; \
                         a Sobol\u{2019} sequence has smaller errors.";
@@ -113,8 +116,8 @@ impl Draw for Sobol {
     }
 }
 
-/// The parameters whose first-order index is above the total one by more than an interval. The indices of a large enough sample are
-/// not: the total contains the first order.
+/// The parameters whose first-order index is above the total one, beyond an interval. The total contains the first order: the indices
+/// of a large enough sample are not so.
 fn not_converged(
     study: &Study,
     parameters: &[usize],
@@ -123,7 +126,7 @@ fn not_converged(
 ) -> Option<String> {
     let wrong = |of: &Indices| {
         let (first, total) = (of.first, of.total);
-        first.value > total.value
+        first.value > total.value + LEAST
             && (first.value > total.interval[1] || total.value < first.interval[0])
     };
     let of_metric = |(metric, found): (&usize, &&Estimates)| {
@@ -141,7 +144,7 @@ fn not_converged(
         .collect();
     (!parts.is_empty()).then(|| {
         format!(
-            "Not converged: the first order is above the total by more than an interval for {}; take more points.",
+            "Not converged: the first order is above the total, beyond an interval, for {}; take more points.",
             parts.join(", ")
         )
     })
@@ -179,5 +182,45 @@ fn bar(panel: &mut Panel, index: Index, at: f64, marker: Marker) {
             width: style::EXACT_LINE,
             ..Series::rule(points)
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_first_order_above_the_total_is_not_converged() {
+        let study = slipgap_study::parse(
+            "s",
+            r#"{"problem": "bar-impact", "parameters": {"gamma": 1, "n": 4, "dt": 0.01, "duration": 1}}"#,
+        )
+        .unwrap_or_else(|e| panic!("{e}"));
+        let row = |name: &str| {
+            let mut table = study.problem.parameters().iter();
+            table.position(|parameter| parameter.name == name).unwrap()
+        };
+        let index = |value, low, high| Index {
+            value,
+            interval: [low, high],
+        };
+        let words = |first, total| {
+            let found: Estimates = Ok(vec![Indices { first, total }]);
+            not_converged(&study, &[row("gamma")], &[0], &[&found])
+        };
+        // 0.5 above 0.3, and above the interval of 0.3 or below that of 0.5.
+        let said = words(index(0.5, 0.2, 0.8), index(0.3, 0.2, 0.4)).unwrap();
+        let symbol = &*study.problem.parameters()[row("gamma")].symbol;
+        assert!(said.contains(&format!("{symbol} (")), "{said}");
+        assert!(words(index(0.5, 0.4, 0.6), index(0.3, 0.1, 0.9)).is_some());
+        // Inside of both intervals, hardly above, and below.
+        assert_eq!(words(index(0.5, 0.2, 0.8), index(0.3, 0.1, 0.6)), None);
+        assert_eq!(
+            words(index(0.008, 0.007, 0.009), index(0.001, 0.0, 0.002)),
+            None
+        );
+        assert_eq!(words(index(0.3, 0.2, 0.4), index(0.5, 0.4, 0.6)), None);
+        let none: Estimates = Err(slipgap_statistics::sobol::Lack::Constant);
+        assert_eq!(not_converged(&study, &[row("gamma")], &[0], &[&none]), None);
     }
 }

@@ -43,7 +43,7 @@ impl<B: DrawingBackend> Canvas<B> {
         if hatched {
             for direction in stroke.hatching() {
                 for line in clip::hatching(&corners, *direction, style::BAND_HATCH) {
-                    self.path(&line, style::HATCH_LINE)?;
+                    self.curve(&line, style::HATCH_LINE, style::BAND_GREY)?;
                 }
             }
             return Ok(());

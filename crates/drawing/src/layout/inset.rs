@@ -55,9 +55,11 @@ pub fn add(panel: &mut Panel, x: Axis) {
 /// The lines that join a part of a panel with its inset: its outline, and a line to each lower corner of the inset.
 pub fn joins(panel: &Panel, inset: &Panel) -> Vec<Vec<[f64; 2]>> {
     let [[left, right], [low, high]] = [inset.x.range, inset.y.range];
+    let foot = inset.frame.bottom() + super::below(&inset.x) + 2.0;
+    // The outline ends below the strip.
     let corner = |x: f64, y: f64| {
         let [x, y] = panel.place([x, y]);
-        [x, y.clamp(panel.frame.top, panel.frame.bottom())]
+        [x, y.max(foot + 1.0).min(panel.frame.bottom())]
     };
     let corners = [
         [left, low],
@@ -67,7 +69,6 @@ pub fn joins(panel: &Panel, inset: &Panel) -> Vec<Vec<[f64; 2]>> {
         [left, low],
     ];
     let outline = corners.map(|[x, y]| corner(x, y)).to_vec();
-    let foot = inset.frame.bottom() + super::below(&inset.x) + 2.0;
     let [a, b] = [left, right].map(|x| corner(x, high));
     let to_left = vec![a, [inset.frame.left, foot]];
     let to_right = vec![b, [inset.frame.right(), foot]];

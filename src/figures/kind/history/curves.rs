@@ -111,6 +111,15 @@ impl Curves<'_> {
     }
 }
 
+/// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it.
+pub fn unmark_alone<'a>(series: impl Iterator<Item = &'a mut Series>, labels: &[String]) {
+    let all: Vec<&mut Series> = series.collect();
+    let alone = labels.len() == 1 && all.iter().all(|series| series.label == labels[0]);
+    for series in all.into_iter().filter(|_| alone) {
+        series.marker = None;
+    }
+}
+
 /// The cases of a panel: those with a value of a parameter, or all.
 pub fn members(cases: &[DrawnCase], group: Option<(usize, Option<Value>)>) -> Vec<usize> {
     let belongs = |i: &usize| match group {

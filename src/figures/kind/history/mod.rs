@@ -98,10 +98,11 @@ impl Draw for History {
             .map(|group| curves::members(drawn, panels.map(|row| (row, *group))))
             .collect();
         let rows = arranged.rows(quantities.len(), groups.len());
-        let series: Vec<Vec<Vec<Series>>> = members
+        let mut series: Vec<Vec<Vec<Series>>> = members
             .iter()
             .map(|group| quantities.iter().map(|q| curves.of(q, group)).collect())
             .collect();
+        curves::unmark_alone(series.iter_mut().flatten().flatten(), &labels);
         let strip = inset.map_or(0.0, |_| inset::HEIGHT);
         let heights: Vec<f64> = rows
             .iter()

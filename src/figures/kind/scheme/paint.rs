@@ -1,6 +1,7 @@
 //! Draws a scheme: the places of its parts from top to bottom, and its symbols.
 
 use super::columns;
+use super::inner;
 use super::marks;
 use super::places::{Placed, has_places};
 use super::relations::{Join, Relations};
@@ -25,6 +26,7 @@ pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
     let drawn = with_places(scheme, |mut painter, placed| {
         painter.parts();
         painter.links();
+        painter.joints();
         painter.loads();
         if let Some(placed) = placed {
             painter.nodes(placed);
@@ -50,6 +52,7 @@ pub fn with_places<T>(scheme: &Scheme, draw: impl FnOnce(Painter<'_>, Option<&Pl
         sizes: &sizes,
         rects: Vec::new(),
         floor: 0.0,
+        joined: Vec::new(),
         picture: Picture::default(),
     };
     painter.stack(&left);
@@ -127,6 +130,8 @@ pub struct Painter<'a> {
     pub rects: Vec<Rect>,
     /// Height of the ground under the lowest row.
     pub floor: f64,
+    /// Where links meet nodes between laws in series: the part, and the place.
+    pub joined: Vec<(usize, [f64; 2])>,
     /// What is drawn so far.
     pub picture: Picture,
 }
@@ -199,7 +204,7 @@ impl Painter<'_> {
 
     fn parts(&mut self) {
         let parts = self.scheme.parts.iter().enumerate();
-        for (i, part) in parts.filter(|(_, part)| !has_places(part)) {
+        for (i, part) in parts.filter(|(_, part)| !has_places(part) && !inner::is_node(part)) {
             let rect = self.rects[i];
             match part.elements {
                 Some(n) => symbols::bar(&mut self.picture, rect, n),
