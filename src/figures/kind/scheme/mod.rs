@@ -2,6 +2,7 @@
 
 mod blocks;
 mod columns;
+mod ground_motion;
 mod groups;
 mod inner;
 mod labels;

@@ -1,11 +1,12 @@
 //! Draws a scheme: the places of its parts from top to bottom, and its symbols.
 
 use super::columns;
+use super::ground_motion;
 use super::inner;
 use super::marks;
 use super::places::{Placed, has_places};
 use super::relations::{Join, Relations};
-use super::sizes::{self, NAME_GAP, Sizes};
+use super::sizes::{self, Sizes};
 use super::symbols;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Rect, Shape};
 use slipgap_drawing::style;
@@ -18,12 +19,14 @@ pub const ROWS: f64 = 32.0;
 const SLIDING: f64 = 15.0;
 /// Height of a link over the parts of its row.
 pub const OVER: f64 = 22.0;
+/// The horizontal and the vertical axis of a structure without places: its row along X.
+const ROW: [usize; 2] = [0, 2];
 /// Grey of masses.
 const GREY: u8 = 228;
 
 /// The picture of a scheme with its upper left corner at 0, and its size.
 pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
-    let drawn = with_places(scheme, |mut painter, placed| {
+    let (drawn, axes) = with_places(scheme, |mut painter, placed| {
         painter.parts();
         painter.links();
         painter.joints();
@@ -31,11 +34,11 @@ pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
         if let Some(placed) = placed {
             painter.nodes(placed);
         }
-        painter.picture
+        (painter.picture, placed.map_or(ROW, |placed| placed.axes))
     });
     let (mut picture, mut size) = boxed(drawn);
-    if scheme.ground_moves {
-        size[1] = ground_motion(&mut picture, size);
+    if !scheme.ground.is_empty() {
+        size[1] = ground_motion::draw(&mut picture, size, &scheme.ground, axes);
     }
     (picture, size)
 }
@@ -57,27 +60,6 @@ pub fn with_places<T>(scheme: &Scheme, draw: impl FnOnce(Painter<'_>, Option<&Pl
     };
     painter.stack(&left);
     draw(painter, placed.as_ref())
-}
-
-/// The motion of the ground below a picture of this size, and the height with it.
-fn ground_motion(picture: &mut Picture, [width, height]: [f64; 2]) -> f64 {
-    let text = "ground motion";
-    let length = text::width(text, style::LABEL);
-    let y = height + 9.0;
-    let from = (width - 34.0 - 2.0 * NAME_GAP - length) / 2.0;
-    picture
-        .shapes
-        .push(Shape::DoubleArrow([[from, y], [from + 34.0, y]]));
-    picture.words.push(PlacedText {
-        at: [
-            from + 34.0 + 2.0 * NAME_GAP,
-            y + style::CAP_HEIGHT * style::LABEL / 2.0,
-        ],
-        anchor: Anchor::Start,
-        text: text.into(),
-        size: style::LABEL,
-    });
-    y + 7.0
 }
 
 /// The picture with its upper left corner at 0, and its size.
