@@ -24,6 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         figure: &study.figures[0],
         cases: &shown.all(),
         groups: &GroupResults::None,
+        colour: false,
     });
     let dots_per_inch = 192;
     let (vector, pixels) = (svg(&sheet, dots_per_inch)?, png(&sheet, dots_per_inch)?);

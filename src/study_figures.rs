@@ -101,6 +101,7 @@ pub fn with_data<T>(
             figure,
             cases,
             groups: &groups,
+            colour: false,
         })
     };
     let all = 0..shown.len() as u32;

@@ -76,7 +76,7 @@ def test_files_and_numbers(study: Path, program: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["friction-fig5", "impact-fig4", "structure-block"])
-def test_a_run_in_memory_is_the_same(name: str, studies: Path, tmp_path: Path) -> None:
+def test_a_run_in_memory_is_the_same(name: str, program: str, studies: Path, tmp_path: Path) -> None:
     study = studies / f"{name}.json"
     before = sorted(tmp_path.iterdir())
     memory, files = slipgap.run(study), slipgap.run(study, out=tmp_path)
@@ -87,10 +87,14 @@ def test_a_run_in_memory_is_the_same(name: str, studies: Path, tmp_path: Path) -
         assert repr(list(a)) == repr(list(b)), column
     assert memory.checks == files.checks and memory.failures == files.failures == []
     assert memory.figures.keys() == files.figures.keys()
-    for figure in memory.figures:
-        assert memory.figures[figure].svg == files.figures[figure].svg
-        assert memory.figures[figure].png == files.figures[figure].png
-        assert memory.figures[figure].pdf == files.figures[figure].pdf
+    # Figures in memory are in colour.
+    words = [program, "run", study, "--colour", "--out", tmp_path / "colour"]
+    subprocess.run(words, capture_output=True, check=True)
+    for name, figure in memory.figures.items():
+        drawn = tmp_path / "colour" / study.stem / name
+        assert figure.svg == drawn.with_suffix(".svg").read_text()
+        assert figure.png == drawn.with_suffix(".png").read_bytes()
+        assert figure.pdf == drawn.with_suffix(".pdf").read_bytes()
     left = {key: value for key, value in memory.manifest.items() if key != "files"}
     right = {key: value for key, value in files.manifest.items() if key != "files"}
     assert left == right

@@ -53,6 +53,10 @@ pub struct OutputArgs {
     /// Pixels an inch of the PNG files, and of images in SVG and PDF files, 72 to 1200
     #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = whole::<u32>(72, 1200))]
     dpi: u32,
+    /// Draw curves unbroken and in colours that people with any colour vision tell apart, instead of in black with dashes and
+    /// markers, in figures without the key "colour"
+    #[arg(long)]
+    colour: bool,
     /// Print the path of every file written, not only of the folder
     #[arg(long)]
     verbose: bool,
@@ -64,6 +68,7 @@ impl OutputArgs {
         OutputOptions {
             table: self.format.map(Format::has_table),
             dpi: self.dpi,
+            colour: self.colour,
             ..OutputOptions::default()
         }
     }

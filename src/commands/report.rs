@@ -141,7 +141,13 @@ fn section<'a>(
     study_figures::add_histories(study, &mut shown);
     for (k, figure) in study.figures.iter().enumerate() {
         let prefix = format!("s{index}f{k}-");
-        let draw = |data: &FigureData| Drawing::new(data, &prefix);
+        let draw = |data: &FigureData| {
+            let data = FigureData {
+                colour: true,
+                ..*data
+            };
+            Drawing::new(&data, &prefix)
+        };
         drawings.push(study_figures::with_data(
             study, figure, &shown, &designs, draw,
         )?);

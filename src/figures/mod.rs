@@ -24,6 +24,7 @@ pub use slipgap_drawing::{pdf, png, svg};
 use crate::batch::GroupResults;
 use sheet::Sheet;
 use slipgap_drawing::layout::{self, envelope};
+use slipgap_drawing::style::Look;
 use slipgap_study::{Figure, Study};
 
 /// What a figure draws.
@@ -37,6 +38,18 @@ pub struct FigureData<'a> {
     pub cases: &'a [DrawnCase<'a>],
     /// The results over groups of these cases.
     pub groups: &'a GroupResults<'a>,
+    /// Whether curves have colours if the figure does not say.
+    pub colour: bool,
+}
+
+impl FigureData<'_> {
+    /// How the curves are told apart.
+    pub fn look(&self) -> Look {
+        Look {
+            colour: self.figure.colour.unwrap_or(self.colour),
+            markers: self.figure.markers,
+        }
+    }
 }
 
 /// The sheet of a figure.
@@ -60,7 +73,7 @@ pub fn sheet(data: &FigureData) -> Sheet {
             _ => parts.push(label),
         }
     }
-    let bands = envelope::any(&sheet).then_some(envelope::MEANING);
+    let bands = envelope::meaning(&sheet);
     let over = taken_over(study, figure);
     let notes = bands.into_iter().chain(over.as_deref());
     let notes = notes.chain(figure.note.as_deref());

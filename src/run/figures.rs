@@ -32,7 +32,11 @@ pub fn write(
             {
                 table.add(&figure.name, kind, curves)?;
             }
-            Ok::<_, Error>(figures::sheet(data))
+            let data = FigureData {
+                colour: output.colour,
+                ..*data
+            };
+            Ok::<_, Error>(figures::sheet(&data))
         };
         let sheet = study_figures::with_data(study, figure, shown, designs, draw)?;
         let name = &figure.name;

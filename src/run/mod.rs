@@ -51,6 +51,8 @@ pub struct OutputOptions {
     pub table: Option<bool>,
     /// Pixels per inch of figures.
     pub dpi: u32,
+    /// Whether figures that do not say otherwise have colours.
+    pub colour: bool,
 }
 
 impl Default for OutputOptions {
@@ -60,6 +62,7 @@ impl Default for OutputOptions {
             fail_fast: false,
             table: None,
             dpi: style::DPI,
+            colour: false,
         }
     }
 }

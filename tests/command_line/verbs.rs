@@ -227,6 +227,31 @@ fn numbers_that_are_none_are_named_with_what_is_allowed() {
 }
 
 #[test]
+fn a_run_with_colour_draws_in_the_colours_of_okabe_and_ito() {
+    let bench = Bench::new();
+    let study = |name: &str, key: &str| {
+        let text = format!(
+            r#"{{"problem": "bar-impact", "parameters": {{"gamma": [1, 2], "n": 4, "dt": 0.02, "duration": 1.5}},
+              "figures": [{{"name": "f", "kind": "history", "y": "r"{key}}}]}}"#
+        );
+        bench.file(name, &text);
+    };
+    study("s.json", "");
+    study("black.json", r#", "colour": false"#);
+    study("blue.json", r#", "colour": true"#);
+    let blue = |words: &[&str], name: &str| {
+        bench.expect(0, &[&["run"], words].concat());
+        bench
+            .text(&format!("figures/{name}/f.svg"))
+            .contains("#0072b2")
+    };
+    assert!(!blue(&["s.json"], "s"));
+    assert!(blue(&["s.json", "--colour"], "s"));
+    assert!(!blue(&["black.json", "--colour"], "black"));
+    assert!(blue(&["blue.json"], "blue"));
+}
+
+#[test]
 fn without_a_folder_of_studies_the_message_says_what_to_do() {
     let bench = Bench::new();
     for verb in ["run", "check", "list", "report"] {

@@ -311,6 +311,7 @@ fn drawn(study: &Study) -> Sheet {
         figure: &study.figures[0],
         cases: &shown.all(),
         groups: &GroupResults::None,
+        colour: false,
     })
 }
 

@@ -47,6 +47,10 @@ pub const CONTOUR_LINE: f64 = 0.45;
 pub const HATCH_LINE: f64 = 0.35;
 /// Distance of the lines of hatched areas along an axis.
 pub const HATCH: f64 = 6.0;
+/// Distance of the lines of hatched bands along an axis.
+pub const BAND_HATCH: f64 = 4.0;
+/// Colour of these lines, so that curves stand out from them.
+pub const BAND_GREY: [u8; 3] = [140; 3];
 /// Width of the line along the ridge of a map.
 pub const RIDGE_LINE: f64 = 1.3;
 /// Width of the light band under the best of all cases.
@@ -62,6 +66,8 @@ pub const MARKER: f64 = 2.3;
 
 /// Radius of a dot, one of few.
 pub const DOT: f64 = 1.5;
+/// Radius of a dot at a case of a map.
+pub const MAP_DOT: f64 = 1.1;
 /// Radius of a dot, one of very many.
 pub const SMALL_DOT: f64 = 0.6;
 /// Width of a dot's outline, where dots are few.
@@ -106,13 +112,31 @@ pub enum Stroke {
     LongDash,
     /// Unbroken, in a colour of maps: its fraction of the scale in parts of 255.
     Graded(u8),
+    /// The curve of this number in colour, unbroken as long as the colours last.
+    Colour(u8),
 }
+
+/// Colours that people with any colour vision tell apart (Okabe and Ito), the darkest first. Black is the colour of exact curves, and
+/// yellow lines do not show on white.
+const COLOURS: [[u8; 3]; 6] = [
+    [0, 114, 178],
+    [213, 94, 0],
+    [0, 158, 115],
+    [204, 121, 167],
+    [230, 159, 0],
+    [86, 180, 233],
+];
 
 impl Stroke {
     /// Lengths of line and gap in turn; empty for an unbroken line.
     pub fn pattern(self) -> &'static [f64] {
         match self {
             Stroke::Solid | Stroke::Graded(_) => &[],
+            // With the colours used up, the next ones have dashes.
+            Stroke::Colour(i) => match usize::from(i) / COLOURS.len() {
+                0 => &[],
+                round => Stroke::of_case(round - 1).pattern(),
+            },
             Stroke::Dashed => &[5.0, 2.2],
             Stroke::DashDot => &[7.0, 2.0, 1.2, 2.0],
             Stroke::Dotted => &[1.1, 1.7],
@@ -135,6 +159,7 @@ impl Stroke {
     pub fn colour(self) -> [u8; 3] {
         match self {
             Stroke::Graded(place) => colour(f64::from(place) / 255.0),
+            Stroke::Colour(i) => COLOURS[usize::from(i) % COLOURS.len()],
             Stroke::Solid
             | Stroke::Dashed
             | Stroke::DashDot
@@ -144,18 +169,33 @@ impl Stroke {
         }
     }
 
-    /// Red, green and blue of the band of a curve that is too dense to draw: light, a different grey for each pattern.
+    /// Red, green and blue of the area of a band: light.
     pub fn fill(self) -> [u8; 3] {
-        let grey = match self {
-            Stroke::Solid => 240,
-            Stroke::Dashed => 226,
-            Stroke::DashDot => 208,
-            Stroke::Dotted => 190,
-            Stroke::DashDotDot => 172,
-            Stroke::LongDash => 154,
-            Stroke::Graded(_) => return self.colour().map(|part| 255 - (255 - part) / 3),
-        };
-        [grey; 3]
+        match self {
+            Stroke::Graded(_) | Stroke::Colour(_) => {
+                self.colour().map(|part| 255 - (255 - part) / 3)
+            }
+            Stroke::Solid
+            | Stroke::Dashed
+            | Stroke::DashDot
+            | Stroke::Dotted
+            | Stroke::DashDotDot
+            | Stroke::LongDash => [240; 3],
+        }
+    }
+
+    /// The hatching of the band of a black curve: `[a, b]` for lines along which a x + b y is constant, y downwards. None for a
+    /// colour, whose bands are filled.
+    pub fn hatching(self) -> &'static [[f64; 2]] {
+        match self {
+            Stroke::Graded(_) | Stroke::Colour(_) => &[],
+            Stroke::Solid => &[[1.0, 1.0]],
+            Stroke::Dashed => &[[1.0, -1.0]],
+            Stroke::DashDot => &[[1.0, 0.0]],
+            Stroke::Dotted => &[[0.0, 1.0]],
+            Stroke::DashDotDot => &[[1.0, 1.0], [1.0, -1.0]],
+            Stroke::LongDash => &[[1.0, 0.0], [0.0, 1.0]],
+        }
     }
 
     /// The pattern of the `i`-th curve of a panel.
@@ -171,8 +211,33 @@ impl Stroke {
     }
 }
 
-/// Most curves: as many as strokes and markers can distinguish.
+/// Most curves: as many as strokes and markers can distinguish, in black or in colour.
 pub const MOST_STYLES: usize = 30;
+
+/// How the curves of a figure are told apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Look {
+    /// By colours, instead of by dashes and markers.
+    pub colour: bool,
+    /// Whether curves in colour have markers, too.
+    pub markers: bool,
+}
+
+impl Look {
+    /// The stroke of curve `i` of `count`; a single one is unbroken.
+    pub fn stroke(self, i: usize, count: usize) -> Stroke {
+        match self.colour {
+            true => Stroke::Colour((i % MOST_STYLES) as u8),
+            false if count == 1 => Stroke::Solid,
+            false => Stroke::of_case(i),
+        }
+    }
+
+    /// The marker of curve `i`.
+    pub fn marker(self, i: usize) -> Option<Marker> {
+        (!self.colour || self.markers).then(|| Marker::of_case(i))
+    }
+}
 
 /// An open marker, filled white so that the line does not run through it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -276,4 +341,63 @@ pub fn colour(fraction: f64) -> [u8; 3] {
         (a + (b - a) * (at - i as f64)).round() as u8
     };
     [blend(0), blend(1), blend(2)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn no_two_curves_look_the_same() {
+        let black = Look::default();
+        let mut looks = HashSet::new();
+        for i in 0..MOST_STYLES {
+            let stroke = black.stroke(i, MOST_STYLES);
+            let dashes: Vec<u64> = stroke.pattern().iter().map(|x| x.to_bits()).collect();
+            assert!(
+                looks.insert((dashes, format!("{:?}", black.marker(i)))),
+                "curve {i}"
+            );
+        }
+        let colour = Look {
+            colour: true,
+            markers: false,
+        };
+        let mut looks = HashSet::new();
+        for i in 0..MOST_STYLES {
+            let stroke = colour.stroke(i, MOST_STYLES);
+            let dashes: Vec<u64> = stroke.pattern().iter().map(|x| x.to_bits()).collect();
+            assert!(looks.insert((dashes, stroke.colour())), "curve {i}");
+            assert_eq!(stroke.pattern().is_empty(), i < COLOURS.len());
+            assert_eq!(colour.marker(i), None);
+        }
+        assert_eq!(black.stroke(0, 1), Stroke::Solid);
+        let both = Look {
+            colour: true,
+            markers: true,
+        };
+        assert_eq!(both.marker(2), black.marker(2));
+    }
+
+    /// Contrast of a colour with white (WCAG 2.2, relative luminance).
+    fn contrast(rgb: [u8; 3]) -> f64 {
+        let linear = |part: u8| {
+            let c = f64::from(part) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                libm::pow((c + 0.055) / 1.055, 2.4)
+            }
+        };
+        let [r, g, b] = rgb.map(linear);
+        1.05 / (0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05)
+    }
+
+    #[test]
+    fn colours_show_on_white() {
+        // Twice is enough for a line on paper; the yellow of the same palette has 1.3.
+        assert!(COLOURS.iter().all(|rgb| contrast(*rgb) > 2.0));
+        assert!(contrast([240, 228, 66]) < 1.4);
+    }
 }

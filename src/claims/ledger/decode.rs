@@ -89,6 +89,7 @@ fn ledger(root: &Node, file: &Path, faults: &mut Faults) -> Result<Option<Ledger
             blocks: study.blocks.clone(),
             ensemble: None,
             once: study.once,
+            checked: Vec::new(),
             set: Vec::new(),
         };
         (scope, figures, study.columns.clone())

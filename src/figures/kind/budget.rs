@@ -9,7 +9,7 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::slope;
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Look, Stroke};
 use slipgap_solver::problem;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_study::Scale;
@@ -47,7 +47,7 @@ impl Draw for Budget {
         for budget in &budgets {
             for group in &groups {
                 let members: Vec<&DrawnCase> = cases.iter().filter(|c| member(c, group)).collect();
-                content.push((*budget, *group, curves(budget, &members, *x)));
+                content.push((*budget, *group, curves(data.look(), budget, &members, *x)));
             }
         }
         let [x_range, y_range] = figure.ranges;
@@ -128,7 +128,7 @@ impl Draw for Budget {
 }
 
 /// The total, as an unbroken line, and its parts.
-fn curves(budget: &problem::Budget, members: &[&DrawnCase], x: usize) -> Vec<Series> {
+fn curves(look: Look, budget: &problem::Budget, members: &[&DrawnCase], x: usize) -> Vec<Series> {
     let of = |metric: usize| {
         let mut points: Vec<[f64; 2]> = members
             .iter()
@@ -158,9 +158,9 @@ fn curves(budget: &problem::Budget, members: &[&DrawnCase], x: usize) -> Vec<Ser
                 label: (*name).to_string(),
                 marked: (0..points.len()).collect(),
                 points,
-                stroke: Stroke::of_case(index),
+                stroke: look.stroke(index, budget.parts.len()),
                 width: style::CASE_LINE,
-                marker: Some(Marker::of_case(index)),
+                marker: look.marker(index),
             }
         });
     std::iter::once(total).chain(parts).collect()

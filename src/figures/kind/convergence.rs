@@ -15,6 +15,8 @@ impl Draw for Convergence {
             by: self.by,
             scales: [Scale::Log; 2],
             orders: true,
+            panels: None,
+            checks: false,
         };
         curves.sheet(data)
     }

@@ -2,7 +2,7 @@
 
 use super::Draw;
 use super::history::arrangement::Arrangement;
-use super::history::curves::{keys, members, sizes};
+use super::history::curves::{keys, members, sizes, unmark_alone};
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
@@ -10,7 +10,7 @@ use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style;
 use slipgap_solver::history::History;
 use slipgap_solver::problem::{Quantity, Solution};
 use slipgap_study::kinds::Curve;
@@ -32,6 +32,7 @@ impl Draw for Curve {
             cases,
             ..
         } = *data;
+        let look = data.look();
         let units = study.units.as_ref().filter(|_| self.in_units);
         let solved = cases.iter().copied().filter(|c| c.solution().is_some());
         let solved: Vec<DrawnCase> = solved.collect();
@@ -53,13 +54,14 @@ impl Draw for Curve {
             study,
             x: &all[self.x],
             in_units: units.is_some(),
+            times: self.times,
         };
         let curve = |quantity, i: usize| Series {
             label: labels[indices[i]].clone(),
             points: pairs.computed(quantity, &drawn[i]),
-            stroke: Stroke::of_case(indices[i]),
+            stroke: look.stroke(indices[i], labels.len()),
             width: style::CASE_LINE,
-            marker: Some(Marker::of_case(indices[i])),
+            marker: look.marker(indices[i]),
             marked: Vec::new(),
         };
         let group = |value| members(drawn, self.panels.map(|row| (row, value)));
@@ -72,7 +74,8 @@ impl Draw for Curve {
             };
             groups.iter().map(of_group).collect()
         };
-        let series: Vec<Vec<Vec<Series>>> = quantities.iter().copied().map(series).collect();
+        let mut series: Vec<Vec<Vec<Series>>> = quantities.iter().copied().map(series).collect();
+        unmark_alone(series.iter_mut().flatten().flatten(), &labels);
 
         let [x_range, y_range] = figure.ranges;
         let height = if rows.len() == 1 { 160.0 } else { 130.0 };
@@ -150,6 +153,8 @@ struct Pairs<'a> {
     study: &'a Study,
     x: &'a Quantity,
     in_units: bool,
+    /// First and last time in the unit of the axes, if not all.
+    times: Option<[f64; 2]>,
 }
 
 impl Pairs<'_> {
@@ -176,7 +181,19 @@ impl Pairs<'_> {
             return Vec::new();
         };
         let both = [self.x, y].map(|quantity| values(quantity, solution));
-        self.points(y, shown, both)
+        let points = self.points(y, shown, both);
+        self.within(shown, &solution.computed.time, points)
+    }
+
+    /// The points at the times shown.
+    fn within(&self, shown: &DrawnCase, time: &[f64], points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        let Some([first, last]) = self.times else {
+            return points;
+        };
+        let size = sizes(self.study, self.in_units, &shown.case(), self.x)[0];
+        let pairs = time.iter().zip(points);
+        let inside = pairs.filter(|(t, _)| (first..=last).contains(&(**t * size)));
+        inside.map(|(_, point)| point).collect()
     }
 
     /// The exact curves of a group of cases, equal ones once; none for an error.
@@ -190,6 +207,7 @@ impl Pairs<'_> {
             let Some(exact) = exact else { continue };
             let both = [self.x, y].map(|quantity| exact.channel(quantity.channel).to_vec());
             let points = self.points(y, shown, both);
+            let points = self.within(shown, &exact.time, points);
             if !points.is_empty() && found.iter().all(|other| other.points != points) {
                 found.push(Series::exact(points));
             }
@@ -223,8 +241,10 @@ fn values(quantity: &Quantity, solution: &Solution) -> Vec<f64> {
 fn mark(panel: &mut Panel, labels: &[String]) {
     let mut series = std::mem::take(&mut panel.series);
     let count = labels.len().clamp(1, 8);
-    for curve in series.iter_mut().filter(|curve| curve.marker.is_some()) {
-        let index = labels.iter().position(|label| *label == curve.label);
+    for curve in &mut series {
+        let Some(index) = labels.iter().position(|label| *label == curve.label) else {
+            continue;
+        };
         let places: Vec<[f64; 2]> = curve.points.iter().map(|p| panel.place(*p)).collect();
         let lengths: Vec<f64> = places
             .windows(2)
@@ -234,7 +254,7 @@ fn mark(panel: &mut Panel, labels: &[String]) {
         if !(spacing > 0.0 && spacing.is_finite()) {
             continue;
         }
-        let mut next = spacing * ((index.unwrap_or(0) % count) as f64 + 0.5) / count as f64;
+        let mut next = spacing * ((index % count) as f64 + 0.5) / count as f64;
         let mut reached = 0.0;
         for (i, length) in lengths.iter().enumerate() {
             reached += length;

@@ -8,7 +8,7 @@ use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
-use slipgap_drawing::style;
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_statistics::empirical;
 use slipgap_study::Scale;
 use slipgap_study::kinds::Distribution;
@@ -31,6 +31,7 @@ impl Draw for Distribution {
             cases,
             ..
         } = *data;
+        let look = data.look();
         let (found, all) = ensembles(study, cases, self.by, None);
         let height = if self.y.len() == 1 { 190.0 } else { 130.0 };
         let [x_range, y_range] = figure.ranges;
@@ -61,7 +62,7 @@ impl Draw for Distribution {
             frame.height = height;
             let mut panel = Panel::new(frame, grid.margin, x, y.clone());
             for (k, ensemble) in found.iter().enumerate() {
-                draw(&mut panel, ensemble, *metric, k);
+                draw(&mut panel, ensemble, *metric, stroke(look, k));
             }
             sheet.panels.push(panel);
         }
@@ -69,7 +70,7 @@ impl Draw for Distribution {
         layout::left_out(&mut sheet, found.len(), all);
         layout::finish(
             &mut sheet,
-            vec![keys(&found, |_| None)],
+            vec![keys(look, &found, |_| None)],
             figure.title.as_deref(),
         );
         layout::small_print(&mut sheet, &format!("{BANDS} {}", counts(&found)));
@@ -90,7 +91,7 @@ fn counts(found: &[Ensemble]) -> String {
 }
 
 /// Adds the function of an ensemble and its band.
-fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, k: usize) {
+fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, stroke: Stroke) {
     let values = ensemble
         .cases
         .iter()
@@ -123,14 +124,14 @@ fn draw(panel: &mut Panel, ensemble: &Ensemble, metric: usize, k: usize) {
     panel.bands.push(Band {
         upper: moved(half),
         lower: moved(-half),
-        stroke: stroke(k),
+        stroke,
     });
     // The upper end of each step shows its values.
     let marked = (0..shown.len()).map(|step| 2 * step + 2).collect();
     panel.series.push(Series {
         label: ensemble.label.clone(),
         points: line,
-        stroke: stroke(k),
+        stroke,
         width: style::CASE_LINE,
         marker: None,
         marked,

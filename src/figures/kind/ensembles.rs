@@ -5,7 +5,7 @@ use crate::figures::label;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::Sheet;
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Look, Marker, Stroke};
 use slipgap_drawing::text::markup;
 use slipgap_solver::problem::parameter::Value;
 use slipgap_study::{Study, alike};
@@ -69,16 +69,19 @@ impl<'a, 'c> Ensemble<'a, 'c> {
     }
 }
 
-/// The stroke of curve `i`.
-pub fn stroke(i: usize) -> Stroke {
-    i.checked_sub(1).map_or(Stroke::Solid, Stroke::of_case)
+/// The stroke of curve `i`; the first of black curves is unbroken.
+pub fn stroke(look: Look, i: usize) -> Stroke {
+    match i.checked_sub(1).filter(|_| !look.colour) {
+        Some(before) => Stroke::of_case(before),
+        None => look.stroke(i, 1),
+    }
 }
 
 /// Keys of the curves with a label.
-pub fn keys(found: &[Ensemble], marker: impl Fn(usize) -> Option<Marker>) -> Vec<Key> {
+pub fn keys(look: Look, found: &[Ensemble], marker: impl Fn(usize) -> Option<Marker>) -> Vec<Key> {
     let key = |(k, ensemble): (usize, &Ensemble)| Key {
         label: ensemble.label.clone(),
-        stroke: stroke(k),
+        stroke: stroke(look, k),
         width: style::CASE_LINE,
         marker: marker(k),
     };

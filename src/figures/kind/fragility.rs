@@ -10,7 +10,7 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::points::Point;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Marker};
+use slipgap_drawing::style::{self, Marker, Stroke};
 use slipgap_drawing::text::markup::plain;
 use slipgap_drawing::text::number;
 use slipgap_statistics::lognormal::Fragility as Function;
@@ -51,7 +51,9 @@ impl Draw for Fragility {
             figure,
             cases,
             groups,
+            ..
         } = *data;
+        let look = data.look();
         let (found, all) = of_curves(self, study, cases);
         let curves = curves(groups);
         let height = 190.0;
@@ -72,11 +74,12 @@ impl Draw for Fragility {
         let mut panel = Panel::new(grid.frames[0][0], grid.margin, x_axis, y_axis);
         for (k, (ensemble, curve)) in found.iter().zip(curves).enumerate() {
             if let Ok(fit) = &curve.fit {
-                let line = line(&panel, fit, k);
+                let line = line(&panel, fit, stroke(look, k));
                 panel.series.push(line);
             }
             let shift = shift(k, found.len());
-            points(&mut panel, curve, shift, k, &ensemble.label);
+            let (stroke, marker) = (stroke(look, k), Marker::of_case(k));
+            points(&mut panel, curve, shift, (stroke, marker), &ensemble.label);
         }
         let mut sheet = Sheet {
             width,
@@ -86,7 +89,7 @@ impl Draw for Fragility {
         layout::left_out(&mut sheet, found.len(), all);
         let key = |(k, (ensemble, curve)): (usize, (&Ensemble, &FragilityCurve))| Key {
             label: label(&ensemble.label, curve),
-            stroke: stroke(k),
+            stroke: stroke(look, k),
             width: curve.fit.map_or(0.0, |_| style::CASE_LINE),
             marker: Some(Marker::of_case(k)),
         };
@@ -171,13 +174,13 @@ fn shift(k: usize, count: usize) -> f64 {
 }
 
 /// The fitted function over the whole axis.
-fn line(panel: &Panel, fit: &Function, k: usize) -> Series {
+fn line(panel: &Panel, fit: &Function, stroke: Stroke) -> Series {
     let place = |i: u32| panel.x.value(f64::from(i) / f64::from(POINTS));
     let point = |i: u32| [place(i), fit.probability(place(i))];
     Series {
         label: String::new(),
         points: (0..=POINTS).map(point).collect(),
-        stroke: stroke(k),
+        stroke,
         width: style::CASE_LINE,
         marker: None,
         marked: Vec::new(),
@@ -185,7 +188,13 @@ fn line(panel: &Panel, fit: &Function, k: usize) -> Series {
 }
 
 /// Adds the points of an ensemble with their intervals, `shift` beside their place.
-fn points(panel: &mut Panel, curve: &FragilityCurve, shift: f64, k: usize, label: &str) {
+fn points(
+    panel: &mut Panel,
+    curve: &FragilityCurve,
+    shift: f64,
+    (stroke, marker): (Stroke, Marker),
+    label: &str,
+) {
     let beside = |x: f64| {
         let moved = panel.x.fraction(x) + shift / panel.frame.width;
         if shift == 0.0 {
@@ -199,6 +208,10 @@ fn points(panel: &mut Panel, curve: &FragilityCurve, shift: f64, k: usize, label
         let x = beside(at);
         let ends = [part.low, part.high];
         new.push(Series {
+            stroke: match stroke {
+                Stroke::Colour(_) => stroke,
+                _ => Stroke::Solid,
+            },
             width: style::EXACT_LINE,
             ..Series::rule(ends.map(|p| [x, p]))
         });
@@ -206,9 +219,9 @@ fn points(panel: &mut Panel, curve: &FragilityCurve, shift: f64, k: usize, label
         new.push(Series {
             label: label.into(),
             points: vec![[x, part.value]],
-            stroke: stroke(k),
+            stroke,
             width: style::CASE_LINE,
-            marker: Some(Marker::of_case(k)),
+            marker: Some(marker),
             marked: vec![0],
         });
     }

@@ -6,6 +6,7 @@ use slipgap_drawing::colour_map::bands;
 use slipgap_drawing::colour_map::bar;
 use slipgap_drawing::colour_map::ridge;
 use slipgap_drawing::layout;
+use slipgap_drawing::layout::cloud::{Cloud, Dot};
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::points::Point;
 use slipgap_drawing::layout::sheet::{Cell, FilledMap, Panel, Sheet};
@@ -132,6 +133,7 @@ impl Draw for Map {
                 ridge::line(&panel, [xs, ys], &ridge::rows(&values, which), label)
             });
             let along = along.filter(|line| !line.points.is_empty());
+            panel.cloud = dots(&panel, &values);
             let marked = marks.iter().flat_map(|m| &m.at);
             let occupied: Vec<[f64; 2]> = marked
                 .chain(along.iter().flat_map(|line| &line.points))
@@ -176,6 +178,9 @@ impl Draw for Map {
             vec![keys]
         };
         layout::finish(&mut sheet, keys, figure.title.as_deref());
+        if sheet.panels.iter().any(|panel| panel.cloud.is_some()) {
+            layout::small_print(&mut sheet, DOTS);
+        }
         if let Some(outside) = outside {
             layout::small_print(&mut sheet, &outside);
         }
@@ -225,6 +230,40 @@ fn hatched(
         }
     }
     found
+}
+
+/// What the dots are.
+const DOTS: &str = "Dots: the cases, between which the shades are interpolated.";
+
+/// Least distance of dots, in points: closer ones would hide the shades.
+const APART: f64 = 5.0;
+
+/// The places of the values; `None` if they are too close.
+fn dots(panel: &Panel, values: &bands::Values) -> Option<Cloud> {
+    let [xs, ys] = &values.places;
+    let axes = [
+        (&panel.x, xs, panel.frame.width),
+        (&panel.y, ys, panel.frame.height),
+    ];
+    let far = axes.into_iter().all(|(axis, places, length)| {
+        let at = |x: f64| length * axis.fraction(x);
+        places
+            .windows(2)
+            .all(|pair| at(pair[1]) - at(pair[0]) >= APART)
+    });
+    let pairs = xs.iter().flat_map(|x| ys.iter().map(move |y| [*x, *y]));
+    let known = pairs.zip(&values.z).filter(|(_, z)| !z.is_nan());
+    let dot = |(at, _)| Dot {
+        at,
+        value: None,
+        // The bands are lighter.
+        shade: 0.0,
+    };
+    far.then(|| Cloud {
+        dots: known.map(dot).collect(),
+        radius: style::MAP_DOT,
+        image: false,
+    })
 }
 
 /// How many values are outside of the range of the shades; `None` if none is.

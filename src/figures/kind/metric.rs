@@ -12,8 +12,10 @@ impl Draw for Metric {
             x: self.x,
             y: &self.y,
             by: self.by,
+            panels: self.panels,
             scales: [self.x_scale, self.y_scale],
             orders: false,
+            checks: self.checks,
         };
         curves.sheet(data)
     }

@@ -10,7 +10,7 @@ use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Look};
 use slipgap_drawing::text::number;
 use slipgap_study::kinds::Profile;
 use slipgap_study::{Scale, Study};
@@ -39,7 +39,7 @@ impl Draw for Profile {
         let (indices, labels) = label::numbered(&labels);
         let panels: Vec<Vec<Vec<Series>>> = (0..times.len())
             .map(|row| {
-                let panel = |quantity| curves(drawn, &indices, &labels, row, quantity);
+                let panel = |quantity| curves(data.look(), drawn, &indices, &labels, row, quantity);
                 y.iter().map(|quantity| panel(*quantity)).collect()
             })
             .collect();
@@ -112,6 +112,7 @@ impl Draw for Profile {
 
 /// The curves of one panel, the exact ones first.
 fn curves(
+    look: Look,
     cases: &[DrawnCase],
     indices: &[usize],
     labels: &[String],
@@ -129,9 +130,9 @@ fn curves(
         computed.push(Series {
             label: labels[*index].clone(),
             points: joined(&lines.computed),
-            stroke: Stroke::of_case(*index),
+            stroke: look.stroke(*index, labels.len()),
             width: style::CASE_LINE,
-            marker: Some(Marker::of_case(*index)),
+            marker: look.marker(*index),
             marked: marked(&lines.computed, *index, labels.len()),
         });
     }

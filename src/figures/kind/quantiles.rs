@@ -8,7 +8,7 @@ use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Marker};
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text::number;
 use slipgap_statistics::quantile::quantile;
 use slipgap_study::Scale;
@@ -52,7 +52,8 @@ impl Draw for Quantiles {
         let title = &study.problem.parameters()[self.x].title();
         let across = limits::axis(title, places, x_scale, x_range, grid.width / 40.0);
         let longest = panels.iter().flatten().map(Vec::len).max().unwrap_or(0);
-        let marker = |k: usize| (longest <= MOST_MARKED).then_some(Marker::of_case(k));
+        let look = data.look();
+        let marker = |k: usize| look.marker(k).filter(|_| longest <= MOST_MARKED);
         let mut sheet = Sheet {
             width,
             ..Sheet::default()
@@ -68,14 +69,14 @@ impl Draw for Quantiles {
             panel.zero =
                 y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
             for (k, points) in curves.iter().enumerate() {
-                bands(&mut panel, points, k);
+                bands(&mut panel, points, stroke(look, k));
                 panel.series.push(Series {
                     label: found[k].label.clone(),
                     points: points
                         .iter()
                         .map(|(x, [_, median, _])| [*x, *median])
                         .collect(),
-                    stroke: stroke(k),
+                    stroke: stroke(look, k),
                     width: style::CASE_LINE,
                     marker: marker(k),
                     marked: (0..points.len()).collect(),
@@ -85,7 +86,7 @@ impl Draw for Quantiles {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, found.len(), all);
-        let mut keys = keys(&found, marker);
+        let mut keys = keys(look, &found, marker);
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         layout::small_print(&mut sheet, &meaning(self));
@@ -120,7 +121,7 @@ fn points_of(figure: &Quantiles, ensemble: &Ensemble, metric: usize) -> Vec<Poin
 }
 
 /// Adds the bands of a curve: one for each part without a gap.
-fn bands(panel: &mut Panel, points: &[Point], k: usize) {
+fn bands(panel: &mut Panel, points: &[Point], stroke: Stroke) {
     let has_place = |(x, of): &Point| {
         let mut ends = of.iter().map(|y| panel.place([*x, *y]));
         ends.all(|place| place.iter().all(|v| v.is_finite()))
@@ -132,7 +133,7 @@ fn bands(panel: &mut Panel, points: &[Point], k: usize) {
         panel.bands.push(Band {
             upper: edge(2),
             lower: edge(0),
-            stroke: stroke(k),
+            stroke,
         });
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Draw;
 use crate::batch::GroupResults;
+use crate::batch::output::sobol::Estimates;
 use crate::figures::FigureData;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::{Axis, Tick};
@@ -10,13 +11,16 @@ use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Bar, Panel, PlacedText, Rect, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Marker, Stroke};
-use slipgap_statistics::sobol::Index;
-use slipgap_study::Scale;
+use slipgap_statistics::sobol::{Index, Indices};
 use slipgap_study::kinds::Sobol;
+use slipgap_study::{Scale, Study};
 
 /// Half the width of a bar, and of the cap of its interval, where parameters are 1 apart.
 const HALF: f64 = 0.17;
 const CAP: f64 = 0.06;
+
+/// A first-order index that is less above the total one is as good as equal.
+const LEAST: f64 = 0.01;
 
 /// What the intervals are.
 const WHISKERS: &str = "Intervals: middle 95 % of bootstrap samples. They assume random points; \
@@ -105,8 +109,45 @@ impl Draw for Sobol {
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         layout::small_print(&mut sheet, WHISKERS);
+        if let Some(words) = not_converged(study, &design.parameters, y, estimates) {
+            layout::small_print(&mut sheet, &words);
+        }
         sheet
     }
+}
+
+/// The parameters whose first-order index is above the total one, beyond an interval. The total contains the first order: the indices
+/// of a large enough sample are not so.
+fn not_converged(
+    study: &Study,
+    parameters: &[usize],
+    metrics: &[usize],
+    estimates: &[&Estimates],
+) -> Option<String> {
+    let wrong = |of: &Indices| {
+        let (first, total) = (of.first, of.total);
+        first.value > total.value + LEAST
+            && (first.value > total.interval[1] || total.value < first.interval[0])
+    };
+    let of_metric = |(metric, found): (&usize, &&Estimates)| {
+        let pairs = found.iter().flatten().zip(parameters);
+        let wrong = pairs.filter(|(of, _)| wrong(of));
+        let names = wrong.map(|(_, row)| &*study.problem.parameters()[*row].symbol);
+        let names: Vec<&str> = names.collect();
+        let metric = study.measures[*metric].bare_symbol();
+        (!names.is_empty()).then(|| format!("{} ({metric})", names.join(", ")))
+    };
+    let parts: Vec<String> = metrics
+        .iter()
+        .zip(estimates)
+        .filter_map(of_metric)
+        .collect();
+    (!parts.is_empty()).then(|| {
+        format!(
+            "Not converged: the first order is above the total, beyond an interval, for {}; take more points.",
+            parts.join(", ")
+        )
+    })
 }
 
 fn middle(frame: &Rect) -> [f64; 2] {
@@ -141,5 +182,45 @@ fn bar(panel: &mut Panel, index: Index, at: f64, marker: Marker) {
             width: style::EXACT_LINE,
             ..Series::rule(points)
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_first_order_above_the_total_is_not_converged() {
+        let study = slipgap_study::parse(
+            "s",
+            r#"{"problem": "bar-impact", "parameters": {"gamma": 1, "n": 4, "dt": 0.01, "duration": 1}}"#,
+        )
+        .unwrap_or_else(|e| panic!("{e}"));
+        let row = |name: &str| {
+            let mut table = study.problem.parameters().iter();
+            table.position(|parameter| parameter.name == name).unwrap()
+        };
+        let index = |value, low, high| Index {
+            value,
+            interval: [low, high],
+        };
+        let words = |first, total| {
+            let found: Estimates = Ok(vec![Indices { first, total }]);
+            not_converged(&study, &[row("gamma")], &[0], &[&found])
+        };
+        // 0.5 above 0.3, and above the interval of 0.3 or below that of 0.5.
+        let said = words(index(0.5, 0.2, 0.8), index(0.3, 0.2, 0.4)).unwrap();
+        let symbol = &*study.problem.parameters()[row("gamma")].symbol;
+        assert!(said.contains(&format!("{symbol} (")), "{said}");
+        assert!(words(index(0.5, 0.4, 0.6), index(0.3, 0.1, 0.9)).is_some());
+        // Inside of both intervals, hardly above, and below.
+        assert_eq!(words(index(0.5, 0.2, 0.8), index(0.3, 0.1, 0.6)), None);
+        assert_eq!(
+            words(index(0.008, 0.007, 0.009), index(0.001, 0.0, 0.002)),
+            None
+        );
+        assert_eq!(words(index(0.3, 0.2, 0.4), index(0.5, 0.4, 0.6)), None);
+        let none: Estimates = Err(slipgap_statistics::sobol::Lack::Constant);
+        assert_eq!(not_converged(&study, &[row("gamma")], &[0], &[&none]), None);
     }
 }

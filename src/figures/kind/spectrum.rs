@@ -9,7 +9,7 @@ use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style;
 use slipgap_drawing::text::{markup, number};
 use slipgap_solver::problem::structure::GroundMotion;
 use slipgap_solver::system::loads::spectrum::{self, spectrum};
@@ -52,7 +52,7 @@ impl Draw for Spectrum {
         }
         let drawable = curves.len();
         curves.truncate(style::MOST_STYLES);
-        let count = curves.len();
+        let (look, count) = (data.look(), curves.len());
         let series = |y: Ordinate| -> Vec<Series> {
             let curve =
                 |(i, (label, ordinates)): (usize, &(String, Vec<spectrum::Ordinate>))| Series {
@@ -61,9 +61,9 @@ impl Draw for Spectrum {
                         .iter()
                         .map(|at| [at.period, value(y, at)])
                         .collect(),
-                    stroke: Stroke::of_case(i),
+                    stroke: look.stroke(i, count),
                     width: style::CASE_LINE,
-                    marker: Some(Marker::of_case(i)),
+                    marker: look.marker(i),
                     marked: (i * MARKED / count.max(1)..=POINTS)
                         .step_by(MARKED)
                         .collect(),

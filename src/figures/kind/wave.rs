@@ -26,7 +26,7 @@ impl Draw for Wave {
             cases,
             ..
         } = *data;
-        let Wave { y } = *self;
+        let Wave { y, times: shown } = *self;
         let mut rows: Vec<(f64, &Lines)> = Vec::new();
         for snapshot in cases.first().map_or(&[][..], |shown| shown.snapshots()) {
             // Several times can have the same step.
@@ -41,7 +41,13 @@ impl Draw for Wave {
             each.flat_map(|((_, lines), edge)| {
                 let y = [edge[0], edge[1]];
                 let pieces = of(lines).into_iter();
-                pieces.map(move |(x, value)| Cell { x, y, value })
+                let [low, high] = figure.ranges[0].unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+                let inside = pieces.filter(move |(x, _)| x[1] > low && x[0] < high);
+                inside.map(move |(x, value)| Cell {
+                    x: x.map(|x| x.clamp(low, high)),
+                    y,
+                    value,
+                })
             })
             .collect()
         };
@@ -58,21 +64,21 @@ impl Draw for Wave {
         let [left, right] = all.fold([0.0, 0.0], |[a, b]: [f64; 2], cell| {
             [a.min(cell.x[0]), b.max(cell.x[1])]
         });
-        let across = if left < right {
-            [left, right]
-        } else {
-            [0.0, 1.0]
+        let across = match figure.ranges[0] {
+            Some(range) => range,
+            None if left < right => [left, right],
+            None => [0.0, 1.0],
         };
         let end = times
             .last()
             .copied()
             .filter(|end| *end > 0.0)
             .unwrap_or(1.0);
-        let time = ticks::linear(
-            &study.problem.schema().time.title,
-            [0.0, end],
-            HEIGHT / 28.0,
-        );
+        let from = shown
+            .and_then(|_| times.first().copied())
+            .filter(|from| *from < end);
+        let window = [from.unwrap_or(0.0), end];
+        let time = ticks::linear(&study.problem.schema().time.title, window, HEIGHT / 28.0);
         let width = figure.width.unwrap_or(style::DOUBLE);
         let axis = std::slice::from_ref(&time);
         let columns = layout::side_by_side(2, figure.width);
@@ -101,7 +107,9 @@ impl Draw for Wave {
             let mut panel = Panel::new(frame, grid.margin, x, y);
             panel.caption = what.into();
             // The contact.
-            panel.series.push(Series::rule([[0.0, 0.0], [0.0, end]]));
+            panel
+                .series
+                .push(Series::rule(window.map(|time| [0.0, time])));
             // At the end of each row.
             let bar = ((k + 1) % columns == 0).then(|| bar::frame(&frame));
             panel.map = Some(FilledMap::of_cells(cells, colours.clone(), bar));

@@ -1,6 +1,6 @@
 //! What maps, budgets, Sobol' figures and metrics show, held against values made up for the purpose.
 
-use slipgap_drawing::layout::sheet::Sheet;
+use slipgap_drawing::layout::sheet::{PlacedText, Sheet};
 use slipgap_drawing::style::{self, Marker};
 use slipgap_solver::problem::Case;
 use slipgap_study::{self, Study};
@@ -159,6 +159,8 @@ fn a_sobol_figure_has_first_order_left_and_total_right_of_each_parameter() {
             ("zero", None)
         ]
     );
+    let warned = |line: &PlacedText| line.text.contains("Not converged");
+    assert!(!sheet.small_print.iter().any(warned));
     let labels: Vec<_> = panel.x.ticks.iter().map(|t| t.label.as_str()).collect();
     assert_eq!(labels.len(), 2);
     let table = study.problem.parameters();

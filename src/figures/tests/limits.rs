@@ -19,6 +19,7 @@ fn history(y: Vec<usize>, panels: Option<usize>) -> FigureKind {
         panels,
         in_units: false,
         stacked: false,
+        inset: None,
     })
 }
 
@@ -124,6 +125,8 @@ fn panels_keep_their_places_at_every_width() {
                 by: None,
                 x_scale: Scale::Log,
                 y_scale: Scale::Linear,
+                panels: None,
+                checks: false,
             }),
             FigureKind::Map(Map {
                 x: 1,
@@ -195,12 +198,24 @@ fn maps_of_one_range_share_shades_and_contours() {
     let count = map.levels.len() + 1;
     let middle = wide.panels[0].place([1.0, PI / 10.0]);
     let band = |k| style::colour(style::band(k, count));
-    assert_eq!(colour_at(&wide, middle), band(count - 1));
-    assert_eq!(colour_at(&deep, middle), band(0));
+    let beside = [middle[0] + 2.5, middle[1]];
+    assert_eq!(colour_at(&wide, beside), band(count - 1));
+    assert_eq!(colour_at(&deep, beside), band(0));
+    // The case itself is a dot.
+    assert_eq!(colour_at(&wide, middle), style::colour(0.0));
+    let places: Vec<[f64; 2]> = wide.panels[0]
+        .cloud
+        .iter()
+        .flat_map(|c| &c.dots)
+        .map(|d| d.at)
+        .collect();
+    assert_eq!(places.len(), 9);
+    assert!(places.contains(&[1.0, PI / 10.0]));
     let printed = |sheet: &Sheet| -> Vec<String> {
         sheet
             .small_print
             .iter()
+            .filter(|words| !words.text.starts_with("Dots"))
             .map(|words| words.text.clone())
             .collect()
     };

@@ -6,6 +6,7 @@ mod extent;
 mod front;
 mod guides;
 mod limits;
+mod looks;
 mod samples;
 mod structures;
 
@@ -126,6 +127,8 @@ impl Run {
             note: None,
             width,
             ranges,
+            colour: None,
+            markers: false,
             filter: Filter::default(),
             kind,
         };
@@ -148,6 +151,7 @@ fn with_data<T>(
     let designs = DesignMetrics::of_cases(study, cases);
     let groups = GroupResults::new(study, figure, cases, &designs);
     draw(&FigureData {
+        colour: false,
         study,
         figure,
         cases,
@@ -162,6 +166,7 @@ fn history(panels: Option<usize>) -> FigureKind {
         panels,
         in_units: false,
         stacked: false,
+        inset: None,
     })
 }
 
@@ -230,6 +235,7 @@ fn a_crowded_legend_stands_between_the_edge_and_the_panel() {
         panels: None,
         in_units: false,
         stacked: false,
+        inset: None,
     }));
     assert_eq!(sheet.legend.len(), 9);
     for entry in &sheet.legend {
@@ -276,6 +282,8 @@ fn a_metric_figure_has_the_metrics_and_leaves_gaps() {
         by: None,
         x_scale: Scale::Log,
         y_scale: Scale::Log,
+        panels: None,
+        checks: false,
     }));
     let points = &sheet.panels[0].series[0].points;
     // Rising in dT, whatever the order of the cases.
@@ -341,6 +349,8 @@ fn nothing_to_draw_is_drawn_all_the_same() {
             by: None,
             x_scale: scale,
             y_scale: scale,
+            panels: None,
+            checks: false,
         })
     };
     let map = FigureKind::Map(Map {

@@ -37,6 +37,7 @@ fn a_curve_shows_what_was_computed_over_the_exact_loop() {
         by: None,
         panels: None,
         in_units: false,
+        times: None,
     });
     let sheet = run.sheet(curve);
     let [force, error] = sheet.panels.as_slice() else {
@@ -243,6 +244,35 @@ fn scheme(parts: &str) -> Sheet {
         assert!(written);
     }
     sheet
+}
+
+#[test]
+fn a_node_between_laws_in_series_is_a_dot() {
+    let series = |laws: &str| {
+        scheme(&format!(
+            r#""masses": {{"a": 1, "b": 1}}, "springs": [{{"between": ["ground", "a"], {SPRING}}}],
+              "contacts": {{"link": {{"between": ["a", "b"], {laws}}}}}"#
+        ))
+    };
+    let boxes = |sheet: &Sheet| {
+        let shapes = sheet.picture.shapes.iter();
+        shapes
+            .filter(|shape| matches!(shape, Shape::Box(..)))
+            .count()
+    };
+    let together =
+        series(r#""series": [{"law": "coulomb", "limit": 1}, {"law": "impact", "k": 1}]"#);
+    let alone = series(IMPACT);
+    assert_eq!(boxes(&alone), 2);
+    let named = |sheet: &Sheet| {
+        contents(sheet)
+            .1
+            .iter()
+            .any(|(text, _)| text.contains("node"))
+    };
+    assert!(!named(&together) && !together.description.contains("node"));
+    // The two masses, and what a dot is drawn with is no box.
+    assert_eq!(boxes(&together), 2);
 }
 
 /// The middle of a name, which is that of its part.

@@ -15,27 +15,43 @@ impl<B: DrawingBackend> Canvas<B> {
             let series = &panel.series[band.series];
             let round = band.upper.iter().chain(band.lower.iter().rev());
             let corners: Vec<_> = round.map(|i| panel.place(series.points[*i])).collect();
-            let corners = clip::polygon(&corners, &panel.frame);
-            let [r, g, b] = series.stroke.fill();
-            let corners: Vec<_> = corners.into_iter().map(at).collect();
-            if corners.len() > 2 {
-                let fill = RGBColor(r, g, b).filled();
-                self.area.draw(&Polygon::new(corners, fill))?;
-            }
+            let hatched = !series.stroke.hatching().is_empty();
+            self.fill(panel, &corners, series.stroke, hatched)?;
         }
         for band in &panel.bands {
             let round = band.upper.iter().chain(band.lower.iter().rev());
             let corners: Vec<_> = round.map(|point| panel.place(*point)).collect();
-            let corners = clip::polygon(&corners, &panel.frame);
-            // One light grey for all: where bands overlap, their edges tell them apart.
-            let [r, g, b] = Stroke::Solid.fill();
-            let corners: Vec<_> = corners.into_iter().map(at).collect();
-            if corners.len() > 2 {
-                let fill = RGBColor(r, g, b).filled();
-                self.area.draw(&Polygon::new(corners, fill))?;
-            }
+            // One band in light grey, so that the hatching of the others shows on it.
+            let hatched = !band.stroke.hatching().is_empty() && band.stroke != Stroke::Solid;
+            self.fill(panel, &corners, band.stroke, hatched)?;
         }
         Ok(())
+    }
+
+    /// An area of a panel in a light colour, or hatched as its stroke.
+    fn fill(
+        &mut self,
+        panel: &Panel,
+        corners: &[[f64; 2]],
+        stroke: Stroke,
+        hatched: bool,
+    ) -> DrawResult<B> {
+        let corners = clip::polygon(corners, &panel.frame);
+        if corners.len() < 3 {
+            return Ok(());
+        }
+        if hatched {
+            for direction in stroke.hatching() {
+                for line in clip::hatching(&corners, *direction, style::BAND_HATCH) {
+                    self.curve(&line, style::HATCH_LINE, style::BAND_GREY)?;
+                }
+            }
+            return Ok(());
+        }
+        let [r, g, b] = stroke.fill();
+        let corners: Vec<_> = corners.into_iter().map(at).collect();
+        let fill = RGBColor(r, g, b).filled();
+        self.area.draw(&Polygon::new(corners, fill))
     }
 
     /// A thin line through places, with the dashes of a stroke.

@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, DrawResult, line, shade};
 use super::dots::Image;
 use crate::layout::sheet::{Bar, Panel};
-use crate::layout::{clip, envelope};
+use crate::layout::{clip, envelope, inset};
 use crate::style;
 use plotters::element::{PathElement, Rectangle};
 use plotters_backend::DrawingBackend;
@@ -34,7 +34,19 @@ impl<B: DrawingBackend> Canvas<B> {
         for [a, b] in &panel.arrows {
             self.arrow(panel.place(*a), panel.place(*b))?;
         }
-        self.lettering(panel)
+        self.lettering(panel)?;
+        match &panel.inset {
+            Some(inset) => self.inset(panel, inset),
+            None => Ok(()),
+        }
+    }
+
+    /// An enlarged part of a panel, joined with where it is.
+    fn inset(&mut self, panel: &Panel, part: &Panel) -> DrawResult<B> {
+        for line in inset::joins(panel, part) {
+            self.path(&line, style::ZERO_LINE)?;
+        }
+        self.panel(part, None)
     }
 
     fn bar_of_panel(&mut self, panel: &Panel, bar: &Bar) -> DrawResult<B> {

@@ -117,6 +117,31 @@ pub fn dashes(line: &[[f64; 2]], pattern: &[f64]) -> Vec<Line> {
     dashes
 }
 
+/// Parallel lines over an area: `a x + b y` is a multiple of `spacing` along each; all corners are finite.
+pub fn hatching(corners: &[[f64; 2]], [a, b]: [f64; 2], spacing: f64) -> Vec<[[f64; 2]; 2]> {
+    let across = |p: [f64; 2]| (a * p[0] + b * p[1]) / spacing;
+    let along = |p: [f64; 2]| a * p[1] - b * p[0];
+    let sides = || corners.iter().zip(corners.iter().cycle().skip(1));
+    let ends = corners.iter().map(|p| across(*p));
+    let [low, high] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+        [low.min(x), high.max(x)]
+    });
+    let mut lines = Vec::new();
+    for k in low.ceil() as i64..=high.floor() as i64 {
+        let k = k as f64;
+        let mut crossings: Vec<[f64; 2]> = sides()
+            .filter(|(p, q)| (across(**p) < k) != (across(**q) < k))
+            .map(|(p, q)| {
+                let t = (k - across(*p)) / (across(*q) - across(*p));
+                [0, 1].map(|j| p[j] + t * (q[j] - p[j]))
+            })
+            .collect();
+        crossings.sort_by(|p, q| along(*p).total_cmp(&along(*q)));
+        lines.extend(crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]));
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -151,6 +176,32 @@ mod tests {
         assert!(inside(&[[-5.0, -1.0], [15.0, -1.0]], &FRAME).is_empty());
         let across = inside(&[[-1e300, 5.0], [1e300, 5.0]], &FRAME);
         assert!(across.len() <= 1);
+    }
+
+    #[test]
+    fn hatching_covers_an_area_and_nothing_else() {
+        // An L: 10 x 10 without its upper right quarter; y downwards.
+        let l = [
+            [0.0, 0.0],
+            [5.0, 0.0],
+            [5.0, 5.0],
+            [10.0, 5.0],
+            [10.0, 10.0],
+            [0.0, 10.0],
+        ];
+        for direction in [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -1.0]] {
+            let spacing = 0.01;
+            let lines = hatching(&l, direction, spacing);
+            let length = |[p, q]: &[[f64; 2]; 2]| libm::hypot(q[0] - p[0], q[1] - p[1]);
+            // The lines are spacing over the length of the direction apart: together the area, 75, less the rounding of the ends.
+            let apart = spacing / libm::hypot(direction[0], direction[1]);
+            let area = apart * lines.iter().map(length).sum::<f64>();
+            assert!((area - 75.0).abs() < 0.2, "{direction:?}: {area}");
+            let middle = |[p, q]: &[[f64; 2]; 2]| [(p[0] + q[0]) / 2.0, (p[1] + q[1]) / 2.0];
+            let outside = |[x, y]: [f64; 2]| x > 5.0 && y < 5.0;
+            assert!(!lines.iter().map(middle).any(outside));
+        }
+        assert!(hatching(&[], [1.0, 0.0], 1.0).is_empty());
     }
 
     #[test]

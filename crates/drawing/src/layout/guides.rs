@@ -6,7 +6,7 @@ use crate::style::{self, Stroke};
 
 /// The entry for the thin lines of these panels: zero if one shows it, and the `others`.
 pub fn key(panels: &[Panel], others: Option<&str>) -> Option<Key> {
-    let zero = panels.iter().any(|panel| panel.zero).then_some("zero");
+    let zero = panels.iter().any(Panel::shows_zero).then_some("zero");
     let names: Vec<&str> = zero.into_iter().chain(others).collect();
     (!names.is_empty()).then(|| Key {
         label: names.join(", "),

@@ -1,7 +1,7 @@
 //! The legend: in free corners of the panels, or in lines over them.
 
-use crate::layout::clip;
 use crate::layout::sheet::{Entry, Panel, Rect, Series, Sheet};
+use crate::layout::{clip, inset, slope};
 use crate::style::{self, Marker, Stroke};
 use crate::text;
 
@@ -136,8 +136,14 @@ pub fn is_free(panel: &Panel, area: &Rect) -> bool {
             let places: Vec<_> = edge.iter().map(|p| panel.place(*p)).collect();
             places.windows(2).all(|pair| clear(pair[0], pair[1]))
         });
+    let inset = panel.inset.as_ref().is_none_or(|inset| {
+        let joins = inset::joins(panel, inset);
+        let lines = joins.iter().flat_map(|line| line.windows(2));
+        !slope::overlap(&inset::area(inset), area) && { lines }.all(|pair| clear(pair[0], pair[1]))
+    });
     notes
         && arrows
+        && inset
         && bands
         && panel.series.iter().all(|series| {
             let places: Vec<_> = series.points.iter().map(|p| panel.place(*p)).collect();

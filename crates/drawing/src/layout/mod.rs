@@ -5,6 +5,7 @@ pub mod clip;
 pub mod cloud;
 pub mod envelope;
 pub mod guides;
+pub mod inset;
 pub mod legend;
 pub mod limits;
 pub mod points;
@@ -191,18 +192,7 @@ pub fn small_print(sheet: &mut Sheet, markup: &str) {
 fn move_down(sheet: &mut Sheet, by: f64) -> f64 {
     let by = by.ceil();
     for panel in &mut sheet.panels {
-        panel.frame.top += by;
-        for words in &mut panel.notes {
-            words.at[1] += by;
-        }
-        if let Some(map) = &mut panel.map {
-            for words in &mut map.labels {
-                words.at[1] += by;
-            }
-            if let Some(bar) = &mut map.bar {
-                bar.top += by;
-            }
-        }
+        move_panel(panel, by);
     }
     for entry in &mut sheet.legend {
         entry.at[1] += by;
@@ -220,6 +210,24 @@ fn move_down(sheet: &mut Sheet, by: f64) -> f64 {
         }
     }
     by
+}
+
+fn move_panel(panel: &mut Panel, by: f64) {
+    panel.frame.top += by;
+    for words in &mut panel.notes {
+        words.at[1] += by;
+    }
+    if let Some(map) = &mut panel.map {
+        for words in &mut map.labels {
+            words.at[1] += by;
+        }
+        if let Some(bar) = &mut map.bar {
+            bar.top += by;
+        }
+    }
+    if let Some(inset) = &mut panel.inset {
+        move_panel(inset, by);
+    }
 }
 
 /// Adds to the caption of the first panel that only `some` of `all` curves are shown, if they are fewer.

@@ -120,6 +120,8 @@ pub struct Panel {
     pub notes: Vec<PlacedText>,
     /// Dimension lines with an arrow at both ends, in the axes' units.
     pub arrows: Vec<[[f64; 2]; 2]>,
+    /// A part of the panel, enlarged, in a frame inside of this one.
+    pub inset: Option<Box<Panel>>,
 }
 
 impl Panel {
@@ -140,7 +142,13 @@ impl Panel {
             caption: String::new(),
             notes: Vec::new(),
             arrows: Vec::new(),
+            inset: None,
         }
+    }
+
+    /// Whether the line y = 0 is drawn and is not an edge of the frame.
+    pub fn shows_zero(&self) -> bool {
+        self.zero && self.y.range[0] < 0.0 && self.y.range[1] > 0.0
     }
 
     /// The place on the sheet of a point in the axes' units; not finite for a point without one.

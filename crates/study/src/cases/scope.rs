@@ -27,6 +27,8 @@ pub struct Scope {
     pub ensemble: Option<Vec<usize>>,
     /// Whether each step is solved once; there are then no profiles.
     pub once: bool,
+    /// Rows of `measures` that have checks.
+    pub checked: Vec<usize>,
     /// The parameters that the command line sets, each with the name of its setting.
     pub set: Vec<[String; 2]>,
 }

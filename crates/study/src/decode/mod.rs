@@ -185,6 +185,7 @@ pub(crate) fn study(
         blocks,
         ensemble: None,
         once,
+        checked: Vec::new(),
         set,
     };
     let listed = computed::decode::computed(&object, &mut scope, faults);
@@ -197,10 +198,11 @@ pub(crate) fn study(
     );
     scope.measures.extend(reductions);
     scope.ensemble = ensemble(&object, &scope, faults);
-    let figures = figures(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
+    scope.checked = checks.iter().map(|check| check.metric).collect();
+    let figures = figures(&object, &scope, faults);
     let (metrics, columns) = columns(&scope, &listed, &figures, &checks);
     Some(Study {
         title,

@@ -76,8 +76,14 @@ impl<'a> Checker<'a> {
 
     /// Reports an axis of `kind` with one value of its parameter, unless the figure has other faults.
     pub fn has_two_values(&mut self, key: &str, row: usize, kind: &str) {
+        let mut levels = self.levels(row);
+        if levels.is_empty() {
+            // The problem works it out.
+            levels.extend(self.cases().filter_map(|case| case.values[row]));
+            levels.dedup_by(|a, b| a.matches(*b));
+        }
         if self.faults.count() == self.before
-            && let [one] = self.levels(row)[..]
+            && let [one] = levels[..]
         {
             let name = &self.scope.problem.parameters()[row].name;
             let message = format!(
@@ -99,15 +105,26 @@ impl<'a> Checker<'a> {
     }
 
     /// Reports an `x_range` that has no part of the extent of what is along the axis; nothing if the extent is empty.
-    pub fn range_overlaps(&mut self, name: &str, [low, high]: [f64; 2]) {
-        if let Some([first, last]) = self.figure.ranges[0]
+    pub fn range_overlaps(&mut self, name: &str, extent: [f64; 2]) {
+        self.overlaps("x_range", self.figure.ranges[0], name, extent);
+    }
+
+    /// The same for the range of another key.
+    pub fn overlaps(
+        &mut self,
+        key: &str,
+        range: Option<[f64; 2]>,
+        name: &str,
+        [low, high]: [f64; 2],
+    ) {
+        if let Some([first, last]) = range
             && low <= high
             && (last < low || first > high)
         {
             let (low, high) = (shortest(low), shortest(high));
             let message =
                 format!("shows nothing: {name} is from {low} to {high} in the cases shown");
-            self.fault("x_range", message);
+            self.fault(key, message);
         }
     }
 

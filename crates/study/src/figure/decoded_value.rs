@@ -97,7 +97,15 @@ impl Values<'_> {
     }
 
     pub fn switch(&self, key: &str) -> bool {
-        matches!(self.get(key), Some(DecodedValue::Switch(true)))
+        self.given_switch(key) == Some(true)
+    }
+
+    /// `None` if the key is not given, or has another meaning for the kind.
+    pub fn given_switch(&self, key: &str) -> Option<bool> {
+        match self.get(key)? {
+            DecodedValue::Switch(on) => Some(*on),
+            _ => None,
+        }
     }
 
     /// Times or ratios; none if the key is not given.

@@ -198,3 +198,15 @@ pub(super) const Y_RANGE: Key = key(
     false,
     "first and last value of the vertical axis, for a figure with one quantity in y; all values if left out",
 );
+pub(super) const COLOUR: Key = key(
+    "colour",
+    Takes::Switch,
+    false,
+    "true: unbroken curves in colours that people with any colour vision tell apart (Okabe and Ito); false: black curves with dashes and markers; if left out, black in the files of a run without --colour, and in colour in reports and notebooks",
+);
+pub(super) const MARKERS: Key = key(
+    "markers",
+    Takes::Switch,
+    false,
+    "true: curves in colour have markers, too, as black ones always have; if left out, they have none",
+);

@@ -5,7 +5,7 @@ use crate::figures::DrawnCase;
 use crate::figures::label;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Panel, Series};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Look};
 use slipgap_solver::problem::parameter::Value;
 use slipgap_study::Study;
 
@@ -15,6 +15,8 @@ pub struct Line {
     pub label: String,
     /// Its place among the lines, which decides its style.
     index: usize,
+    /// How lines are told apart.
+    look: Look,
     /// The points, by rising x.
     pub best: Vec<usize>,
 }
@@ -53,15 +55,21 @@ impl Line {
     pub fn key(&self) -> Key {
         Key {
             label: self.label.clone(),
-            stroke: Stroke::of_case(self.index),
+            stroke: self.look.stroke(self.index, style::MOST_STYLES),
             width: style::CASE_LINE,
-            marker: Some(Marker::of_case(self.index)),
+            marker: self.look.marker(self.index),
         }
     }
 }
 
 /// A line for each value of a parameter that has points.
-pub fn lines(study: &Study, cases: &[DrawnCase], points: &[Point], row: usize) -> Vec<Line> {
+pub fn lines(
+    study: &Study,
+    look: Look,
+    cases: &[DrawnCase],
+    points: &[Point],
+    row: usize,
+) -> Vec<Line> {
     let digits = label::digits(cases, row);
     let values = label::values(cases, row)
         .into_iter()
@@ -69,6 +77,7 @@ pub fn lines(study: &Study, cases: &[DrawnCase], points: &[Point], row: usize) -
     let line = |(index, value): (usize, Option<Value>)| Line {
         label: name(study, row, value, digits),
         index,
+        look,
         best: best_of(points, |point| label::same(point.shown.value(row), value)),
     };
     let lines = values.enumerate().map(line);

@@ -37,7 +37,7 @@ impl Draw for Front {
         let panels: Vec<Vec<Line>> = self
             .by
             .iter()
-            .map(|row| lines(study, cases, &points, *row))
+            .map(|row| lines(study, data.look(), cases, &points, *row))
             .collect();
         let keys: Vec<Vec<Key>> = panels.iter().map(|lines| keys(lines)).collect();
         let width = figure.width.unwrap_or(style::MIDDLE);
@@ -124,7 +124,7 @@ impl Draw for Front {
                 .copied()
                 .filter(|other| other != row && varying.contains(other))
                 .collect();
-            let lines = lines(study, cases, &points, *row);
+            let lines = lines(study, data.look(), cases, &points, *row);
             for (line, i) in lines
                 .iter()
                 .flat_map(|line| line.best.iter().map(move |i| (line, *i)))

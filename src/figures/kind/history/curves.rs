@@ -4,7 +4,7 @@ use crate::figures::DrawnCase;
 use crate::figures::label;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Series, Sheet};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Look};
 use slipgap_solver::problem::parameter::Value;
 use slipgap_solver::problem::unit::Dimension;
 use slipgap_solver::problem::{Case, Quantity, Solution};
@@ -23,6 +23,8 @@ pub struct Curves<'a> {
     pub indices: &'a [usize],
     /// The different labels.
     pub labels: &'a [String],
+    /// How curves are told apart.
+    pub look: Look,
     /// Whether axes are in the units of the study.
     pub in_units: bool,
     /// First and last time shown.
@@ -54,9 +56,9 @@ impl Curves<'_> {
                 label: self.labels[index].clone(),
                 marked: self.marked(&points, index),
                 points,
-                stroke: Stroke::of_case(index),
+                stroke: self.look.stroke(index, self.labels.len()),
                 width: style::CASE_LINE,
-                marker: Some(Marker::of_case(index)),
+                marker: self.look.marker(index),
             });
         }
         series
@@ -106,6 +108,15 @@ impl Curves<'_> {
             time += spacing;
         }
         marked
+    }
+}
+
+/// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it.
+pub fn unmark_alone<'a>(series: impl Iterator<Item = &'a mut Series>, labels: &[String]) {
+    let all: Vec<&mut Series> = series.collect();
+    let alone = labels.len() == 1 && all.iter().all(|series| series.label == labels[0]);
+    for series in all.into_iter().filter(|_| alone) {
+        series.marker = None;
     }
 }
 

@@ -12,6 +12,7 @@ use curves::Curves;
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::inset;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
@@ -38,6 +39,7 @@ impl Draw for History {
             panels,
             in_units,
             stacked: _,
+            inset,
         } = self;
         let units = study.units.as_ref().filter(|_| *in_units);
         let in_units = units.is_some();
@@ -80,6 +82,7 @@ impl Draw for History {
             cases: drawn,
             indices: &indices,
             labels: &labels,
+            look: data.look(),
             in_units,
             window: window(x_range, end),
             // Fewer in narrow panels.
@@ -95,20 +98,24 @@ impl Draw for History {
             .map(|group| curves::members(drawn, panels.map(|row| (row, *group))))
             .collect();
         let rows = arranged.rows(quantities.len(), groups.len());
-        let series: Vec<Vec<Vec<Series>>> = members
+        let mut series: Vec<Vec<Vec<Series>>> = members
             .iter()
             .map(|group| quantities.iter().map(|q| curves.of(q, group)).collect())
             .collect();
+        curves::unmark_alone(series.iter_mut().flatten().flatten(), &labels);
+        let strip = inset.map_or(0.0, |_| inset::HEIGHT);
         let heights: Vec<f64> = rows
             .iter()
             .map(|row| match arranged {
-                Arrangement::QuantitiesAcross => LOW,
-                Arrangement::Stack | Arrangement::GroupsAcross => row
-                    .first()
-                    .map_or(LOW, |cell| height(quantities[cell.quantity])),
+                Arrangement::QuantitiesAcross => LOW + strip,
+                Arrangement::Stack | Arrangement::GroupsAcross => {
+                    row.first()
+                        .map_or(LOW, |cell| height(quantities[cell.quantity]))
+                        + strip
+                }
             })
             .collect();
-        let tallest = heights.iter().fold(0.0, |a: f64, b| a.max(*b));
+        let tallest = heights.iter().fold(0.0, |a: f64, b| a.max(*b)) - strip;
         let axes: Vec<Axis> = quantities
             .iter()
             .enumerate()
@@ -158,9 +165,16 @@ impl Draw for History {
                     x.title.clear();
                     x.numbered = false;
                 }
+                if inset.is_some() {
+                    y = inset::with_strip(y, frame.height);
+                }
                 let mut panel = Panel::new(frame, grid.margin, x, y);
                 panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
                 panel.series = series[cell.group][cell.quantity].clone();
+                if let Some(window) = *inset {
+                    let most = frame.width / 60.0;
+                    inset::add(&mut panel, time_axis(study, "", window, most));
+                }
                 if let (0, Some(first)) = (cell.quantity, members[cell.group].first()) {
                     panel.caption =
                         label::value_labels(table, drawn, &except, &drawn[*first].case());

@@ -9,7 +9,7 @@ use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
-use slipgap_drawing::style::{self, Stroke};
+use slipgap_drawing::style::{self, Look};
 use slipgap_solver::problem::Quantity;
 use slipgap_study::Scale;
 use slipgap_study::kinds::History;
@@ -35,7 +35,10 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
         .iter()
         .filter_map(|c| c.solution()?.computed.time.last().copied());
     let end = ends.fold(0.0, f64::max);
-    let sums: Vec<Vec<Series>> = drawn.iter().map(|case| sums(&quantities, case)).collect();
+    let sums: Vec<Vec<Series>> = drawn
+        .iter()
+        .map(|case| sums(data.look(), &quantities, case))
+        .collect();
     let tall = quantities.first().map_or(0.0, |first| height(first));
     let heights = vec![tall; drawn.len()];
     let values = limits::heights(limits::points(sums.iter().flatten()), x_range);
@@ -99,7 +102,7 @@ fn name(quantity: &Quantity) -> &str {
 }
 
 /// The sums of the first quantities, of the first two, and so on.
-fn sums(quantities: &[&Quantity], case: &DrawnCase) -> Vec<Series> {
+fn sums(look: Look, quantities: &[&Quantity], case: &DrawnCase) -> Vec<Series> {
     let Some(solution) = case.solution() else {
         return Vec::new();
     };
@@ -115,7 +118,7 @@ fn sums(quantities: &[&Quantity], case: &DrawnCase) -> Vec<Series> {
         series.push(Series {
             label: format!("{first}{}", name(quantity)),
             points: points.map(|(t, x)| [*t, *x]).collect(),
-            stroke: Stroke::of_case(k),
+            stroke: look.stroke(k, quantities.len().max(2)),
             width: style::CASE_LINE,
             marker: None,
             marked: Vec::new(),

@@ -1,14 +1,14 @@
 //! Loops of any laws: a panel for each law, a curve for each of its cases.
 
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::{self, ticks};
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style;
 use slipgap_drawing::text::markup;
 use slipgap_solver::contact::ContactLaw;
-use slipgap_study::{Figure, Study};
+use slipgap_study::Study;
 
 const HEIGHT: f64 = 120.0;
 
@@ -16,12 +16,14 @@ const HEIGHT: f64 = 120.0;
 const MARKED: usize = 25;
 
 /// A panel for each law of the cases; `laws` has the law of each case.
-pub fn sheet(
-    study: &Study,
-    figure: &Figure,
-    cases: &[DrawnCase],
-    laws: &[Option<ContactLaw>],
-) -> Sheet {
+pub fn sheet(data: &FigureData, laws: &[Option<ContactLaw>]) -> Sheet {
+    let FigureData {
+        study,
+        figure,
+        cases,
+        ..
+    } = *data;
+    let look = data.look();
     let table = study.problem.parameters();
     // By the name of the law: velocity-control without compliance is Coulomb friction.
     let mut groups: Vec<(&'static str, Vec<(ContactLaw, &DrawnCase)>)> = Vec::new();
@@ -83,20 +85,17 @@ pub fn sheet(
         let mut panel = Panel::new(frame, grid.margin, x, own);
         panel.zero = true;
         panel.caption = markup::escape(group.0);
-        let alone = curves.len() == 1;
+        let count = curves.len();
+        let alone = count == 1;
         for (index, curve) in curves.into_iter().enumerate() {
             let marked = (0..curve.points.len()).skip(MARKED / 2).step_by(MARKED);
             panel.series.push(Series {
                 label: curve.label,
                 marked: if alone { Vec::new() } else { marked.collect() },
                 points: curve.points,
-                stroke: if alone {
-                    Stroke::Solid
-                } else {
-                    Stroke::of_case(index)
-                },
+                stroke: look.stroke(index, count),
                 width: style::CASE_LINE,
-                marker: (!alone).then_some(Marker::of_case(index)),
+                marker: look.marker(index).filter(|_| !alone),
             });
         }
         if !alone {

@@ -11,12 +11,7 @@ use slipgap_study::kinds::Law;
 
 impl Draw for Law {
     fn sheet(&self, data: &FigureData) -> Sheet {
-        let FigureData {
-            study,
-            figure,
-            cases,
-            ..
-        } = *data;
+        let FigureData { study, cases, .. } = *data;
         let laws: Vec<Option<ContactLaw>> = cases
             .iter()
             .map(|shown| study.problem.contact_law(&shown.case()))
@@ -27,8 +22,8 @@ impl Draw for Law {
             None => true,
         };
         match laws.iter().all(softened) {
-            true => papers::sheet(study, figure, cases),
-            false => loops::sheet(study, figure, cases, &laws),
+            true => papers::sheet(data),
+            false => loops::sheet(data, &laws),
         }
     }
 }

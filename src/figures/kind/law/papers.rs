@@ -1,23 +1,30 @@
 //! The friction laws as [F] Fig. 3 draws them, over the rigid law of [F] Fig. 2: force over slip and over velocity.
 
-use crate::figures::DrawnCase;
 use crate::figures::label;
+use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::legend::Key;
 use slipgap_drawing::layout::sheet::{Anchor, Panel, PlacedText, Series, Sheet};
 use slipgap_drawing::layout::ticks;
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_solver::contact::numbers::oscillator::{ALPHA, BETA};
 use slipgap_solver::contact::{Cycle, DisplacementControl, Law as _, VelocityControl};
 use slipgap_solver::problem::parameter::Value;
-use slipgap_study::{Figure, Study};
+use slipgap_study::Study;
 
 const HEIGHT: f64 = 150.0;
 
 /// A panel for each of both models.
-pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
+pub fn sheet(data: &FigureData) -> Sheet {
+    let FigureData {
+        study,
+        figure,
+        cases,
+        ..
+    } = *data;
+    let look = data.look();
     let panels = MODELS.map(|model| (model, widths(model, study, cases)));
     let models: Vec<_> = panels.into_iter().filter(|p| !p.1.is_empty()).collect();
     let columns = layout::side_by_side(models.len().max(1), figure.width);
@@ -69,9 +76,9 @@ pub fn sheet(study: &Study, figure: &Figure, cases: &[DrawnCase]) -> Sheet {
             panel.series.push(Series {
                 label,
                 points,
-                stroke: Stroke::of_case(index),
+                stroke: look.stroke(index, style::MOST_STYLES),
                 width: style::CASE_LINE,
-                marker: Some(Marker::of_case(index)),
+                marker: look.marker(index),
                 marked,
             });
         }

@@ -1,11 +1,16 @@
 //! What metric and convergence figures share: metrics over a parameter, one panel for each
 //! metric, one curve for each set of values of the other parameters that vary.
 
+mod limits_of_checks;
+mod order;
 mod orders;
 mod reference;
 
+use super::history::arrangement::Arrangement;
+use super::history::curves::members;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
+use order::{graded, order};
 use orders::{ORDERS, order_lines};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
@@ -15,7 +20,7 @@ use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::slope;
 use slipgap_drawing::layout::ticks;
-use slipgap_drawing::style::{self, Marker, Stroke};
+use slipgap_drawing::style::{self, Stroke};
 use slipgap_drawing::text::number;
 use slipgap_study::Scale;
 
@@ -27,10 +32,14 @@ pub struct Curves<'a> {
     pub y: &'a [usize],
     /// Parameter with one line style for each value; `None`: all others that vary.
     pub by: Option<usize>,
+    /// Parameter with one panel for each value.
+    pub panels: Option<usize>,
     /// Scales of the axes.
     pub scales: [Scale; 2],
     /// Whether it shows the observed orders, instead of exact values.
     pub orders: bool,
+    /// Whether it shows the limits of the study's checks.
+    pub checks: bool,
 }
 
 impl Curves<'_> {
@@ -48,36 +57,42 @@ impl Curves<'_> {
             by,
             scales: [x_scale, y_scale],
             orders,
+            ..
         } = *self;
+        let look = data.look();
         let parameter = &study.problem.parameters()[x];
         let at = |shown: &DrawnCase| shown.number(x);
         let cases: Vec<DrawnCase> = cases.iter().copied().filter(|c| at(c).is_some()).collect();
-        let along = label::along(study, &cases, x);
         let table = study.problem.parameters();
-        let labels = label::labels(table, &cases, by, &along);
+        let bound = self
+            .panels
+            .map_or(Vec::new(), |row| label::bound(table, &cases, row));
+        let mut except = label::along(study, &cases, x);
+        except.extend(&bound);
+        let labels = label::labels(table, &cases, by, &except);
         let (indices, mut labels) = label::numbered(&labels);
-        let named = label::named(table, &cases, by, &along);
+        let named = label::named(table, &cases, by, &except);
         let all = labels.len();
         labels.truncate(style::MOST_STYLES);
         let order = order(&named, &cases, &indices, labels.len());
         let (strokes, width, marked) = match &order {
             Some(order) => (graded(order), 1.3 * style::CASE_LINE, false),
             None => (
-                (0..labels.len()).map(Stroke::of_case).collect(),
+                (0..labels.len())
+                    .map(|i| look.stroke(i, labels.len()))
+                    .collect(),
                 style::CASE_LINE,
                 true,
             ),
         };
-        let marker = |index| marked.then_some(Marker::of_case(index));
-        let curves = |metric: usize| -> Vec<Series> {
+        let marker = |index| look.marker(index).filter(|_| marked);
+        let curves = |metric: usize, group: &[usize]| -> Vec<Series> {
             let curve = |(index, label): (usize, &String)| {
-                let mut points: Vec<[f64; 2]> = cases
-                    .iter()
-                    .zip(&indices)
-                    .filter(|(_, its)| **its == index)
-                    .filter_map(|(shown, _)| {
-                        let value = shown.metric(metric);
-                        Some([at(shown)?, value.unwrap_or(f64::NAN)])
+                let own = group.iter().filter(|i| indices[**i] == index);
+                let mut points: Vec<[f64; 2]> = own
+                    .filter_map(|i| {
+                        let value = cases[*i].metric(metric);
+                        Some([at(&cases[*i])?, value.unwrap_or(f64::NAN)])
                     })
                     .collect();
                 points.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -90,66 +105,126 @@ impl Curves<'_> {
                     marker: marker(index),
                 }
             };
-            labels.iter().enumerate().map(curve).collect()
+            let curves = labels.iter().enumerate().map(curve);
+            curves
+                .filter(|curve| self.panels.is_none() || !curve.points.is_empty())
+                .collect()
         };
         // The exact values under the curves.
-        let exact = |metric: usize| {
+        let exact = |metric: usize, group: &[usize]| {
             let row = reference::row(&study.measures, &study.columns, metric).filter(|_| !orders);
             row.map_or(Vec::new(), |row| {
-                reference::lines(&cases, &indices, &strokes, at, row)
+                let own: Vec<DrawnCase> = group.iter().map(|i| cases[*i]).collect();
+                let indices: Vec<usize> = group.iter().map(|i| indices[*i]).collect();
+                reference::lines(&own, &indices, &strokes, at, row)
             })
         };
-        let panel = |metric: &usize| [exact(*metric), curves(*metric)].concat();
-        let panels: Vec<Vec<Series>> = y.iter().map(panel).collect();
-        let height = if y.len() == 1 { 190.0 } else { 130.0 };
-        let width_of_sheet = figure.width.unwrap_or(1.2 * style::SINGLE);
+        let groups = match self.panels {
+            Some(row) if !cases.is_empty() => label::values(&cases, row),
+            Some(_) | None => vec![None],
+        };
+        let groups: Vec<Vec<usize>> = groups
+            .into_iter()
+            .map(|value| members(&cases, self.panels.map(|row| (row, value))))
+            .collect();
+        let panel = |metric: usize, group: &Vec<usize>| {
+            [exact(metric, group), curves(metric, group)].concat()
+        };
+        let panels: Vec<Vec<Vec<Series>>> = y
+            .iter()
+            .map(|metric| groups.iter().map(|group| panel(*metric, group)).collect())
+            .collect();
+        let limits_of = |metric: usize, group: &[usize]| match self.checks {
+            true => {
+                let own = group.iter().map(|i| cases[*i]);
+                limits_of_checks::of(&study.checks, metric, own, at)
+            }
+            false => Vec::new(),
+        };
+        let arranged = Arrangement::of(y.len(), groups.len(), figure.width);
+        let columns = arranged.columns(y.len(), groups.len());
+        let rows = arranged.rows(y.len(), groups.len());
+        let height = if rows.len() == 1 { 190.0 } else { 130.0 };
+        let width_of_sheet = figure.width.unwrap_or(match columns {
+            1 => 1.2 * style::SINGLE,
+            _ => style::DOUBLE,
+        });
         let [x_range, y_range] = figure.ranges;
         let axes: Vec<Axis> = y
             .iter()
             .zip(&panels)
-            .map(|(metric, series)| {
-                let values = limits::heights(limits::points(series.iter()), x_range);
+            .map(|(metric, groups_of_it)| {
+                let series = groups_of_it.iter().flatten();
+                let mut values = limits::heights(limits::points(series), x_range);
+                let limits_of_all = groups.iter().flat_map(|group| limits_of(*metric, group));
+                let ends = limits_of_all.flat_map(|limits| [limits.min, limits.max]);
+                values.extend(ends.flatten());
                 let title = &study.measures[*metric].symbol;
                 limits::axis(title, values.into_iter(), y_scale, y_range, height / 24.0)
             })
             .collect();
-        let grid = layout::grid(width_of_sheet, 1, &vec![height; y.len()], &axes, 4.0);
+        let heights = vec![height; rows.len()];
+        let grids = match arranged {
+            Arrangement::QuantitiesAcross => layout::columns(width_of_sheet, &heights, &axes),
+            Arrangement::Stack | Arrangement::GroupsAcross => {
+                vec![layout::grid(width_of_sheet, columns, &heights, &axes, 4.0)]
+            }
+        };
         let values: Vec<f64> = cases.iter().filter_map(at).collect();
         let title = parameter.title();
         let in_pi = |v: &f64| number::of_pi(*v).is_some();
         let (low, high) = values
             .iter()
             .fold((0.0, 0.0), |(a, b): (f64, f64), v| (a.min(*v), b.max(*v)));
+        let most = grids.first().map_or(1.0, |grid| grid.width / 40.0);
         let across = if low < high && x_scale == Scale::Linear && values.iter().all(in_pi) {
             let range = x_range.unwrap_or([1.05 * low, 1.05 * high]);
-            ticks::in_pi(&title, range, grid.width / 40.0)
+            ticks::in_pi(&title, range, most)
         } else {
-            let values = values.into_iter();
-            limits::axis(&title, values, x_scale, x_range, grid.width / 40.0)
+            limits::axis(&title, values.into_iter(), x_scale, x_range, most)
         };
 
         let mut sheet = Sheet {
             width: width_of_sheet,
             ..Sheet::default()
         };
-        let count = axes.len();
-        for (i, (series, y)) in panels.into_iter().zip(axes).enumerate() {
-            let mut x = across.clone();
-            if i + 1 < grid.frames.len() {
-                x.title.clear();
-                x.numbered = false;
+        let several = y.len() * groups.len() > 1;
+        let mut limited = false;
+        for (r, row) in rows.iter().enumerate() {
+            for (column, cell) in row.iter().enumerate() {
+                let (grid, frame) = match grids.get(column) {
+                    Some(own) if grids.len() > 1 => (own, own.frames[r][0]),
+                    _ => (&grids[0], grids[0].frames[r][column]),
+                };
+                let (mut x, mut y_axis) = (across.clone(), axes[cell.quantity].clone());
+                if column > 0 && grids.len() == 1 {
+                    y_axis.title.clear();
+                    y_axis.numbered = false;
+                }
+                if r + 1 < rows.len() {
+                    x.title.clear();
+                    x.numbered = false;
+                }
+                let mut panel = Panel::new(frame, grid.margin, x, y_axis);
+                panel.zero =
+                    y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
+                panel.series = panels[cell.quantity][cell.group].clone();
+                for limits in limits_of(y[cell.quantity], &groups[cell.group]) {
+                    limits.draw(&mut panel);
+                    limited = true;
+                }
+                if let (0, Some(first)) = (cell.quantity, groups[cell.group].first()) {
+                    panel.caption =
+                        label::value_labels(table, &cases, &bound, &cases[*first].case());
+                }
+                if orders {
+                    order_lines(&mut panel);
+                }
+                if orders && several {
+                    slope::write(&mut panel);
+                }
+                sheet.panels.push(panel);
             }
-            let mut panel = Panel::new(grid.frames[i][0], grid.margin, x, y);
-            panel.zero =
-                y_scale == Scale::Linear && panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
-            panel.series = series;
-            if orders {
-                order_lines(&mut panel);
-            }
-            if orders && count > 1 {
-                slope::write(&mut panel);
-            }
-            sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, labels.len(), all);
@@ -176,7 +251,7 @@ impl Curves<'_> {
         };
         let exact = exact(reference::SEVERAL).or_else(|| exact(reference::LABEL));
         // A single curve needs no legend.
-        let mut keys: Vec<Key> = match labels.len() > 1 || exact.is_some() {
+        let mut keys: Vec<Key> = match labels.len() > 1 || exact.is_some() || limited {
             true => exact.into_iter().chain(keys).collect(),
             false => Vec::new(),
         };
@@ -188,40 +263,11 @@ impl Curves<'_> {
                 marker: None,
             });
         }
+        if limited {
+            keys.push(limits_of_checks::key());
+        }
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet
     }
-}
-
-/// The indices of the labels by rising number, if one numeric parameter distinguishes more curves than there are markers.
-fn order(
-    named: &[usize],
-    cases: &[DrawnCase],
-    indices: &[usize],
-    count: usize,
-) -> Option<Vec<usize>> {
-    let [row] = *named else {
-        return None;
-    };
-    if count <= Marker::KINDS {
-        return None;
-    }
-    let number = |index: usize| {
-        let first = indices.iter().position(|its| *its == index)?;
-        cases[first].number(row)
-    };
-    let numbers: Vec<f64> = (0..count).map(number).collect::<Option<_>>()?;
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by(|a, b| numbers[*a].total_cmp(&numbers[*b]));
-    Some(order)
-}
-
-/// The stroke of each curve by its place in the order.
-fn graded(order: &[usize]) -> Vec<Stroke> {
-    let mut strokes = vec![Stroke::Solid; order.len()];
-    for (place, index) in order.iter().enumerate() {
-        strokes[*index] = Stroke::graded(place, order.len());
-    }
-    strokes
 }

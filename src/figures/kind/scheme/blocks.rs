@@ -1,5 +1,6 @@
 //! Where links meet matrices: at named points on the edge of a block, or at a node that a thin line leads to.
 
+use super::inner;
 use super::mesh;
 use super::paint::Painter;
 use super::places::has_places;
@@ -62,6 +63,9 @@ impl Painter<'_> {
 
     /// Marks where an end of a link is at a part. `which` is 1 for the second of two ends at this part.
     pub fn attach(&mut self, l: usize, part: usize, which: usize, at: [f64; 2]) {
+        if inner::is_node(&self.scheme.parts[part]) {
+            self.joined.push((part, at));
+        }
         let link = &self.scheme.links[l];
         let own = [end(link, 0), end(link, 1)].into_iter().flatten();
         let own = own.filter(|end| end.0 == part);

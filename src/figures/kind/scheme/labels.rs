@@ -28,19 +28,23 @@ pub struct Labels {
 impl Labels {
     /// No names among nodes.
     pub fn new(model: &Model, places: &[Point]) -> Labels {
-        let mut lines = Vec::new();
-        for [a, b] in mesh::shown(model, places) {
-            let [from, to] = [places[a], places[b]];
-            lines.extend((0..=POINTS).map(|i| {
-                let part = f64::from(i) / f64::from(POINTS);
-                [0, 1].map(|k| from[k] + part * (to[k] - from[k]))
-            }));
-        }
-        Labels {
+        let mut labels = Labels {
             words: Vec::new(),
             symbols: Vec::new(),
-            lines,
+            lines: Vec::new(),
+        };
+        for [a, b] in mesh::shown(model, places) {
+            labels.crossed([places[a], places[b]]);
         }
+        labels
+    }
+
+    /// A line takes these places.
+    pub fn crossed(&mut self, [from, to]: [Point; 2]) {
+        self.lines.extend((0..=POINTS).map(|i| {
+            let part = f64::from(i) / f64::from(POINTS);
+            [0, 1].map(|k| from[k] + part * (to[k] - from[k]))
+        }));
     }
 
     /// A symbol takes this place.
@@ -48,10 +52,14 @@ impl Labels {
         self.symbols.push(rect);
     }
 
-    /// A name below a point, in its middle.
+    /// A name below a point, in its middle or beside it.
     pub fn below(&mut self, [x, y]: Point, text: String) {
         let y = y + NAME_GAP + style::LABEL;
-        self.place(text, Anchor::Middle, |step| [x, y + 11.0 * f64::from(step)]);
+        let half = text::width(&text, style::LABEL) / 2.0 + NAME_GAP;
+        self.place(text, Anchor::Middle, |step| {
+            let beside = [0.0, half, -half][step as usize % 3];
+            [x + beside, y + 11.0 * f64::from(step / 3)]
+        });
     }
 
     /// A name right of a point.

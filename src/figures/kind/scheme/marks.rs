@@ -41,6 +41,7 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
     for ((link, ends), at) in placed.inner.iter().zip(&ends).zip(&middles) {
         let half = half(*at, &middles);
         marks.link(picture, link, *ends, half);
+        labels.crossed(*ends);
         let across = match link.kind {
             LinkKind::Impact => [GAP + 1.0, half],
             LinkKind::Friction => [PLATE, 4.0],
@@ -53,7 +54,7 @@ pub fn draw(picture: &mut Picture, placed: &Placed, model: &Model, places: &[Poi
             height: 2.0 * across[1],
         });
     }
-    marks.held(picture);
+    marks.held(picture, &mut labels);
     marks.ground(picture, &mut labels);
     marks.forces(picture, &mut labels);
     for (name, [first, end]) in &placed.names {
@@ -206,7 +207,7 @@ impl Marks<'_> {
     }
 
     /// Lines to the ground from nodes that the matrices hold: their supports are no nodes.
-    fn held(&mut self, picture: &mut Picture) {
+    fn held(&mut self, picture: &mut Picture, labels: &mut Labels) {
         let nodes = self.model.held.iter().enumerate();
         let held: Vec<usize> = nodes
             .filter(|(_, held)| **held)
@@ -219,6 +220,7 @@ impl Marks<'_> {
                 picture
                     .shapes
                     .push(Shape::Line(vec![[x, y], [x, end]], symbols::HATCH));
+                labels.crossed([[x, y], [x, end]]);
             }
             self.walls.push(Wall {
                 away: [0.0, 1.0],

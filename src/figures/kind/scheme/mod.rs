@@ -2,7 +2,9 @@
 
 mod blocks;
 mod columns;
+mod ground_motion;
 mod groups;
+mod inner;
 mod labels;
 pub(crate) mod links;
 mod marks;
@@ -92,7 +94,8 @@ fn describe(scheme: &Structure) -> String {
         .count();
     let contacts = scheme.links.iter().filter(|link| !link.name.is_empty());
     let contacts: Vec<&str> = contacts.map(|link| link.name.as_str()).collect();
-    let parts: Vec<&str> = scheme.parts.iter().map(|part| part.name.as_str()).collect();
+    let own = scheme.parts.iter().filter(|part| !inner::is_node(part));
+    let parts: Vec<&str> = own.map(|part| part.name.as_str()).collect();
     let models = scheme.parts.iter().filter(|part| part.model.is_some());
     let models = models.count();
     let matrices = match models {

@@ -1,10 +1,12 @@
 //! Draws a scheme: the places of its parts from top to bottom, and its symbols.
 
 use super::columns;
+use super::ground_motion;
+use super::inner;
 use super::marks;
 use super::places::{Placed, has_places};
 use super::relations::{Join, Relations};
-use super::sizes::{self, NAME_GAP, Sizes};
+use super::sizes::{self, Sizes};
 use super::symbols;
 use slipgap_drawing::layout::sheet::{Anchor, Picture, PlacedText, Rect, Shape};
 use slipgap_drawing::style;
@@ -17,23 +19,26 @@ pub const ROWS: f64 = 32.0;
 const SLIDING: f64 = 15.0;
 /// Height of a link over the parts of its row.
 pub const OVER: f64 = 22.0;
+/// The horizontal and the vertical axis of a structure without places: its row along X.
+const ROW: [usize; 2] = [0, 2];
 /// Grey of masses.
 const GREY: u8 = 228;
 
 /// The picture of a scheme with its upper left corner at 0, and its size.
 pub fn paint(scheme: &Scheme) -> (Picture, [f64; 2]) {
-    let drawn = with_places(scheme, |mut painter, placed| {
+    let (drawn, axes) = with_places(scheme, |mut painter, placed| {
         painter.parts();
         painter.links();
+        painter.joints();
         painter.loads();
         if let Some(placed) = placed {
             painter.nodes(placed);
         }
-        painter.picture
+        (painter.picture, placed.map_or(ROW, |placed| placed.axes))
     });
     let (mut picture, mut size) = boxed(drawn);
-    if scheme.ground_moves {
-        size[1] = ground_motion(&mut picture, size);
+    if !scheme.ground.is_empty() {
+        size[1] = ground_motion::draw(&mut picture, size, &scheme.ground, axes);
     }
     (picture, size)
 }
@@ -50,31 +55,11 @@ pub fn with_places<T>(scheme: &Scheme, draw: impl FnOnce(Painter<'_>, Option<&Pl
         sizes: &sizes,
         rects: Vec::new(),
         floor: 0.0,
+        joined: Vec::new(),
         picture: Picture::default(),
     };
     painter.stack(&left);
     draw(painter, placed.as_ref())
-}
-
-/// The motion of the ground below a picture of this size, and the height with it.
-fn ground_motion(picture: &mut Picture, [width, height]: [f64; 2]) -> f64 {
-    let text = "ground motion";
-    let length = text::width(text, style::LABEL);
-    let y = height + 9.0;
-    let from = (width - 34.0 - 2.0 * NAME_GAP - length) / 2.0;
-    picture
-        .shapes
-        .push(Shape::DoubleArrow([[from, y], [from + 34.0, y]]));
-    picture.words.push(PlacedText {
-        at: [
-            from + 34.0 + 2.0 * NAME_GAP,
-            y + style::CAP_HEIGHT * style::LABEL / 2.0,
-        ],
-        anchor: Anchor::Start,
-        text: text.into(),
-        size: style::LABEL,
-    });
-    y + 7.0
 }
 
 /// The picture with its upper left corner at 0, and its size.
@@ -127,6 +112,8 @@ pub struct Painter<'a> {
     pub rects: Vec<Rect>,
     /// Height of the ground under the lowest row.
     pub floor: f64,
+    /// Where links meet nodes between laws in series: the part, and the place.
+    pub joined: Vec<(usize, [f64; 2])>,
     /// What is drawn so far.
     pub picture: Picture,
 }
@@ -199,7 +186,7 @@ impl Painter<'_> {
 
     fn parts(&mut self) {
         let parts = self.scheme.parts.iter().enumerate();
-        for (i, part) in parts.filter(|(_, part)| !has_places(part)) {
+        for (i, part) in parts.filter(|(_, part)| !has_places(part) && !inner::is_node(part)) {
             let rect = self.rects[i];
             match part.elements {
                 Some(n) => symbols::bar(&mut self.picture, rect, n),

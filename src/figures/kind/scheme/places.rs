@@ -106,7 +106,7 @@ impl Placed {
                 parts,
                 links: outer,
                 loads,
-                ground_moves: scheme.ground_moves,
+                ground: scheme.ground.clone(),
             },
             inner,
             loads: on_nodes.into_iter().filter_map(dof).collect(),

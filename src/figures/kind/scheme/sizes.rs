@@ -1,6 +1,7 @@
 //! Sizes of the parts of a scheme, and the places of links on their upper and lower sides.
 
 use super::blocks;
+use super::inner;
 use super::places::{extent, has_places};
 use super::relations::{Join, Relations, end};
 use super::symbols;
@@ -102,6 +103,9 @@ impl Sizes {
         let mut sizes = Sizes {
             width: (0..count)
                 .map(|part| {
+                    if inner::is_node(&scheme.parts[part]) {
+                        return inner::SIZE;
+                    }
                     let is_bar = usize::from(scheme.parts[part].elements.is_some());
                     let label = text::width(&label(scheme, part), style::LABEL);
                     let least = LEAST[is_bar].max(label + 2.0 * MARGIN);
@@ -117,6 +121,7 @@ impl Sizes {
                 .map(|part| match (nodes(part), &part.model) {
                     (Some([_, height]), _) => height,
                     (None, Some(_)) => HEIGHT + 2.0 * style::LABEL,
+                    (None, None) if inner::is_node(part) => inner::SIZE,
                     (None, None) => HEIGHT,
                 })
                 .collect(),

@@ -28,23 +28,44 @@ const ALIKE: f64 = 2.0;
 /// Width of the columns whose highest and lowest points the edges join, in shortest periods: each has a peak.
 const COLUMN: f64 = 2.0;
 
-/// What a band means.
+/// What a band of a black curve means.
 pub const MEANING: &str = "Band: between the envelopes of an oscillation too dense to draw; its edges have the dashes of \
-                           its curve.";
+                     its curve.";
+
+/// What a band of a curve in colour means.
+pub const IN_COLOUR: &str =
+    "Band: between the envelopes of an oscillation too dense to draw, in the colour of its curve.";
 
 /// Finds the bands of a finished sheet, and adds their meaning under it.
 pub fn find(sheet: &mut Sheet) {
     for panel in &mut sheet.panels {
         panel.envelopes = of(panel);
+        if let Some(inset) = &mut panel.inset {
+            inset.envelopes = of(inset);
+        }
     }
-    if any(sheet) {
-        layout::small_print(sheet, MEANING);
+    if let Some(meaning) = meaning(sheet) {
+        layout::small_print(sheet, meaning);
     }
 }
 
-/// Whether a sheet has a band.
-pub fn any(sheet: &Sheet) -> bool {
-    sheet.panels.iter().any(|panel| !panel.envelopes.is_empty())
+/// What the bands of a sheet mean; `None` if it has none.
+pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
+    let insets = sheet
+        .panels
+        .iter()
+        .filter_map(|panel| panel.inset.as_deref());
+    let band = |panel: &Panel| {
+        panel
+            .envelopes
+            .first()
+            .map(|band| panel.series[band.series].stroke)
+    };
+    let stroke = sheet.panels.iter().chain(insets).find_map(band)?;
+    Some(match stroke.hatching() {
+        [] => IN_COLOUR,
+        _ => MEANING,
+    })
 }
 
 /// The bands of a panel, the largest first, so that none hides another.

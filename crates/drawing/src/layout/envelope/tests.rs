@@ -252,9 +252,26 @@ fn only_the_dense_part_of_a_curve_is_replaced() {
         .map(|line| line.text.as_str())
         .collect();
     assert_eq!(lines.join(" "), MEANING);
-    // One filled polygon, in the grey of dashed curves.
-    let grey = format!("fill=\"#{0:02x}{0:02x}{0:02x}\"", Stroke::Dashed.fill()[0]);
-    assert_eq!(svg(&sheet, style::DPI).unwrap().matches(&grey).count(), 1);
+    // Hatched as dashed curves are, without a fill; in colour one area in a light shade of it.
+    let filled = |sheet: &Sheet, [r, g, b]: [u8; 3]| {
+        let colour = format!("fill=\"#{r:02x}{g:02x}{b:02x}\"");
+        svg(sheet, style::DPI).unwrap().matches(&colour).count()
+    };
+    assert_eq!(filled(&sheet, Stroke::Dashed.fill()), 0);
+    let width = format!("stroke-width=\"{}\"", style::units(style::HATCH_LINE));
+    assert!(svg(&sheet, style::DPI).unwrap().contains(&width));
+    let blue = Stroke::Colour(0);
+    sheet.panels[0].series[0].stroke = blue;
+    sheet.small_print.clear();
+    find(&mut sheet);
+    let lines: Vec<&str> = sheet
+        .small_print
+        .iter()
+        .map(|line| line.text.as_str())
+        .collect();
+    assert_eq!(lines.join(" "), IN_COLOUR);
+    assert_eq!(filled(&sheet, blue.fill()), 1);
+    assert!(!svg(&sheet, style::DPI).unwrap().contains(&width));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::Checker;
-use crate::figure::keys::{PANELS, Takes, X, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{COLOUR, MARKERS, PANELS, Takes, X, X_RANGE, Y_RANGE, key};
 use crate::figure::{sampled, vary};
 use slipgap_solver::problem::{self, Problem};
 
@@ -22,6 +22,8 @@ pub(super) const KIND: Kind = Kind {
         PANELS,
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, scope| {
         Some(FigureKind::Budget(Budget {

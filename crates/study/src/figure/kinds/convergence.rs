@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs, metric};
 use crate::Scale;
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY_OTHERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY_OTHERS, COLOUR, MARKERS, METRICS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::sampled;
 use slipgap_solver::problem::Problem;
 
@@ -22,6 +22,8 @@ pub(super) const KIND: Kind = Kind {
         BY_OTHERS,
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, scope| {
         Some(FigureKind::Convergence(Convergence {
@@ -50,7 +52,7 @@ impl Decoded for Convergence {
 
     fn check_cases(&self, checker: &mut Checker) {
         if !sampled::refused(checker, KIND.name) {
-            metric::check(checker, self.x, Scale::Log, self.by, KIND.name);
+            metric::check(checker, self.x, Scale::Log, [self.by, None], KIND.name);
             checker.has_two_values("x", self.x, KIND.name);
         }
     }

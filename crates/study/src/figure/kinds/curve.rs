@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs, history};
 use crate::Scale;
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY, IN_UNITS, PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE, key};
 
 pub(super) const KIND: Kind = Kind {
     name: "curve",
@@ -20,8 +20,16 @@ pub(super) const KIND: Kind = Kind {
         BY,
         PANELS,
         IN_UNITS,
+        key(
+            "time_range",
+            Takes::Range,
+            false,
+            "first and last time of the curves; the whole motion if left out",
+        ),
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, _| {
         Some(FigureKind::Curve(Curve {
@@ -30,6 +38,7 @@ pub(super) const KIND: Kind = Kind {
             by: values.row("by"),
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
+            times: values.range("time_range"),
         }))
     },
 };
@@ -47,6 +56,8 @@ pub struct Curve {
     pub panels: Option<usize>,
     /// Whether the axes are in the units of the study.
     pub in_units: bool,
+    /// First and last time, in the unit of the axes, if the study gives them.
+    pub times: Option<[f64; 2]>,
 }
 
 impl Decoded for Curve {
@@ -62,6 +73,7 @@ impl Decoded for Curve {
 
     fn check_cases(&self, checker: &mut Checker) {
         history::check(checker, self.by, self.panels, self.y.len(), KIND.name);
+        history::check_times(checker, "time_range", self.times, self.in_units);
     }
 
     fn draws_histories(&self) -> bool {

@@ -4,14 +4,14 @@ use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
-use crate::figure::keys::{BY_OUTSIDE, METRICS, X_RANGE, X_SCALE, Y_RANGE};
+use crate::figure::keys::{BY_OUTSIDE, COLOUR, METRICS, X_RANGE, X_SCALE, Y_RANGE};
 use slipgap_solver::problem::Problem;
 
 pub(super) const KIND: Kind = Kind {
     name: "distribution",
     needs: Needs::Ensemble,
     meaning: "empirical distribution functions of metrics over the ensemble of the study, each with a band that contains the whole function of independent cases 95 times in 100; the metric is along the horizontal axis",
-    keys: &[METRICS, BY_OUTSIDE, X_SCALE, X_RANGE, Y_RANGE],
+    keys: &[METRICS, BY_OUTSIDE, X_SCALE, X_RANGE, Y_RANGE, COLOUR],
     decode: |values, _| {
         Some(FigureKind::Distribution(Distribution {
             y: values.rows("y")?,

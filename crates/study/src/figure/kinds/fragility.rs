@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
-use crate::figure::keys::{BY_OUTSIDE, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
+use crate::figure::keys::{BY_OUTSIDE, COLOUR, Takes, X_RANGE, X_SCALE, Y_RANGE, key};
 use crate::{ColumnRef, Scale};
 use slipgap_solver::problem::Problem;
 
@@ -35,6 +35,7 @@ pub(super) const KIND: Kind = Kind {
         X_SCALE,
         X_RANGE,
         Y_RANGE,
+        COLOUR,
     ],
     decode: |values, _| {
         Some(FigureKind::Fragility(Fragility {

@@ -4,7 +4,7 @@ use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::cases::alike;
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE, key};
 use slipgap_solver::problem::{Case, Problem};
 use std::collections::HashMap;
 
@@ -54,6 +54,8 @@ pub(super) const KIND: Kind = Kind {
         ),
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, _| {
         Some(FigureKind::Front(Front {

@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{BY, IN_UNITS, PANELS, Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE, Y_RANGE, key};
 use crate::figure::vary;
 use crate::scope::Scope;
 use slipgap_solver::problem::parameter::Value;
@@ -36,8 +36,16 @@ pub(super) const KIND: Kind = Kind {
             false,
             "true: the quantities, all of one dimension, as areas on one another, such as energies by kind; one panel for each case",
         ),
+        key(
+            "inset",
+            Takes::Range,
+            false,
+            "first and last time of an enlarged part, such as a burst of contact forces, in a smaller frame inside of each panel; if left out, none",
+        ),
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, scope| {
         Some(FigureKind::History(History {
@@ -48,6 +56,7 @@ pub(super) const KIND: Kind = Kind {
             panels: values.row("panels"),
             in_units: values.switch("in_units"),
             stacked: values.switch("stacked"),
+            inset: values.range("inset"),
         }))
     },
 };
@@ -65,6 +74,8 @@ pub struct History {
     pub in_units: bool,
     /// Whether the quantities are areas on one another, with one panel for each case.
     pub stacked: bool,
+    /// First and last time of the enlarged part, in the unit of the axis, if there is one.
+    pub inset: Option<[f64; 2]>,
 }
 
 /// The first quantity, and the first that is an error.
@@ -84,7 +95,9 @@ impl Decoded for History {
     fn check_cases(&self, checker: &mut Checker) {
         self.check_stacked(checker);
         check(checker, self.by, self.panels, 1, KIND.name);
-        self.check_times(checker);
+        let range = checker.figure.ranges[0];
+        check_times(checker, "x_range", range, self.in_units);
+        check_times(checker, "inset", self.inset, self.in_units);
     }
 
     fn draws_histories(&self) -> bool {
@@ -109,25 +122,30 @@ impl History {
                 "needs quantities of one dimension, without errors",
             );
         }
-        if self.by.is_some() || self.panels.is_some() || self.in_units {
-            let message = "has one panel for each case; leave out by, panels and in_units";
+        if self.by.is_some() || self.panels.is_some() || self.in_units || self.inset.is_some() {
+            let message = "has one panel for each case; leave out by, panels, in_units and inset";
             checker.fault("stacked", message);
         }
     }
+}
 
-    /// Reports an `x_range` after the end of every history, or before their start.
-    fn check_times(&self, checker: &mut Checker) {
-        let problem = &*checker.scope.problem;
-        let ends = checker.cases().filter_map(|case| {
-            let size = match self.in_units {
-                true => problem.size(&case, Dimension::Time)?,
-                false => 1.0,
-            };
-            Some(case.at(problem.schema().duration)? * size)
-        });
-        let end = ends.fold(f64::NEG_INFINITY, f64::max);
-        checker.range_overlaps("the time", [0.0, end]);
-    }
+/// Reports times of a key after the end of every history, or before their start.
+pub(super) fn check_times(
+    checker: &mut Checker,
+    key: &str,
+    times: Option<[f64; 2]>,
+    in_units: bool,
+) {
+    let problem = &*checker.scope.problem;
+    let ends = checker.cases().filter_map(|case| {
+        let size = match in_units {
+            true => problem.size(&case, Dimension::Time)?,
+            false => 1.0,
+        };
+        Some(case.at(problem.schema().duration)? * size)
+    });
+    let end = ends.fold(f64::NEG_INFINITY, f64::max);
+    checker.overlaps(key, times, "the time", [0.0, end]);
 }
 
 /// Reports cases that the curves of `kind` cannot show, with so many rows of panels for each value of `panels`.

@@ -3,12 +3,13 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::Checker;
+use crate::figure::keys::{COLOUR, MARKERS};
 
 pub(super) const KIND: Kind = Kind {
     name: "law",
     needs: Needs::OneContact,
     meaning: "the laws of the cases: force over displacement or velocity",
-    keys: &[],
+    keys: &[COLOUR, MARKERS],
     decode: |_, _| Some(FigureKind::Law(Law)),
 };
 

@@ -3,7 +3,9 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::Checker;
-use crate::figure::keys::{BY_OTHERS, METRICS, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE};
+use crate::figure::keys::{
+    BY_OTHERS, COLOUR, MARKERS, METRICS, PANELS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+};
 use crate::figure::{sampled, vary};
 use slipgap_solver::problem::Problem;
 
@@ -11,12 +13,31 @@ pub(super) const KIND: Kind = Kind {
     name: "metric",
     needs: Needs::Nothing,
     meaning: "metrics over a parameter",
-    keys: &[X, METRICS, BY_OTHERS, X_SCALE, Y_SCALE, X_RANGE, Y_RANGE],
+    keys: &[
+        X,
+        METRICS,
+        BY_OTHERS,
+        PANELS,
+        key(
+            "checks",
+            Takes::Switch,
+            false,
+            "true: the limits of the study's checks of these metrics are drawn at the cases that they apply to; not drawn if left out",
+        ),
+        X_SCALE,
+        Y_SCALE,
+        X_RANGE,
+        Y_RANGE,
+        COLOUR,
+        MARKERS,
+    ],
     decode: |values, _| {
         Some(FigureKind::Metric(Metric {
             x: values.row("x")?,
             y: values.rows("y")?,
             by: values.row("by"),
+            panels: values.row("panels"),
+            checks: values.switch("checks"),
             x_scale: values.scale("x_scale"),
             y_scale: values.scale("y_scale"),
         }))
@@ -32,6 +53,10 @@ pub struct Metric {
     pub y: Vec<usize>,
     /// Parameter with one line style for each value; `None`: all others that vary.
     pub by: Option<usize>,
+    /// Parameter with one panel for each value.
+    pub panels: Option<usize>,
+    /// Whether the limits of the study's checks are drawn.
+    pub checks: bool,
     /// Scale of the horizontal axis.
     pub x_scale: Scale,
     /// Scale of the vertical axes.
@@ -45,7 +70,13 @@ impl Decoded for Metric {
 
     fn check_cases(&self, checker: &mut Checker) {
         if !sampled::refused(checker, KIND.name) {
-            check(checker, self.x, self.x_scale, self.by, KIND.name);
+            let distinguished = [self.by, self.panels];
+            check(checker, self.x, self.x_scale, distinguished, KIND.name);
+            if let Some(row) = self.panels {
+                checker.has_values("panels", row);
+                checker.panels_fit(row, self.y.len());
+            }
+            self.checks_exist(checker);
         }
     }
 
@@ -54,14 +85,32 @@ impl Decoded for Metric {
     }
 }
 
-/// Reports parameters that cannot be along the axis of `kind` or distinguish its curves.
-pub(super) fn check(checker: &mut Checker, x: usize, scale: Scale, by: Option<usize>, kind: &str) {
+impl Metric {
+    /// Reports the key `checks` of a figure whose metrics have no checks.
+    fn checks_exist(&self, checker: &mut Checker) {
+        let scope = checker.scope;
+        if self.checks && !self.y.iter().any(|row| scope.checked.contains(row)) {
+            let message = "the study has no check of a metric of this figure";
+            checker.fault("checks", message);
+        }
+    }
+}
+
+/// Reports parameters that cannot be along the axis of `kind` or distinguish its curves, those of the keys `by` and `panels`.
+pub(super) fn check(
+    checker: &mut Checker,
+    x: usize,
+    scale: Scale,
+    [by, panels]: [Option<usize>; 2],
+    kind: &str,
+) {
     checker.has_values("x", x);
     checker.suits_scale("x", x, scale);
     checker.range_shows_some(x);
     if let Some(by) = by {
         checker.has_values("by", by);
         let what = format!("a {kind} figure with \"by\" shows one case at each point of a curve");
-        vary::check(checker, &[x, by], &what, vary::OR_WITHOUT_BY);
+        let distinguished: Vec<usize> = [x, by].into_iter().chain(panels).collect();
+        vary::check(checker, &distinguished, &what, vary::OR_WITHOUT_BY);
     }
 }

@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::{Checker, MOST_PANELS, NARROW};
-use crate::figure::keys::{Takes, X_RANGE, Y_RANGE, key};
+use crate::figure::keys::{COLOUR, MARKERS, Takes, X_RANGE, Y_RANGE, key};
 
 /// Most cases in a panel, because their markers are close.
 const MOST_CASES: usize = 6;
@@ -27,6 +27,8 @@ pub(super) const KIND: Kind = Kind {
         ),
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, scope| {
         Some(FigureKind::Profile(Profile {

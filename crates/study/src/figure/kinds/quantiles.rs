@@ -4,7 +4,9 @@ use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::Checker;
 use crate::figure::ensembles;
-use crate::figure::keys::{BY_OUTSIDE, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key};
+use crate::figure::keys::{
+    BY_OUTSIDE, COLOUR, MARKERS, METRICS, Takes, X, X_RANGE, X_SCALE, Y_RANGE, Y_SCALE, key,
+};
 use slipgap_solver::problem::Problem;
 
 /// The probabilities of the edges of a band if the study gives none: those of one standard deviation of a normal
@@ -29,6 +31,8 @@ pub(super) const KIND: Kind = Kind {
         Y_SCALE,
         X_RANGE,
         Y_RANGE,
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, _| {
         Some(FigureKind::Quantiles(Quantiles {

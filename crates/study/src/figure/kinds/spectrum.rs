@@ -3,7 +3,7 @@
 use super::{Decoded, FigureKind, Kind, Needs};
 use crate::Scale;
 use crate::figure::checker::{Checker, NARROW};
-use crate::figure::keys::{Takes, key};
+use crate::figure::keys::{COLOUR, MARKERS, Takes, key};
 
 /// Damping ratio if none is given.
 const DAMPING: f64 = 0.05;
@@ -40,6 +40,8 @@ pub(super) const KIND: Kind = Kind {
             false,
             "first and last period, at least 0.001; if left out, [0.05, 5]",
         ),
+        COLOUR,
+        MARKERS,
     ],
     decode: |values, _| {
         let ratios = values.numbers("damping");

@@ -21,8 +21,8 @@ pub struct Scheme {
     pub links: Vec<Link>,
     /// Ends with a force, each once.
     pub loads: Vec<End>,
-    /// Whether the ground moves.
-    pub ground_moves: bool,
+    /// The directions in which the ground or a support moves, each once.
+    pub ground: Vec<Direction>,
 }
 
 /// A mass, a bar or matrices.
@@ -126,11 +126,19 @@ pub fn scheme(template: &Template, case: &Case) -> Option<Scheme> {
             loads.push(loaded);
         }
     }
+    let moved = template.ground.iter().map(|(direction, _)| *direction);
+    let moved = moved.chain(template.supports.iter().map(|support| support.direction));
+    let mut ground: Vec<Direction> = Vec::new();
+    for direction in moved {
+        if !ground.contains(&direction) {
+            ground.push(direction);
+        }
+    }
     Some(Scheme {
         links,
         loads,
         parts: draft.parts,
-        ground_moves: !template.ground.is_empty() || !template.supports.is_empty(),
+        ground,
     })
 }
 
