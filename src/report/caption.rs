@@ -1,13 +1,14 @@
 //! What a figure shows, in words: which quantities over which, the curves, and the cases.
 
+use super::decimal;
 use crate::figures::FigureData;
 use crate::figures::markup::plain;
 use crate::figures::sheet::{Panel, Sheet};
-use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::parameter::{Value, shortest};
 use slipgap_study::Study;
 
-/// Most values of a parameter that a caption lists.
-const MOST_VALUES: usize = 4;
+/// Most numbers of a parameter that a caption lists.
+const MOST_NUMBERS: usize = 4;
 
 /// Most curves that a caption names.
 const MOST_CURVES: usize = 8;
@@ -17,6 +18,7 @@ pub fn of(data: &FigureData, sheet: &Sheet) -> String {
     let title = data.figure.title.is_some().then(|| sheet.title.clone());
     let parts = [
         title,
+        scheme(data, sheet),
         quantities(data.study, sheet),
         panels(sheet),
         curves(sheet),
@@ -44,6 +46,16 @@ fn sentence(text: &str) -> String {
         true => text,
         false => text + ".",
     }
+}
+
+/// What a figure without panels shows.
+fn scheme(data: &FigureData, sheet: &Sheet) -> Option<String> {
+    let is_scheme = sheet.panels.is_empty() && !sheet.picture.shapes.is_empty();
+    let of = match (&data.figure.title, &*data.study.title) {
+        (Some(_), _) | (None, "") => String::new(),
+        (None, title) => format!(": {title}"),
+    };
+    is_scheme.then(|| format!("scheme of the structure{of}"))
 }
 
 /// What is over what; nothing of a figure without axes.
@@ -86,8 +98,14 @@ fn in_words(study: &Study, title: &str) -> String {
 
 /// The captions of the panels.
 fn panels(sheet: &Sheet) -> Option<String> {
-    let captions = titles(sheet, |panel| &panel.caption);
+    let mut captions = titles(sheet, |panel| &panel.caption);
+    captions.retain(|caption| !is_letter(caption));
     (!captions.is_empty()).then(|| format!("panels: {}", captions.join("; ")))
+}
+
+/// Whether a panel has only a letter, as in `(a)`.
+fn is_letter(caption: &str) -> bool {
+    caption.len() == 3 && caption.starts_with('(')
 }
 
 /// The names of the curves.
@@ -114,9 +132,10 @@ fn cases(data: &FigureData) -> Option<String> {
     let table = data.study.problem.parameters();
     let chosen = data.figure.filter.0.iter();
     let chosen = chosen.map(|(row, values)| {
-        let values: Vec<String> = values.iter().map(Value::to_string).collect();
+        let are_numbers = values.iter().all(|value| value.as_f64().is_some());
+        let values: Vec<String> = values.iter().map(written).collect();
         let values = match &values[..] {
-            [first, .., last] if values.len() > MOST_VALUES => {
+            [first, .., last] if are_numbers && values.len() > MOST_NUMBERS => {
                 format!("{} values from {first} to {last}", values.len())
             }
             values => list(values, "or"),
@@ -127,11 +146,19 @@ fn cases(data: &FigureData) -> Option<String> {
     (!chosen.is_empty()).then(|| format!("for {}", chosen.join(", ")))
 }
 
+/// A value with at most six digits.
+fn written(value: &Value) -> String {
+    match value {
+        Value::Number(x) => shortest(decimal::rounded(*x)),
+        Value::Whole(_) | Value::Name(_) => value.to_string(),
+    }
+}
+
 /// The different titles of the panels in plain text, in their order.
 fn titles<'a>(sheet: &'a Sheet, title: impl Fn(&'a Panel) -> &'a str) -> Vec<String> {
     let mut titles = Vec::new();
     for panel in &sheet.panels {
-        let title = plain(title(panel));
+        let title = plain(title(panel)).replace("  ", " ");
         if !title.is_empty() && !titles.contains(&title) {
             titles.push(title);
         }
