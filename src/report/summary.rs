@@ -77,7 +77,7 @@ fn write_warnings(out: &mut impl Write, sections: &[Section]) -> io::Result<()> 
             out,
             "<details><summary>! Warning {} in {studies}: cases {}.</summary>",
             kind.name(),
-            code(&escape(&kind.message()))
+            code(&escape(kind.message()))
         )?;
         write_list(out, sections, of)?;
         out.write_all(b"</details>\n")?;
