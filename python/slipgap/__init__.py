@@ -15,18 +15,21 @@ from __future__ import annotations
 import json
 import warnings
 from collections.abc import Callable, Mapping
-from os import PathLike
+from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _slipgap
+from . import _program, _slipgap
 from ._progress import reporter
 from ._records import (
     Candidate,
     Change,
     Check,
+    Claim,
     Comparison,
     Failure,
     Fault,
+    Reading,
     Recommendation,
     Robustness,
     SlipgapError,
@@ -44,10 +47,12 @@ __all__ = [
     "Candidate",
     "Change",
     "Check",
+    "Claim",
     "Comparison",
     "Failure",
     "Fault",
     "Figure",
+    "Reading",
     "Recommendation",
     "Results",
     "Robustness",
@@ -58,9 +63,12 @@ __all__ = [
     "WarnedCases",
     "__version__",
     "animate",
+    "claims",
     "compare",
     "exact",
+    "explain",
     "recommend",
+    "report",
     "run",
     "schema",
     "solve",
@@ -176,6 +184,67 @@ def recommend(problem: str, *, jobs: int | None = None, **targets: Any) -> Recom
     :raises SlipgapError: mistakes
     """
     return _slipgap.recommend(problem, targets, jobs)
+
+
+def report(
+    study: str | PathLike[str] | Mapping[str, Any] = "studies",
+    *,
+    out: str | PathLike[str] = "figures",
+    jobs: int | None = None,
+    set: Mapping[str, Any] | None = None,
+) -> Path:
+    """Write one page about a study, or about all studies of a folder, with checks, warnings, figures and tables.
+
+    It runs the program ``slipgap report``, which comes with this package.
+
+    :param study: path of a study file or of a folder of them, or a dict, whose results go to ``out/stdin``
+    :param out: folder for ``report.html`` and the results; cases that it has already are not computed again
+    :param jobs: number of threads; if left out, one for each core
+    :param set: parameters to set, as in :func:`run`
+    :returns: path of the page, which needs no other file
+    :raises SlipgapError: mistakes, or a file that cannot be read or written
+    """
+    words = ["--out", fspath(out), *_program.settings(set)]
+    if jobs is not None:
+        words += ["--jobs", str(jobs)]
+    return Path(_program.call("report", words, study).rstrip("\n"))
+
+
+def explain(
+    study: str | PathLike[str] | Mapping[str, Any],
+    case: int = 0,
+    *,
+    set: Mapping[str, Any] | None = None,
+) -> str:
+    """Describe one case of a study: parameters with units and origin, steps, cost, estimated time, warnings.
+
+    It runs the program ``slipgap explain``, which comes with this package.
+
+    :param study: a study as in :func:`run`
+    :param case: number of the case, from 0
+    :param set: parameters to set, as in :func:`run`
+    :returns: text to print
+    :raises SlipgapError: mistakes
+    """
+    words = [str(case), *_program.settings(set)]
+    return _program.call("explain", words, study, allowed=(0, _program.UNSOLVED))
+
+
+def claims(
+    ledgers: str | PathLike[str] = "claims",
+    *,
+    out: str | PathLike[str] | None = None,
+    jobs: int | None = None,
+) -> list[Claim]:
+    """Test the statements of ledgers by their studies.
+
+    :param ledgers: path of a ledger, or of a folder of them
+    :param out: folder with results of studies, whose cases are not computed again; nothing else is written there
+    :param jobs: number of threads; if left out, one for each core
+    :returns: each statement with its verdict and the values of its readings
+    :raises SlipgapError: a ledger or a study with mistakes
+    """
+    return _slipgap.claims(ledgers, out, jobs)
 
 
 def schema() -> dict[str, Any]:

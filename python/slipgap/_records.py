@@ -87,6 +87,39 @@ class WarnedCases(NamedTuple):
     """What the cases have, as on stderr of the program."""
 
 
+class Reading(NamedTuple):
+    """One way to understand a statement, tested by a study."""
+
+    name: str
+    """What is tested."""
+    holds: bool
+    """Whether it holds."""
+    recorded: bool
+    """Whether the ledger says that it holds."""
+    found: list[str]
+    """The values of each expectation, in Markdown."""
+
+
+class Claim(NamedTuple):
+    """A statement of a paper or of the literature, with its verdict."""
+
+    paper: str
+    """Title of the ledger."""
+    id: str
+    """Short name."""
+    statement: str
+    """The statement."""
+    verdict: str
+    """``holds`` in every reading, ``holds if`` in some of them, ``fails`` in all."""
+    readings: list[Reading]
+    """The readings in the order of the ledger."""
+
+    @property
+    def changed(self) -> bool:
+        """Whether a reading differs from what the ledger says."""
+        return any(reading.holds != reading.recorded for reading in self.readings)
+
+
 class Change(NamedTuple):
     """A metric that differs between two results of a study."""
 

@@ -6,7 +6,7 @@ from typing import Any, final
 import numpy
 from numpy.typing import NDArray
 
-from ._records import Check, Comparison, Failure, Recommendation, WarnedCases
+from ._records import Check, Claim, Comparison, Failure, Recommendation, WarnedCases
 
 __all__ = [
     "Animation",
@@ -16,6 +16,7 @@ __all__ = [
     "Table",
     "__version__",
     "animate",
+    "claims",
     "compare",
     "exact",
     "recommend",
@@ -68,6 +69,22 @@ class Results:
     @property
     def warnings(self) -> list[WarnedCases]: ...
     @property
+    def tables(self) -> dict[str, Table]: ...
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def metrics(self) -> list[str]: ...
+    def plot(
+        self,
+        metric: str | None = None,
+        x: str | None = None,
+        y: str | None = None,
+        *,
+        case: int | None = None,
+        ax: Any = None,
+    ) -> Any: ...
+    def solution(self, case: int) -> Solution: ...
+    @property
     def manifest(self) -> dict[str, Any]: ...
     @property
     def folder(self) -> Path | None: ...
@@ -106,6 +123,9 @@ def exact(
 ) -> dict[str, NDArray[numpy.float64]]: ...
 def recommend(problem: str, targets: dict[str, Any], jobs: int | None) -> Recommendation: ...
 def schema() -> str: ...
+def claims(
+    ledgers: str | PathLike[str], out: str | PathLike[str] | None, jobs: int | None
+) -> list[Claim]: ...
 def compare(
     a: str | PathLike[str], b: str | PathLike[str], tolerance: float
 ) -> Comparison: ...

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// The cases that the figures of a study show.
 pub struct Shown {
-    pub source: Source,
+    pub source: Arc<Source>,
     pub cases: ShownCases,
     /// The metrics of its saltelli designs.
     pub designs: DesignMetrics,

@@ -4,6 +4,7 @@
 mod animation;
 mod arrays;
 mod case_of_dict;
+mod claims;
 mod columns;
 mod compare;
 mod error;
@@ -16,6 +17,7 @@ mod run;
 mod solution;
 mod solve;
 mod table;
+mod tables;
 mod worker;
 
 use pyo3::prelude::*;
@@ -27,6 +29,8 @@ mod _slipgap {
     use super::animation::Animation;
     #[pymodule_export]
     use super::animation::animate;
+    #[pymodule_export]
+    use super::claims::claims;
     #[pymodule_export]
     use super::compare::compare;
     #[pymodule_export]

@@ -2,7 +2,10 @@
 
 use crate::error::raise;
 use crate::figure::{Figure, Shown};
+use crate::solution::Solution;
+use crate::solve;
 use crate::table::Table;
+use crate::tables::Groups;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyType};
@@ -37,6 +40,7 @@ pub struct Results {
     pub checked: TestedValues,
     pub without_contact: u64,
     pub warnings: Vec<WarnedCases>,
+    pub groups: Groups,
 }
 
 impl Results {
@@ -110,6 +114,57 @@ impl Results {
             ))
         };
         self.warnings.iter().map(record).collect()
+    }
+
+    /// The tables over groups of cases by name, with the columns of the files: `quantiles` and `two_samples` of an ensemble, `sobol` of
+    /// a saltelli design, `reductions`, those that the study has; and `warnings`, one row for each kind.
+    #[getter]
+    fn tables(&self, py: Python<'_>) -> PyResult<Py<PyDict>> {
+        self.groups.tables(py, &self.shown, &self.warnings)
+    }
+
+    /// A figure of matplotlib, in its own style: a metric over a parameter, a metric over two, or the history of a case.
+    ///
+    /// `plot(y)` draws the metric over the parameter with the most values, and `plot(y, x)` over another one, a line for each
+    /// combination of the others that vary; `plot(z, x, y)` draws a map. `plot(case=3)` draws the channels of a case over time,
+    /// `plot("r", case=3)` one of them, with the exact motion if there is one. Axes that are given are drawn on.
+    #[pyo3(signature = (metric = None, x = None, y = None, *, case = None, ax = None))]
+    fn plot<'py>(
+        slf: Bound<'py, Self>,
+        py: Python<'py>,
+        metric: Option<&str>,
+        x: Option<&str>,
+        y: Option<&str>,
+        case: Option<i64>,
+        ax: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let plot = py.import("slipgap._plot")?.getattr("plot")?;
+        plot.call1((slf, metric, x, y, case, ax))
+    }
+
+    /// A case of the study with its motion, as `slipgap.solve` gives it.
+    fn solution(&self, py: Python<'_>, case: i64) -> PyResult<Solution> {
+        solve::of_source(py, self.shown.source.clone(), case)
+    }
+
+    /// Names of the columns of the table that are parameters.
+    #[getter]
+    fn parameters(&self) -> Vec<String> {
+        let study = &self.shown.source.study;
+        let table = study.problem.parameters();
+        let rows = study.parameter_columns().into_iter();
+        rows.map(|row| table[row].column_name().to_owned())
+            .collect()
+    }
+
+    /// Names of the columns of the table that are metrics.
+    #[getter]
+    fn metrics(&self) -> Vec<String> {
+        let study = &self.shown.source.study;
+        let columns = study.columns.iter();
+        columns
+            .map(|row| study.measures[*row].name.clone())
+            .collect()
     }
 
     /// The origin of the results, as in manifest.json.

@@ -5,12 +5,15 @@ use crate::figure::Shown;
 use crate::given;
 use crate::results::Results;
 use crate::table::Table;
+use crate::tables::Groups;
 use crate::worker;
 use arrow_array::RecordBatch;
 use indicatif::ProgressBar;
 use pyo3::prelude::*;
 use slipgap::batch::WarnedCases;
 use slipgap::batch::output::Folder;
+use slipgap::batch::output::ensemble::EnsembleMetrics;
+use slipgap::batch::output::reductions::ReducedMetrics;
 use slipgap::batch::output::sobol::DesignMetrics;
 use slipgap::batch::store::Store;
 use slipgap::batch::work_progress::WorkProgress;
@@ -35,6 +38,8 @@ struct Collected {
     shown: ShownCases,
     /// The metrics of its saltelli designs.
     designs: DesignMetrics,
+    /// The results over groups of cases.
+    groups: Groups,
 }
 
 /// Runs a study; `progress` is called with the numbers of finished and of all cases.
@@ -77,7 +82,7 @@ pub fn run(
     report(cases)?;
     let (cases, designs) = (collected.shown, collected.designs);
     let shown = Arc::new(Shown {
-        source,
+        source: Arc::new(source),
         cases,
         designs,
     });
@@ -94,6 +99,7 @@ pub fn run(
         checked: collected.checked,
         without_contact: collected.without_contact,
         warnings: collected.warnings,
+        groups: collected.groups,
     })
 }
 
@@ -110,7 +116,6 @@ fn in_memory(source: &Source, mut collector: Collector<'_>) -> Result<Collected,
     let mut shown = ShownCases::new(study.problem.schema());
     batch::run(study, &bar, &options, |mut part| {
         collector.add(&part)?;
-        collector.collected.designs.add(&part);
         study_figures::add(study, &needed, &mut part, &mut shown);
         Ok(())
     })?;
@@ -139,6 +144,8 @@ struct Collector<'a> {
     columns: Columns,
     checks: CheckCollector<'a>,
     warnings: StudyWarnings<'a>,
+    ensembles: Option<EnsembleMetrics<'a>>,
+    reductions: ReducedMetrics<'a>,
     collected: Collected,
     error: Option<Error>,
 }
@@ -154,6 +161,8 @@ impl<'a> Collector<'a> {
             columns: Columns::new(study),
             checks: CheckCollector::new(study),
             warnings: StudyWarnings::new(study),
+            ensembles: EnsembleMetrics::new(study),
+            reductions: ReducedMetrics::new(study),
             collected: Collected {
                 batches: Vec::new(),
                 failures: Vec::new(),
@@ -162,6 +171,7 @@ impl<'a> Collector<'a> {
                 warnings: Vec::new(),
                 shown: ShownCases::new(study.problem.schema()),
                 designs: DesignMetrics::new(study),
+                groups: Groups::default(),
             },
             error: None,
         }
@@ -169,6 +179,11 @@ impl<'a> Collector<'a> {
 
     fn add(&mut self, part: &PartResult) -> Result<(), Error> {
         self.warnings.add(part);
+        self.reductions.add(part);
+        self.collected.designs.add(part);
+        if let Some(ensembles) = &mut self.ensembles {
+            ensembles.add(part);
+        }
         let (study, collected) = (self.study, &mut self.collected);
         collected.batches.push(self.columns.of(study, part)?);
         let failures = part.metrics.failures();
@@ -183,6 +198,7 @@ impl<'a> Collector<'a> {
         if let Some(error) = self.error {
             return Err(error);
         }
+        self.collected.groups = Groups::new(self.ensembles.as_ref(), &self.reductions)?;
         self.collected.checked = self.checks.finish();
         self.collected.warnings = self.warnings.list();
         self.collected.shown = shown;

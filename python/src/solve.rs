@@ -61,8 +61,13 @@ fn of_case(py: Python<'_>, problem: Arc<dyn Problem>, case: Case) -> PyResult<So
     Ok(Solution::new(problem, None, (0, case), solution, metrics))
 }
 
-/// A case of a study: the metrics that are columns of its results.
+/// A case of a study that was read.
 fn of_study(py: Python<'_>, source: Source, number: i64) -> PyResult<Solution> {
+    of_source(py, Arc::new(source), number)
+}
+
+/// A case of a study: the metrics that are columns of its results.
+pub fn of_source(py: Python<'_>, source: Arc<Source>, number: i64) -> PyResult<Solution> {
     let cases = source.study.len();
     let found = u64::try_from(number).ok().filter(|number| *number < cases);
     let found = found.and_then(|number| Some((number, source.study.case(number)?)));
@@ -76,7 +81,6 @@ fn of_study(py: Python<'_>, source: Source, number: i64) -> PyResult<Solution> {
     if let Some(why) = problem::Violation::all(&source.study.violations(number)) {
         return Err(unsolved(py, number, &Unsolvable::BrokenRules(why)));
     }
-    let source = Arc::new(source);
     let (study, copy) = (source.clone(), case.clone());
     let problem = source.study.problem.clone();
     let solution = solved(py, &problem, &case, number, move || {

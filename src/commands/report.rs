@@ -64,8 +64,8 @@ fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     let mut sections = Vec::new();
     let mut bytes_left = MOST_BYTES;
     let mut terminal = Terminal::new(sources);
-    for (i, source) in sources.iter().enumerate() {
-        let section = section(source, i, (out, bytes_left), &mut terminal)?;
+    for source in sources {
+        let section = section(source, (out, bytes_left), &mut terminal)?;
         bytes_left = bytes_left.saturating_sub(section.results.bytes());
         sections.push(section);
     }
@@ -84,14 +84,13 @@ fn report(sources: &[Source], out: &Path) -> Result<u8, Error> {
     {
         section.claims = readings;
     }
-    let path = folder.write_unlisted(PAGE, |file| report::write(file, &sections))?;
+    let path = folder.write_unlisted(PAGE, |file| report::write(file, &mut sections))?;
     print(&format!("{}\n", path.display()))
 }
 
-/// Runs a study into its folder in `out`. `index` is its place on the page, and `largest` the largest size of its results.
+/// Runs a study into its folder in `out`. `largest` is the largest size of its results.
 fn section<'a>(
     source: &'a Source,
-    index: usize,
     (out, largest): (&Path, usize),
     terminal: &mut Terminal,
 ) -> Result<Section<'a>, Error> {
@@ -139,15 +138,8 @@ fn section<'a>(
     let indices = run::indices(source, &designs, terminal)?;
     let mut drawings = Vec::new();
     study_figures::add_histories(study, &mut shown);
-    for (k, figure) in study.figures.iter().enumerate() {
-        let prefix = format!("s{index}f{k}-");
-        let draw = |data: &FigureData| {
-            let data = FigureData {
-                colour: true,
-                ..*data
-            };
-            Drawing::new(&data, &prefix)
-        };
+    for figure in &study.figures {
+        let draw = |data: &FigureData| Drawing::new(data);
         drawings.push(study_figures::with_data(
             study, figure, &shown, &designs, draw,
         )?);

@@ -9,8 +9,8 @@ use std::fmt::Write;
 /// Most points of a figure that show their values.
 const MOST: usize = 5000;
 
-/// The figure as SVG whose points show their values; `prefix` makes its names different from those of other figures.
-pub fn with_hover(data: &FigureData, sheet: &Sheet, svg: &str, prefix: &str) -> String {
+/// The figure as SVG whose points show their values.
+pub fn with_hover(data: &FigureData, sheet: &Sheet, svg: &str) -> String {
     let points = kind::of(&data.figure.kind).points(data, sheet);
     let mut group = String::from("<g class=\"hover\">\n");
     for point in points.iter().take(MOST) {
@@ -23,11 +23,8 @@ pub fn with_hover(data: &FigureData, sheet: &Sheet, svg: &str, prefix: &str) -> 
         );
     }
     group += "</g>\n</svg>";
-    let svg = svg
-        .replace("id=\"", &format!("id=\"{prefix}"))
-        .replace("href=\"#", &format!("href=\"#{prefix}"));
     match points.is_empty() {
-        true => svg,
+        true => svg.to_owned(),
         false => svg.replace("</svg>", &group),
     }
 }

@@ -1,5 +1,7 @@
 //! The checks of a study on the page.
 
+use super::Detail;
+use super::packed::write_part;
 use super::text::{escape, verdict};
 use crate::batch::Outcome;
 use crate::checks::{self, ReducedChecks, Verdict};
@@ -8,6 +10,9 @@ use std::io::{self, Write};
 
 /// Largest number of checks that the page lists.
 const MOST: usize = 1000;
+
+/// What a list leaves out.
+const NOT_MET: &str = "The list shows only the checks that are not met.";
 
 /// The checks so far: all of them if they are few, else those that are not met.
 #[derive(Debug, Default)]
@@ -47,30 +52,57 @@ impl Checks {
         }
     }
 
+    /// Number of all checks.
+    pub fn total(&self) -> u64 {
+        self.total
+    }
+
+    /// Number of checks that are not met.
+    pub fn failed(&self) -> u64 {
+        self.total - self.met
+    }
+
     /// A sentence about the list if it does not have all checks.
     fn limit(&self) -> Option<String> {
-        let failed = self.total - self.met;
+        let failed = self.failed();
         match (self.total <= MOST as u64, failed) {
             (true, _) | (false, 0) => None,
-            (false, failed) if failed <= MOST as u64 => {
-                Some("The list shows only the checks that are not met.".into())
-            }
+            (false, failed) if failed <= MOST as u64 => Some(NOT_MET.into()),
             (false, failed) => Some(format!(
                 "The list shows {MOST} of the {failed} checks that are not met, those of the cases with the lowest numbers."
             )),
         }
     }
 
-    /// Writes how many checks are met, and the list.
-    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    /// Writes how many checks are met, and the list, which is open if a check is not met.
+    pub fn write(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
         if self.total == 0 {
             return Ok(());
         }
-        writeln!(out, "<h3>Checks: {} of {} met</h3>", self.met, self.total)?;
-        if let Some(limit) = self.limit() {
+        let (class, sign) = verdict(self.failed() == 0, "✓", "✗");
+        let heading = format!(
+            "<span class=\"{class}\">{sign} Checks: {} of {} met</span>",
+            self.met, self.total
+        );
+        let mut list = Vec::new();
+        self.write_list(&mut list, detail)?;
+        let open = self.failed() > 0 || detail == Detail::Whole;
+        write_part(out, &heading, open, &list)
+    }
+
+    fn write_list(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
+        let is_listed = |verdict: &Verdict| detail == Detail::Whole || !verdict.holds();
+        let listed = self.listed.iter();
+        let mut listed: Vec<&(usize, Verdict)> =
+            listed.filter(|(_, verdict)| is_listed(verdict)).collect();
+        let limit = match self.limit() {
+            None if listed.len() < self.listed.len() => Some(NOT_MET.to_owned()),
+            limit => limit,
+        };
+        if let Some(limit) = limit {
             writeln!(out, "<p>{limit}</p>")?;
         }
-        if self.listed.is_empty() {
+        if listed.is_empty() {
             return Ok(());
         }
         out.write_all(
@@ -78,7 +110,6 @@ impl Checks {
               <thead><tr><th>case</th><th class=\"words\">metric</th><th>value</th><th class=\"words\">limits</th><th class=\"words\">verdict</th></tr></thead>\n<tbody>\n",
         )?;
         // By check, then by case; the groups of a reduction in their order.
-        let mut listed: Vec<&(usize, Verdict)> = self.listed.iter().collect();
         listed.sort_by_key(|(check, _)| *check);
         for (_, judged) in listed {
             let value = judged.value.map_or("undefined".into(), |x| x.to_string());
@@ -120,7 +151,8 @@ mod tests {
 
     fn page(checks: &Checks) -> String {
         let mut out = Vec::new();
-        checks.write(&mut out).unwrap();
+        checks.write(&mut out, Detail::Whole).unwrap();
+        checks.write_list(&mut out, Detail::Whole).unwrap();
         String::from_utf8(out).unwrap()
     }
 

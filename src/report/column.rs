@@ -1,14 +1,10 @@
-//! A lossless compressed column of numbers: one value for all rows, indices into a list of the values, or doubles.
+//! A compressed column of numbers: one value for all rows, indices into a list of the values, or numbers.
 
-use crate::figures::base64;
+use super::decimal;
 use std::collections::HashMap;
-use std::io::{self, Write};
 
 /// Largest number of values in a list.
 const MOST_LISTED: usize = 1 << 14;
-
-/// Rows of a block. It is a multiple of 3: the text of a block ends without padding, so that the page can decode each block.
-const BLOCK: usize = 6144;
 
 /// The numbers of a column; NaN if one is undefined.
 #[derive(Debug)]
@@ -103,35 +99,40 @@ impl Column {
         width * self.len + 8 * list
     }
 
-    /// The list of values as base64 of little-endian doubles; empty if the rows are doubles.
-    pub fn list(&self) -> String {
-        let values = if self.width() < 8 {
-            &self.values[..]
-        } else {
-            &[]
-        };
-        let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_le_bytes()).collect();
-        base64::text(&bytes)
+    /// The same column with values of six significant digits.
+    pub fn rounded(&self) -> Column {
+        let mut column = Column::new();
+        (0..self.len).for_each(|row| column.push(decimal::rounded(self.at(row))));
+        column
     }
 
-    /// Writes the rows as base64 of little-endian numbers of [`Column::width`] bytes.
-    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let (width, mut bytes) = (self.width(), Vec::new());
-        if width == 0 {
-            return Ok(());
+    /// Number of values in the list on the page.
+    pub fn listed(&self) -> usize {
+        if self.width() < 8 {
+            self.values.len()
+        } else {
+            0
         }
-        for from in (0..self.len).step_by(BLOCK) {
-            bytes.clear();
-            for row in from..(from + BLOCK).min(self.len) {
-                match width {
-                    8 => bytes.extend(self.at(row).to_le_bytes()),
-                    // An index of one byte is the first of two, little-endian.
-                    _ => bytes.extend(&self.codes[row].to_le_bytes()[..width]),
-                }
-            }
-            out.write_all(base64::text(&bytes).as_bytes())?;
+    }
+
+    /// Adds the list of values and then the rows: numbers as little-endian doubles, or as [`decimal`]s if they are rounded, and
+    /// indices in the list as little-endian numbers of [`Column::width`] bytes.
+    pub fn encode(&self, rounded: bool, out: &mut Vec<u8>) {
+        let width = self.width();
+        let numbers = if width == 8 {
+            (0..self.len).map(|row| self.at(row)).collect()
+        } else {
+            self.values.clone()
+        };
+        match rounded {
+            true => decimal::encode(&numbers, out),
+            false => numbers.iter().for_each(|x| out.extend(x.to_le_bytes())),
         }
-        Ok(())
+        if width == 1 || width == 2 {
+            // An index of one byte is the first of two, little-endian.
+            let codes = self.codes.iter();
+            codes.for_each(|index| out.extend(&index.to_le_bytes()[..width]));
+        }
     }
 }
 
@@ -174,7 +175,7 @@ mod tests {
     fn a_list_is_not_written_if_doubles_are_smaller() {
         let column = column((0..100).map(f64::from));
         assert_eq!((column.width(), column.bytes()), (8, 800));
-        assert_eq!(column.list(), "");
+        assert_eq!(column.listed(), 0);
     }
 
     #[test]

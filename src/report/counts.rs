@@ -53,6 +53,11 @@ impl Counts {
         }
     }
 
+    /// Number of cases without a solution.
+    pub fn unsolved(&self) -> u64 {
+        self.unsolved
+    }
+
     /// Writes the numbers that are not 0.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         for note in &self.notes {

@@ -1,5 +1,7 @@
 //! Sobol' indices on the page: the table of sobol.csv, rounded.
 
+use super::Detail;
+use super::packed::write_part;
 use super::text::escape;
 use std::io::{self, Write};
 
@@ -19,12 +21,18 @@ impl Indices {
     }
 
     /// Writes the table.
-    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    pub fn write(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
         if self.rows.is_empty() {
             return Ok(());
         }
+        let mut html = Vec::new();
+        self.write_table(&mut html)?;
+        write_part(out, "Sobol' indices", detail == Detail::Whole, &html)
+    }
+
+    fn write_table(&self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(
-            b"<h3>Sobol' indices</h3>\n<p>An index is the share of the variance of a metric that a parameter causes: alone (first order), \
+            b"<p>An index is the share of the variance of a metric that a parameter causes: alone (first order), \
               or together with all others (total). The brackets show the middle 95 % of bootstrap samples. Cells are empty \
               if the metric is the same in all cases of the design, or undefined in one.</p>\n\
               <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Sobol' indices\"><table>\n\

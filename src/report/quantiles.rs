@@ -1,11 +1,16 @@
 //! Distributions over ensembles on the page: the table of quantiles.csv, rounded.
 
+use super::Detail;
+use super::packed::write_part;
 use super::text::escape;
 use crate::batch::output::ensemble::{Distribution, EnsembleMetrics};
 use std::io::{self, Write};
 
-/// Largest number of rows that the page shows.
+/// Largest number of rows that a page about one study shows.
 const MOST: usize = 1000;
+
+/// The same for a page about several.
+const MOST_OF_SEVERAL: usize = 200;
 
 /// The distributions of the metrics of a study over its ensembles.
 #[derive(Debug)]
@@ -35,13 +40,24 @@ impl Quantiles {
     }
 
     /// Writes the table.
-    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    pub fn write(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
+        let mut html = Vec::new();
+        self.write_table(&mut html, detail)?;
+        let heading = "Distributions over the ensemble";
+        write_part(out, heading, detail == Detail::Whole, &html)
+    }
+
+    fn write_table(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
+        let rows = match detail {
+            Detail::Whole => &self.rows[..],
+            Detail::Overview => &self.rows[..self.rows.len().min(MOST_OF_SEVERAL)],
+        };
         out.write_all(
-            b"<h3>Distributions over the ensemble</h3>\n<p>Of every metric over the cases of an ensemble: the median with its 95 % \
+            b"<p>Of every metric over the cases of an ensemble: the median with its 95 % \
               interval, quantiles, the smallest and the largest value. Empty values are counted and left out.</p>\n",
         )?;
-        if self.all > self.rows.len() {
-            let shown = self.rows.len();
+        if self.all > rows.len() {
+            let shown = rows.len();
             writeln!(
                 out,
                 "<p>The first {shown} of {} rows; quantiles.csv has all.</p>",
@@ -57,7 +73,7 @@ impl Quantiles {
         out.write_all(
             b"<th>cases</th><th>empty</th><th>median</th><th>16 % to 84 %</th><th>5 % to 95 %</th><th>all</th></tr></thead>\n<tbody>\n",
         )?;
-        for (names, of) in &self.rows {
+        for (names, of) in rows {
             let names = names.iter();
             let names: String = names
                 .map(|name| format!("<td class=\"words\">{}</td>", escape(name)))

@@ -15,17 +15,19 @@ function tips() {
   };
   document.addEventListener("mouseover", show);
   document.addEventListener("focusin", show);
-  // One stop of the tab key for a figure, the arrows from point to point.
-  for (const group of document.querySelectorAll(".hover")) {
-    const points = [...group.children];
-    points.forEach((point, i) => point.setAttribute("tabindex", i ? -1 : 0));
-    group.addEventListener("keydown", event => {
-      const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-      const to = points[points.indexOf(document.activeElement) + step];
-      if (to) { event.preventDefault(); to.focus(); }
-    });
-  }
 }
 
-document.querySelectorAll(".results").forEach(table);
+// One stop of the tab key for a figure, the arrows from point to point.
+function arrows(group) {
+  const points = [...group.children];
+  points.forEach((point, i) => point.setAttribute("tabindex", i ? -1 : 0));
+  group.addEventListener("keydown", event => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    const to = points[points.indexOf(document.activeElement) + step];
+    if (to) { event.preventDefault(); to.focus(); }
+  });
+}
+
 tips();
+parts();
+if (document.querySelector("nav")) index();

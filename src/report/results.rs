@@ -2,6 +2,7 @@
 
 use super::column::Column;
 use super::text::{escape, printable};
+use super::{Detail, packed};
 use crate::batch::Outcome;
 use serde_json::{Value as Json, json};
 use slipgap_solver::problem::parameter::{Kind, Value};
@@ -94,10 +95,31 @@ impl<'a> Results<'a> {
     }
 
     /// Writes the table and its data.
-    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        out.write_all(b"<h3>Results</h3>\n")?;
+    pub fn write(&self, out: &mut impl Write, detail: Detail) -> io::Result<()> {
+        let open = if detail == Detail::Whole { " open" } else { "" };
+        let cases = match self.cases {
+            1 => "1 case".to_owned(),
+            cases => format!("{cases} cases"),
+        };
+        writeln!(
+            out,
+            "<details class=\"part\"{open}><summary>Results: {cases}</summary>"
+        )?;
         if !self.complete {
             writeln!(out, "<p>{}.</p>", escape(&self.limit()))?;
+        }
+        let shown = self.shown(detail);
+        if detail == Detail::Overview {
+            let left_out = self.columns.len() - shown.len();
+            let all = match left_out {
+                0 => String::new(),
+                1 => " and one metric more".to_owned(),
+                more => format!(" and {more} metrics more"),
+            };
+            writeln!(
+                out,
+                "<p class=\"facts\">Metrics have six significant digits here; results.csv of the study has all digits{all}.</p>"
+            )?;
         }
         out.write_all(
             b"<div class=\"results\">\n<div class=\"bar\">\
@@ -107,15 +129,31 @@ impl<'a> Results<'a> {
               <output aria-live=\"polite\"></output></div>\n\
               <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Results\"><table><thead><tr></tr></thead><tbody></tbody></table></div>\n",
         )?;
-        // A script element ends at the first `</`, also in a string.
-        let head = self.head().to_string().replace('<', "\\u003c");
-        writeln!(out, "<script type=\"application/json\">{head}</script>")?;
-        for column in &self.columns {
-            out.write_all(b"<script type=\"text/plain\">")?;
-            column.write(out)?;
-            out.write_all(b"</script>\n")?;
+        let mut columns = Vec::new();
+        let mut bytes = Vec::new();
+        for index in shown {
+            let rounded = detail == Detail::Overview && index >= self.parameters.len();
+            let own = rounded.then(|| self.columns[index].rounded());
+            let column = own.as_ref().unwrap_or(&self.columns[index]);
+            column.encode(rounded, &mut bytes);
+            columns.push(self.description(index, column, rounded));
         }
-        out.write_all(b"</div>\n")
+        packed::write(out, self.head(columns).to_string().as_bytes())?;
+        packed::write(out, &bytes)?;
+        out.write_all(b"</div></details>\n")
+    }
+
+    /// The columns on the page: of an overview those of parameters and of metrics that the study uses.
+    fn shown(&self, detail: Detail) -> Vec<usize> {
+        let all = 0..self.columns.len();
+        let first = self.parameters.len();
+        let used = super::used::metrics(self.study);
+        let is_shown =
+            |index: &usize| *index < first || used.contains(&self.study.columns[*index - first]);
+        match detail {
+            Detail::Overview if !used.is_empty() => all.filter(is_shown).collect(),
+            _ => all.collect(),
+        }
     }
 
     /// A sentence about a shortened table.
@@ -128,28 +166,33 @@ impl<'a> Results<'a> {
         )
     }
 
-    /// The description of the columns for the script.
-    fn head(&self) -> Json {
-        let problem = &self.study.problem;
-        let parameters = self
-            .parameters
-            .iter()
-            .map(|row| &problem.parameters()[*row]);
-        let parameters =
-            parameters.map(|p| (p.column_name(), &*p.unit, &*p.meaning, names(p.kind)));
-        let metrics = self.study.columns.iter().map(|m| &self.study.measures[*m]);
-        let metrics = metrics.map(|m| (&*m.name, &*m.unit, &*m.meaning, Vec::new()));
-        let columns = parameters
-            .chain(metrics)
-            .zip(&self.columns)
-            .zip(&self.varies);
-        let columns = columns.map(|(((name, unit, meaning, names), column), (_, varies))| {
-            json!({
-                "name": name, "unit": unit, "meaning": meaning, "names": names, "varies": varies,
-                "width": column.width(), "list": column.list(),
-            })
-        });
-        let columns: Vec<Json> = columns.collect();
+    /// The description of a column for the script.
+    fn description(&self, index: usize, column: &Column, rounded: bool) -> Json {
+        let (name, unit, meaning, names) = match self.parameters.get(index) {
+            Some(row) => {
+                let parameter = &self.study.problem.parameters()[*row];
+                let name = parameter.column_name();
+                (
+                    name,
+                    &*parameter.unit,
+                    &*parameter.meaning,
+                    names(parameter.kind),
+                )
+            }
+            None => {
+                let metric = self.study.columns[index - self.parameters.len()];
+                let metric = &self.study.measures[metric];
+                (&*metric.name, &*metric.unit, &*metric.meaning, Vec::new())
+            }
+        };
+        json!({
+            "name": name, "unit": unit, "meaning": meaning, "names": names, "varies": self.varies[index].1,
+            "width": column.width(), "listed": column.listed(), "rounded": rounded,
+        })
+    }
+
+    /// The description of the table for the script.
+    fn head(&self, columns: Vec<Json>) -> Json {
         let rows = if self.complete {
             self.cases
         } else {

@@ -1,11 +1,11 @@
-// Tables are drawn from the data after them: filtered, sorted and a hundred rows at a time. Where the page does not hold
+// Tables are drawn from the packed data after them: filtered, sorted and a hundred rows at a time. Where the page does not hold
 // all cases it says so and neither filters nor sorts.
 const ROWS = 100;
 
-function table(root) {
-  const [script, ...elements] = root.querySelectorAll("script");
-  const data = JSON.parse(script.textContent);
-  const all = columns(data, elements);
+async function table(root) {
+  const [head_text, numbers_of_all] = await Promise.all([...root.querySelectorAll("script")].map(unpack));
+  const data = JSON.parse(new TextDecoder().decode(head_text));
+  const all = columns(data, numbers_of_all);
   const state = { by: -1, down: false, page: 0, text: "", constant: false, refused: false };
   const [search, check, back, next] = ["[type=search]", "[type=checkbox]", ".back", ".next"].map(s => root.querySelector(s));
   const [head, body, count] = ["thead tr", "tbody", "output"].map(s => root.querySelector(s));

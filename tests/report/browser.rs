@@ -17,6 +17,7 @@ const type = text => { const s = root.querySelector("[type=search]"); s.value = 
 const sort = name => heads()[column(name)].querySelector("button").click();
 const count = () => root.querySelector("output").textContent;
 const typed = text => { type(text); return count(); };
+const until = async holds => { while (!holds()) await new Promise(done => setTimeout(done, 20)); };
 const probe = {};
 "#;
 
@@ -62,22 +63,30 @@ pub fn browse(program: &str, folder: &Path, words: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// Loads the page, then `script`, which fills the object `probe`; returns this object.
+/// Loads the page, waits for its first table, and runs `script`, which fills the object `probe`; returns this object.
 pub fn probe(program: &str, folder: &Path, page: &str, script: &str) -> Json {
-    let faults = "<head>\n<script>window.faults = []; addEventListener('error', e => faults.push(e.message));</script>";
+    let faults = "<head>\n<script>window.faults = []; addEventListener('error', e => faults.push(e.message)); addEventListener('unhandledrejection', e => faults.push(String(e.reason)));</script>";
     // The page itself, which may be large, is not printed.
     let end = format!(
-        "<script>{READER}{script}\ndocument.body.replaceChildren();\n\
-         document.body.dataset.found = encodeURIComponent(JSON.stringify([window.faults, probe]));</script></body>"
+        "<script>(async () => {{{READER}await until(() => !root || root.closest('details:not([open])') || count());\n{script}\n\
+         document.body.replaceChildren();\n\
+         document.body.dataset.found = encodeURIComponent(JSON.stringify([window.faults, probe]));\n\
+         }})().catch(error => {{ document.body.textContent = error.stack; }});</script></body>"
     );
     let page = page.replacen("<head>", faults, 1).replace("</body>", &end);
     let file = folder.join("probe.html");
     fs::write(&file, page).unwrap();
     let address = format!("file://{}", file.display());
-    let dom = browse(program, folder, &["--dump-dom", &address]);
-    let found = dom
-        .split_once("data-found=\"")
-        .expect("the probe ran to its end")
+    let words = [
+        "--virtual-time-budget=60000",
+        "--window-size=1200,900",
+        "--dump-dom",
+        &address,
+    ];
+    let dom = browse(program, folder, &words);
+    let found = dom.split_once("data-found=\"");
+    let found = found
+        .unwrap_or_else(|| panic!("the probe did not end: {dom:.2000}"))
         .1;
     let [faults, probe] = serde_json::from_slice(&plain(found.split_once('"').unwrap().0)).unwrap();
     assert_eq!(faults, Json::Array(Vec::new()));

@@ -1,5 +1,6 @@
 //! The results in a page, decoded from the description of the format without code of the program.
 
+use super::packed::scripts;
 use serde_json::Value as Json;
 
 /// The first table of a page.
@@ -16,31 +17,35 @@ pub enum Cell {
 }
 
 pub fn data(page: &str) -> Data {
-    let (head, rest) = cut(page, "<script type=\"application/json\">");
-    let head: Json = serde_json::from_str(head).unwrap();
+    let results = page
+        .split_once("class=\"results\"")
+        .expect("a table of results")
+        .1;
+    let scripts = scripts(results);
+    let head: Json = serde_json::from_slice(&scripts[0]).unwrap();
+    let mut bytes = &scripts[1][..];
     let rows = head["rows"].as_u64().unwrap() as usize;
-    let mut rest = rest;
     let mut columns = Vec::new();
     for column in head["columns"].as_array().unwrap() {
-        let text;
-        (text, rest) = cut(rest, "<script type=\"text/plain\">");
         let width = column["width"].as_u64().unwrap() as usize;
-        let list = doubles(&bytes(column["list"].as_str().unwrap()));
+        let listed = column["listed"].as_u64().unwrap() as usize;
+        let stored = if width == 8 { rows } else { listed };
+        let stored = match column["rounded"].as_bool().unwrap() {
+            true => decimals(take(&mut bytes, 5 * stored)),
+            false => doubles(take(&mut bytes, 8 * stored)),
+        };
         let numbers = match width {
-            0 => {
-                assert_eq!((text, list.len()), ("", 1));
-                vec![list[0]; rows]
-            }
-            8 => doubles(&bytes(text)),
+            0 => vec![stored[0]; rows],
+            8 => stored,
             _ => {
                 let place = |code: &[u8]| {
                     code.iter()
                         .rev()
                         .fold(0, |sum, byte| 256 * sum + usize::from(*byte))
                 };
-                bytes(text)
+                take(&mut bytes, width * rows)
                     .chunks(width)
-                    .map(|code| list[place(code)])
+                    .map(|code| stored[place(code)])
                     .collect()
             }
         };
@@ -53,13 +58,31 @@ pub fn data(page: &str) -> Data {
         let cells = numbers.iter().map(|x| (!x.is_nan()).then(|| cell(x)));
         columns.push((column["name"].as_str().unwrap().to_owned(), cells.collect()));
     }
+    assert!(bytes.is_empty());
     Data { head, columns }
 }
 
-/// The content of the first element with this start tag, and the text after it.
-fn cut<'a>(page: &'a str, begin: &str) -> (&'a str, &'a str) {
-    let after = page.split_once(begin).expect("a script of the data").1;
-    after.split_once("</script>").unwrap()
+/// The first bytes, which are removed.
+fn take<'a>(bytes: &mut &'a [u8], count: usize) -> &'a [u8] {
+    let (first, rest) = bytes.split_at(count);
+    *bytes = rest;
+    first
+}
+
+/// Numbers of three bytes of digits, with the sign in the highest bit, and two of the power of ten; equal bytes of all are together.
+fn decimals(bytes: &[u8]) -> Vec<f64> {
+    let count = bytes.len() / 5;
+    let number = |i: usize| {
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| bytes[k * count + i]);
+        let digits = u32::from_le_bytes([a, b, c & 127, 0]);
+        let size = match i16::from_le_bytes([d, e]) {
+            i16::MAX if digits > 0 => f64::NAN,
+            i16::MAX => f64::INFINITY,
+            power => format!("{digits}e{power}").parse().unwrap(),
+        };
+        if c > 127 { -size } else { size }
+    };
+    (0..count).map(number).collect()
 }
 
 fn doubles(bytes: &[u8]) -> Vec<f64> {

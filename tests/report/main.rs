@@ -4,6 +4,8 @@ mod browser;
 mod data;
 mod large;
 mod limits;
+mod overview;
+mod packed;
 mod small;
 
 use std::fs;

@@ -2,6 +2,7 @@
 
 use super::browser::{browse, chromium, probe};
 use super::data::data;
+use super::packed::unpacked;
 use super::page_of;
 use serde_json::Value as Json;
 use std::fs;
@@ -18,9 +19,18 @@ const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact",
   "checks": [ { "metric": "peak_force", "where": { "n": 8, "mass": "lumped", "E": 100, "gamma": 0.25 }, "max": 0.5 } ] }
 "#;
 
+/// What the figures show, in words: the quantities over the parameters, the curves, and the cases.
+const CAPTIONS: [&str; 2] = [
+    "Peak of F/F0 over number of elements of a bar n and stiffness of the impact spring over the stiffness of an element γ. \
+     For mass = lumped, E = 100.",
+    "Peaks &amp; n. Peak of F/F0 over stiffness of the impact spring over the stiffness of an element γ. Shown: n = 2; n = 4; n = 8. \
+     For mass = lumped, E = 100.",
+];
+
 #[test]
 fn the_page_needs_no_other_file() {
-    let (folder, page) = page_of(STUDY, &["report"]);
+    let (folder, packed) = page_of(STUDY, &["report"]);
+    let page = unpacked(&packed);
     // The name of the SVG namespace is not an address to load.
     let rest = page.replace("http://www.w3.org/2000/svg", "");
     for address in ["http:", "https:", "src=", "@import", "url(", "<link"] {
@@ -43,12 +53,11 @@ fn the_page_needs_no_other_file() {
     }
     assert!(page.contains("<dt>F0</dt>") && page.contains("<dt>T_I</dt>"));
     assert!(!page.contains("Sobol'"), "no design");
-    assert_eq!(data(&page).head["rows"], cases());
-    // The title of a figure, or its name without a title.
-    assert!(
-        page.contains("<figcaption>Peaks &amp; n</figcaption>")
-            && page.contains("<figcaption>map</figcaption>")
-    );
+    assert_eq!(data(&packed).head["rows"], cases());
+    for caption in CAPTIONS {
+        let caption = format!("<figcaption>{caption}</figcaption>");
+        assert!(page.contains(&caption), "{caption}");
+    }
     // A point with hover text for each case of the map and of the curves.
     assert_eq!(page.matches("role=\"img\" aria-label=").count(), 2 * 36);
     assert!(
@@ -63,6 +72,7 @@ fn indices_on_the_page_are_those_of_the_table() {
         "beta": {"uniform": [0.5, 2]}, "x0": {"uniform": [5, 15]}, "dT": 0.5, "duration": 10},
         "design": {"kind": "saltelli", "n": 32}}"#;
     let (folder, page) = page_of(study, &["run", "report"]);
+    let page = unpacked(&page);
     let table = fs::read_to_string(folder.path().join("out/s/sobol.csv")).unwrap();
     let mut with_numbers = 0;
     for row in table.lines().skip(1) {
@@ -110,6 +120,7 @@ probe.named = typed("nothing-like-it");
 type("");
 root.querySelector("[type=checkbox]").click();
 probe.shown = column("L") >= 0;
+await until(() => document.querySelector(".hover circle"));
 const point = document.querySelector(".hover circle");
 point.focus();
 probe.tip = document.getElementById("tip").textContent;
@@ -173,6 +184,7 @@ fn distributions_on_the_page_are_those_of_the_table() {
     let study = r#"{"problem": "friction-oscillator", "parameters": {"law": "velocity-control",
         "beta": [0.5, 2], "x0": [5, 7, 9, 11, 13, 15], "dT": 0.5, "duration": 10}, "ensemble": "x0"}"#;
     let (folder, page) = page_of(study, &["run", "report"]);
+    let page = unpacked(&page);
     let table = fs::read_to_string(folder.path().join("out/s/quantiles.csv")).unwrap();
     let rounded = |cell: &str| -> String {
         let x: f64 = cell.parse().unwrap();

@@ -36,7 +36,7 @@ fn drawn(study: &Study, value: impl Fn(&Case) -> Option<f64>) -> (Sheet, String)
     super::with_data(study, figure, &shown.all(), |data| {
         let sheet = sheet(data);
         let text = svg(&sheet, style::DPI).unwrap();
-        let hover = with_hover(data, &sheet, &text, "f");
+        let hover = with_hover(data, &sheet, &text);
         assert!(png(&sheet, style::DPI).is_ok() && pdf(&sheet, style::DPI).is_ok());
         (sheet, hover)
     })

@@ -62,7 +62,7 @@ fn drawn(study: &Study) -> (Sheet, Vec<Case>, String) {
     let figure = &study.figures[0];
     let (sheet, hover) = super::with_data(study, figure, &shown, |data| {
         let sheet = crate::figures::sheet(data);
-        let hover = with_hover(data, &sheet, "<svg></svg>", "p");
+        let hover = with_hover(data, &sheet, "<svg></svg>");
         (sheet, hover)
     });
     (sheet, cases, hover)
