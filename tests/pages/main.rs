@@ -170,11 +170,12 @@ macro_rules! pages {
 
 pages! {
     readme "README.md",
+    benches "benches/README.md",
     contributing "CONTRIBUTING.md",
     python "python/README.md",
     classics "docs/classics.md",
     clusters "docs/clusters.md",
-    conventions "docs/conventions.md",
+    conventions "CONVENTIONS.md",
     errata "docs/errata.md",
     evidence_structures "docs/evidence-structures.md",
     findings "docs/findings.md",
@@ -183,7 +184,6 @@ pages! {
     findings_laws "docs/findings-laws.md",
     findings_own_structure "docs/findings-own-structure.md",
     findings_structures "docs/findings-structures.md",
-    from_your_model "docs/from-your-model.md",
     guide "docs/guide.md",
     laws_and_methods "docs/laws-and-methods.md",
     parts "docs/parts.md",
