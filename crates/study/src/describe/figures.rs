@@ -18,7 +18,7 @@ pub(super) fn reference() -> String {
     let several: Vec<String> = several.collect();
     let kinds: Vec<String> = KINDS.iter().map(|kind| section(kind, &shared)).collect();
     format!(
-        "{}\n\nKeys of several kinds; those of a kind that it needs are bold:\n\n{}\n- `x_scale`, `y_scale`, `z_scale`, `colour_scale`: linear or log; \
+        "{}\n\nKeys of several kinds. Those that a kind needs are bold:\n\n{}\n- `x_scale`, `y_scale`, `z_scale`, `colour_scale`: linear or log; \
          if left out linear, in `front` log\n\n{}",
         common.join("\n"),
         several.join("\n"),
@@ -68,16 +68,20 @@ fn section(kind: &Kind, shared: &[(&Key, Vec<&str>)]) -> String {
         true => format!("**`{}`**", key.name),
         false => format!("`{}`", key.name),
     };
-    let names: Vec<String> = kind.keys.iter().map(name).collect();
-    if !names.is_empty() {
-        text += &format!(" Keys: {}.", names.join(", "));
-    }
-    let is_shared = |key: &Key| shared.iter().any(|(other, _)| same(other, key));
-    let own = kind
+    let is_above = |key: &Key| is_scale(key) || shared.iter().any(|(other, _)| same(other, key));
+    let above: Vec<String> = kind
         .keys
         .iter()
-        .filter(|key| !is_shared(key) && !is_scale(key));
-    let own: Vec<String> = own.map(|key| described(key)).collect();
+        .filter(|key| is_above(key))
+        .map(name)
+        .collect();
+    if !above.is_empty() {
+        text += &format!(" Keys above: {}.", above.join(", "));
+    }
+    let own = kind.keys.iter().filter(|key| !is_above(key));
+    let own: Vec<String> = own
+        .map(|key| format!("- {}: {}", name(key), key.meaning))
+        .collect();
     if !own.is_empty() {
         text += &format!("\n\n{}", own.join("\n"));
     }

@@ -23,7 +23,7 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "matrices",
-        "M, K and C of another program in Matrix Market files, with the nodes NAME.NODE.DIRECTION",
+        "M, K and C in Matrix Market files, with the nodes NAME.NODE.DIRECTION",
     ),
     (
         "springs",
@@ -75,7 +75,7 @@ const DIRECTION: (&str, &str) = (
 pub(crate) const MATRICES: Keys = &[
     (
         "M",
-        "file of the mass matrix, a parameter that chooses one, or the content of a file; so for K and C",
+        "file of the mass matrix, its content, or a parameter that chooses it; so for K and C",
     ),
     ("K", "file of the stiffness matrix"),
     ("C", "file of the damping matrix, if there is one"),
@@ -120,10 +120,7 @@ pub(crate) const DISPLACEMENT: (&str, &str) = (
 /// Keys of a support besides those of a function, or of the directions.
 pub(crate) const SUPPORT: Keys = &[
     DISPLACEMENT,
-    (
-        "delay",
-        "time by which all of the motion is later; at rest before",
-    ),
+    ("delay", "time by which all is later; at rest before"),
     (
         "baseline",
         "as of a function; with \"linear\" the support rests after the end",
@@ -168,7 +165,7 @@ pub(crate) const SPRING: Keys = &[
 /// Nodes with factors instead of two nodes.
 const ALONG: (&str, &str) = (
     "along",
-    "instead of between: nodes with their factors; the extension is the sum of factor times u",
+    "instead of between: nodes with factors, whose sum with u is the extension",
 );
 
 /// Keys of `rayleigh`.
@@ -184,7 +181,7 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         ("between", "nodes I and J; r = u_J - u_I + gap"),
         (
             "along",
-            "instead of between: nodes with their factors; r is the sum of factor times u, plus the gap",
+            "instead of between: nodes with factors, whose sum with u, plus the gap, is r",
         ),
         (
             "pairs",
@@ -255,7 +252,7 @@ pub(crate) const FUNCTION: Keys = &[
     ),
     (
         "unit",
-        "unit of a record: g, m/s2, cm/s2 or mm/s2; not needed if the file names it",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2; if left out, that of the file",
     ),
     (
         "mean",
@@ -266,34 +263,25 @@ pub(crate) const FUNCTION: Keys = &[
         "column of a table with the accelerations, from 1; if left out, there are two, t and a",
     ),
     ("dt", "time step in s of a table without times"),
-    (
-        "component",
-        "component of a file with several (COSMOS, GeoNet), from 1 in the order of the file",
-    ),
+    ("component", "component of a file with several, from 1"),
     (
         "scale",
         "factor of the function, in addition to \"scale_to\"",
     ),
     (
         "start",
-        "time of the function that becomes t = 0; this and the keys below not of a sine",
+        "time that becomes t = 0; this and the keys below not of a sine",
     ),
-    (
-        "end",
-        "time of the function at which the motion ends; 0 after",
-    ),
+    ("end", "time at which it ends; 0 after"),
     (
         "baseline",
         "what is removed from start to end: \"none\"; \"mean\", that of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
     (
         "scale_to",
-        "strength that the motion from start to end gets, without its baseline",
+        "strength of the motion from start to end without its baseline",
     ),
-    (
-        "delay",
-        "time >= 0 by which all of the motion is later; 0 before",
-    ),
+    ("delay", "time by which all is later; 0 before"),
 ];
 
 /// Keys of `scale_to`; one of the first three is given.
@@ -302,7 +290,7 @@ pub(crate) const SCALE_TO: Keys = &[
     ("Sa", "pseudo-acceleration of an oscillator"),
     (
         "spectrum",
-        "target spectrum of pseudo-acceleration, by least squares at 101 periods from \"from\" to \"to\"",
+        "target spectrum, by least squares at 101 periods from \"from\" to \"to\"",
     ),
     ("T", "period of the oscillator of \"Sa\""),
     ("from", "the shorter period of \"spectrum\""),
@@ -313,7 +301,7 @@ pub(crate) const SCALE_TO: Keys = &[
     ),
     (
         "unit",
-        "unit of the accelerations: g, m/s2, cm/s2 or mm/s2; that of the study if left out",
+        "unit of the accelerations, as of a record; that of the study if left out",
     ),
 ];
 
@@ -329,10 +317,7 @@ pub(crate) const SPECTRUM: Keys = &[
 /// Keys of a target spectrum as a table.
 pub(crate) const TARGET_TABLE: Keys = &[
     ("T", "periods, rising"),
-    (
-        "Sa",
-        "ordinates at these periods, straight between, constant beyond",
-    ),
+    ("Sa", "ordinates, straight between, constant beyond"),
 ];
 
 /// Keys of the spectrum of EN 1998-1.
@@ -405,7 +390,7 @@ pub(crate) const SYNTHETIC: Keys = &[
     ("seed", "a whole number from 0 to 4294967295"),
     (
         "omega",
-        "circular frequency of the ground filter in rad/s; 15.6 (firm ground) if left out; the second filter is at omega/10",
+        "circular frequency of the ground filter in rad/s; 15.6 (firm ground) if left out",
     ),
 ];
 
