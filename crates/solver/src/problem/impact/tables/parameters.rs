@@ -69,7 +69,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["dt", "Δ*t*/*T*_I_", "T_I"],
         POSITIVE,
         Default::Required,
-        "time step, over T_I = 2 L/C0 of the left bar; at most duration",
+        "time step, over the contact duration T_I = 2 L/C0 of the left bar; at most duration",
     ),
     Parameter::new(
         ["duration", "*t*_end_/*T*_I_", "T_I"],
