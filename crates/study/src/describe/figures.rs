@@ -7,7 +7,7 @@ use crate::figure::kinds::{KINDS, Kind};
 /// The keys of all figures, those of several kinds, and the kinds.
 pub(super) fn reference() -> String {
     let shared = shared();
-    let common: Vec<String> = COMMON.iter().map(|key| described(key)).collect();
+    let common: Vec<String> = COMMON.iter().map(described).collect();
     let several = shared.iter().map(|(key, kinds)| {
         let same_name = shared.iter().filter(|other| other.0.name == key.name);
         match same_name.count() > 1 {
