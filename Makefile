@@ -110,11 +110,13 @@ mutants: ## change the code of every part in every small way; a test must fail f
 	@set -x; $(foreach part,$(PART),$(call changes,$(part)) || test $$? -le 3 || exit 1;)
 
 # Built first: a build that fails must not leave an empty schema behind.
-schema: ## write schema/study.json, which editors read, and docs/study-files.md
+schema: ## write schema/study.json, which editors read, and docs/study-files*.md
 	cargo build --release --locked
 	mkdir -p schema
 	cargo run --release --locked --quiet -- schema > schema/study.json
 	cargo run --release --locked --quiet -- schema --markdown > docs/study-files.md
+	for problem in friction-oscillator bar-impact structure; do \
+	  cargo run --release --locked --quiet -- schema --markdown $$problem > docs/study-files-$$problem.md || exit 1; done
 
 PYTHON = python3
 python_env = target/python

@@ -987,9 +987,9 @@ fn an_answer_that_depends_on_its_step_has_a_warning() {
 }
 
 #[test]
-fn the_readme_shows_what_is_printed() {
-    let readme = include_str!("../README.md");
-    let (_, call) = readme.split_once("$ slipgap recommend ").unwrap();
+fn the_guide_shows_what_is_printed() {
+    let guide = include_str!("../docs/guide.md");
+    let (_, call) = guide.split_once("$ slipgap recommend ").unwrap();
     let (call, shown) = call.split_once('\n').unwrap();
     let (shown, _) = shown.split_once("```").unwrap();
     let folder = tempfile::tempdir().unwrap();

@@ -1,24 +1,31 @@
-//! `slipgap schema`: the schema of study files, or the page about them.
+//! `slipgap schema`: the schema of study files, or a page about them.
 
 use super::terminal::print;
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use slipgap::error::Error;
 use slipgap::study;
 
 /// The arguments of `slipgap schema`.
 #[derive(Args)]
 pub struct SchemaArgs {
-    /// Print the page docs/study-files.md instead of the schema
-    #[arg(long)]
-    markdown: bool,
+    /// Print the page docs/study-files.md instead of the schema, or docs/study-files-PROBLEM.md
+    #[arg(long, value_name = "PROBLEM", num_args = 0..=1, value_parser = PossibleValuesParser::new(study::problem_pages()))]
+    #[expect(
+        clippy::option_option,
+        reason = "clap's type of an option whose value may be left out"
+    )]
+    markdown: Option<Option<String>>,
 }
 
 impl SchemaArgs {
-    /// Prints the schema or the page; returns the exit code.
+    /// Prints the schema or a page; returns the exit code.
     pub fn execute(self) -> Result<u8, Error> {
-        print(&match self.markdown {
-            true => study::reference(),
-            false => study::schema(),
-        })
+        let page = match self.markdown {
+            None => Some(study::schema()),
+            Some(None) => Some(study::reference()),
+            Some(Some(problem)) => study::problem_reference(&problem),
+        };
+        print(&page.unwrap_or_default())
     }
 }

@@ -170,11 +170,12 @@ macro_rules! pages {
 
 pages! {
     readme "README.md",
+    benches "benches/README.md",
     contributing "CONTRIBUTING.md",
     python "python/README.md",
     classics "docs/classics.md",
     clusters "docs/clusters.md",
-    conventions "docs/conventions.md",
+    conventions "CONVENTIONS.md",
     errata "docs/errata.md",
     evidence_structures "docs/evidence-structures.md",
     findings "docs/findings.md",
@@ -183,7 +184,6 @@ pages! {
     findings_laws "docs/findings-laws.md",
     findings_own_structure "docs/findings-own-structure.md",
     findings_structures "docs/findings-structures.md",
-    from_your_model "docs/from-your-model.md",
     guide "docs/guide.md",
     laws_and_methods "docs/laws-and-methods.md",
     parts "docs/parts.md",
@@ -193,6 +193,9 @@ pages! {
     speed "docs/speed.md",
     structures "docs/structures.md",
     study_files "docs/study-files.md",
+    study_files_bar_impact "docs/study-files-bar-impact.md",
+    study_files_friction_oscillator "docs/study-files-friction-oscillator.md",
+    study_files_structure "docs/study-files-structure.md",
 }
 
 #[test]
@@ -210,9 +213,14 @@ fn every_page_is_among_them() {
 /// results.csv may name a parameter otherwise than the study: the page says so.
 #[test]
 fn the_page_has_every_column_with_a_name_of_its_own() {
-    let page = include_str!("../../docs/study-files.md");
     let mut others = 0;
     for problem in slipgap::problem::PROBLEMS.iter() {
+        let page = format!(
+            "{}/docs/study-files-{}.md",
+            env!("CARGO_MANIFEST_DIR"),
+            problem.name()
+        );
+        let page = std::fs::read_to_string(page).unwrap();
         for parameter in problem.parameters() {
             let column = parameter.column_name();
             if column != parameter.name {

@@ -34,7 +34,7 @@ pub use cases::values::Values;
 pub use computed::{Computed, Found, Partners, Reference, Rule};
 pub use decode::validate::MOST_CASES;
 pub use decode::{parse, read};
-pub use describe::{reference, schema, start};
+pub use describe::{problem_pages, problem_reference, reference, schema, start};
 pub use figure::kinds::{self, FigureKind};
 pub use measure::Measure;
 pub use measure::measures;

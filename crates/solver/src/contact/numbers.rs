@@ -54,14 +54,14 @@ pub mod oscillator {
     pub const STRIBECK_VELOCITY: Number = Number::new(
         ["stribeck_velocity", "*v*_S_/(*ω*_n_Δ)", "1"],
         Range::Positive,
-        "velocity over which the limit falls from the static to the kinetic one, over omega_n Delta",
+        "velocity over which the limit falls to the kinetic one, over omega_n Delta",
     )
     .usually(Usual::Is(1.0));
     /// nu_min/nu
     pub const NU_RATIO: Number = Number::new(
         ["nu_ratio", "*ν*_min_/*ν*", "1"],
         Range::Fraction,
-        "coefficient of friction at rest over that at high velocity, nu = nu_max - (nu_max - nu_min) exp(-nu_rate abs(rdot)) (Constantinou et al. 1990)",
+        "nu_min/nu_max, coefficient of friction at rest over that at high velocity (Constantinou et al. 1990)",
     )
     .usually(Usual::Is(1.0));
     /// a
@@ -84,13 +84,13 @@ pub mod bars {
         "stiffness of the laws with delta^1.5",
     )
     .usually(Usual::Follows(
-        "k_I^1.5/F0^0.5: the force F0 at the same overlap F0/k_I; exactly one of gamma, k_I, k_h is given",
+        "k_I^1.5/F0^0.5; one of gamma, k_I, k_h is given",
     ));
     /// e
     pub const RESTITUTION: Number = Number::new(
         ["restitution", "*e*", "1"],
         Range::UpToOne,
-        "target of the coefficient of restitution of two rigid bodies, > 0; of rigid with moreau-jean that of the ends of the bars",
+        "target of the restitution of two rigid bodies, > 0; of rigid with moreau-jean that of the ends of the bars",
     )
     .usually(Usual::Follows("1, or 0 for rigid"));
 }
@@ -133,26 +133,26 @@ pub mod structure {
     pub const K: Number = Number::new(
         ["k", "*k*", "force/length"],
         Range::Positive,
-        "stiffness of a linear spring of impact, of {friction} below the limit, and of other laws before they yield or bend",
+        "stiffness of an impact, of {friction} below the limit, and of other laws before they yield or bend",
     );
     /// k_h
     pub const K_H: Number = Number::new(
         ["k_h", "*k*_h_", "force/length^1.5"],
         Range::Positive,
-        "force over length^1.5 of {laws}: k_h delta^1.5, delta = -r",
+        "{laws}: k_h of k_h delta^1.5, delta = -r",
     );
     /// Target of the coefficient of restitution.
     pub const RESTITUTION: Number = Number::new(
         ["restitution", "*e*", "1"],
         Range::Fraction,
-        "target of the coefficient of restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
+        "target of the restitution of a damped law of impact, > 0 and <= 1; 1 (no damping) if left out",
     )
     .usually(Usual::Is(1.0));
     /// m
     pub const COLLIDING_MASS: Number = Number::new(
         ["colliding_mass", "*m*", "mass"],
         Range::Positive,
-        "m1 m2/(m1 + m2) of the bodies that collide, from which {laws} compute their dashpot",
+        "m1 m2/(m1 + m2) of the bodies, for the dashpots of {laws}",
     );
     /// e
     pub const E: Number = Number::new(
@@ -165,20 +165,20 @@ pub mod structure {
     pub const C: Number = Number::new(
         ["c", "*c*", "force/velocity"],
         Range::Positive,
-        "viscosity of {friction} at rdot = 0, for every N; of viscous, c of c abs(rdot)^a",
+        "viscosity of {friction} at rdot = 0; of viscous, c of c abs(rdot)^a",
     );
     /// r^E
     pub const R_E: Number = Number::new(
         ["rE", "*r*^E^", "length"],
         Range::Positive,
-        "r^E at rest, instead of k = limit at rest/r^E; k does not change with N",
+        "instead of k = limit at rest/r^E; k does not change with N",
     )
     .instead_of("k");
     /// rdot^E
     pub const RDOT_E: Number = Number::new(
         ["rdotE", "*ṙ*^E^", "length/time"],
         Range::Positive,
-        "rdot^E at rest, instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N, so that rdot^E = limit/c does",
+        "instead of c = limit at rest/rdot^E, of stribeck the static limit; c does not change with N",
     )
     .instead_of("c");
     /// n
@@ -219,7 +219,7 @@ pub mod structure {
     pub const STRIBECK_VELOCITY: Number = Number::new(
         ["stribeck_velocity", "*v*_S_", "length/time"],
         Range::Positive,
-        "{laws}: velocity v_S over which the limit falls from the static to the kinetic one: of stribeck by exp(-(|rdot| - rdot^E)/v_S), of lugre by exp(-(rdot/v_S)^2)",
+        "{laws}: velocity v_S over which the limit falls to the kinetic one",
     );
     /// L
     pub const LIMIT: Number = Number::new(
@@ -237,13 +237,13 @@ pub mod structure {
     pub const N: Number = Number::new(
         ["N", "*N*", "force"],
         Range::Any,
-        "force that presses, positive when pressed; a number, a table of t and N, or a weight under a vertical acceleration",
+        "force that presses, positive when pressed: a number, or one of those below",
     );
     /// nu_min
     pub const NU_MIN: Number = Number::new(
         ["nu_min", "*ν*_min_", "1"],
         Range::Positive,
-        "{laws}: coefficient of friction at rest, nu - (nu - nu_min) exp(-nu_rate |rdot|)",
+        "{laws}: coefficient of friction at rest; nu - (nu - nu_min) exp(-nu_rate |rdot|) when sliding",
     )
     .usually(Usual::Follows("nu"));
     /// a

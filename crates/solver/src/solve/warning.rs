@@ -45,22 +45,22 @@ macro_rules! warnings {
 warnings! {
     ShortContact "short-contact"
         "have an impact that touches for fewer than 6 steps at the stiffness it reaches: too few for its force, take a smaller dt"
-        "An impact of a structure touches, and two free masses of its nodes would touch for fewer than 6 steps at its stiffness; for the laws with delta^1.5 at the largest overlap of the run. Bars: `contact_steps` is fewer than 6 steps.",
+        "Two free masses of the nodes of an impact that touches would touch for fewer than 6 steps; with delta^1.5 at the stiffness of the largest overlap. Bars: `contact_steps` is fewer than 6 steps.",
     ContactGain "contact-gain"
         "have a contact whose work is negative by more than 1 % of the largest energy: it makes energy, and peaks may be far too high; take a smaller dt"
-        "Up to some step, the work of a contact and what it stored at t = 0 are negative by more than 1 % of the largest energy of the structure, contacts included.",
+        "Up to some step, the work of a contact and what it stored at t = 0 are negative by more than 1 % of the largest energy.",
     BarGain "bar-gain"
         "have bars that gain more than 1 % of their energy; take a smaller dt or a softer contact"
         "`energy_drift_max` or `energy_drift_final` of the bars is above 1 %.",
     AlternatingForce "alternating-force"
         "have metrics of the force of a friction contact that alternates from step to step; displacements and work are good, these metrics are not"
-        "A metric uses the force of a friction contact that resists velocity; over 6 steps in a row the change of the force changes its sign and is larger than 1 % of the peak of the force.",
+        "A metric uses the force of a friction contact that resists velocity, and over 6 steps its change alternates by more than 1 % of its peak.",
     UnheldPart "unheld-part"
         "have a part that nothing holds (a rigid-body mode): without contact and load it moves on freely"
-        "Neither springs nor contacts that are elastic or stick at t = 0 connect a part of the structure with the ground.",
+        "Neither springs nor contacts that are elastic or stick at t = 0 connect a part with the ground.",
     RecordPeak "record-peak"
         "have a record with a peak above 3 g or below 1e-4 g: look at its unit and its scale"
-        "A recorded or synthetic ground acceleration, horizontal or vertical, times its scale, has a peak above 3 g or below 1e-4 g. A scale of 0 is no mistake.",
+        "A ground acceleration times its scale has a peak above 3 g or below 1e-4 g, and its scale is not 0.",
     NoContact "no-contact"
         "have no contact before `duration`; their contact metrics are undefined or 0"
         "No impact touches before `duration`.",

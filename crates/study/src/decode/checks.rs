@@ -13,7 +13,7 @@ pub(crate) const KEYS: [(&str, &str); 4] = [
     ("metric", "the metric to check"),
     (
         "where",
-        "which cases to check: a value or a list of values for parameters; if left out, all cases",
+        "which cases to check: a value or a list for parameters",
     ),
     ("min", "smallest value allowed"),
     ("max", "largest value allowed"),

@@ -43,13 +43,10 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     ),
     ("title", "what the study shows, in one line"),
     ("problem", "the problem to solve"),
-    (
-        "parameters",
-        "parameters of the cases; a list is an axis; the cases are all combinations of the axes, and the last axis varies fastest",
-    ),
+    ("parameters", "parameters of the cases; a list is an axis"),
     (
         "structure",
-        "masses, bars, springs, contacts and loads of a study of structures; numbers may be expressions of the parameters",
+        "masses, bars, springs, contacts and loads of a study of structures",
     ),
     (
         "blocks",
@@ -62,16 +59,16 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     reduction::decode::KEY,
     (
         "ensemble",
-        "a parameter or a list of parameters over which the cases are an ensemble, such as the seed of a record or what a design samples; for each set of values of the others, quantiles.csv has the distribution of every metric",
+        "a parameter or a list of parameters over which the cases are an ensemble",
     ),
     (
         "units",
-        "names of the units of the parameters; results.csv then has the results in these units, too; nothing is converted",
+        "units of the parameters, for results in them; nothing is converted",
     ),
     structure::names::SHOWN,
     (
         "iteration",
-        "converged (the default): each step is iterated to convergence; once: each step is solved once with the matrices of the papers, without iteration",
+        "converged (if left out), or once: each step is solved once with the matrices of the papers, without iteration",
     ),
     ("figures", "figures to draw"),
     ("checks", "limits that `slipgap check` tests"),

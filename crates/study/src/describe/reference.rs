@@ -1,187 +1,212 @@
-//! The reference page of study files: prose with lists from the tables that decode them.
+//! The reference pages of study files: prose with lists from the tables that decode them.
 
 use std::fmt::Write;
 
-use super::structure;
 use super::values::allowed;
+use super::{figures, structure_page};
 use crate::axes::axis_rule::RULES;
 use crate::axes::design;
 use crate::axes::interval::INTERVALS;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
-use crate::figure::keys::{COMMON, Key};
-use crate::figure::kinds::KINDS;
 use crate::figure::reduced;
 use crate::reduction::OPERATORS;
 use slipgap_solver::expression::{CONSTANTS, FUNCTIONS};
-use slipgap_solver::problem::parameter::{Default, Parameter};
+use slipgap_solver::problem::method::PARAMETERS as METHOD;
+use slipgap_solver::problem::parameter::{Default, Kind, Parameter};
 use slipgap_solver::problem::{PROBLEMS, Problem};
-use slipgap_solver::solve::WARNINGS;
+use slipgap_solver::solve::{WARNINGS, Warning};
+
+/// The pages beside the general one, docs/study-files.md: one for each problem.
+pub fn problem_pages() -> Vec<&'static str> {
+    let problems = PROBLEMS.iter().map(|problem| problem.name());
+    problems.chain([structure_page::PAGE]).collect()
+}
+
+/// docs/study-files-PROBLEM.md; `None` for a name that no problem has.
+pub fn problem_reference(name: &str) -> Option<String> {
+    if name == structure_page::PAGE {
+        return Some(structure_page::reference());
+    }
+    let problem = PROBLEMS.iter().find(|problem| problem.name() == name)?;
+    Some(problem_page(&**problem))
+}
 
 /// docs/study-files.md.
 pub fn reference() -> String {
-    let kinds: Vec<String> = KINDS.iter().map(kind).collect();
-    let problems = PROBLEMS.iter().map(|p| problem(&**p));
-    let problems: Vec<String> = problems.chain([structure::reference()]).collect();
-    let code = |names: &[&str]| -> String {
-        let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-        quoted.join(", ")
-    };
     let functions = FUNCTIONS.map(|function| function.0);
     include_str!("reference.md")
-        .replace("{{study}}", &pairs(&decode::KEYS))
-        .replace("{{units}}", &pairs(&units::KEYS))
-        .replace("{{rules}}", &pairs(&RULES))
+        .replace("{{study}}", &list(&decode::KEYS))
+        .replace("{{units}}", &list(&units::KEYS))
+        .replace("{{rules}}", &list(&RULES))
         .replace("{{constants}}", &code(&CONSTANTS))
         .replace("{{functions}}", &code(&functions))
-        .replace("{{beside}}", &pairs(&BLOCK_KEYS))
-        .replace("{{intervals}}", &pairs(&INTERVALS))
-        .replace("{{designs}}", &pairs(&design::KINDS))
-        .replace("{{design}}", &pairs(&design::KEYS))
-        .replace("{{common}}", &keys(&COMMON))
-        .replace("{{kinds}}", &kinds.join("\n"))
-        .replace("{{words}}", &pairs(&OPERATORS))
+        .replace("{{beside}}", &list(&BLOCK_KEYS))
+        .replace("{{intervals}}", &list(&INTERVALS))
+        .replace("{{designs}}", &list(&design::KINDS))
+        .replace("{{design}}", &list(&design::KEYS))
+        .replace("{{methods}}", &methods())
+        .replace("{{figures}}", &figures::reference())
+        .replace("{{words}}", &list(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
-        .replace("{{checks}}", &pairs(&checks::KEYS))
+        .replace("{{checks}}", &list(&checks::KEYS))
         .replace("{{warnings}}", &warnings())
-        .replace("{{problems}}\n", &problems.join("\n"))
+}
+
+/// Names as code, with commas.
+pub(super) fn code(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
+}
+
+/// Keys with their meanings as a list.
+pub(super) fn list(keys: &[(&str, &str)]) -> String {
+    let items = keys
+        .iter()
+        .map(|(key, meaning)| format!("- `{key}`: {meaning}"));
+    items.collect::<Vec<_>>().join("\n")
 }
 
 /// The kinds of warnings.
 fn warnings() -> String {
-    let mut text = String::from("| kind | the cases | when |\n| --- | --- | --- |\n");
-    for kind in WARNINGS {
-        let (name, message, meaning) = (kind.name(), cell(kind.message()), cell(kind.meaning()));
-        let _ = writeln!(text, "| `{name}` | {message} | {meaning} |");
-    }
-    text.trim_end().to_owned()
+    let item = |kind: &Warning| format!("- `{}`: {}", kind.name(), kind.meaning());
+    let items: Vec<String> = WARNINGS.iter().map(item).collect();
+    items.join("\n")
 }
 
-fn pairs(table: &[(&str, &str)]) -> String {
-    let mut text = String::from("| key | meaning |\n| --- | --- |\n");
-    for (key, meaning) in table {
-        let _ = writeln!(text, "| `{key}` | {} |", cell(meaning));
-    }
-    text.trim_end().to_owned()
+/// The method and its parameters, which all problems have.
+fn methods() -> String {
+    let items: Vec<String> = METHOD.iter().map(item).collect();
+    items.join("\n")
 }
 
-fn keys(table: &[Key]) -> String {
-    let mut text = String::from("| key | | meaning |\n| --- | --- | --- |\n");
-    for key in table {
-        let needed = if key.required { "required" } else { "" };
-        let _ = writeln!(
-            text,
-            "| `{}` | {needed} | {} |",
-            key.name,
-            cell(key.meaning)
-        );
-    }
-    text.trim_end().to_owned()
-}
-
-fn kind(kind: &crate::figure::kinds::Kind) -> String {
-    let own = match kind.keys {
-        [] => String::new(),
-        some => format!("\n{}\n", keys(some)),
-    };
-    format!("### {}\n\n{}.\n{own}", kind.name, capital(kind.meaning))
-}
-
-fn problem(problem: &dyn Problem) -> String {
+fn problem_page(problem: &dyn Problem) -> String {
+    let name = problem.name();
+    let schema = problem.schema();
     let mut text = format!(
-        "## {}\n\n{}.\n\n| parameter | unit | allowed | if left out | meaning |\n| --- | --- | --- | --- | --- |\n",
-        problem.name(),
-        capital(&problem.schema().meaning)
+        "# Study files: {name}\n\nFor those who write a study with `\"problem\": \"{name}\"`: {}. \
+         [study-files.md](study-files.md) has the keys of all problems, [scope.md](scope.md) equations and symbols, \
+         [laws-and-methods.md](laws-and-methods.md) the laws.\n\n## Parameters\n\n\
+         With their units, allowed values and values if left out; besides those of the [method](study-files.md#methods).\n\n",
+        schema.meaning
     );
-    for parameter in problem.parameters() {
-        let _ = writeln!(
-            text,
-            "| `{}` | {} | {} | {} | {} |",
-            parameter.name,
-            unit(&parameter.unit),
-            cell(&allowed(parameter)),
-            cell(&left_out(parameter)),
-            cell(&meaning(parameter))
-        );
-    }
-    text += "\n| metric | unit | | formula (c computed, e exact) |\n| --- | --- | --- | --- |\n";
-    for metric in problem.metrics() {
-        let listed = if metric.default { "" } else { "if listed" };
-        let (unit, meaning) = (unit(&metric.unit), cell(&metric.meaning));
-        let _ = writeln!(
-            text,
-            "| `{}` | {unit} | {listed} | {meaning} |",
-            metric.name
-        );
-    }
-    let named = |names: Vec<(&str, &str)>| {
-        let items = names
-            .iter()
-            .map(|(name, title)| format!("`{name}` ({})", plain(title)));
-        items.collect::<Vec<_>>().join(", ")
-    };
-    let quantities = problem
-        .schema()
-        .quantities
-        .iter()
-        .map(|q| (&*q.name, &*q.title))
-        .collect();
-    let _ = write!(text, "\nOver time: {}.\n", named(quantities));
-    let profiles: Vec<(&str, &str)> = problem
-        .schema()
+    let of_method = |parameter: &Parameter| METHOD.iter().any(|own| own.name == parameter.name);
+    let own = problem.parameters().iter().filter(|p| !of_method(p));
+    text += &parameters(&own.collect::<Vec<_>>());
+    text += "\n## Metrics\n\nIn the formulas c is computed, e exact. Of several metrics in a line, the formula is that of the first.\n\n";
+    text += &metrics(problem, true);
+    text += "\nOnly if `metrics` of the study lists them:\n\n";
+    text += &metrics(problem, false);
+    let quantities = schema.quantities.iter().map(|q| (&*q.name, &*q.title));
+    let _ = write!(
+        text,
+        "\n## Quantities\n\nOver time: {}.\n",
+        named(quantities)
+    );
+    let profiles: Vec<(&str, &str)> = schema
         .profiles
         .iter()
         .map(|p| (&*p.name, &*p.title))
         .collect();
     if !profiles.is_empty() {
-        let _ = write!(text, "\nAlong the structure: {}.\n", named(profiles));
+        let _ = write!(
+            text,
+            "\nAlong the structure: {}.\n",
+            named(profiles.into_iter())
+        );
     }
-    let budgets = problem
-        .schema()
-        .budgets
-        .iter()
-        .map(|b| (&*b.name, &*b.title))
-        .collect();
+    let budgets = schema.budgets.iter().map(|b| (&*b.name, &*b.title));
     let _ = write!(text, "\nBudgets: {}.\n", named(budgets));
     text
 }
 
-/// The meaning of a parameter, and its column if that has another name.
-fn meaning(parameter: &Parameter) -> String {
-    match parameter.heading {
-        Some(column) => format!("{}; its column is `{column}`", parameter.meaning),
-        None => parameter.meaning.to_string(),
-    }
+fn named<'a>(names: impl Iterator<Item = (&'a str, &'a str)>) -> String {
+    let items = names.map(|(name, title)| format!("`{name}` ({})", plain(title)));
+    items.collect::<Vec<_>>().join(", ")
 }
 
-fn left_out(parameter: &Parameter) -> String {
+/// Parameters as a list. Those of one object that follow others in the same way share a line.
+fn parameters(all: &[&Parameter]) -> String {
+    let like = |parameter: &Parameter| match (&parameter.default, parameter.name.split_once('.')) {
+        (Default::Follows(from), Some((object, _))) => Some((object.to_owned(), from.to_string())),
+        _ => None,
+    };
+    let mut text = String::new();
+    for group in all.chunk_by(|a, b| like(a).is_some() && like(a) == like(b)) {
+        text += &match (group, like(group[0])) {
+            ([_, _, ..], Some((_, from))) => {
+                let names: Vec<&str> = group.iter().map(|p| &*p.name).collect();
+                format!("- {}: {from} if left out", code(&names))
+            }
+            _ => item(group[0]),
+        };
+        text.push('\n');
+    }
+    text
+}
+
+/// A parameter as an item of a list.
+fn item(parameter: &Parameter) -> String {
+    let choices = match parameter.kind {
+        Kind::Choice(choices) => choices,
+        Kind::Number(_) | Kind::Whole { .. } => &[],
+    };
+    let allowed = match choices {
+        [] => allowed(parameter),
+        some => code(&some.iter().map(|choice| choice.0).collect::<Vec<_>>()),
+    };
     let default = match &parameter.default {
         Default::Required => "required".into(),
-        Default::Is(value) => value.to_string(),
+        Default::Is(value) => format!("default {value}"),
         Default::Follows(from) => from.to_string(),
     };
-    match &parameter.applies {
-        Some(on) => format!("{default}; only for {} {}", on.governor, on.choices()),
-        None => default,
-    }
+    // The formulas of laws and methods have a page of their own.
+    let meanings = match choices.len() > 1 && !["law", "method"].contains(&&*parameter.name) {
+        true => choices
+            .iter()
+            .map(|(name, meaning)| format!("; {name}: {meaning}"))
+            .collect(),
+        false => String::new(),
+    };
+    let unit = match &*parameter.unit {
+        "1" => String::new(),
+        unit => format!("{unit}, "),
+    };
+    let only = match &parameter.applies {
+        Some(on) => format!("; for {} {}", on.governor, on.choices()),
+        None => String::new(),
+    };
+    let column = match parameter.heading {
+        Some(column) => format!("; its column is `{column}`"),
+        None => String::new(),
+    };
+    format!(
+        "- `{}` ({unit}{allowed}; {default}{only}): {}{meanings}{column}",
+        parameter.name, parameter.meaning
+    )
 }
 
-fn unit(unit: &str) -> &str {
-    if unit == "1" { "" } else { unit }
+/// The metrics that are always computed, or those that a study lists. Metrics of two quantities that differ in nothing else share a line.
+fn metrics(problem: &dyn Problem, default: bool) -> String {
+    let mut lines: Vec<(String, Vec<String>, &str)> = Vec::new();
+    for metric in problem.metrics().iter().filter(|m| m.default == default) {
+        let name = match &*metric.unit {
+            "1" => format!("`{}`", metric.name),
+            unit => format!("`{}` (in {unit})", metric.name),
+        };
+        let pattern = metric.meaning.replace("_rdot", "_r");
+        match lines.iter_mut().find(|line| line.0 == pattern) {
+            Some(line) => line.1.push(name),
+            None => lines.push((pattern, vec![name], &metric.meaning)),
+        }
+    }
+    let lines = lines
+        .iter()
+        .map(|(_, names, meaning)| format!("- {}: {meaning}\n", names.join(", ")));
+    lines.collect()
 }
 
 /// An axis title without its markup.
 fn plain(title: &str) -> String {
     title.replace(['*', '_', '^'], "")
-}
-
-/// A text for a cell of a table.
-fn cell(text: &str) -> String {
-    text.replace('|', "\\|")
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }

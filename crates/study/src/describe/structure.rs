@@ -1,4 +1,4 @@
-//! The schema and the reference of studies of structures, whose parameters, channels and metrics have free names.
+//! The schema of studies of structures, whose parameters, channels and metrics have free names.
 
 use super::schema::{block_keys, computed, listed_metrics, reduction, several, width_and_pair};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
@@ -9,9 +9,6 @@ use crate::structure::keys::{self, Keys};
 use serde_json::{Map, Value as Json, json};
 use slipgap_solver::problem::method::PARAMETERS;
 use slipgap_solver::problem::parameter::Range;
-use slipgap_solver::problem::structure::channel::{
-    OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
-};
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::ground_metric::PREFIX;
 use slipgap_solver::problem::structure::metric::REDUCTIONS;
@@ -395,95 +392,6 @@ fn taken(key: &Key) -> Json {
         | Takes::Profile
         | Takes::Metric => text,
     }
-}
-
-/// The section of the reference page.
-pub(super) fn reference() -> String {
-    let table = |title: &str, keys: &[(&str, &str)]| {
-        let rows = keys
-            .iter()
-            .map(|(key, meaning)| format!("| `{key}` | {} |\n", meaning.replace('|', "\\|")));
-        format!(
-            "\n{title}\n\n| key | meaning |\n| --- | --- |\n{}",
-            rows.collect::<String>()
-        )
-    };
-    let law = |(law, meaning): &(&str, &str)| format!("| `{law}` | {meaning} |\n");
-    let laws = NAMES.iter().map(law);
-    let mut text = format!(
-        "## {NAME}\n\n{}{}. The parameters have free names; every number inside `structure` may be an expression of them. \
-         `dt` and `duration` are fixed names. `law` of a contact and `record` may be the name of a parameter, whose values are then \
-         names. docs/structures.md explains the equations.\n",
-        MEANING[..1].to_uppercase(),
-        &MEANING[1..]
-    );
-    text += &table("The keys of `structure`:", keys::STRUCTURE);
-    text += &table("A bar:", keys::BAR);
-    text += &table("`matrices`, for each model:", keys::MATRICES);
-    text += &table("`reduce`, one of:", keys::REDUCE);
-    text += &table("A spring:", keys::SPRING);
-    text += &table("`rayleigh`:", keys::RAYLEIGH);
-    text += &table("A contact:", &keys::CONTACT);
-    text += &format!(
-        "\nThe laws of contacts:\n\n| law | meaning |\n| --- | --- |\n{}",
-        laws.collect::<String>()
-    );
-    text += &table("`N` as a table:", keys::NORMAL_TABLE);
-    text += &table("`N` of a weight:", keys::WEIGHT);
-    text += &table("`N` by another contact:", keys::PRESSING);
-    text += &table(
-        "A function of time has one of `sine`, `table`, `record`, `pulse`, `synthetic`. A load has the key `at` too, the node:",
-        keys::FUNCTION,
-    );
-    text += &table(
-        "`scale_to`, one of `pga`, `Sa` and `spectrum`:",
-        keys::SCALE_TO,
-    );
-    text += &table("`spectrum`, one of these, or a table:", keys::SPECTRUM);
-    text += &table("`spectrum` as a table:", keys::TARGET_TABLE);
-    text += &table("`EN 1998-1`:", keys::EN_1998);
-    text += &table("`ASCE 7`:", keys::ASCE_7);
-    text += &table(
-        "Record files as an axis, under `record` or as the value of a parameter that chooses a record. The files of several parameters of a block that \
-                    are in no `zip` go together, those with the same text for `*`:",
-        keys::FILES,
-    );
-    text += &table("`sine`:", keys::SINE);
-    text += &table("`table`:", keys::TABLE);
-    text += &table("`pulse`:", keys::PULSE);
-    text += &table("`ricker`:", keys::RICKER);
-    text += &table("`cosine`:", keys::COSINE);
-    text += &table("`synthetic`:", keys::SYNTHETIC);
-    text += &table(
-        "A support has the keys of a function of time, its acceleration in x, or accelerations by direction:",
-        keys::GROUND,
-    );
-    text += &table("Both have:", keys::SUPPORT);
-    text += &table("`displacement`:", keys::IMPOSED);
-    text += &table(
-        "`static` has forces by the names of nodes, bars or matrices in a direction, and:",
-        keys::STATIC,
-    );
-    text += &table("`start`, for each node or bar:", keys::START);
-    text += "\nChannels are the following, and sums and differences of one dimension, such as `g1.right - p2`.\n";
-    text += &table(
-        "`NODE.` and one of these; a support has u, v and a:",
-        &OF_NODES,
-    );
-    text += &table("`CONTACT.` and one of:", &QUANTITIES);
-    text += &table("Springs and bars:", &OF_SPRINGS);
-    text += &table(
-        "The ground and the forces at it:",
-        &[OF_GROUND, OF_BASE].concat(),
-    );
-    text += &table(
-        "Energies of the whole structure, of the motion relative to the ground or beside what supports carry; no exact motion has them:",
-        &OF_ENERGY,
-    );
-    text += "\nHistory figures and curves draw channels and `error(CHANNEL)`, the computed minus the exact one. Metrics are reductions of a \
-             channel or of a contact, such as `peak(g1.right - p2)` or `impacts(gap12)`; the study lists them under `metrics`. A ground with several directions has its measures by direction, such as `ground.y.pga`:\n";
-    text += &table("Reductions (c computed):", &REDUCTIONS);
-    text
 }
 
 /// Values of a parameter with a free name.

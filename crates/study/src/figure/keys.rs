@@ -112,27 +112,27 @@ pub(crate) static COMMON: [Key; 6] = [
         "name",
         Takes::FileName,
         true,
-        "file name without extension: letters, digits, - and _; different for each figure of a study",
+        "file name without extension: letters, digits, - and _",
     ),
     key("kind", Takes::Kind, true, "what is drawn"),
-    key("title", Takes::Text, false, "heading; if left out, none"),
+    key("title", Takes::Text, false, "heading"),
     key(
         "note",
         Takes::Text,
         false,
-        "remark in small type under the panels; if left out, none",
+        "remark in small type under the panels",
     ),
     key(
         "width",
         Takes::Width,
         false,
-        "width of the picture in mm, 70 to 400, as in 90 for one column and 190 for the page of many journals; letters keep their size, and panels side by side move below one another where they do not fit; a width that suits the kind if left out",
+        "width of the picture in mm, 70 to 400, such as 90 for a column and 190 for a page; letters keep their size",
     ),
     key(
         "where",
         Takes::Filter,
         false,
-        "which cases to show: a value or a list of values for parameters; if left out, all cases",
+        "which cases to show: a value or a list for parameters",
     ),
 ];
 
@@ -148,25 +148,25 @@ pub(super) const BY_OTHERS: Key = key(
     "by",
     Takes::Parameter,
     false,
-    "parameter with one line style for each value; if left out, all other parameters that vary",
+    "parameter with one line style for each value; if left out, all others that vary",
 );
 pub(super) const IN_UNITS: Key = key(
     "in_units",
     Takes::InUnits,
     false,
-    "true: axes in the units of the study, which it must give; scaled if left out",
+    "true: axes in the units of the study",
 );
 pub(super) const BY: Key = key(
     "by",
     Takes::Parameter,
     false,
-    "parameter with one line style for each value; if left out, all parameters that vary",
+    "parameter with one line style for each value; if left out, all that vary",
 );
 pub(super) const BY_OUTSIDE: Key = key(
     "by",
     Takes::Parameter,
     false,
-    "parameter with one line style for each value, not of the ensemble; if left out, all parameters outside of the ensemble that vary",
+    "parameter with one line style for each value; if left out, all outside of the ensemble that vary",
 );
 pub(super) const PANELS: Key = key(
     "panels",
@@ -190,13 +190,13 @@ pub(super) const X_RANGE: Key = key(
     "x_range",
     Takes::Range,
     false,
-    "first and last value of the horizontal axis, as in [0, 10]; curves end at the frame; all values if left out",
+    "first and last value of the horizontal axis, as in [0, 10]",
 );
 pub(super) const Y_RANGE: Key = key(
     "y_range",
     Takes::Range,
     false,
-    "first and last value of the vertical axis, for a figure with one quantity in y; all values if left out",
+    "first and last value of the vertical axis, for one quantity in y",
 );
 pub(super) const COLOUR: Key = key(
     "colour",

@@ -11,11 +11,11 @@ pub(crate) type Keys = &'static [(&'static str, &'static str)];
 pub(crate) const STRUCTURE: Keys = &[
     (
         "units",
-        "units of mass, force, length and time, such as \"t, kN, m, s\", with force = mass length/time^2; nothing is converted but records",
+        "units of mass, force, length and time, such as \"t, kN, m, s\"; only records are converted",
     ),
     (
         "masses",
-        "lumped masses: a node for each name; a mass of 0 is a node without inertia, which springs or contacts hold",
+        "lumped masses: a node for each name, \"a|b\" two alike; a mass of 0 is held by springs or contacts",
     ),
     (
         "bars",
@@ -23,51 +23,42 @@ pub(crate) const STRUCTURE: Keys = &[
     ),
     (
         "matrices",
-        "M, K and C of another program in Matrix Market files, with the nodes NAME.NODE.DIRECTION",
+        "M, K and C in Matrix Market files, with the nodes NAME.NODE.DIRECTION",
     ),
     (
         "springs",
-        "springs with dashpots between two nodes, or a node and \"ground\", or along several nodes",
+        "springs with dashpots; \"ground\" is a node, too",
     ),
-    (
-        "rayleigh",
-        "C += mass M + stiffness K, K of \"damping_stiffness\"",
-    ),
-    (
-        "modal_damping",
-        "damping ratio in every mode of M and K, K of \"damping_stiffness\"",
-    ),
+    ("rayleigh", "C += mass M + stiffness K"),
+    ("modal_damping", "damping ratio in every mode of M and K"),
     (
         "damping_stiffness",
-        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with the elastic contacts at their stiffness at rest",
+        "K of rayleigh and modal_damping: \"without-contacts\" (if left out), or \"initial\" with elastic contacts at rest",
     ),
-    (
-        "contacts",
-        "contacts between two nodes, r = u_J - u_I + gap, or along several nodes, r = sum of factor times u + gap",
-    ),
+    ("contacts", "contacts by name"),
     (
         "loads",
-        "forces on nodes, on each node of a bar, or on each node of matrices in a direction, such as tower.x",
+        "forces on nodes, on each node of a bar, or of matrices in a direction, such as tower.x",
     ),
     (
         "ground",
-        "acceleration of the ground in x, or an object with accelerations in x, y and z; u is then relative to the ground",
+        "acceleration of the ground in x, or an object with those in x, y and z; u is then relative to the ground",
     ),
     (
         "supports",
-        "supports with motions of their own, by name: an acceleration in x, or an object with accelerations in x, y and z; each is a node NAME, NAME.x, NAME.y, NAME.z, and u is then absolute",
+        "supports with motions of their own, by name; each is a node NAME, NAME.x, NAME.y, NAME.z, and u is then absolute",
     ),
     (
         "static",
-        "loads that act before t = 0 and stay: forces by the names of nodes, bars or matrices in a direction, such as tower.y, and \"gravity\"; the structure starts in equilibrium with them",
+        "loads that act before t = 0 and stay; the structure starts in equilibrium with them",
     ),
     (
         "start",
-        "displacement and velocity at t = 0 of nodes, of all nodes of a bar, or of all nodes of matrices in a direction, such as tower.x",
+        "displacement and velocity at t = 0 of nodes, bars, or matrices in a direction, such as tower.x",
     ),
     (
         "contacts_reference",
-        "the exact motion in histories, figures and errors: that of the softened laws, or of the rigid ones",
+        "the exact motion in histories, figures and errors: of the \"softened\" laws, or of \"rigid\" ones",
     ),
 ];
 
@@ -77,36 +68,33 @@ pub(crate) const MASS: Keys = &[("mass", "its mass"), DIRECTION];
 /// The direction in which a part moves.
 const DIRECTION: (&str, &str) = (
     "direction",
-    "direction of motion, \"x\", \"y\" or \"z\", for the motion of the ground; x if left out",
+    "direction of motion, \"x\" (if left out), \"y\" or \"z\"",
 );
 
 /// Keys of matrices.
 pub(crate) const MATRICES: Keys = &[
     (
         "M",
-        "file of the mass matrix, a parameter that chooses one, or the content of a file; so for K and C",
+        "file of the mass matrix, its content, or a parameter that chooses it; so for K and C",
     ),
     ("K", "file of the stiffness matrix"),
     ("C", "file of the damping matrix, if there is one"),
     (
         "dofs",
-        "CSV file with the header node,direction and, if wanted, support and X,Y,Z: one row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]",
+        "CSV file with the header node,direction, if wanted support and X,Y,Z, and a row for each row of the matrices; or a list of [node, direction] or [node, direction, X, Y, Z]",
     ),
     (
         "reduce",
-        "if given, only the dofs that a contact, spring, load, start, metric or figure names are kept, and the lowest modes with these dofs held (Craig and Bampton); the other dofs follow",
+        "keeps the dofs that the study names, and the lowest modes with these held (Craig and Bampton)",
     ),
 ];
 
 /// Keys of `reduce`, of which one is given.
 pub(crate) const REDUCE: Keys = &[
-    (
-        "modes",
-        "number of modes; all if there are fewer; an amount, so that a parameter may be it",
-    ),
+    ("modes", "number of modes; all if there are fewer"),
     (
         "up_to",
-        "the modes up to this frequency, in cycles per unit of time (omega/(2 pi), not omega)",
+        "the modes up to this frequency in cycles per unit of time",
     ),
 ];
 
@@ -126,19 +114,16 @@ pub(crate) const IMPOSED: Keys = &[
 /// The key of imposed displacements.
 pub(crate) const DISPLACEMENT: (&str, &str) = (
     "displacement",
-    "instead of an acceleration, here or under a direction: times t and displacements u, with a cubic between them that turns only at points",
+    "instead of an acceleration, here or under a direction: points t, u with a cubic between them that turns only there",
 );
 
 /// Keys of a support besides those of a function, or of the directions.
 pub(crate) const SUPPORT: Keys = &[
     DISPLACEMENT,
-    (
-        "delay",
-        "time >= 0 by which all of the motion is later; the support is at rest before",
-    ),
+    ("delay", "time by which all is later; at rest before"),
     (
         "baseline",
-        "\"none\", \"mean\" or \"linear\" as of a function; with \"linear\" the support moves no more after the end of the function",
+        "as of a function; with \"linear\" the support rests after the end",
     ),
 ];
 
@@ -170,7 +155,7 @@ pub(crate) const SPRING: Keys = &[
     ("c", "dashpot"),
     (
         "mass",
-        "mass that has the period on this spring; with period and ratio, instead of k and c",
+        "mass that has the period; with period and ratio, instead of k and c",
     ),
     ("period", "k = mass (2 pi/period)^2"),
     ("ratio", "c = 2 ratio (2 pi/period) mass"),
@@ -180,7 +165,7 @@ pub(crate) const SPRING: Keys = &[
 /// Nodes with factors instead of two nodes.
 const ALONG: (&str, &str) = (
     "along",
-    "instead of between: nodes with their factors; the extension is the sum of factor times u",
+    "instead of between: nodes with factors, whose sum with u is the extension",
 );
 
 /// Keys of `rayleigh`.
@@ -196,11 +181,11 @@ pub(crate) static CONTACT: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
         ("between", "nodes I and J; r = u_J - u_I + gap"),
         (
             "along",
-            "instead of between: nodes with their factors; r is the sum of factor times u, plus the gap",
+            "instead of between: nodes with factors, whose sum with u, plus the gap, is r",
         ),
         (
             "pairs",
-            "instead of between: CSV file with a line for each contact, its name, then cells dof:factor; the contacts are NAME.LINE",
+            "instead of between: CSV file with lines of a name and cells dof:factor, one for each contact NAME.LINE",
         ),
         ("gap", "r at rest"),
     ];
@@ -221,11 +206,11 @@ pub(crate) static PART: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
 pub(crate) const LISTS: [(&str, &str); 2] = [
     (
         "series",
-        "instead of law: a list of laws one behind the other, the contacts NAME.1, NAME.2, ..; between them are nodes without mass, NAME.node1, ..",
+        "instead of law: laws one behind the other, NAME.1, NAME.2, .., with nodes without mass NAME.node1, ..",
     ),
     (
         "parallel",
-        "instead of law: a list of laws side by side, the contacts NAME.1, NAME.2, ..",
+        "instead of law: laws side by side, NAME.1, NAME.2, ..",
     ),
 ];
 
@@ -258,57 +243,45 @@ pub(crate) const FUNCTION: Keys = &[
     ("table", "straight lines between points, constant beyond"),
     (
         "record",
-        "file of a recorded acceleration next to the study (PEER AT2, K-NET ASCII, SMC, COSMOS V1 and V2, GeoNet V1A and V2A, or a table), a parameter that chooses it, or {\"files\": ...}, all files of a folder or a pattern as an axis",
+        "file of a recorded acceleration, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
     ),
     ("pulse", "a pulse of acceleration"),
     (
         "synthetic",
-        "a synthetic acceleration by its seed, or by its seed and the frequency of its ground filter",
+        "a synthetic acceleration by its seed, or by seed and omega",
     ),
     (
         "unit",
-        "unit of a record: g, m/s2, cm/s2 or mm/s2; not needed if the file names it",
+        "unit of a record: g, m/s2, cm/s2 or mm/s2; if left out, that of the file",
     ),
     (
         "mean",
-        "mean of a record: \"removed\" or \"kept\"; if left out, that of K-NET is removed, because its counts have an offset, and others are kept",
+        "mean of a record: \"removed\" (if left out, for K-NET) or \"kept\" (for others)",
     ),
     (
         "column",
-        "column of a table with the accelerations, from 1; if left out, the table has two columns, t and a",
+        "column of a table with the accelerations, from 1; if left out, there are two, t and a",
     ),
-    (
-        "dt",
-        "time step in s of a table without times; its only column, or the one of \"column\", has the accelerations",
-    ),
-    (
-        "component",
-        "component of a file with several (COSMOS, GeoNet), from 1 in the order of the file",
-    ),
+    ("dt", "time step in s of a table without times"),
+    ("component", "component of a file with several, from 1"),
     (
         "scale",
         "factor of the function, in addition to \"scale_to\"",
     ),
     (
         "start",
-        "time of the function at which the motion begins, its t = 0; not of a sine, nor are the keys below",
+        "time that becomes t = 0; this and the keys below not of a sine",
     ),
-    (
-        "end",
-        "time of the function at which the motion ends; 0 after",
-    ),
+    ("end", "time at which it ends; 0 after"),
     (
         "baseline",
-        "what is removed from the motion from start to end: \"none\"; \"mean\", the mean of its points; \"linear\", the mean slope of its velocity, which is then 0 at the end",
+        "what is removed from start to end: \"none\"; \"mean\", that of the points; \"linear\", the mean slope of the velocity, which is then 0 at the end",
     ),
     (
         "scale_to",
-        "strength that the motion from start to end gets, without its baseline",
+        "strength of the motion from start to end without its baseline",
     ),
-    (
-        "delay",
-        "time >= 0 by which all of the motion is later; 0 before",
-    ),
+    ("delay", "time by which all is later; 0 before"),
 ];
 
 /// Keys of `scale_to`; one of the first three is given.
@@ -317,7 +290,7 @@ pub(crate) const SCALE_TO: Keys = &[
     ("Sa", "pseudo-acceleration of an oscillator"),
     (
         "spectrum",
-        "target spectrum of pseudo-acceleration; the factor is that of the least squares of the difference at 101 periods, evenly spaced from \"from\" to \"to\"",
+        "target spectrum, by least squares at 101 periods from \"from\" to \"to\"",
     ),
     ("T", "period of the oscillator of \"Sa\""),
     ("from", "the shorter period of \"spectrum\""),
@@ -328,7 +301,7 @@ pub(crate) const SCALE_TO: Keys = &[
     ),
     (
         "unit",
-        "unit of the accelerations: g, m/s2, cm/s2 or mm/s2; that of the study if left out",
+        "unit of the accelerations, as of a record; that of the study if left out",
     ),
 ];
 
@@ -336,7 +309,7 @@ pub(crate) const SCALE_TO: Keys = &[
 pub(crate) const SPECTRUM: Keys = &[
     (
         "EN 1998-1",
-        "horizontal elastic response spectrum of EN 1998-1:2004, (3.2) to (3.5), with the damping correction (3.6)",
+        "elastic response spectrum of EN 1998-1:2004, (3.2) to (3.6)",
     ),
     ("ASCE 7", "design response spectrum of ASCE 7-16, 11.4.6"),
 ];
@@ -344,10 +317,7 @@ pub(crate) const SPECTRUM: Keys = &[
 /// Keys of a target spectrum as a table.
 pub(crate) const TARGET_TABLE: Keys = &[
     ("T", "periods, rising"),
-    (
-        "Sa",
-        "ordinates at these periods, straight between, constant beyond",
-    ),
+    ("Sa", "ordinates, straight between, constant beyond"),
 ];
 
 /// Keys of the spectrum of EN 1998-1.
@@ -372,7 +342,7 @@ pub(crate) const FUNCTIONS: usize = 5;
 /// Key of the files of an axis of records.
 pub(crate) const FILES: Keys = &[(
     "files",
-    "a folder, whose files but .md are the values, or a pattern with one * in the name of the files, such as \"records/*.smc\"; in the order of their names",
+    "a folder (without .md), or a pattern with one *, such as \"records/*.smc\"; in the order of names",
 )];
 
 /// Keys of `sine`.
@@ -398,7 +368,7 @@ pub(crate) const PULSE: Keys = &[
 ];
 
 /// Meaning of `sampled`. The last sample is at the end also where the end is no multiple.
-const SAMPLED: &str = "time between samples, straight between; the last sample is at the end of the pulse, also if the last interval is shorter; from there on 0, by a jump if the sample is not 0";
+const SAMPLED: &str = "time between samples, straight between, the last one at the end of the pulse; then 0, by a jump if it is not 0";
 
 /// Keys of `ricker`.
 pub(crate) const RICKER: Keys = &[
@@ -420,7 +390,7 @@ pub(crate) const SYNTHETIC: Keys = &[
     ("seed", "a whole number from 0 to 4294967295"),
     (
         "omega",
-        "circular frequency of the ground filter in rad/s, > 0; 15.6 (firm ground) if left out; the second filter is at omega/10",
+        "circular frequency of the ground filter in rad/s; 15.6 (firm ground) if left out",
     ),
 ];
 

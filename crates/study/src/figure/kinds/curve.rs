@@ -8,7 +8,7 @@ use crate::figure::keys::{BY, COLOUR, IN_UNITS, MARKERS, PANELS, Takes, X_RANGE,
 pub(super) const KIND: Kind = Kind {
     name: "curve",
     needs: Needs::Nothing,
-    meaning: "one quantity over another, such as the loops of force over displacement of friction, with the exact solution as a thin line; at most 8 cases in a panel",
+    meaning: "one quantity over another, such as loops of force over displacement, with the exact solution as a thin line; at most 8 cases in a panel",
     keys: &[
         key(
             "x",

@@ -10,7 +10,7 @@ use slipgap_solver::problem::Problem;
 pub(super) const KIND: Kind = Kind {
     name: "fragility",
     needs: Needs::Ensemble,
-    meaning: "part of the ensemble of the study in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals (Clopper and Pearson) and the lognormal function of the largest likelihood; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud, with 95 % intervals of its median and dispersion",
+    meaning: "part of the ensemble in which a metric exceeds a limit, over a parameter such as the scale of records, with 95 % intervals (Clopper and Pearson) and the lognormal function of the largest likelihood; or, over a measure such as ground.Sa(T1), the function by incremental scaling or of a cloud, with 95 % intervals of median and dispersion",
     keys: &[
         key(
             "x",

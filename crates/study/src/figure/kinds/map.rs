@@ -32,7 +32,7 @@ pub(super) const KIND: Kind = Kind {
             "z_range",
             Takes::Range,
             false,
-            "values at both ends of the colour bar, as in [0.001, 1]: maps with the same ones share shades and contours; values outside have the shade of the end; all values if left out",
+            "values at both ends of the colour bar, as in [0.001, 1], such as for maps to compare",
         ),
         key(
             "marks",
@@ -44,7 +44,7 @@ pub(super) const KIND: Kind = Kind {
             "ridge",
             Takes::Ridge,
             false,
-            "a line through the y with the least or greatest metric, or with the metric nearest to 1, at each x; not drawn at the edge of the map; if left out, no line",
+            "line through the y with the least or greatest metric, or the one nearest to 1, at each x",
         ),
     ],
     decode: |values, _| {

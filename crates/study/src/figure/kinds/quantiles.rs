@@ -16,7 +16,7 @@ const USUAL: [f64; 2] = [0.16, 0.84];
 pub(super) const KIND: Kind = Kind {
     name: "quantiles",
     needs: Needs::Ensemble,
-    meaning: "metrics over a parameter, each as the median of the ensemble of the study and a band between two quantiles; no markers where there are many points, such as a spectrum of a thousand periods",
+    meaning: "metrics over a parameter, each as the median of the ensemble and a band between two quantiles",
     keys: &[
         X,
         METRICS,

@@ -10,7 +10,7 @@ use slipgap_solver::problem::Problem;
 pub(super) const KIND: Kind = Kind {
     name: "samples",
     needs: Needs::Nothing,
-    meaning: "every pair of the parameters that a design samples, one dot for each case; a metric is the colour of the dots and the last row; at most 8 parameters; each axis has the scale of its distribution",
+    meaning: "every pair of at most 8 parameters that a design samples, a dot for each case; a metric is the colour and the last row",
     keys: &[
         key(
             "y",

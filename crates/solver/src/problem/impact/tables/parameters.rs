@@ -8,9 +8,9 @@ use std::borrow::Cow::Borrowed;
 choice! {
     /// Mass matrix of the bars.
     pub enum MassMatrix {
-        Lumped = "lumped": "half of the mass of an element at each of its nodes",
-        Consistent = "consistent": "from the shape functions of the displacement",
-        MasslessContact = "massless-contact": "lumped, but the mass of a contact node is at its neighbour",
+        Lumped = "lumped": "half of an element at each node",
+        Consistent = "consistent": "from the shape functions",
+        MasslessContact = "massless-contact": "lumped, but that of a contact node at its neighbour",
     }
 }
 
@@ -50,13 +50,13 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
     Parameter::new(
         ["gamma", "*γ*", "1"],
         POSITIVE,
-        Default::Follows(Borrowed("from k_I; exactly one of the two is given")),
-        "stiffness of the impact spring over the stiffness of an element, gamma = k_I L/(n E A) of the left bar [I (16)]",
+        Default::Follows(Borrowed("from k_I; one of the two is given")),
+        "stiffness of the impact spring over that of an element, k_I L/(n E A) of the left bar [I (16)]",
     ),
     Parameter::new(
         ["k_I", "*k*_I_", "force/length"],
         POSITIVE,
-        Default::Follows(Borrowed("from gamma; exactly one of the two is given")),
+        Default::Follows(Borrowed("from gamma; one of the two is given")),
         "stiffness of the impact spring [I (7)]",
     ),
     Parameter::new(
@@ -81,7 +81,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["gap", "gap/(*cT*_I_/2)", "c T_I/2"],
         Kind::Number(Range::NotNegative),
         is(0.0),
-        "distance between the facing ends at t = 0, over c T_I/2; c is the closing speed; at 0 the ends touch",
+        "distance of the facing ends at t = 0; at 0 they touch",
     ),
     Parameter::new(
         ["mass", "mass", "1"],
@@ -105,7 +105,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["rho", "*ρ*", "mass/length^3"],
         POSITIVE,
         is(0.01),
-        "density of the left bar ([I] prints 0.1, but its T_I = 0.2 needs 0.01); scaled results do not depend on it if right.rho is left out",
+        "density of the left bar ([I] prints 0.1, but its T_I = 0.2 needs 0.01)",
     ),
     Parameter::new(
         ["L", "*L*", "length"],
@@ -123,7 +123,7 @@ pub(super) static PARAMETERS: [Parameter; 19] = [
         ["right", "right", "1"],
         Opposite::KIND,
         Default::Follows(Borrowed("a bar")),
-        "what the left bar meets: an object with the data of the right bar that differ, or \"wall\"",
+        "what the left bar meets: \"wall\", or an object with what differs in the right bar",
     ),
     Parameter::new(
         ["right.E", "*E*_R_", "force/length^2"],
