@@ -27,6 +27,14 @@ mod untouched;
 mod verbs;
 mod warnings;
 
+// What reads a report, of which only a part is used here.
+#[allow(dead_code)]
+#[path = "../report/data.rs"]
+mod data;
+#[allow(dead_code)]
+#[path = "../report/packed.rs"]
+mod packed;
+
 #[path = "../common/bench.rs"]
 mod bench;
 

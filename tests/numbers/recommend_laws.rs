@@ -244,7 +244,7 @@ fn a_given_law_and_method_are_not_searched() {
         let names: BTreeSet<&str> = variants.map(|v| v.method.name).collect();
         names.len()
     };
-    assert_eq!(methods(&friction), 8);
+    assert_eq!(methods(&friction), 9);
     let friction = Friction::new(fixed(None, Some("hht")), 12.0);
     assert!(friction.variants().iter().all(|v| v.method.name == "hht"));
     let space = small("hunt-crossley", "hht");

@@ -21,9 +21,9 @@ const STUDY: &str = r#"{ "title": "Springs & <meshes>", "problem": "bar-impact",
 
 /// What the figures show, in words: the quantities over the parameters, the curves, and the cases.
 const CAPTIONS: [&str; 2] = [
-    "Peak of F/F0 over number of elements of a bar n and stiffness of the impact spring over the stiffness of an element γ. \
+    "Stiffness of the impact spring over that of an element γ over number of elements of a bar n, coloured by peak of F/F0. \
      For mass = lumped, E = 100.",
-    "Peaks &amp; n. Peak of F/F0 over stiffness of the impact spring over the stiffness of an element γ. Shown: n = 2; n = 4; n = 8. \
+    "Peaks &amp; n. Peak of F/F0 over stiffness of the impact spring over that of an element γ. Shown: n = 2; n = 4; n = 8. \
      For mass = lumped, E = 100.",
 ];
 

@@ -824,7 +824,7 @@ fn widths_and_limits_of_figures() {
         (r#""kind": "law", "width": §"90 mm""#, "figures[0].width: "),
         (
             r#""kind": "law", "x_range": §[0, 1]"#,
-            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, curve, profile, metric, convergence, budget, scatter, front",
+            "figures[0].x_range: a law figure has no key \"x_range\"; kinds with this key: history, curve, profile, wave, metric, convergence, budget, scatter, front",
         ),
         (
             r#""kind": "history", "x_range": §[3, 3]"#,

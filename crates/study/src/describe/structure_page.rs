@@ -78,7 +78,10 @@ pub(super) fn reference() -> String {
         ),
         keys("`CONTACT.` and one of:", &QUANTITIES),
         keys("Springs and bars:", &OF_SPRINGS),
-        keys("The ground and the forces at it:", &[OF_GROUND, OF_BASE].concat()),
+        keys(
+            "The ground and the forces at it:",
+            &[OF_GROUND, OF_BASE].concat(),
+        ),
         keys(
             "Energies of the whole structure, of the motion relative to the ground or beside what supports carry; no exact motion has \
              them:",
