@@ -363,8 +363,8 @@ fn a_record_replaces_synthetic_motions_of_the_studies_that_have_them() {
         )
     };
     let by_seed = r#"{ "seed": "seed", "omega": "omega" }"#;
-    bench.file("synthetic.json", &study("[1, 2, 3]", by_seed));
-    bench.file("drawn.json", &study(r#""round(k)""#, by_seed));
+    bench.file("synthetic.json", study("[1, 2, 3]", by_seed));
+    bench.file("drawn.json", study(r#""round(k)""#, by_seed));
     bench.file("a.csv", "0, 0\n1, 3\n2, 1\n3, 0\n");
     bench.file("b.csv", "0, 0\n1, -1\n2, 1\n3, 0\n");
     let set = ["--set", r#"record=["a.csv", "b.csv"]"#, "--set", "unit=g"];

@@ -1,10 +1,12 @@
 //! A yielding part with a table of deflection and force.
 
 mod described;
+mod shared;
 mod table;
 
 use super::{Cycle, Law, LawFault, StepFlexibility, StepLaw, StoredEnergy, Trial, curve};
 use crate::lane::Lane;
+use std::ops::Deref;
 
 /// Most bends of a table, both sides together where they are not the same.
 pub const MOST: usize = 6;
@@ -23,8 +25,15 @@ pub const MOST: usize = 6;
 ///
 /// The part stores k r^2/2 + sum k_j x_j^2/2. r and S alone tell the least of it, k r^2/2 + (S - k r)^2/(2 sum k_j): the rest counts as
 /// dissipated until it is given back. While x_j is at its bend the part j dissipates k_j x_j dr.
+///
+/// Its numbers live as long as the program, and equal laws share them: a law of every kind is copied for each case, and these are four
+/// times as many as those of any other.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Multilinear {
+pub struct Multilinear(&'static Parts);
+
+/// The numbers of the law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parts {
     /// k >= 0 of the spring: the slope beyond the last bend.
     pub stiffness: f64,
     /// k_j; 0 beyond the last part.
@@ -48,13 +57,21 @@ pub struct Stretches<const L: usize> {
     begun: bool,
 }
 
+impl Deref for Multilinear {
+    type Target = Parts;
+
+    fn deref(&self) -> &Parts {
+        self.0
+    }
+}
+
 impl Multilinear {
     /// The law of a table, with rising r.
     ///
     /// # Errors
     /// The table is none of a yielding part.
     pub fn new(table: &[[f64; 2]]) -> Result<Multilinear, LawFault> {
-        table::law(table)
+        Ok(Multilinear(shared::shared(table::parts_of(table)?)))
     }
 
     /// Sum of all k_j.

@@ -1,6 +1,6 @@
 //! The parts of a table.
 
-use super::{MOST, Multilinear};
+use super::{MOST, Parts};
 use crate::contact::LawFault;
 
 /// Relative difference of slopes that are the same.
@@ -13,8 +13,8 @@ struct Side {
     last: f64,
 }
 
-/// The law of a table.
-pub(super) fn law(table: &[[f64; 2]]) -> Result<Multilinear, LawFault> {
+/// The numbers of a table.
+pub(super) fn parts_of(table: &[[f64; 2]]) -> Result<Parts, LawFault> {
     let rising = table.windows(2).all(|two| two[0][0] < two[1][0]);
     if !rising {
         return Err(LawFault::Table("r must rise"));
@@ -70,8 +70,8 @@ fn side(points: &[[f64; 2]]) -> Result<Option<Side>, LawFault> {
 
 /// The parts that yield at the bends of both sides: the first fall of the slope on each side is of the same part as far as both go,
 /// and so on. Where a side falls no more, parts do not yield there.
-fn parts(down: &Side, up: &Side) -> Result<Multilinear, LawFault> {
-    let mut law = Multilinear {
+fn parts(down: &Side, up: &Side) -> Result<Parts, LawFault> {
+    let mut law = Parts {
         stiffness: down.last.min(up.last),
         parts: [0.0; MOST],
         bends: [[f64::NEG_INFINITY; MOST], [f64::INFINITY; MOST]],
