@@ -279,7 +279,7 @@ fn outside(values: &[f64], range: Option<[f64; 2]>) -> Option<String> {
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| {
         format!(
-            "Of {all} values {}, in the shade of the end",
+            "Of {all} values {}, in the colour of that end",
             parts.join(" and ")
         )
     })

@@ -233,7 +233,7 @@ impl Curves<'_> {
             for (label, series) in labels.iter_mut().zip(&panel.series) {
                 if let Some(stretch) = slope::straight(&series.points) {
                     let slope = format!("{:.2}", stretch.slope).replace('-', "−");
-                    *label = format!("{label}: {slope}");
+                    *label = format!("{label}: slope {slope}");
                 }
             }
         }
