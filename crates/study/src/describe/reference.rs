@@ -7,6 +7,7 @@ use super::{figures, structure_page};
 use crate::axes::axis_rule::RULES;
 use crate::axes::design;
 use crate::axes::interval::INTERVALS;
+use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::reduced;
@@ -46,6 +47,7 @@ pub fn reference() -> String {
         .replace("{{designs}}", &list(&design::KINDS))
         .replace("{{design}}", &list(&design::KEYS))
         .replace("{{methods}}", &methods())
+        .replace("{{named}}", &list(&NAMED))
         .replace("{{figures}}", &figures::reference())
         .replace("{{words}}", &list(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
