@@ -196,7 +196,7 @@ fn metrics(problem: &dyn Problem, default: bool) -> String {
             "1" => format!("`{}`", metric.name),
             unit => format!("`{}` (in {unit})", metric.name),
         };
-        let pattern = metric.meaning.replace("_rdot", "_r");
+        let pattern = metric.meaning.replace("rdot", "r");
         match lines.iter_mut().find(|line| line.0 == pattern) {
             Some(line) => line.1.push(name),
             None => lines.push((pattern, vec![name], &metric.meaning)),
