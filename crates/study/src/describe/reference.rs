@@ -202,10 +202,19 @@ fn metrics(problem: &dyn Problem, default: bool) -> String {
             None => lines.push((pattern, vec![name], &metric.meaning)),
         }
     }
-    let lines = lines
-        .iter()
-        .map(|(_, names, meaning)| format!("- {}: {meaning}\n", names.join(", ")));
-    lines.collect()
+    let mut text = String::new();
+    let mut above = "";
+    for (_, names, meaning) in &lines {
+        let (formula, rest) = meaning.split_once("; ").unwrap_or((meaning, ""));
+        let names = names.join(", ");
+        // Long conditions that several metrics share are written once.
+        text += &match rest.len() > 100 && rest == above {
+            true => format!("- {names}: {formula}; the rest as above\n"),
+            false => format!("- {names}: {meaning}\n"),
+        };
+        above = rest;
+    }
+    text
 }
 
 /// An axis title without its markup.
