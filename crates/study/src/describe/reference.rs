@@ -7,6 +7,7 @@ use super::{figures, structure_page};
 use crate::axes::axis_rule::RULES;
 use crate::axes::design;
 use crate::axes::interval::INTERVALS;
+use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
 use crate::figure::reduced;
@@ -46,6 +47,7 @@ pub fn reference() -> String {
         .replace("{{designs}}", &list(&design::KINDS))
         .replace("{{design}}", &list(&design::KEYS))
         .replace("{{methods}}", &methods())
+        .replace("{{named}}", &list(&NAMED))
         .replace("{{figures}}", &figures::reference())
         .replace("{{words}}", &list(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
@@ -194,16 +196,25 @@ fn metrics(problem: &dyn Problem, default: bool) -> String {
             "1" => format!("`{}`", metric.name),
             unit => format!("`{}` (in {unit})", metric.name),
         };
-        let pattern = metric.meaning.replace("_rdot", "_r");
+        let pattern = metric.meaning.replace("rdot", "r");
         match lines.iter_mut().find(|line| line.0 == pattern) {
             Some(line) => line.1.push(name),
             None => lines.push((pattern, vec![name], &metric.meaning)),
         }
     }
-    let lines = lines
-        .iter()
-        .map(|(_, names, meaning)| format!("- {}: {meaning}\n", names.join(", ")));
-    lines.collect()
+    let mut text = String::new();
+    let mut above = "";
+    for (_, names, meaning) in &lines {
+        let (formula, rest) = meaning.split_once("; ").unwrap_or((meaning, ""));
+        let names = names.join(", ");
+        // Long conditions that several metrics share are written once.
+        text += &match rest.len() > 100 && rest == above {
+            true => format!("- {names}: {formula}; the rest as above\n"),
+            false => format!("- {names}: {meaning}\n"),
+        };
+        above = rest;
+    }
+    text
 }
 
 /// An axis title without its markup.
