@@ -88,7 +88,8 @@ def test_a_run_in_memory_is_the_same(name: str, program: str, studies: Path, tmp
     assert memory.checks == files.checks and memory.failures == files.failures == []
     assert memory.figures.keys() == files.figures.keys()
     # Figures in memory are in colour.
-    words = [program, "run", study, "--colour", "--out", tmp_path / "colour"]
+    out = str(tmp_path / "colour")
+    words = [program, "run", str(study), "--colour", "--out", out]
     subprocess.run(words, capture_output=True, check=True)
     for name, figure in memory.figures.items():
         drawn = tmp_path / "colour" / study.stem / name
