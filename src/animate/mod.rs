@@ -1,6 +1,6 @@
 //! One page without other files that shows cases in motion: the scheme magnified, contacts lit, forces and ground motion below.
 //!
-//! A [`film`] is one motion: the drawing of a [`scene`] with the displacements of its parts, thinned by [`thin`], and its contacts.
+//! A film is one motion: the drawing of a scene with the displacements of its parts, thinned, and its contacts.
 //! The page draws films; it computes nothing but the places of lines between two steps.
 
 mod bars;

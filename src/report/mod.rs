@@ -1,7 +1,7 @@
 //! One page about studies that needs no other file: checks and warnings first, an index with search, and for each study its figures,
 //! tables to sort and filter, claims and text.
 //!
-//! Figures and tables are compressed in the page ([`packed`]) and unpacked when they are shown. A page about several studies is an
+//! Figures and tables are compressed in the page and unpacked when they are shown. A page about several studies is an
 //! overview: its tables of results have the metrics that each study uses, to six digits.
 
 mod caption;
