@@ -72,7 +72,7 @@ pub(super) fn texts(node: &Node) -> Vec<&str> {
 }
 
 /// Every text under `key` anywhere in a tree.
-fn under<'a>(node: &'a Node, key: &str, found: &mut Vec<&'a str>) {
+pub(super) fn under<'a>(node: &'a Node, key: &str, found: &mut Vec<&'a str>) {
     match &node.tree {
         Tree::Object(members) => {
             for member in members {

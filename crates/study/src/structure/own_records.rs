@@ -4,7 +4,8 @@
 //! record is scaled to the peak that all synthetic motions have; `scale` of the study stays. A `start` of the command line is that of
 //! the records, a `unit` their unit. Parameters that only the synthetic motions needed go.
 
-use super::names::{given, member, texts};
+use super::names::{given, member, texts, under};
+use super::reader::is_name;
 use super::record_axis::{add_zip, blocks};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::tree::{Member, Node, Tree};
@@ -18,7 +19,9 @@ const UNIT: &str = "unit";
 /// The parameter whose values are the seeds of the motions that records can replace; `None` if there are no such motions.
 pub(crate) fn seed(root: &Node) -> Option<String> {
     let structure = member(root, "structure")?;
-    let seed = seeds(structure).into_iter().next()?;
+    let mut seeds = Vec::new();
+    under(structure, "seed", &mut seeds);
+    let seed = seeds.into_iter().find(|seed| is_name(seed))?.to_owned();
     let parameters = given(root);
     let values = |name: &str| {
         let named = parameters.iter().filter(|(member, _)| member.key == name);
@@ -33,20 +36,11 @@ pub(crate) fn seed(root: &Node) -> Option<String> {
 
 /// Whether a study has a parameter `record` of files, or motions that records can replace.
 pub(crate) fn takes_record(root: &Node) -> bool {
-    let structure = member(root, "structure");
-    let in_structure = structure.is_some_and(has_record);
-    in_structure || seed(root).is_some()
-}
-
-fn has_record(node: &Node) -> bool {
-    match &node.tree {
-        Tree::Object(members) => members.iter().any(|member| {
-            let named = matches!(&member.node.tree, Tree::Text(name) if name == RECORD);
-            member.key == RECORD && named || has_record(&member.node)
-        }),
-        Tree::List(items) => items.iter().any(has_record),
-        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => false,
+    let mut records = Vec::new();
+    if let Some(structure) = member(root, "structure") {
+        under(structure, RECORD, &mut records);
     }
+    records.contains(&RECORD) || seed(root).is_some()
 }
 
 /// Puts the records in the place of the synthetic motions of this seed.
@@ -100,27 +94,6 @@ fn named(node: &Node, names: &mut Vec<String>) {
         Tree::List(items) => items.iter().for_each(|item| named(item, names)),
         Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
     }
-}
-
-/// The names of seeds in the motions of a part of a structure.
-fn seeds(node: &Node) -> Vec<String> {
-    let inside = match &node.tree {
-        Tree::Object(members) => members.iter().map(|member| &member.node).collect(),
-        Tree::List(items) => items.iter().collect(),
-        Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => Vec::new(),
-    };
-    let own = member(node, "synthetic").and_then(|motion| member(motion, "seed"));
-    let own = own.and_then(|seed| match &seed.tree {
-        Tree::Text(name) if is_name(name) => Some(name.clone()),
-        _ => None,
-    });
-    own.into_iter()
-        .chain(inside.into_iter().flat_map(seeds))
-        .collect()
-}
-
-fn is_name(text: &str) -> bool {
-    text.chars().all(|c| c.is_alphanumeric() || c == '_')
 }
 
 /// Numbers the records of a block by the seed; gives the keys of the motions that the command line has beside their files.
