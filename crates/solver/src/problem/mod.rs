@@ -133,6 +133,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn diverges(&self, _case: &Case) -> Option<bool> {
         None
     }
+    /// Whether two completed cases have the same equations of motion to the bit, with the same steps: a parameter in which alone they
+    /// differ is not used. False for a case that cannot be solved.
+    fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
+        false
+    }
     /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
     fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
         None

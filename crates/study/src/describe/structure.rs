@@ -1,6 +1,8 @@
 //! The schema of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::schema::{block_keys, computed, listed_metrics, reduction, several, width_and_pair};
+use super::schema::{
+    block_keys, calibrate, computed, listed_metrics, reduction, several, width_and_pair,
+};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::decode::checks;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
@@ -45,6 +47,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             "structure": structure,
             "metrics": listed_metrics(&metric),
             "ensemble": several(json!({ "type": "string" })),
+            "calibrate": calibrate(),
             "units": false,
             "figures": { "items": {
                 "type": "object",

@@ -35,10 +35,11 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The problem of the study at `root`, with records from `folder`; `None` if the structure has a fault.
+/// The problem of the study at `root`, with records from `folder`; `None` if the structure has a fault. In a part of a study, unused
+/// parameters are no fault.
 pub(super) fn problem(
     root: &Object,
-    root_node: &Node,
+    (root_node, whole): (&Node, bool),
     folder: &Path,
     faults: &mut Faults,
 ) -> Option<Arc<dyn Problem>> {
@@ -163,7 +164,7 @@ pub(super) fn problem(
         })
         .collect();
     // A faulty value may be the one that contains the name.
-    if faults.count() == before {
+    if whole && faults.count() == before {
         let in_metrics = |name: &str| named_metrics::names_parameter(root, name);
         names::report_unused(
             root_node,

@@ -74,6 +74,12 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
             });
         }
     }
+    if let Some(own) = sources::minimised(root).filter(|own| is_plain(own.text)) {
+        let is_name = !own.text.contains('(') || named.contains(&own.text);
+        if !is_name || looks_like_metric(own.text) {
+            add(own.text, own.at, &own.path, faults);
+        }
+    }
     for own in sources::shown(root) {
         if is_arithmetic(own.text) && decode::parts(own.text).is_none() && !is_plain(own.text) {
             parts(&own, &mut |text, at| add(text, at, &own.path, faults));

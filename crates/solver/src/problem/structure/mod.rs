@@ -405,6 +405,18 @@ impl Problem for StructureProblem {
         self.case_diverges(case)
     }
 
+    fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
+        let equations = |case: &Case| {
+            let ready = self.ready(0, case).ok()?;
+            // The text has every number in the shortest form that reads back the same.
+            Some(format!(
+                "{:?} {:?} {:?} {}",
+                ready.structure, ready.method, ready.dt, ready.last
+            ))
+        };
+        equations(one).is_some_and(|own| equations(other) == Some(own))
+    }
+
     fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
         self.metrics_say(metrics)
     }
