@@ -20,7 +20,7 @@ pub mod unit;
 pub use case::{Case, Violation};
 pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
-pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
+pub use solution::{HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution};
 pub use text::{Text, escape, interned};
 
 use crate::contact::ContactLaw;
@@ -107,6 +107,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
             column: channel.clone(),
         };
         channels.map(column).collect()
+    }
+    /// What was measured of the motion of a completed case, for each channel that the study gives; none without.
+    fn measured(&self, _case: &Case) -> Vec<MeasuredChannel> {
+        Vec::new()
     }
     /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
     fn identity(&self) -> &str {

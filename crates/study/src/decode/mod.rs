@@ -22,6 +22,7 @@ use crate::source::object::Object;
 use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
+use crate::structure::measured::KEY as MEASURED;
 use crate::structure::names::SHOWN;
 use crate::structure::{self, own_records, record_axis};
 use crate::units::Units;
@@ -48,6 +49,7 @@ pub(crate) const KEYS: [(&str, &str); 15] = [
         "structure",
         "masses, bars, springs, contacts and loads of a study of structures",
     ),
+    structure::measured::KEY,
     (
         "blocks",
         "several sets of parameters instead of one; their cases follow one another",
@@ -275,6 +277,11 @@ fn problem(
     if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get("structure")) {
         let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
         faults.add(node.at, "structure", message);
+    }
+    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(MEASURED.0)) {
+        let message =
+            format!("only a study with \"problem\": \"{NAME}\" compares with measurements");
+        faults.add(node.at, MEASURED.0, message);
     }
     if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(SHOWN.0)) {
         let message = format!("only a study with \"problem\": \"{NAME}\" names its parameters");

@@ -41,6 +41,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     json!({
         "if": { "properties": { "problem": { "const": NAME } }, "required": ["problem"] },
         "then": { "required": ["structure"], "properties": {
+            "measured": measured(),
             "problem": { "description": MEANING },
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
@@ -57,7 +58,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             } },
             "checks": { "items": check(&json!({ "anyOf": [metric, reduction(), computed()] })) },
         } },
-        "else": { "properties": { "structure": false } },
+        "else": { "properties": { "structure": false, "measured": false } },
     })
 }
 
@@ -312,6 +313,20 @@ fn all_of_displacement() -> Json {
 
 fn imposed() -> Json {
     described(keys::IMPOSED, |_| numbers(), &["t", "u"])
+}
+
+/// What was measured.
+fn measured() -> Json {
+    let text = || json!({ "type": "string" });
+    let column = json!({ "anyOf": [text(), described(keys::COLUMN, |_| text(), &["column"])] });
+    let value = |key: &str| match key {
+        "file" => json!({ "anyOf": [text(), files()] }),
+        "time" => column.clone(),
+        "columns" => named(column.clone()),
+        _ => any(),
+    };
+    let required = keys::names(&keys::MEASURED[..3]);
+    described(keys::MEASURED, value, &required)
 }
 
 /// The name of a metric.
