@@ -37,7 +37,7 @@ use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 15] = [
+pub(crate) const KEYS: [(&str, &str); 16] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -244,6 +244,7 @@ pub(crate) fn study(
     });
     scope.checked = checks.iter().map(|check| check.metric).collect();
     let figures = figures(&object, &scope, faults);
+    calibrate::decode::refuse_figures(&object, &figures, faults);
     let (metrics, columns) = columns(&scope, &listed, &figures, &checks);
     Some(Study {
         title,
