@@ -5,6 +5,7 @@
 //! left is noise, `compare` which alternatives are told apart.
 
 mod compare;
+mod explain;
 mod figures;
 mod fit;
 mod misfit;
@@ -12,10 +13,12 @@ mod numerics;
 mod residuals;
 mod series;
 mod tables;
+mod usage;
 mod words;
 mod write;
 
 pub use compare::{Comparison, Verdict};
+pub use explain::explained;
 pub use fit::{Fit, State};
 pub use numerics::Numerical;
 pub use residuals::Residuals;
