@@ -70,6 +70,7 @@ pub(super) fn reference() -> String {
             keys::SUPPORT,
         ),
         keys("`displacement`:", keys::IMPOSED),
+        keys("`displacement` of a file:", keys::IMPOSED_BY_FILE),
         "## Measurements".into(),
         keys(
             "The key `measured` of the study, beside `structure`:",
