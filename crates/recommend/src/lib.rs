@@ -8,6 +8,7 @@
 //! searched on the fine grid.
 
 mod answer;
+pub mod calibrate;
 pub mod format;
 pub mod friction;
 mod grid;

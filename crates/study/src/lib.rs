@@ -5,6 +5,7 @@
 //! fault. Each case is then made from its number (`cases`).
 
 mod axes;
+mod calibrate;
 mod cases;
 mod computed;
 mod decode;
@@ -26,6 +27,7 @@ pub use computed::reference;
 pub use figure::reduced;
 pub use source::{faults, input, object, place, tree};
 
+pub use calibrate::{Alternative, Calibrate, Free, FreeRange, PointCases};
 pub use cases::block::Block;
 pub use cases::design::{Design, Sampling};
 pub use cases::filter::Filter;
@@ -75,6 +77,8 @@ pub struct Study {
     pub columns: Vec<usize>,
     /// Rows of `problem.parameters()` over which the cases are an ensemble; empty if the study has none.
     pub ensemble: Vec<usize>,
+    /// Free parameters and the metric that their best values minimise, if the study has them.
+    pub calibrate: Option<Calibrate>,
     /// Figures to draw.
     pub figures: Vec<Figure>,
     /// Limits to test.

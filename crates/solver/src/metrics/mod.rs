@@ -2,6 +2,7 @@
 
 pub mod friction;
 pub mod impact;
+pub mod measured;
 pub mod norm;
 pub mod structure;
 

@@ -20,7 +20,7 @@ pub mod unit;
 pub use case::{Case, Violation};
 pub use parameter_expression::{NotComputed, ParameterExpression, values_used};
 pub use schema::{Budget, Channel, Metric, Profile, Quantity, Schema, metric_of};
-pub use solution::{HistoryColumn, Lines, Snapshot, Solution};
+pub use solution::{HistoryColumn, Lines, MeasuredChannel, Snapshot, Solution};
 pub use text::{Text, escape, interned};
 
 use crate::contact::ContactLaw;
@@ -108,6 +108,10 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
         };
         channels.map(column).collect()
     }
+    /// What was measured of the motion of a completed case, for each channel that the study gives; none without.
+    fn measured(&self, _case: &Case) -> Vec<MeasuredChannel> {
+        Vec::new()
+    }
     /// What determines results and is neither in the parameters nor in the program; empty if there is nothing.
     fn identity(&self) -> &str {
         ""
@@ -132,6 +136,11 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     /// `None` if it cannot be solved, and for a problem without such a change.
     fn diverges(&self, _case: &Case) -> Option<bool> {
         None
+    }
+    /// Whether two completed cases have the same equations of motion to the bit, with the same steps: a parameter in which alone they
+    /// differ is not used. False for a case that cannot be solved.
+    fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
+        false
     }
     /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
     fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {

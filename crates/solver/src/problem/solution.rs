@@ -3,6 +3,7 @@
 use crate::history::History;
 use crate::problem::schema::Channel;
 use crate::solve::Warnings;
+use std::ops::Range;
 
 /// The state along the structure at one time.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +34,21 @@ pub struct HistoryColumn {
     pub index: usize,
     /// Its name, and whether the exact motion has the column too.
     pub column: Channel,
+}
+
+/// A measured channel in a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredChannel {
+    /// The channel, such as `deck.u`.
+    pub name: String,
+    /// The channel of the histories in a [`Solution`].
+    pub column: usize,
+    /// Times of all measured points in the time of the motion, in the study's unit; some may be before 0 or after its end.
+    pub time: Vec<f64>,
+    /// Values at these times, in the study's units.
+    pub values: Vec<f64>,
+    /// The points that metrics compare.
+    pub compared: Range<usize>,
 }
 
 /// The solution of a case: the computed motion, and the exact one at the same times.

@@ -19,6 +19,30 @@ pub enum Dimension {
     Energy,
 }
 
+impl Dimension {
+    /// All dimensions.
+    pub const ALL: [Dimension; 6] = [
+        Dimension::Time,
+        Dimension::Length,
+        Dimension::Velocity,
+        Dimension::Acceleration,
+        Dimension::Force,
+        Dimension::Energy,
+    ];
+
+    /// Its name with an article, for messages.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Dimension::Time => "a time",
+            Dimension::Length => "a length",
+            Dimension::Velocity => "a velocity",
+            Dimension::Acceleration => "an acceleration",
+            Dimension::Force => "a force",
+            Dimension::Energy => "an energy",
+        }
+    }
+}
+
 /// A unit of scaled results. Its size differs from case to case: [`super::Problem::size`].
 #[derive(Debug, Clone)]
 pub struct Unit {

@@ -6,6 +6,7 @@ mod bar_pair;
 pub mod import;
 pub mod loads;
 pub mod massless;
+pub mod measured_table;
 mod modes;
 pub mod reduction;
 pub mod structure;

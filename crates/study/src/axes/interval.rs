@@ -92,6 +92,11 @@ impl Interval {
         None
     }
 
+    /// Its ends.
+    pub fn ends(self) -> [f64; 2] {
+        [self.low, self.high]
+    }
+
     /// The scale on which the distribution is uniform.
     pub fn scale(self) -> Scale {
         match self.log {

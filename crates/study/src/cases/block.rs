@@ -58,7 +58,7 @@ impl Block {
     }
 
     /// The position in each group of combination `raw`.
-    pub(super) fn positions(&self, raw: u64) -> Vec<u64> {
+    pub(crate) fn positions(&self, raw: u64) -> Vec<u64> {
         let mut positions = vec![0; self.groups.len()];
         let mut rest = raw;
         for (position, group) in positions.iter_mut().zip(&self.groups).rev() {

@@ -31,7 +31,7 @@ impl AxisGroup {
     }
 
     /// Whether one of the axes has this parameter.
-    pub(super) fn has(&self, parameter: usize) -> bool {
+    pub(crate) fn has(&self, parameter: usize) -> bool {
         self.axes.iter().any(|axis| axis.parameter == parameter)
     }
 

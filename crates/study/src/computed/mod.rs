@@ -49,6 +49,14 @@ impl Computed {
         formula.value(&of).ok()
     }
 
+    /// Whether its arithmetic contains the parameter in this row.
+    pub fn contains(&self, parameter: usize) -> bool {
+        match &self.rule {
+            Rule::Formula(formula) => formula.uses().contains(&parameter),
+            Rule::Ratio(..) => false,
+        }
+    }
+
     /// Rows of the measures that it is computed from; `parameters` is the number of parameters of the problem.
     pub fn uses(&self, parameters: usize) -> Vec<usize> {
         match &self.rule {

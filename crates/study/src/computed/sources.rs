@@ -11,6 +11,9 @@ use slipgap_solver::expression::FUNCTIONS;
 /// The words before the values of a reference case.
 pub const RELATIVE: &str = " relative to ";
 
+/// The key of the metric that `calibrate` minimises.
+pub const MINIMISE: &str = "minimise";
+
 /// The keys of a metric with a name, each with its meaning.
 pub(crate) const NAMED: [(&str, &str); 3] = [
     ("value", "the metric, arithmetic of metrics, or a ratio"),
@@ -125,9 +128,17 @@ pub fn reduced<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
         .collect()
 }
 
-/// The texts of checks and figures where a metric is expected.
+/// The metric that `calibrate` minimises.
+pub fn minimised<'a>(root: &Object<'a>) -> Option<Source<'a>> {
+    let node = root.get("calibrate")?;
+    let minimised = members(node).find(|member| member.key == MINIMISE)?;
+    let path = join("calibrate", MINIMISE);
+    source(&minimised.node, path, None)
+}
+
+/// The texts of checks, figures and `calibrate` where a metric is expected.
 pub fn shown<'a>(root: &Object<'a>) -> Vec<Source<'a>> {
-    let mut found = Vec::new();
+    let mut found: Vec<Source> = minimised(root).into_iter().collect();
     for key in ["checks", "figures"] {
         let Some(node) = root.get(key) else {
             continue;

@@ -22,11 +22,12 @@ use crate::source::object::Object;
 use crate::source::place::Texts;
 use crate::source::setting;
 use crate::source::tree::{Node, Tree};
+use crate::structure::measured::KEY as MEASURED;
 use crate::structure::names::SHOWN;
 use crate::structure::{self, own_records, record_axis};
 use crate::units::Units;
 use crate::value::{self, name};
-use crate::{Check, Figure, Study, computed, reduction};
+use crate::{Check, Figure, Study, calibrate, computed, reduction};
 use blocks::{BLOCK_KEYS, blocks};
 use checks::check;
 use ensemble::ensemble;
@@ -36,7 +37,7 @@ use std::sync::Arc;
 use validate::MOST_CASES;
 
 /// The keys of a study, each with its meaning.
-pub(crate) const KEYS: [(&str, &str); 14] = [
+pub(crate) const KEYS: [(&str, &str); 15] = [
     (
         "$schema",
         "location of the schema, for editors; slipgap ignores it",
@@ -48,6 +49,7 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
         "structure",
         "masses, bars, springs, contacts and loads of a study of structures",
     ),
+    structure::measured::KEY,
     (
         "blocks",
         "several sets of parameters instead of one; their cases follow one another",
@@ -69,6 +71,10 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     (
         "iteration",
         "converged (if left out), or once: each step is solved once with the matrices of the papers, without iteration",
+    ),
+    (
+        "calibrate",
+        "free parameters with their ranges and the metric to minimise, for `slipgap calibrate`",
     ),
     ("figures", "figures to draw"),
     ("checks", "limits that `slipgap check` tests"),
@@ -107,6 +113,18 @@ impl Input {
     /// # Errors
     /// Every fault of the text and of the settings.
     pub fn study(&self, limit: u64) -> Result<Study, Error> {
+        self.decoded(self.expanded()?, limit, true)
+    }
+
+    /// The study that an edited tree describes. Parameters that it does not use any more are no fault.
+    pub(crate) fn edited(&self, limit: u64, edit: impl FnOnce(&mut Node)) -> Result<Study, Error> {
+        let mut expanded = self.expanded()?;
+        edit(&mut expanded.root);
+        self.decoded(expanded, limit, false)
+    }
+
+    /// The tree with the settings and the lists of files in it.
+    pub(crate) fn expanded(&self) -> Result<Expanded<'_>, Error> {
         let mut root = tree_of(&self.file, &self.text)?;
         let mut texts = Texts::new(&self.file, &self.text);
         let settings = self.settings.iter();
@@ -132,8 +150,22 @@ impl Input {
             .iter()
             .map(|setting| [setting.name().to_owned(), setting.name().to_owned()]);
         let of_records = seed.map(|seed| [seed, own_records::RECORD.to_owned()]);
-        let set = set.chain(of_records).collect();
-        match study(&root, limit, &self.folder, set, &mut faults) {
+        Ok(Expanded {
+            root,
+            texts,
+            set: set.chain(of_records).collect(),
+            faults,
+        })
+    }
+
+    fn decoded(&self, expanded: Expanded, limit: u64, whole: bool) -> Result<Study, Error> {
+        let Expanded {
+            root,
+            texts,
+            set,
+            mut faults,
+        } = expanded;
+        match study(&root, limit, &self.folder, (set, whole), &mut faults) {
             Some(study) if faults.count() == 0 => Ok(Study {
                 settings: self.settings.clone(),
                 sha256: self.sha256(),
@@ -144,13 +176,24 @@ impl Input {
     }
 }
 
+/// The tree of a study with the settings and the lists of files in it.
+pub(crate) struct Expanded<'a> {
+    pub root: Node,
+    /// The texts of its places.
+    texts: Texts<'a>,
+    /// The parameters that the command line set, each with the name of its setting.
+    set: Vec<[String; 2]>,
+    /// The faults found so far.
+    faults: Faults,
+}
+
 /// The study at `root`, of at most `limit` raw combinations, without its settings and hash; records are in `folder`. The command
-/// line set the parameters `set`, each with the name of its setting.
+/// line set the parameters `set`, each with the name of its setting. Of a study that is not `whole`, unused parameters are no fault.
 pub(crate) fn study(
     root: &Node,
     limit: u64,
     folder: &Path,
-    set: Vec<[String; 2]>,
+    (set, whole): (Vec<[String; 2]>, bool),
     faults: &mut Faults,
 ) -> Option<Study> {
     let keys: Vec<&str> = KEYS.iter().chain(&BLOCK_KEYS).map(|key| key.0).collect();
@@ -161,7 +204,7 @@ pub(crate) fn study(
     };
     string("$schema");
     let title = string("title").unwrap_or_default();
-    let problem = problem(&object, root, folder, faults);
+    let problem = problem(&object, (root, whole), folder, faults);
     let blocks = blocks(&object, problem.as_deref(), limit, faults);
     let units = object
         .get("units")
@@ -195,6 +238,7 @@ pub(crate) fn study(
     );
     scope.measures.extend(reductions);
     scope.ensemble = ensemble(&object, &scope, faults);
+    let calibrate = calibrate::decode::calibrate(&object, &scope, faults);
     let checks = object.items("checks", faults, |node, path, faults| {
         check(node, path, &scope, faults)
     });
@@ -211,6 +255,7 @@ pub(crate) fn study(
         measures: scope.measures,
         blocks: scope.blocks,
         ensemble: scope.ensemble.unwrap_or_default(),
+        calibrate,
         figures,
         checks,
         settings: Vec::new(),
@@ -221,7 +266,7 @@ pub(crate) fn study(
 /// The problem by its name. A misspelt name is a fault; the nearest problem is then used to find further faults.
 fn problem(
     object: &Object,
-    root: &Node,
+    root: (&Node, bool),
     folder: &Path,
     faults: &mut Faults,
 ) -> Option<Arc<dyn Problem>> {
@@ -232,6 +277,11 @@ fn problem(
     if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get("structure")) {
         let message = format!("only a study with \"problem\": \"{NAME}\" has this key");
         faults.add(node.at, "structure", message);
+    }
+    if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(MEASURED.0)) {
+        let message =
+            format!("only a study with \"problem\": \"{NAME}\" compares with measurements");
+        faults.add(node.at, MEASURED.0, message);
     }
     if let (Some(_), Some(node)) = (row.filter(|_| !of_structure), object.get(SHOWN.0)) {
         let message = format!("only a study with \"problem\": \"{NAME}\" names its parameters");

@@ -7,6 +7,7 @@ use super::{figures, structure_page};
 use crate::axes::axis_rule::RULES;
 use crate::axes::design;
 use crate::axes::interval::INTERVALS;
+use crate::calibrate;
 use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
@@ -51,6 +52,7 @@ pub fn reference() -> String {
         .replace("{{figures}}", &figures::reference())
         .replace("{{words}}", &list(&OPERATORS))
         .replace("{{reduced}}", &code(&reduced::KINDS))
+        .replace("{{calibrate}}", &list(&calibrate::decode::KEYS))
         .replace("{{checks}}", &list(&checks::KEYS))
         .replace("{{warnings}}", &warnings())
 }

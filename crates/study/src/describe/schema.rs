@@ -10,6 +10,7 @@ use super::values::{
     refer, rule, value,
 };
 use crate::axes::design;
+use crate::calibrate;
 use crate::computed::sources::NAMED;
 use crate::decode::blocks::BLOCK_KEYS;
 use crate::decode::{self, checks, units};
@@ -121,6 +122,7 @@ fn of_problem(problem: &dyn Problem, definitions: &mut Map<String, Json>) -> Jso
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "metrics": listed_metrics(&metric),
             "ensemble": several(parameter_names(problem, false)),
+            "calibrate": false,
             "units": if problem.schema().units.is_empty() { json!(false) } else { units() },
             "figures": { "items": figure },
             "checks": { "items": check(problem) },
@@ -335,6 +337,31 @@ fn width() -> Json {
 /// A width in mm, and the two ends of an axis.
 pub(super) fn width_and_pair() -> (Json, Json) {
     (width(), pair())
+}
+
+/// The key `calibrate`.
+pub(super) fn calibrate() -> Json {
+    let mut properties = Map::new();
+    for ((key, meaning), schema) in calibrate::decode::KEYS.into_iter().zip([
+        json!({ "type": "string" }),
+        number(Range::NotNegative),
+        number(Range::Positive),
+    ]) {
+        let mut schema = schema;
+        schema["description"] = meaning.into();
+        properties.insert(key.into(), schema);
+    }
+    properties.insert("//".into(), json!({ "description": "a remark" }));
+    let (key, meaning) = calibrate::range::LOG;
+    let mut log = pair();
+    log["description"] = meaning.into();
+    let log = object(Map::from_iter([(key.to_owned(), log)]), &[key]);
+    json!({
+        "type": "object",
+        "properties": properties,
+        "required": [calibrate::decode::KEYS[0].0],
+        "additionalProperties": { "anyOf": [pair(), log], "description": "range of a free parameter" },
+    })
 }
 
 /// Two numbers.

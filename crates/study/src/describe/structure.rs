@@ -1,6 +1,8 @@
 //! The schema of studies of structures, whose parameters, channels and metrics have free names.
 
-use super::schema::{block_keys, computed, listed_metrics, reduction, several, width_and_pair};
+use super::schema::{
+    block_keys, calibrate, computed, listed_metrics, reduction, several, width_and_pair,
+};
 use super::values::{INTERVAL, RULE, expression, names, number, object, ratio, refer};
 use crate::decode::checks;
 use crate::figure::keys::{COMMON, FITS, Key, ORDINATES, RIDGES, SCALES, Takes};
@@ -39,12 +41,14 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
     json!({
         "if": { "properties": { "problem": { "const": NAME } }, "required": ["problem"] },
         "then": { "required": ["structure"], "properties": {
+            "measured": measured(),
             "problem": { "description": MEANING },
             "parameters": parameters,
             "blocks": { "minItems": 1, "items": object(block, &["parameters"]) },
             "structure": structure,
             "metrics": listed_metrics(&metric),
             "ensemble": several(json!({ "type": "string" })),
+            "calibrate": calibrate(),
             "units": false,
             "figures": { "items": {
                 "type": "object",
@@ -54,7 +58,7 @@ pub(super) fn rules(definitions: &mut Map<String, Json>) -> Json {
             } },
             "checks": { "items": check(&json!({ "anyOf": [metric, reduction(), computed()] })) },
         } },
-        "else": { "properties": { "structure": false } },
+        "else": { "properties": { "structure": false, "measured": false } },
     })
 }
 
@@ -309,6 +313,20 @@ fn all_of_displacement() -> Json {
 
 fn imposed() -> Json {
     described(keys::IMPOSED, |_| numbers(), &["t", "u"])
+}
+
+/// What was measured.
+fn measured() -> Json {
+    let text = || json!({ "type": "string" });
+    let column = json!({ "anyOf": [text(), described(keys::COLUMN, |_| text(), &["column"])] });
+    let value = |key: &str| match key {
+        "file" => json!({ "anyOf": [text(), files()] }),
+        "time" => column.clone(),
+        "columns" => named(column.clone()),
+        _ => any(),
+    };
+    let required = keys::names(&keys::MEASURED[..3]);
+    described(keys::MEASURED, value, &required)
 }
 
 /// The name of a metric.

@@ -6,7 +6,7 @@ use slipgap_solver::problem::structure::channel::{
     OF_BASE, OF_ENERGY, OF_GROUND, OF_NODES, OF_SPRINGS, QUANTITIES,
 };
 use slipgap_solver::problem::structure::contacts::NAMES;
-use slipgap_solver::problem::structure::metric::REDUCTIONS;
+use slipgap_solver::problem::structure::metric::{REDUCTIONS, of_measured};
 use slipgap_solver::problem::structure::schema::{FIXED, MEANING, NAME};
 
 /// Name of the page.
@@ -70,6 +70,15 @@ pub(super) fn reference() -> String {
             keys::SUPPORT,
         ),
         keys("`displacement`:", keys::IMPOSED),
+        "## Measurements".into(),
+        keys(
+            "The key `measured` of the study, beside `structure`:",
+            keys::MEASURED,
+        ),
+        keys(
+            "A column with its unit, for `time` and in `columns`:",
+            keys::COLUMN,
+        ),
         "## Channels".into(),
         keys(
             "Channels are the following, and sums and differences of one dimension, such as `g1.right - p2`. Figures draw them and \
@@ -93,6 +102,11 @@ pub(super) fn reference() -> String {
              `impacts(gap12)`, and measures of the ground, of several directions with the direction, such as `ground.y.pga`. In the \
              formulas c is computed.",
             &REDUCTIONS,
+        ),
+        keys(
+            "With `, measured` behind the channel or contact they compare with the columns of `measured`. All reductions with `measured` \
+             take the computed motion at the measured times, straight between the steps. m is measured, W the energy of a cycle:",
+            &of_measured(),
         ),
     ];
     sections.join("\n\n") + "\n"

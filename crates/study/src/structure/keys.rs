@@ -412,6 +412,35 @@ pub(crate) const GRAVITY: (&str, &str) = (
 /// Keys of a start.
 pub(crate) const START: Keys = &[("u", "displacement"), ("v", "velocity")];
 
+/// Keys of `measured`.
+pub(crate) const MEASURED: Keys = &[
+    (
+        "file",
+        "CSV file with a line of names above its columns, its path relative to the study; a parameter that chooses it; or {\"files\": ...} as an axis",
+    ),
+    (
+        "time",
+        "name of the column of times, or an object with its unit",
+    ),
+    (
+        "columns",
+        "for each measured channel the name of its column, or an object with its unit",
+    ),
+    (
+        "delay",
+        "time of the file that is t = 0 of the motion; 0 if left out. Metrics compare the points that are within the motion for every delay of the study",
+    ),
+];
+
+/// Keys of a column of `measured`.
+pub(crate) const COLUMN: Keys = &[
+    ("column", "its name in the file"),
+    (
+        "unit",
+        "its unit, such as mm, kip, g or mm/s; if left out, that of the study",
+    ),
+];
+
 /// Names of the references.
 pub(crate) const REFERENCES: [&str; 2] = ["softened", "rigid"];
 

@@ -1,12 +1,14 @@
 //! Structures in studies: the key `structure`, the names of parameters, and the metrics and channels that a study uses.
 
 mod contacts;
+mod delays;
 mod doubts;
 mod files;
 pub(super) mod keys;
 mod labels;
 mod loads;
 mod matrices;
+pub(super) mod measured;
 mod named_metrics;
 pub(super) mod names;
 pub(super) mod own_records;
@@ -35,10 +37,11 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The problem of the study at `root`, with records from `folder`; `None` if the structure has a fault.
+/// The problem of the study at `root`, with records from `folder`; `None` if the structure has a fault. In a part of a study, unused
+/// parameters are no fault.
 pub(super) fn problem(
     root: &Object,
-    root_node: &Node,
+    (root_node, whole): (&Node, bool),
     folder: &Path,
     faults: &mut Faults,
 ) -> Option<Arc<dyn Problem>> {
@@ -127,6 +130,7 @@ pub(super) fn problem(
         at_rest: parts::static_loads(&object, &reader, faults),
         start: parts::start(&object, &reader, faults),
         reference: reference(&object, faults),
+        measured: None,
         observed: false,
     };
     let decoded = template.contacts.iter().map(|contact| contact.name.clone());
@@ -144,7 +148,10 @@ pub(super) fn problem(
     let known = known.with_structure(&template);
     let mut metrics = named_metrics::metrics(root, &known, faults);
     named_metrics::measures(&mut metrics, &template, &reader, faults);
-    let drawn = named_metrics::drawn(root, &known, faults);
+    let mut drawn = named_metrics::drawn(root, &known, faults);
+    let measured = measured::decode(root, (&known, &template.units), &reader, &mut drawn, faults);
+    template.measured = measured.map(|own| delays::known(own, root_node, reader.table));
+    named_metrics::report_not_measured(root, &metrics, template.measured.as_ref(), faults);
     let reduced = (&of_matrices[..], modes);
     matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);
     named_metrics::report_errors_without_reference(
@@ -163,7 +170,7 @@ pub(super) fn problem(
         })
         .collect();
     // A faulty value may be the one that contains the name.
-    if faults.count() == before {
+    if whole && faults.count() == before {
         let in_metrics = |name: &str| named_metrics::names_parameter(root, name);
         names::report_unused(
             root_node,
@@ -175,7 +182,9 @@ pub(super) fn problem(
     }
     let mut notes = Vec::from_iter(records::note(&reader));
     notes.extend(doubts::notes(&template, &reader.names, node));
-    let identity = names::identity(node, &reader.records.borrow());
+    let of_measured = root.get(measured::KEY.0).zip(template.measured.as_ref());
+    let of_measured = of_measured.map(|(node, own)| (node, own.delays));
+    let identity = names::identity(node, of_measured, &reader.records.borrow());
     let schema = schema::schema(&parameters, &metrics, &drawn, &template.units);
     (faults.count() == before).then(|| {
         Arc::new(StructureProblem::new(

@@ -1,5 +1,6 @@
 //! The metrics and channels that a study names, which become the tables of its problem.
 
+use super::measured::KEY;
 use super::reader::Reader;
 use crate::computed::sources::{self, Source, is_arithmetic};
 use crate::reduction::decode;
@@ -11,6 +12,7 @@ use slipgap_solver::expression::printable;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::{Channel, UNKNOWN};
 use slipgap_solver::problem::structure::loads::Kind;
+use slipgap_solver::problem::structure::measured::{Measured, measured_loop};
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
 use slipgap_solver::problem::structure::metric_pieces::{Piece, pieces};
 use slipgap_solver::problem::structure::names::Names;
@@ -26,7 +28,7 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
         }
         match StructureMetric::parse(text, names) {
             Ok(metric) => {
-                if metric.reduction.needs_exact() {
+                if metric.needs_exact() {
                     let channel = metric.channel.as_ref();
                     refuse_energy(channel, text, (at, path), faults);
                 }
@@ -46,6 +48,8 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
                     name: text.trim().to_owned(),
                     reduction: Reduction::EnergyError,
                     channel: None,
+                    second: None,
+                    measured: false,
                     contact: None,
                     threshold: 0.0,
                     ground: None,
@@ -72,6 +76,12 @@ pub(super) fn metrics(root: &Object, names: &Names, faults: &mut Faults) -> Vec<
                     add(text, at, path, faults);
                 }
             });
+        }
+    }
+    if let Some(own) = sources::minimised(root).filter(|own| is_plain(own.text)) {
+        let is_name = !own.text.contains('(') || named.contains(&own.text);
+        if !is_name || looks_like_metric(own.text) {
+            add(own.text, own.at, &own.path, faults);
         }
     }
     for own in sources::shown(root) {
@@ -155,6 +165,56 @@ pub(super) fn measures(
     }
 }
 
+/// Reports metrics of what was not measured.
+pub(super) fn report_not_measured(
+    root: &Object,
+    metrics: &[StructureMetric],
+    measured: Option<&Measured>,
+    faults: &mut Faults,
+) {
+    let needs = metrics.iter().filter(|metric| metric.measured);
+    for metric in needs {
+        let (at, path) = &metric.place;
+        let name = quoted(&metric.name);
+        let Some(measured) = measured else {
+            // With a fault of its own, the key says why.
+            if root.get(KEY.0).is_none() {
+                let message = format!("{name} needs the key \"{}\" of the study", KEY.0);
+                faults.add(*at, path, message);
+            }
+            continue;
+        };
+        let of_contact = metric.contact.map(measured_loop).into_iter().flatten();
+        let own = metric.channel.iter().chain(&metric.second).cloned();
+        for channel in own.chain(of_contact) {
+            if measured.channel(&channel).is_none() {
+                let known = measured.channels.iter();
+                let known: Vec<&str> = known.map(|own| own.0.name.as_str()).collect();
+                let channel = match metric.contact {
+                    Some(_) => format!("{}.{}", contact_of(&metric.name), channel.name),
+                    None => channel.name,
+                };
+                let message = format!(
+                    "{name}: {channel} is not among the columns of \"{}\"; there are {}",
+                    KEY.0,
+                    known.join(", ")
+                );
+                faults.add(*at, path, message);
+            }
+        }
+    }
+}
+
+/// The contact in the text of a metric, without its quantity.
+fn contact_of(metric: &str) -> &str {
+    let (_, inside) = metric.split_once('(').unwrap_or_default();
+    let first = inside.split(',').next().unwrap_or_default().trim();
+    match first.rsplit_once('.') {
+        Some((contact, "r" | "S" | "rdot" | "slip" | "limit")) => contact,
+        _ => first,
+    }
+}
+
 /// Reports an error of an energy.
 fn refuse_energy(
     channel: Option<&Channel>,
@@ -172,7 +232,7 @@ fn refuse_energy(
 }
 
 /// Why a text is no channel, with the nearest channel to an unknown name.
-fn hinted(why: &str, names: &Names) -> String {
+pub(super) fn hinted(why: &str, names: &Names) -> String {
     let why = printable(why);
     let unknown = why
         .strip_prefix(UNKNOWN)

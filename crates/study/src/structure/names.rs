@@ -1,6 +1,7 @@
 //! The names that a study gives its parameters, and the identity of its structure.
 
 use super::labels::{is_label, labels, report_texts_of_tables};
+use super::measured::KEY;
 use super::reader::{Reader, is_name};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
@@ -15,6 +16,9 @@ use slipgap_solver::problem::parameter::{Kind, Parameter};
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::metric::OF_ALL;
 use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
+
+/// The key of measurements.
+const MEASURED: &str = KEY.0;
 
 /// The names that a parameter chooses from, each with its meaning.
 pub(super) type Choices = &'static [(&'static str, &'static str)];
@@ -122,10 +126,14 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
         own.flat_map(|(member, _)| texts(&member.node)).collect()
     };
     let mut found: Vec<(String, Choices)> = Vec::new();
-    for key in ["law", "record", "M", "K", "C"] {
+    for key in ["law", "record", "M", "K", "C", MEASURED] {
         let mut names = Vec::new();
         // A mass may have the name of a matrix.
         match (key, member(structure, "matrices")) {
+            (MEASURED, _) => {
+                let file = member(root, key).and_then(|own| member(own, "file"));
+                names.extend(file.into_iter().flat_map(texts));
+            }
             ("law" | "record", _) => under(structure, key, &mut names),
             (_, Some(matrices)) => under(matrices, key, &mut names),
             (_, None) => {}
@@ -142,7 +150,11 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
                     for file in values(name) {
                         let file = interned(file);
                         if !files.iter().any(|known| known.0 == file) {
-                            files.push((file, if key == "record" { key } else { "matrix" }));
+                            let what = match key {
+                                "record" | MEASURED => key,
+                                _ => "matrix",
+                            };
+                            files.push((file, what));
                         }
                     }
                     interned_choices(files)
@@ -318,8 +330,13 @@ pub(super) fn report_unused(
     }
 }
 
-/// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records.
-pub(super) fn identity(structure: &Node, records: &[(String, Vec<u8>)]) -> String {
+/// A hash of what the structure says, without places and remarks, and behind a point one of the names and bytes of its records. What
+/// `measured` says belongs to it, with the range of the delays, which decides the points that are compared.
+pub(super) fn identity(
+    structure: &Node,
+    measured: Option<(&Node, [f64; 2])>,
+    records: &[(String, Vec<u8>)],
+) -> String {
     let mut digest = Sha256::new();
     for (name, bytes) in records {
         digest.update(name.as_bytes());
@@ -328,7 +345,12 @@ pub(super) fn identity(structure: &Node, records: &[(String, Vec<u8>)]) -> Strin
         digest.update(bytes);
     }
     let hex = |bytes: &[u8]| -> String { bytes.iter().map(|byte| format!("{byte:02x}")).collect() };
-    let structure = Sha256::digest(written(structure));
+    let mut written = written(structure);
+    if let Some((node, delays)) = measured {
+        written += &self::written(node);
+        written += &format!("{delays:?}");
+    }
+    let structure = Sha256::digest(written);
     let records = digest.finalize();
     format!("{}.{}", hex(&structure), hex(&records))
 }

@@ -1,13 +1,18 @@
-//! Record files by a folder or a pattern: `{"files": "records/*.smc"}` as the value of a parameter, or of `record` in the structure.
+//! Files by a folder or a pattern: `{"files": "records/*.smc"}` as the value of a parameter, of `record` in the structure, or of `file`
+//! in `measured`.
 //! It becomes the list of the files, which is what the rest of the reader sees.
 
 use super::keys::FILES;
+use super::measured::KEY;
 use super::names::{member, members, texts};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
 use crate::value::text;
 use std::path::Path;
+
+/// The key of measurements, and the parameter of their files.
+const MEASURED: &str = KEY.0;
 
 /// Most files of an axis.
 const MOST: usize = 10_000;
@@ -22,6 +27,12 @@ pub(crate) fn expand(root: &mut Node, folder: &Path, faults: &mut Faults) {
         return;
     };
     take(structure, "", "structure", &mut named);
+    if let Some(file) = root.member(MEASURED).and_then(|own| own.member("file"))
+        && has_files(file)
+    {
+        let path = join(MEASURED, "file");
+        named.push((replaced(file, MEASURED.to_owned()), path));
+    }
     for (path, block) in blocks(root) {
         let Some(parameters) = block.member("parameters") else {
             continue;
@@ -64,10 +75,7 @@ fn take(node: &mut Node, name: &str, path: &str, found: &mut Vec<(Member, String
                 let path = join(path, &member.key);
                 if member.key == "record" && has_files(&member.node) {
                     let key = format!("record{name}");
-                    let at = member.node.at;
-                    let tree = Tree::Text(key.clone());
-                    let node = std::mem::replace(&mut member.node, Node { at, tree });
-                    found.push((Member { key, at, node }, path));
+                    found.push((replaced(&mut member.node, key), path));
                     continue;
                 }
                 // The ground in x is `record_x`, a support `record_left`.
@@ -85,6 +93,14 @@ fn take(node: &mut Node, name: &str, path: &str, found: &mut Vec<(Member, String
         }
         Tree::Text(_) | Tree::Number(_) | Tree::Bool(_) | Tree::Null => {}
     }
+}
+
+/// Puts the name of a parameter in the place of a value; gives the parameter with the value.
+fn replaced(node: &mut Node, key: String) -> Member {
+    let at = node.at;
+    let tree = Tree::Text(key.clone());
+    let node = std::mem::replace(node, Node { at, tree });
+    Member { key, at, node }
 }
 
 /// The study, or its blocks, each with its path.

@@ -13,6 +13,10 @@ pub struct StructureMetric {
     pub reduction: Reduction,
     /// The channel; none for measures of the ground, `energy_error` and `numerical_dissipation`.
     pub channel: Option<Channel>,
+    /// The second channel of a loop.
+    pub second: Option<Channel>,
+    /// Whether it compares with what was measured.
+    pub measured: bool,
     /// The contact of a reduction of contacts, by its place in the list.
     pub contact: Option<usize>,
     /// The threshold of a divergence, over the peak.
@@ -45,6 +49,10 @@ enum Takes {
     Contact,
     Nothing,
     ChannelAndThreshold,
+    ChannelOrMeasured,
+    MeasuredChannel,
+    ContactOrMeasured,
+    MeasuredLoop,
     Ground,
     GroundAndOscillator,
 }
@@ -64,9 +72,9 @@ reductions! {
     ResidualSlip "residual_slip" Contact "slip at the last step minus slip at t = 0",
     EnergyError "energy_error" Nothing "largest work of unbalanced forces up to any step, over the largest energy (kinetic, strain, and stored in contacts); numerical dissipation does not count",
     NumericalDissipation "numerical_dissipation" Nothing "energy that the method takes from the structure up to the last step, over the largest energy (kinetic, strain, and stored in contacts); below 0 where it adds energy; 0 to round-off for average-acceleration",
-    RmsError "rms_error" Channel "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",
-    LastError "last_error" Channel "abs(c - e) at the last step, such as the error of a residual displacement; e is the exact motion of contacts_reference",
-    PeakError "peak_error" Channel "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
+    RmsError "rms_error" ChannelOrMeasured "sqrt(mean (c - e)^2) over the steps; e is the exact motion of contacts_reference",
+    LastError "last_error" ChannelOrMeasured "abs(c - e) at the last step, such as the error of a residual displacement; e is the exact motion of contacts_reference",
+    PeakError "peak_error" ChannelOrMeasured "abs(peak c - peak e) over the steps; e is the exact motion of contacts_reference",
     RegularisationError "regularisation_error" Channel "sqrt(mean (g - e)^2); g is the exact motion of the softened laws, e that of the rigid laws",
     StepError "step_error" Channel "sqrt(mean (c - g)^2); g is the exact motion of the softened laws",
     ReferenceError "reference_error" Channel "estimated error of g, where it is integrated because a law is not of straight lines: sqrt(mean (g - h)^2) at every third step and the last one, g with a tolerance of 1e-12 and h with 1e-10; empty where g is by events",
@@ -75,6 +83,11 @@ reductions! {
     Divergence "divergence" ChannelAndThreshold "first time at which this run and one with start and loads 1e-10 larger differ by more than the threshold times the peak; empty where never",
     ImpactsBeforeDivergence "impacts_before_divergence" ChannelAndThreshold "sum of impacts over all contacts that are impacts, of the steps before divergence; of all steps where it never comes",
     Difference "difference" Channel "largest difference over the steps between this run and one with start and loads 1e-10 larger, over the peak; empty where the channel is always 0",
+    SpragueGeersMagnitude "sprague_geers_magnitude" MeasuredChannel "M = sqrt(I_cc/I_mm) - 1 with I_xy the integral of x y over the measured times by trapezoids: M > 0 where the computed motion is larger than the measured one",
+    SpragueGeersPhase "sprague_geers_phase" MeasuredChannel "P = acos(I_cm/sqrt(I_cc I_mm))/pi: 0 for the same shape, 0.5 without correlation, 1 for the opposite sign",
+    SpragueGeersCombined "sprague_geers_combined" MeasuredChannel "sqrt(M^2 + P^2) of sprague_geers_magnitude and sprague_geers_phase",
+    EnergyPerCycle "energy_per_cycle" ContactOrMeasured "mean over the whole cycles of the integral of S dr; a cycle begins where r rises through the middle of its extremes after it was clearly below it; empty without a whole cycle",
+    LoopDistance "loop_distance" MeasuredLoop "distance of the computed loop of two channels from the measured one, whatever the time: each over half its measured range, then the larger of the mean distances from the points of one loop to the lines of the other",
     GroundPga "ground.pga" Ground "largest acceleration of the ground as the structure gets it",
     GroundPgv "ground.pgv" Ground "largest velocity of the ground: its acceleration, straight between the points, integrated from rest; also between the points",
     GroundPgd "ground.pgd" Ground "largest displacement of the ground: its acceleration integrated twice from rest; a baseline changes it much",
@@ -84,7 +97,32 @@ reductions! {
     GroundMeanPeriod "ground.Tm" Ground "mean of 1/f weighted by the squared Fourier amplitudes from 0.25 to 20 Hz (Rathje et al. 1998)",
 }
 
-/// Reductions that compare with an exact motion.
+/// What errors with `, measured` are: `m` is measured, `c` computed, straight between the steps.
+const OF_MEASURED: [(Reduction, &str); 4] = [
+    (
+        Reduction::RmsError,
+        "sqrt(mean (c - m)^2) at the measured times",
+    ),
+    (
+        Reduction::LastError,
+        "abs(c - m) at the last measured time that is compared",
+    ),
+    (
+        Reduction::PeakError,
+        "abs(peak c - peak m) at the measured times",
+    ),
+    (
+        Reduction::EnergyPerCycle,
+        "mean abs(W_c - W_m) over mean abs(W_m), over the cycles of the measured r; empty without a whole cycle",
+    ),
+];
+
+/// The reductions of the computed motion that may also compare with what was measured, each with what it then is.
+pub fn of_measured() -> [(&'static str, &'static str); 4] {
+    OF_MEASURED.map(|(reduction, meaning)| (reduction.name(), meaning))
+}
+
+/// Reductions that compare with an exact motion, unless they compare with what was measured.
 pub const ERRORS: [Reduction; 7] = [
     Reduction::RmsError,
     Reduction::LastError,
@@ -102,11 +140,6 @@ impl Reduction {
             self,
             Reduction::Divergence | Reduction::ImpactsBeforeDivergence | Reduction::Difference
         )
-    }
-
-    /// Whether it compares with an exact motion.
-    pub fn needs_exact(self) -> bool {
-        ERRORS.contains(&self)
     }
 
     /// Its name.
@@ -135,6 +168,23 @@ pub fn looks_like_metric(text: &str) -> bool {
 }
 
 impl StructureMetric {
+    /// Whether it is one of these reductions, and not of what was measured.
+    pub fn is_exact(&self, reductions: &[Reduction]) -> bool {
+        !self.measured && reductions.contains(&self.reduction)
+    }
+
+    /// Whether it compares with an exact motion.
+    pub fn needs_exact(&self) -> bool {
+        self.is_exact(&ERRORS)
+    }
+
+    /// Its meaning.
+    pub fn meaning(&self) -> &'static str {
+        let mut own = OF_MEASURED.iter().filter(|_| self.measured);
+        let own = own.find(|own| own.0 == self.reduction);
+        own.map_or(self.reduction.meaning(), |own| own.1)
+    }
+
     /// The metric of a text such as `peak(g1.right - p2)`.
     ///
     /// # Errors
@@ -162,12 +212,19 @@ impl StructureMetric {
             name: text.to_owned(),
             reduction,
             channel: None,
+            second: None,
+            measured: false,
             contact: None,
             threshold: 0.0,
             ground: None,
             place: (0, String::new()),
         };
-        let inside = inside.map(str::trim);
+        let mut inside = inside.map(str::trim);
+        if let Some(rest) = inside.and_then(before_measured) {
+            takes.check_measured(name)?;
+            metric.measured = true;
+            inside = Some(rest);
+        }
         match (takes, inside) {
             (Takes::Ground | Takes::GroundAndOscillator, inside) => {
                 let oscillator = takes == Takes::GroundAndOscillator;
@@ -177,15 +234,30 @@ impl StructureMetric {
             (Takes::Nothing, Some(_)) => return Err(format!("{name} has no channel")),
             (_, None | Some("")) => {
                 let what = match takes {
-                    Takes::Contact => "a contact",
+                    Takes::Contact | Takes::ContactOrMeasured => "a contact",
                     _ => "a channel",
                 };
                 return Err(format!("{name} needs {what} in brackets"));
             }
-            (Takes::Channel, Some(inside)) => {
+            (Takes::MeasuredChannel, _) if !metric.measured => {
+                return Err(format!(
+                    "{name} compares with what was measured: {name}(CHANNEL, {MEASURED})"
+                ));
+            }
+            (Takes::MeasuredLoop, Some(inside)) => {
+                let two = inside.split_once(',').filter(|_| metric.measured);
+                let (first, second) = two.ok_or_else(|| {
+                    format!(
+                        "{name} compares a loop of two channels with what was measured: {name}(CHANNEL, CHANNEL, {MEASURED})"
+                    )
+                })?;
+                metric.channel = Some(Channel::parse(first, names)?);
+                metric.second = Some(Channel::parse(second, names)?);
+            }
+            (Takes::Channel | Takes::ChannelOrMeasured | Takes::MeasuredChannel, Some(inside)) => {
                 metric.channel = Some(Channel::parse(inside, names)?);
             }
-            (Takes::Contact, Some(inside)) => {
+            (Takes::Contact | Takes::ContactOrMeasured, Some(inside)) => {
                 metric.contact = Some(contact(inside, names)?);
             }
             (Takes::ChannelAndThreshold, Some(inside)) => {
@@ -204,6 +276,39 @@ impl StructureMetric {
             }
         }
         Ok(metric)
+    }
+}
+
+/// The word behind the channel of a metric that compares with what was measured.
+pub const MEASURED: &str = "measured";
+
+/// What is before `, measured` in the brackets of a metric.
+fn before_measured(inside: &str) -> Option<&str> {
+    let (rest, last) = inside.rsplit_once(',')?;
+    (last.trim() == MEASURED).then_some(rest.trim())
+}
+
+impl Takes {
+    /// Whether the metric may compare with what was measured; if not, which ones may.
+    fn check_measured(self, name: &str) -> Result<(), String> {
+        let may = |takes: Takes| {
+            matches!(
+                takes,
+                Takes::ChannelOrMeasured
+                    | Takes::MeasuredChannel
+                    | Takes::ContactOrMeasured
+                    | Takes::MeasuredLoop
+            )
+        };
+        if may(self) {
+            return Ok(());
+        }
+        let all = REDUCTIONS.iter().zip(ALL).filter(|(_, own)| may(own.1));
+        let all: Vec<&str> = all.map(|(own, _)| own.0).collect();
+        Err(format!(
+            "{name} does not compare with what was measured; these do: {}",
+            all.join(", ")
+        ))
     }
 }
 

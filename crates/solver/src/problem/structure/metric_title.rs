@@ -6,6 +6,25 @@ use crate::problem::unit::Dimension;
 
 /// The title of a metric without its unit, such as `peak relative displacement a3 - a2`.
 pub fn title(metric: &StructureMetric) -> String {
+    let mut title = bare(metric);
+    if metric.measured && AGAINST.contains(&metric.reduction) {
+        title += " against what was measured";
+    }
+    title
+}
+
+/// Reductions whose name does not say that they are of what was measured.
+const AGAINST: [Reduction; 3] = [
+    Reduction::RmsError,
+    Reduction::LastError,
+    Reduction::PeakError,
+];
+
+fn bare(metric: &StructureMetric) -> String {
+    if let (Some(first), Some(second)) = (&metric.channel, &metric.second) {
+        let [first, second] = [described(first), described(second)];
+        return format!("distance of the loop of {first} and {second} from the measured one");
+    }
     match (&metric.channel, metric.ground.as_ref()) {
         (Some(channel), _) => of_channel(metric.reduction, &described(channel), metric.threshold),
         (None, Some(ground)) => {
@@ -76,6 +95,9 @@ fn of_channel(reduction: Reduction, channel: &str, threshold: f64) -> String {
         Reduction::StepError => format!("step error of {channel}"),
         Reduction::MeshError => format!("mesh error of {channel}"),
         Reduction::ReductionError => format!("reduction error of {channel}"),
+        Reduction::SpragueGeersMagnitude => format!("magnitude error (Sprague-Geers) of {channel}"),
+        Reduction::SpragueGeersPhase => format!("phase error (Sprague-Geers) of {channel}"),
+        Reduction::SpragueGeersCombined => format!("combined error (Sprague-Geers) of {channel}"),
         Reduction::Divergence => format!("time of divergence of {channel} by {threshold}"),
         Reduction::ImpactsBeforeDivergence => {
             format!("impacts before divergence of {channel} by {threshold}")
@@ -101,9 +123,12 @@ fn of_ground(reduction: Reduction) -> &'static str {
 /// The title of a metric of a contact or of the whole structure.
 fn of_contact(metric: &StructureMetric) -> String {
     let (_, rest) = metric.name.split_once('(').unwrap_or_default();
-    let contact = rest.trim_end_matches(')').trim();
+    let contact = rest.split([',', ')']).next().unwrap_or_default().trim();
     match (metric.reduction, contact) {
         (other, "") => words(other.name()),
+        (Reduction::EnergyPerCycle, _) if metric.measured => {
+            format!("relative error of the energy per cycle of {contact}")
+        }
         (Reduction::Impacts, _) => format!("number of impacts of {contact}"),
         (other, _) => format!("{} of {contact}", words(other.name())),
     }

@@ -1,6 +1,8 @@
 //! The metrics of a case from its recorded motions.
 
 use super::channel::{Channel, Number, Quantity};
+use super::measured::Compared;
+use super::measured_metrics;
 use super::metric::{Reduction, StructureMetric};
 use super::motion::Energies;
 use super::node::Numbering;
@@ -70,13 +72,14 @@ impl Recorded {
 
 /// The quantities that a metric of a structure with so many contacts needs.
 pub fn needed(metric: &StructureMetric, numbering: &Numbering, contacts: usize) -> Vec<Number> {
-    let channel = metric.channel.iter();
-    let of_channel = channel.flat_map(|channel| channel.numbers(numbering));
+    let channels = metric.channel.iter().chain(&metric.second);
+    let of_channel = channels.flat_map(|channel| channel.numbers(numbering));
     let of_contact = metric.contact.into_iter().flat_map(|contact| {
         let quantities: &[Quantity] = match metric.reduction {
             Reduction::OpenTime => &[Quantity::Force, Quantity::Limit],
             Reduction::Work => &[Quantity::Force, Quantity::Displacement, Quantity::Velocity],
             Reduction::ResidualSlip => &[Quantity::Slip],
+            Reduction::EnergyPerCycle => &[Quantity::Force, Quantity::Displacement],
             _ => &[Quantity::Force],
         };
         quantities
@@ -120,6 +123,8 @@ pub struct MetricContext<'a> {
     pub structure: &'a Structure,
     /// Numbers of its nodes.
     pub numbering: &'a Numbering,
+    /// What was measured, if a metric compares with it.
+    pub compared: Option<&'a Compared<'a>>,
     /// Time step.
     pub dt: f64,
     /// Whether errors are against the motion of the rigid laws.
@@ -134,6 +139,9 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         Reduction::EnergyError => return Some(motions.energies?.error),
         Reduction::NumericalDissipation => return Some(motions.energies?.dissipation),
         _ => {}
+    }
+    if metric.measured {
+        return measured_metrics::value(metric, of, &motions.computed);
     }
     if let Some(contact) = metric.contact {
         return of_contact(metric.reduction, contact, of, &motions.computed);
@@ -202,6 +210,11 @@ pub fn value(metric: &StructureMetric, of: MetricContext, motions: &Motions) -> 
         | Reduction::OpenTime
         | Reduction::Work
         | Reduction::ResidualSlip
+        | Reduction::SpragueGeersMagnitude
+        | Reduction::SpragueGeersPhase
+        | Reduction::SpragueGeersCombined
+        | Reduction::EnergyPerCycle
+        | Reduction::LoopDistance
         | Reduction::EnergyError
         | Reduction::NumericalDissipation
         | Reduction::GroundPga
@@ -245,6 +258,9 @@ fn of_contact(
                 true => reduce::work_of_impulses(force, series(Quantity::Velocity), of.dt),
                 false => reduce::work(force, series(Quantity::Displacement)),
             })
+        }
+        Reduction::EnergyPerCycle => {
+            measured_metrics::energy_per_cycle(series(Quantity::Displacement), force)
         }
         Reduction::ResidualSlip => {
             let slip = series(Quantity::Slip);

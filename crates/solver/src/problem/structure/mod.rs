@@ -15,6 +15,8 @@ mod ground;
 pub mod ground_metric;
 pub mod loads;
 mod massless;
+pub mod measured;
+mod measured_metrics;
 pub mod metric;
 pub mod metric_pieces;
 mod metric_title;
@@ -36,7 +38,7 @@ mod supports;
 mod sweep;
 pub mod template;
 pub mod unit_consistency;
-mod units;
+pub mod units;
 mod warn;
 
 pub use ground::GroundMotion;
@@ -46,7 +48,9 @@ pub use signal_cache::MOST_NUMBERS as MOST_SAMPLED;
 use super::cases::Cases;
 use super::method;
 use super::unit::Dimension;
-use super::{Case, HistoryColumn, Problem, Samples, Schema, Solution, Violation, time_rules};
+use super::{
+    Case, HistoryColumn, MeasuredChannel, Problem, Samples, Schema, Solution, Violation, time_rules,
+};
 use crate::history::History;
 use crate::methods::Method;
 use crate::solve::structure::{critical_fault, settle};
@@ -231,6 +235,13 @@ impl StructureProblem {
         metrics.filter_map(measure).collect()
     }
 
+    /// Enough measured times are within the motion of a case.
+    fn check_measured(&self, case: &Case) -> Option<Violation> {
+        let measured = self.template.measured.as_ref()?;
+        let dt = case.at(self.schema.step)?;
+        measured.in_case(case, dt, self.steps(case)).err()
+    }
+
     /// Every channel has its nodes in a case.
     fn check_channels(&self, numbering: &Numbering, case: &Case) -> Vec<Violation> {
         let metrics = self.metrics.iter();
@@ -301,6 +312,7 @@ impl Problem for StructureProblem {
             Ok(numbering) => {
                 violations.extend(self.check_channels(&numbering, case));
                 violations.extend(self.check_measures(case));
+                violations.extend(self.check_measured(case));
                 let contacts = self.template.contacts.len();
                 let numbers = (2 * numbering.nodes() + 3 * contacts) as f64;
                 let steps = duration / step;
@@ -401,8 +413,31 @@ impl Problem for StructureProblem {
         }
     }
 
+    fn measured(&self, case: &Case) -> Vec<MeasuredChannel> {
+        let (Some(measured), Some(dt)) = (&self.template.measured, case.at(self.schema.step))
+        else {
+            return Vec::new();
+        };
+        match measured.in_case(case, dt, self.steps(case)) {
+            Ok(compared) => compared.channels(),
+            Err(_) => Vec::new(),
+        }
+    }
+
     fn diverges(&self, case: &Case) -> Option<bool> {
         self.case_diverges(case)
+    }
+
+    fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
+        let equations = |case: &Case| {
+            let ready = self.ready(0, case).ok()?;
+            // The text has every number in the shortest form that reads back the same.
+            Some(format!(
+                "{:?} {:?} {:?} {}",
+                ready.structure, ready.method, ready.dt, ready.last
+            ))
+        };
+        equations(one).is_some_and(|own| equations(other) == Some(own))
     }
 
     fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {
@@ -438,6 +473,12 @@ impl Problem for StructureProblem {
         text += &channel::listed(&self.template, numbering.elements());
         text += &ground::described(&self.template, case);
         text += &reduce::described(&self.template, case, describe::short);
+        let dt = case.at(self.schema.step)?;
+        if let Some(measured) = &self.template.measured
+            && let Ok(compared) = measured.in_case(case, dt, self.steps(case))
+        {
+            text += &compared.described(case);
+        }
         Some(text)
     }
 }

@@ -67,7 +67,7 @@ pub fn schema(
         name: metric.name.clone().into(),
         symbol: in_unit(title(&metric_title::title(metric)), unit_of(metric)).into(),
         unit: unit_of(metric).map_or(Borrowed("1"), Text::Owned),
-        meaning: Borrowed(metric.reduction.meaning()),
+        meaning: Borrowed(metric.meaning()),
         default: true,
         empty: Borrowed(match metric.reduction {
             Reduction::Divergence => "never",
@@ -120,7 +120,7 @@ pub fn schema(
 fn budgets(metrics: &[StructureMetric], units: Option<&UnitNames>) -> Vec<Budget> {
     let row = |reduction: Reduction, channel: &Channel| {
         let same = |metric: &StructureMetric| {
-            metric.reduction == reduction && metric.channel.as_ref() == Some(channel)
+            metric.is_exact(&[reduction]) && metric.channel.as_ref() == Some(channel)
         };
         metrics.iter().position(same)
     };

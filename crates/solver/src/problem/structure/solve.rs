@@ -3,7 +3,8 @@
 use super::StructureProblem;
 use super::assemble::{self, Model};
 use super::channel::Number;
-use super::metric::{ERRORS, Reduction, StructureMetric};
+use super::measured::Compared;
+use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{self, MetricContext, Motions, Recorded};
 use super::motion::{self, Recording, Run};
 use super::node::Numbering;
@@ -11,7 +12,7 @@ use super::sweep::Ready;
 use super::template::Reference;
 use super::warn;
 use crate::exact::events;
-use crate::problem::{Case, Problem};
+use crate::problem::{Case, Problem, Violation};
 use crate::solve::structure::Prepared;
 use crate::solve::{Unsolvable, Warnings};
 use std::collections::HashSet;
@@ -58,15 +59,15 @@ pub fn distinct(numbers: impl IntoIterator<Item = Number>) -> Vec<Number> {
 }
 
 impl StructureProblem {
-    /// Whether a metric has one of these reductions.
+    /// Whether a metric has one of these reductions, and is not of what was measured.
     fn has(&self, reductions: &[Reduction]) -> bool {
         let mut all = self.metrics.iter();
-        all.any(|metric| reductions.contains(&metric.reduction))
+        all.any(|metric| metric.is_exact(reductions))
     }
 
     /// Cost of the exact motions of the metrics, in steps times modes.
     pub(super) fn exact_work(&self, case: &Case) -> u64 {
-        if !self.has(&ERRORS) {
+        if !self.metrics.iter().any(StructureMetric::needs_exact) {
             return 0;
         }
         let mut work = self.motion_work(case, Model::Study);
@@ -180,7 +181,7 @@ impl StructureProblem {
     fn needing(&self, why: Unsolvable) -> Unsolvable {
         let needs = |metric: &&StructureMetric| {
             SOFTENED.contains(&metric.reduction)
-                || AGAINST_REFERENCE.contains(&metric.reduction)
+                || metric.is_exact(&AGAINST_REFERENCE)
                 || metric.reduction == Reduction::RegularisationError
         };
         match (why, self.metrics.iter().find(needs)) {
@@ -226,7 +227,7 @@ impl StructureProblem {
         if let Some(run) = perturbed {
             motions.perturbed = Some(run?.0);
         }
-        let numbers = self.numbers(numbering, |metric| ERRORS.contains(&metric.reduction));
+        let numbers = self.numbers(numbering, StructureMetric::needs_exact);
         let numbers = distinct(numbers.into_iter().chain(more.iter().copied()));
         let referred =
             self.has(&AGAINST_REFERENCE) || self.template.reference.is_some() && !more.is_empty();
@@ -251,9 +252,11 @@ impl StructureProblem {
             motions.finer = Some((motion::exact(&finer, &times, &numbers)?, numbering));
         }
         motions.unreduced = self.unreduced(ready)?;
+        let compared = self.compared(ready)?;
         let of = MetricContext {
             structure,
             numbering,
+            compared: compared.as_ref(),
             dt: *dt,
             against_rigid: rigid,
             impulses: method.has_impulses(),
@@ -265,6 +268,15 @@ impl StructureProblem {
         let values = self.metrics.iter().map(value).collect();
         let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
         Ok((motions, values, warnings))
+    }
+
+    /// What was measured in a case, if a metric compares with it.
+    fn compared(&self, ready: &Ready) -> Result<Option<Compared<'_>>, Unsolvable> {
+        let compares = self.metrics.iter().any(|metric| metric.measured);
+        let measured = self.template.measured.as_ref().filter(|_| compares);
+        let compared = measured.map(|own| own.in_case(&ready.case, ready.dt, ready.last));
+        let broken = |one| Unsolvable::BrokenRules(Violation::all(&[one]).unwrap_or_default());
+        compared.transpose().map_err(broken)
     }
 
     /// The motion of a case with the whole matrices; `None` if no metric compares with it.

@@ -2,6 +2,7 @@
 
 use super::amount::Amount;
 use super::loads::Source;
+use super::measured::Measured;
 use super::node::{NodeName, NodeRef};
 use super::reduce::Reduce;
 use super::rows::Rows;
@@ -46,6 +47,8 @@ pub struct Template {
     pub start: Vec<Start>,
     /// The reference, if the study asks for one.
     pub reference: Option<Reference>,
+    /// What was measured, if the study has it.
+    pub measured: Option<Measured>,
     /// Whether a channel needs more of a structure than its equations.
     pub observed: bool,
 }

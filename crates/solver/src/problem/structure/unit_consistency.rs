@@ -1,5 +1,6 @@
 //! Whether units of mass, force, length and time agree: force = mass length/time^2.
 
+use crate::problem::unit::Dimension;
 use crate::system::loads::STANDARD_GRAVITY;
 
 /// Names of units with their size in SI units. Other names are not interpreted.
@@ -109,6 +110,53 @@ pub fn fault(text: &str) -> Option<String> {
     Some(format!(
         "units must agree, force = mass length/time^2: {m} {l}/{t}^2 is {unit}{newton} N, not {f}; {give}"
     ))
+}
+
+/// Size of a unit of this dimension in SI units, such as of `mm/s2` or `kN m`; `None` for other texts.
+pub fn size_of(name: &str, dimension: Dimension) -> Option<f64> {
+    let over_time = |power: &str, exponent: i32| {
+        let (length, time) = name.strip_suffix(power)?.split_once('/')?;
+        Some(size(&LENGTHS, length)? / size(&TIMES, time)?.powi(exponent))
+    };
+    match dimension {
+        Dimension::Time => size(&TIMES, name),
+        Dimension::Length => size(&LENGTHS, name),
+        Dimension::Velocity => over_time("", 1),
+        Dimension::Acceleration if name == "g" => Some(STANDARD_GRAVITY),
+        Dimension::Acceleration => over_time("2", 2),
+        Dimension::Force => size(&FORCES, name),
+        Dimension::Energy => {
+            let (force, length) = name.split_once(' ')?;
+            Some(size(&FORCES, force)? * size(&LENGTHS, length)?)
+        }
+    }
+}
+
+/// What a unit measures; `None` for an unknown one.
+pub fn dimension_of(name: &str) -> Option<Dimension> {
+    let mut all = Dimension::ALL.into_iter();
+    all.find(|dimension| size_of(name, *dimension).is_some())
+}
+
+/// Examples of units of a dimension, for messages.
+pub fn examples(dimension: Dimension) -> String {
+    let names = |table: &[(&str, f64)]| {
+        let names: Vec<&str> = table.iter().map(|own| own.0).collect();
+        names.join(", ")
+    };
+    match dimension {
+        Dimension::Time => names(&TIMES),
+        Dimension::Length => names(&LENGTHS),
+        Dimension::Force => names(&FORCES),
+        Dimension::Velocity => format!("one of {} over s or ms, as in mm/s", names(&LENGTHS)),
+        Dimension::Acceleration => {
+            format!(
+                "g, or one of {} over s2 or ms2, as in mm/s2",
+                names(&LENGTHS)
+            )
+        }
+        Dimension::Energy => "a unit of force, a blank and one of length, as in kN m".to_owned(),
+    }
 }
 
 fn size(table: &[(&str, f64)], name: &str) -> Option<f64> {

@@ -1,6 +1,7 @@
 //! Names of the units of a structure, for the titles of figures.
 
 use super::metric::{Reduction, StructureMetric};
+use super::unit_consistency::size_of;
 use crate::problem::unit::Dimension;
 
 /// The units of force, length and time, as the study writes them.
@@ -39,6 +40,11 @@ impl UnitNames<'_> {
         }
     }
 
+    /// A unit of a dimension in the one of the study; `None` if one of them is not known.
+    pub fn factor(&self, unit: &str, dimension: Dimension) -> Option<f64> {
+        Some(size_of(unit, dimension)? / size_of(&self.of_dimension(dimension), dimension)?)
+    }
+
     /// The unit of a metric; `None` for a number or a ratio.
     pub fn of_metric(&self, metric: &StructureMetric) -> Option<String> {
         match metric.reduction {
@@ -72,9 +78,16 @@ impl UnitNames<'_> {
             | Reduction::OpenTime
             | Reduction::Divergence => Some(self.time.to_owned()),
             Reduction::Impulse => Some(format!("{} {}", self.force, self.time)),
-            Reduction::Work => Some(format!("{} {}", self.force, self.length)),
+            Reduction::EnergyPerCycle if metric.measured => None,
+            Reduction::Work | Reduction::EnergyPerCycle => {
+                Some(format!("{} {}", self.force, self.length))
+            }
             Reduction::ResidualSlip => Some(self.length.to_owned()),
-            Reduction::Impacts
+            Reduction::SpragueGeersMagnitude
+            | Reduction::SpragueGeersPhase
+            | Reduction::SpragueGeersCombined
+            | Reduction::LoopDistance
+            | Reduction::Impacts
             | Reduction::ImpactsBeforeDivergence
             | Reduction::Difference
             | Reduction::EnergyError

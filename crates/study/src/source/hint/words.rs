@@ -51,6 +51,25 @@ pub(crate) const SYNONYMS: &[(&[&str], &[&str])] = &[
         &["structure"],
     ),
     (
+        &["minimize", "objective", "misfit", "target"],
+        &["minimise"],
+    ),
+    (
+        &[
+            "calibration",
+            "fit",
+            "identify",
+            "identification",
+            "optimise",
+            "optimize",
+        ],
+        &["calibrate"],
+    ),
+    (
+        &["budget", "evaluations", "maxevaluations", "maxiter"],
+        &["cases"],
+    ),
+    (
         &["integrator", "integration", "scheme", "timeintegration"],
         &["method"],
     ),

@@ -136,20 +136,9 @@ fn of_one_dimension(text: &str, first: Term, term: Term) -> Result<(), String> {
         false => Err(format!(
             "'{}' adds quantities of different dimensions: {} and {}",
             text.trim(),
-            words(first.dimension()),
-            words(term.dimension())
+            first.dimension().in_words(),
+            term.dimension().in_words()
         )),
-    }
-}
-
-fn words(dimension: Dimension) -> &'static str {
-    match dimension {
-        Dimension::Time => "a time",
-        Dimension::Length => "a length",
-        Dimension::Velocity => "a velocity",
-        Dimension::Acceleration => "an acceleration",
-        Dimension::Force => "a force",
-        Dimension::Energy => "an energy",
     }
 }
 

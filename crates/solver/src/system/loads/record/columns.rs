@@ -2,6 +2,7 @@
 //! given.
 
 use super::fault::{LineFault, RecordCause, fault};
+use super::fields::{separator, split};
 use super::number::number;
 use super::{Reading, Record, end};
 use crate::system::loads::Unit;
@@ -98,16 +99,12 @@ fn row(line: &str, reading: &Reading) -> Result<(Option<f64>, f64), RecordCause>
     Ok((t, number(text)?))
 }
 
-/// The fields of a row. A semicolon separates before a comma, a comma before blanks; one may also end the row.
+/// The fields of a row; a separator may also end it.
 fn fields(line: &str) -> Vec<&str> {
     let line = line.trim();
-    match [';', ','].into_iter().find(|by| line.contains(*by)) {
-        Some(by) => {
-            let line = line.strip_suffix(by).unwrap_or(line);
-            line.split(by).map(str::trim).collect()
-        }
-        None => line.split_whitespace().collect(),
-    }
+    let by = separator(line);
+    let line = by.and_then(|by| line.strip_suffix(by)).unwrap_or(line);
+    split(line, by)
 }
 
 /// Whether a field is or begins as a number, so that a slip in the first row does not make a header of it. Dates and hours do not.

@@ -84,6 +84,20 @@ pub enum RecordCause {
     Scale(Shown),
     /// Times or accelerations beyond the range of numbers.
     TooLarge,
+    /// No line with the names of the columns.
+    NoNames,
+    /// No column of this name; the names that there are.
+    NoColumn(Shown, Vec<Shown>),
+    /// Two columns of this name.
+    TwoColumns(Shown),
+    /// A row with so many fields, instead of one for each of so many names.
+    Cells(usize, usize),
+    /// What is wrong with the number of this column.
+    InColumn(Shown, Box<RecordCause>),
+    /// No number.
+    Missing,
+    /// A number with a decimal comma.
+    DecimalComma(Shown),
 }
 
 impl fmt::Display for RecordCause {
@@ -180,6 +194,24 @@ impl fmt::Display for RecordCause {
             RecordCause::TooLarge => {
                 f.write_str("the numbers are too large with this frequency and scale factor")
             }
+            RecordCause::NoNames => f.write_str(
+                "the file must begin with a line of names, one for each column; only lines with # may be before it",
+            ),
+            RecordCause::NoColumn(name, names) => {
+                let names: Vec<String> = names.iter().map(Shown::to_string).collect();
+                write!(f, "no column {name}; the columns are {}", names.join(", "))
+            }
+            RecordCause::TwoColumns(name) => {
+                write!(f, "two columns have the name {name}; each needs one of its own")
+            }
+            RecordCause::Cells(count, names) => {
+                write!(f, "a row must have a number for each of the {names} columns, got {count}")
+            }
+            RecordCause::InColumn(name, cause) => write!(f, "column {name}: {cause}"),
+            RecordCause::Missing => f.write_str("a number is missing"),
+            RecordCause::DecimalComma(text) => {
+                write!(f, "numbers must have decimal points, got {text}")
+            }
         }
     }
 }
@@ -192,7 +224,7 @@ pub struct Shown(String);
 
 impl Shown {
     /// Of a text, of any length.
-    pub(super) fn new(text: &str) -> Shown {
+    pub(in crate::system) fn new(text: &str) -> Shown {
         Shown(text.chars().take(30).collect())
     }
 }

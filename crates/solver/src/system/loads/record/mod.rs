@@ -6,10 +6,11 @@ mod at2;
 mod columns;
 mod cosmos;
 mod fault;
+pub(in crate::system) mod fields;
 mod geonet;
 mod knet;
 mod mean;
-mod number;
+pub(in crate::system) mod number;
 mod smc;
 
 pub use fault::{RecordCause, RecordFault, Shown};

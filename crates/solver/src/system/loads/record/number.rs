@@ -3,7 +3,7 @@
 use super::fault::{LineFault, RecordCause, Shown, fault};
 
 /// A finite number, also with `D` before its exponent; else why not.
-pub(super) fn number(text: &str) -> Result<f64, RecordCause> {
+pub(in crate::system) fn number(text: &str) -> Result<f64, RecordCause> {
     match text.replace(['d', 'D'], "e").parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err(RecordCause::NotFinite(Shown::new(text))),

@@ -1,0 +1,144 @@
+//! The alternatives that a calibration compares, and the tests that each is fitted to.
+
+use crate::Study;
+use crate::cases::alike::{Identity, grouped, identity};
+use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::{Kind, Value};
+
+/// Values of the axes that are no tests; each alternative has a search of its own.
+#[derive(Debug, Clone)]
+pub struct Alternative {
+    /// Its name, as in `hertz`: the values by which it differs from the others; empty if there is one alternative.
+    pub name: String,
+    /// The parameters by which it differs from others, each with its value.
+    pub values: Vec<(usize, Option<Value>)>,
+    /// The block of its cases.
+    pub(super) block: usize,
+    /// The combination of the block of each test.
+    pub(super) raws: Vec<u64>,
+    /// The measured files, if they are an axis; empty otherwise.
+    pub tests: Vec<String>,
+}
+
+/// A case of the study with its block, its combination and its group among those of one alternative.
+struct Member {
+    block: usize,
+    raw: u64,
+    /// The positions on the axes that are no tests.
+    own: Vec<u64>,
+    case: Case,
+}
+
+impl Study {
+    /// The alternatives in the order of the cases; none without `calibrate`.
+    pub fn alternatives(&self) -> Vec<Alternative> {
+        let Some(calibrate) = &self.calibrate else {
+            return Vec::new();
+        };
+        let groups = grouped(self.members(calibrate.tests), |member| {
+            (member.block, member.own.clone())
+        });
+        let firsts: Vec<&Case> = groups.iter().map(|group| &group[0].case).collect();
+        let names = self.names(&firsts, calibrate.tests);
+        let test = |member: &Member| {
+            let value = calibrate.tests.and_then(|row| member.case.values[row]);
+            value.map(|value| value.to_string())
+        };
+        let alternative = |(group, (name, values)): (&Vec<Member>, Named)| Alternative {
+            name,
+            values,
+            block: group[0].block,
+            raws: group.iter().map(|member| member.raw).collect(),
+            tests: group.iter().filter_map(test).collect(),
+        };
+        groups.iter().zip(names).map(alternative).collect()
+    }
+
+    /// The cases of the study.
+    fn members(&self, tests: Option<usize>) -> Vec<Member> {
+        let problem = &*self.problem;
+        let mut members = Vec::new();
+        for (number, block) in self.blocks.iter().enumerate() {
+            let is_test = |group: usize| tests.is_some_and(|row| block.groups[group].has(row));
+            for raw in (0..block.raw_len()).filter(|raw| block.is_case(problem, *raw)) {
+                let positions = block.positions(raw).into_iter().enumerate();
+                let own = positions.filter(|(group, _)| !is_test(*group));
+                members.push(Member {
+                    block: number,
+                    raw,
+                    own: own.map(|(_, position)| position).collect(),
+                    case: block.completed(problem, raw),
+                });
+            }
+        }
+        members
+    }
+
+    /// The names of alternatives by their first cases, each once.
+    fn names(&self, firsts: &[&Case], tests: Option<usize>) -> Vec<Named> {
+        let table = self.problem.parameters();
+        let derived = |row: usize| {
+            let mut all = self.blocks.iter().flat_map(|block| &block.derived);
+            all.any(|derived| derived.parameter == row)
+        };
+        let differs = |row: &usize| {
+            let mut cases = firsts.iter();
+            cases.any(|case| !Value::identical(case.values[*row], firsts[0].values[*row]))
+        };
+        let rows = (0..table.len()).filter(differs);
+        let rows: Vec<usize> = rows
+            .filter(|row| Some(*row) != tests && !derived(*row))
+            .collect();
+        let names_only = |row: &&usize| matches!(table[**row].kind, Kind::Choice(_));
+        let names: Vec<usize> = rows.iter().filter(names_only).copied().collect();
+        let distinct = |rows: &[usize]| {
+            let mut known: Vec<Identity> = Vec::new();
+            firsts.iter().all(|case| {
+                let own = identity(case, rows);
+                let is_new = !known.contains(&own);
+                known.push(own);
+                is_new
+            })
+        };
+        // Laws say enough if no two alternatives have the same.
+        let shown = match distinct(&names) {
+            true => &names,
+            false => &rows,
+        };
+        let repeated = !distinct(shown);
+        let name = |(i, case): (usize, &&Case)| {
+            let value = |row: &usize| match (table[*row].kind, case.values[*row]) {
+                (_, None) => None,
+                (Kind::Choice(_), Some(value)) => Some(value.to_string()),
+                (_, Some(value)) => Some(format!("{} = {value}", table[*row].name)),
+            };
+            let values = shown.iter().filter_map(value);
+            let number = repeated.then(|| (i + 1).to_string());
+            let words: Vec<String> = values.chain(number).collect();
+            let of = |row: &usize| (*row, case.values[*row]);
+            (words.join(", "), shown.iter().map(of).collect())
+        };
+        firsts.iter().enumerate().map(name).collect()
+    }
+}
+
+/// The name of an alternative, and the values in it.
+type Named = (String, Vec<(usize, Option<Value>)>);
+
+impl Alternative {
+    /// Its name as a part of a file's name; empty if there is one alternative.
+    pub fn file_name(&self) -> String {
+        let plain = |c: char| match c {
+            c if c.is_ascii_alphanumeric() || "_.+".contains(c) => c,
+            _ => '-',
+        };
+        let name: String = self.name.replace(" = ", "=").chars().map(plain).collect();
+        let parts = name.split('-').filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join("-")
+    }
+
+    /// Number of cases at a point: one for each test.
+    pub fn cases(&self) -> usize {
+        self.raws.len()
+    }
+}

@@ -1,0 +1,301 @@
+//! The study of an alternative with its best values, ready to run.
+
+use super::edit::{SHOWN, needed, put_metrics, remove};
+use super::{Alternative, print};
+use crate::error::Error;
+use crate::source::input::Input;
+use crate::source::tree::{Member, Node, Tree};
+use crate::{MOST_CASES, Study};
+use slipgap_solver::problem::parameter::{Value, shortest};
+use std::path::{Component, Path, PathBuf};
+
+/// Keys of a structure and of measurements whose texts are files, or parameters that choose one.
+const FILES: [&str; 7] = ["file", "record", "M", "K", "C", "dofs", "pairs"];
+
+impl Input {
+    /// The text of the study of an alternative with these values of its parameters, for a file in `folder`, which exists. It has no
+    /// `calibrate`, and no checks, reductions and ensembles, which are of several cases; figures that need other cases are left out.
+    ///
+    /// # Errors
+    /// As of [`Input::study`].
+    pub fn with_values(
+        &self,
+        study: &Study,
+        alternative: &Alternative,
+        values: &[(usize, f64)],
+        folder: &Path,
+        remark: &str,
+    ) -> Result<String, Error> {
+        let mut root = self.expanded()?.root;
+        let metrics = needed(&root);
+        remove(&mut root, &["calibrate", SHOWN[1], SHOWN[2], SHOWN[3]]);
+        keep_block(&mut root, alternative.block);
+        if let Some(block) = blocks(&mut root).first_mut() {
+            fix(block, study, alternative, values);
+        }
+        move_files(&mut root, &self.folder, folder);
+        put_remark(&mut root, remark);
+        let figures = take(&mut root, SHOWN[0]);
+        let decodes = |root: &Node| {
+            let input = Input {
+                folder: folder.to_owned(),
+                ..Input::new(&self.file, &print::text(root))
+            };
+            input.study(MOST_CASES).is_ok()
+        };
+        if !decodes(&root) {
+            // A metric is relative to a case of another alternative.
+            put_metrics(&mut root, metrics);
+        }
+        let mut kept = Vec::new();
+        for figure in items(figures) {
+            let mut one = root.clone();
+            put(&mut one, SHOWN[0], list(vec![figure.clone()]));
+            if decodes(&one) {
+                kept.push(figure);
+            }
+        }
+        if !kept.is_empty() {
+            put(&mut root, SHOWN[0], list(kept));
+        }
+        Ok(print::text(&root))
+    }
+}
+
+fn list(items: Vec<Node>) -> Node {
+    Node {
+        at: 0,
+        tree: Tree::List(items),
+    }
+}
+
+fn items(node: Option<Node>) -> Vec<Node> {
+    match node.map(|node| node.tree) {
+        Some(Tree::List(items)) => items,
+        _ => Vec::new(),
+    }
+}
+
+fn members(node: &mut Node) -> Option<&mut Vec<Member>> {
+    match &mut node.tree {
+        Tree::Object(members) => Some(members),
+        _ => None,
+    }
+}
+
+/// Puts a value under a key, at the end of the object if it is new.
+fn put(node: &mut Node, key: &str, value: Node) {
+    if let Some(own) = node.member(key) {
+        *own = value;
+    } else if let Some(members) = members(node) {
+        members.push(Member {
+            key: key.to_owned(),
+            at: 0,
+            node: value,
+        });
+    }
+}
+
+/// Takes the value of a key.
+fn take(node: &mut Node, key: &str) -> Option<Node> {
+    let members = members(node)?;
+    let place = members.iter().position(|member| member.key == key)?;
+    Some(members.remove(place).node)
+}
+
+/// Puts a remark before all other keys.
+fn put_remark(root: &mut Node, remark: &str) {
+    if let Some(members) = members(root) {
+        let node = Node {
+            at: 0,
+            tree: Tree::Text(remark.to_owned()),
+        };
+        let key = "//".to_owned();
+        members.insert(0, Member { key, at: 0, node });
+    }
+}
+
+/// Keeps one block of several.
+fn keep_block(root: &mut Node, block: usize) {
+    if let Some(Tree::List(blocks)) = root.member("blocks").map(|node| &mut node.tree) {
+        *blocks = blocks.get(block).cloned().into_iter().collect();
+    }
+}
+
+/// The study, or its blocks.
+fn blocks(root: &mut Node) -> Vec<&mut Node> {
+    let has = members(root).is_some_and(|all| all.iter().any(|own| own.key == "blocks"));
+    if !has {
+        return vec![root];
+    }
+    match root.member("blocks").map(|node| &mut node.tree) {
+        Some(Tree::List(items)) => items.iter_mut().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Gives a block the values of an alternative in the place of its axes, and those of the free parameters.
+fn fix(block: &mut Node, study: &Study, alternative: &Alternative, values: &[(usize, f64)]) {
+    let table = study.problem.parameters();
+    let tests = study.calibrate.as_ref().and_then(|own| own.tests);
+    let own = &study.blocks[alternative.block];
+    let Some(raw) = alternative.raws.first() else {
+        return;
+    };
+    let mut fixed: Vec<(String, Value)> = Vec::new();
+    for (group, position) in own.groups.iter().zip(own.positions(*raw)) {
+        if tests.is_some_and(|row| group.has(row)) {
+            continue;
+        }
+        for axis in &group.axes {
+            let free = values.iter().find(|(row, _)| *row == axis.parameter);
+            let value = match free {
+                Some((_, x)) => Value::Number(*x),
+                None if axis.values.len() > 1 || own.design.is_some() => {
+                    axis.values.at(position as usize)
+                }
+                None => continue,
+            };
+            fixed.push((table[axis.parameter].name.to_string(), value));
+        }
+    }
+    if let Some(zip) = block.member("zip")
+        && let Tree::List(groups) = &mut zip.tree
+    {
+        let names = |group: &Node| -> bool {
+            let Tree::List(names) = &group.tree else {
+                return false;
+            };
+            let is_fixed = |name: &Node| {
+                fixed
+                    .iter()
+                    .any(|(own, _)| matches!(&name.tree, Tree::Text(text) if text == own))
+            };
+            names.iter().any(is_fixed)
+        };
+        groups.retain(|group| !names(group));
+    }
+    remove(block, &["design"]);
+    let Some(parameters) = block.member("parameters") else {
+        return;
+    };
+    for (name, value) in fixed {
+        put_nested(parameters, &name, node_of(value));
+    }
+}
+
+/// Puts the value of a parameter, which may be in an object of its own, such as `right.L`.
+fn put_nested(parameters: &mut Node, name: &str, value: Node) {
+    if let Some((object, key)) = name.split_once('.')
+        && let Some(inner) = parameters.member(object)
+    {
+        return put_nested(inner, key, value);
+    }
+    put(parameters, name, value);
+}
+
+fn node_of(value: Value) -> Node {
+    let tree = match value {
+        Value::Number(x) => Tree::Number(shortest(x)),
+        Value::Whole(n) => Tree::Number(n.to_string()),
+        Value::Name(name) => Tree::Text(name.to_owned()),
+    };
+    Node { at: 0, tree }
+}
+
+/// Changes the paths of files from one folder to another.
+fn move_files(root: &mut Node, from: &Path, to: &Path) {
+    let mut found = Vec::new();
+    for key in ["structure", "measured"] {
+        if let Some(node) = root.member(key) {
+            texts_of_files(node, &mut |text| found.push(text.clone()));
+        }
+    }
+    let mut change = |text: &mut String| {
+        if let Some(moved) = moved(text, from, to) {
+            *text = moved;
+        }
+    };
+    for key in ["structure", "measured"] {
+        if let Some(node) = root.member(key) {
+            texts_of_files(node, &mut change);
+        }
+    }
+    for block in blocks(root) {
+        for name in &found {
+            let parameters = block.member("parameters");
+            if let Some(given) = parameters.and_then(|node| node.member(name)) {
+                each_text(given, &mut change);
+            }
+        }
+    }
+}
+
+/// Visits the texts under the keys of files.
+fn texts_of_files(node: &mut Node, visit: &mut dyn FnMut(&mut String)) {
+    match &mut node.tree {
+        Tree::Object(members) => {
+            for member in members {
+                match FILES.contains(&member.key.as_str()) {
+                    true => each_text(&mut member.node, visit),
+                    false => texts_of_files(&mut member.node, visit),
+                }
+            }
+        }
+        Tree::List(items) => items
+            .iter_mut()
+            .for_each(|item| texts_of_files(item, visit)),
+        _ => {}
+    }
+}
+
+/// Visits a text, or those of a list.
+fn each_text(node: &mut Node, visit: &mut dyn FnMut(&mut String)) {
+    match &mut node.tree {
+        Tree::Text(text) => visit(text),
+        Tree::List(items) => items.iter_mut().for_each(|item| each_text(item, visit)),
+        _ => {}
+    }
+}
+
+/// The path of a file seen from another folder; `None` if there is no such file, or if it is absolute.
+fn moved(text: &str, from: &Path, to: &Path) -> Option<String> {
+    let file = from.join(text);
+    if Path::new(text).is_absolute() || text.contains('\n') || !file.is_file() {
+        return None;
+    }
+    let here = |path: &Path| match path.as_os_str().is_empty() {
+        true => PathBuf::from("."),
+        false => path.to_owned(),
+    };
+    let (file, to) = (file.canonicalize().ok()?, here(to).canonicalize().ok()?);
+    let shared = file.components().zip(to.components());
+    let shared = shared.take_while(|(a, b)| a == b).count();
+    let up = to.components().skip(shared).map(|_| "..".to_owned());
+    let down = file.components().skip(shared).map(|part: Component| {
+        let name = part.as_os_str().to_str();
+        name.map(str::to_owned)
+    });
+    let parts: Option<Vec<String>> = up.map(Some).chain(down).collect();
+    Some(parts?.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_leads_from_the_new_folder_to_the_same_file() {
+        let folder = std::env::temp_dir().join(format!("slipgap-best-{}", std::process::id()));
+        let [studies, out] = ["studies/tests", "figures/a/b"].map(|name| folder.join(name));
+        std::fs::create_dir_all(&studies).unwrap();
+        std::fs::create_dir_all(&out).unwrap();
+        std::fs::write(studies.join("one.csv"), "t,u\n").unwrap();
+        let from = folder.join("studies");
+        let found = moved("tests/one.csv", &from, &out).unwrap();
+        assert_eq!(found, "../../../studies/tests/one.csv");
+        assert_eq!(std::fs::read(out.join(found)).unwrap(), b"t,u\n");
+        assert_eq!(moved("tests/two.csv", &from, &out), None);
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+}

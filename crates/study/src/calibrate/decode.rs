@@ -1,0 +1,189 @@
+//! Decodes the key `calibrate`.
+
+use super::range::FreeRange;
+use super::{Calibrate, Free};
+use crate::cases::scope::Scope;
+use crate::computed::sources::MINIMISE;
+use crate::source::faults::{Faults, any_of, quoted, unknown};
+use crate::source::object::Object;
+use crate::source::tree::{Node, Tree};
+use crate::value::{number, text};
+use slipgap_solver::problem::parameter::{Kind, Parameter, Range, shortest};
+
+/// The keys besides the names of free parameters, each with its meaning.
+pub(crate) const KEYS: [(&str, &str); 3] = [
+    (
+        MINIMISE,
+        "the metric that the best values make smallest, such as \"rms_error(deck.u, measured)\"; arithmetic, too",
+    ),
+    ("seed", "seed of the search; 1 if left out"),
+    (
+        "cases",
+        "most cases that the search of an alternative solves; 20000 if left out",
+    ),
+];
+
+/// Cases of the search of an alternative, if the study does not say.
+const CASES: u64 = 20_000;
+
+/// Fewest and most cases of a search.
+pub(crate) const LIMITS: [u64; 2] = [100, 1_000_000_000];
+
+/// Largest seed: doubles count so far.
+const MOST_SEED: u64 = 1 << 53;
+
+/// Decodes the key; `None` without it or with a fault.
+pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Option<Calibrate> {
+    let node = root.get("calibrate")?;
+    let (path, before) = (root.path("calibrate"), faults.count());
+    if !scope.problem.schema().described {
+        let message = "only a study with \"problem\": \"structure\" has this key";
+        faults.add(node.at, &path, message);
+        return None;
+    }
+    let names = scope.parameters();
+    let own = KEYS.map(|key| key.0);
+    let allowed: Vec<&str> = names.iter().copied().chain(own).collect();
+    let object = Object::open(node, &path, &allowed, faults)?;
+    let mut free = Vec::new();
+    for member in &object.members {
+        if own.contains(&member.key.as_str()) {
+            continue;
+        }
+        let Some(row) = names.iter().position(|name| *name == member.key) else {
+            continue;
+        };
+        let path = object.path(&member.key);
+        if let Some(message) = unsuitable(scope, row) {
+            faults.add(member.at, &path, message);
+            continue;
+        }
+        let range = FreeRange::decode(
+            &member.node,
+            &path,
+            &scope.problem.parameters()[row],
+            faults,
+        );
+        free.extend(range.map(|range| Free {
+            parameter: row,
+            range,
+        }));
+    }
+    if free.is_empty() && faults.count() == before {
+        let message = format!(
+            "names no free parameter; give the range of one, as in \"k_h\": {{\"log\": [1e4, 1e7]}}; parameters: {}",
+            any_of(&names)
+        );
+        object.fault(message, faults);
+    }
+    let minimise = minimise(&object, scope, faults);
+    let mut whole = |key: &str, [least, most]: [u64; 2], usual: u64| match object.get(key) {
+        Some(node) => whole(node, &object.path(key), [least, most], faults),
+        None => Some(usual),
+    };
+    let seed = whole(KEYS[1].0, [0, MOST_SEED], 1);
+    let cases = whole(KEYS[2].0, LIMITS, CASES);
+    let tests = root.get("measured").and_then(|node| file(node, &names));
+    (faults.count() == before).then_some(Calibrate {
+        free,
+        minimise: minimise?,
+        seed: seed?,
+        cases: cases?,
+        tests,
+    })
+}
+
+/// Row of the parameter that chooses the file of measurements.
+fn file(measured: &Node, names: &[&str]) -> Option<usize> {
+    let Tree::Object(members) = &measured.tree else {
+        return None;
+    };
+    let file = members.iter().find(|member| member.key == "file")?;
+    match &file.node.tree {
+        Tree::Text(text) => names.iter().position(|name| name == text),
+        _ => None,
+    }
+}
+
+/// Why a parameter cannot be free; `None` if it can.
+fn unsuitable(scope: &Scope, row: usize) -> Option<String> {
+    let schema = scope.problem.schema();
+    let parameter: &Parameter = &schema.parameters[row];
+    let name = quoted(&parameter.name);
+    match parameter.kind {
+        Kind::Number(_) => {}
+        Kind::Whole { .. } => {
+            return Some(format!(
+                "{name} is a whole number; only parameters with any number as their value can be free; as an axis its values are \
+                 alternatives"
+            ));
+        }
+        Kind::Choice(_) => {
+            return Some(format!(
+                "the values of {name} are names; only numbers can be free; as an axis its values are alternatives"
+            ));
+        }
+    }
+    if [schema.step, schema.duration].contains(&row) {
+        return Some(format!(
+            "{name} is no property of the structure, so that it cannot be free; as an axis its values are alternatives"
+        ));
+    }
+    let mut derived = scope.blocks.iter().flat_map(|block| &block.derived);
+    if let Some(derived) = derived.find(|derived| derived.parameter == row) {
+        return Some(format!(
+            "{name} is given by the expression {}; name the parameters that it follows from, or give it one value",
+            quoted(&derived.text)
+        ));
+    }
+    let mut axes = scope.blocks.iter().flat_map(|block| block.axes());
+    if axes.any(|axis| axis.parameter == row && axis.values.len() > 1) {
+        return Some(format!(
+            "{name} is an axis; a free parameter has one value in \"parameters\", which `slipgap run` uses"
+        ));
+    }
+    if !scope.blocks.is_empty() && !scope.blocks.iter().any(|block| block.gives(row)) {
+        return Some(format!(
+            "{name} has no value in \"parameters\"; give it one, which `slipgap run` uses"
+        ));
+    }
+    None
+}
+
+/// Row of the measure under `minimise`.
+fn minimise(object: &Object, scope: &Scope, faults: &mut Faults) -> Option<usize> {
+    let key = KEYS[0];
+    let node = object.need(key.0, key.1, faults)?;
+    let path = object.path(key.0);
+    let text = text(node, &path, faults)?;
+    let mut measures = scope.measures.iter();
+    let Some(row) = measures.position(|measure| measure.name == text.trim()) else {
+        faults.add(node.at, &path, unknown("metric", &text, &scope.metrics()));
+        return None;
+    };
+    let measure = &scope.measures[row];
+    let late = measure.computed.as_ref().is_some_and(|own| own.late);
+    if measure.reduction.is_some() || late {
+        let message = format!(
+            "{} needs several cases; minimise a metric of one case, or arithmetic of such metrics",
+            quoted(&text)
+        );
+        faults.add(node.at, &path, message);
+        return None;
+    }
+    Some(row)
+}
+
+/// A whole number within limits.
+fn whole(node: &Node, path: &str, [least, most]: [u64; 2], faults: &mut Faults) -> Option<u64> {
+    let x = number(node, path, Range::Any, faults)?;
+    if x.fract() == 0.0 && x >= least as f64 && x <= most as f64 {
+        return Some(x as u64);
+    }
+    let message = format!(
+        "must be a whole number from {least} to {most}, got {}",
+        shortest(x)
+    );
+    faults.add(node.at, path, message);
+    None
+}

@@ -1,0 +1,109 @@
+//! Studies made from the text of another one: what a search solves, and the errors at a point.
+
+use crate::Study;
+use crate::computed::sources::{self, Source};
+use crate::error::Error;
+use crate::source::faults::Faults;
+use crate::source::input::Input;
+use crate::source::object::Object;
+use crate::source::tree::{Member, Node, Tree};
+
+/// Keys of a study that need or show the results of several cases.
+pub(super) const SHOWN: [&str; 4] = ["figures", "checks", "reductions", "ensemble"];
+
+impl Input {
+    /// The study with the metric that `calibrate` minimises as its only one, and what this is computed from: what a search solves.
+    ///
+    /// # Errors
+    /// As of [`Input::study`].
+    pub fn search_study(&self, limit: u64) -> Result<Study, Error> {
+        self.edited(limit, |root| {
+            let metrics = needed(root);
+            put_metrics(root, metrics);
+        })
+    }
+
+    /// The study with these metrics only and without `calibrate`.
+    ///
+    /// # Errors
+    /// As of [`Input::study`]; and a metric has a fault.
+    pub fn study_of(&self, metrics: &[String], limit: u64) -> Result<Study, Error> {
+        self.edited(limit, |root| {
+            let at = root.at;
+            let text = |metric: &String| Node {
+                at,
+                tree: Tree::Text(metric.clone()),
+            };
+            put_metrics(root, metrics.iter().map(text).collect());
+            remove(root, &["calibrate"]);
+        })
+    }
+}
+
+/// Removes keys of a study.
+pub(super) fn remove(root: &mut Node, keys: &[&str]) {
+    if let Tree::Object(members) = &mut root.tree {
+        members.retain(|member| !keys.contains(&member.key.as_str()));
+    }
+}
+
+/// Puts these metrics in the place of all, and removes what shows others.
+pub(super) fn put_metrics(root: &mut Node, metrics: Vec<Node>) {
+    remove(root, &SHOWN);
+    remove(root, &["metrics"]);
+    let at = root.at;
+    if let Tree::Object(members) = &mut root.tree {
+        let list = Node {
+            at,
+            tree: Tree::List(metrics),
+        };
+        members.push(Member {
+            key: "metrics".to_owned(),
+            at,
+            node: list,
+        });
+    }
+}
+
+/// The metric under `minimise`, after the metrics with names of the study that it contains.
+pub(super) fn needed(root: &Node) -> Vec<Node> {
+    let mut none = Faults::default();
+    let Some(object) = Object::open(root, "", &["metrics", "calibrate"], &mut none) else {
+        return Vec::new();
+    };
+    let Some(minimised) = sources::minimised(&object) else {
+        return Vec::new();
+    };
+    let listed = sources::listed(&object);
+    let named: Vec<(&Member, &Source)> = listed
+        .iter()
+        .filter_map(|own| Some((own.name?, own)))
+        .collect();
+    let mut texts = vec![minimised.text];
+    let mut kept: Vec<&Member> = Vec::new();
+    while let Some(text) = texts.pop() {
+        let words: Vec<&str> = text
+            .split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+            .collect();
+        for (member, own) in &named {
+            let is_known = kept.iter().any(|known| known.key == member.key);
+            if words.contains(&member.key.as_str()) && !is_known {
+                kept.push(member);
+                texts.push(own.text);
+            }
+        }
+    }
+    // In the order of the file.
+    let kept = named
+        .iter()
+        .filter(|(member, _)| kept.iter().any(|own| own.key == member.key));
+    let object = |(member, own): &(&Member, &Source)| Node {
+        at: own.at,
+        tree: Tree::Object(vec![(*member).clone()]),
+    };
+    let metric = Node {
+        at: minimised.at,
+        tree: Tree::Text(minimised.text.to_owned()),
+    };
+    kept.map(object).chain([metric]).collect()
+}

@@ -1,0 +1,89 @@
+//! The key `calibrate` of a study: free parameters with ranges, the metric to minimise, and the cases of a search.
+
+mod alternatives;
+mod best;
+pub(super) mod decode;
+mod edit;
+mod points;
+mod print;
+pub(super) mod range;
+
+pub use alternatives::Alternative;
+pub use points::PointCases;
+pub use range::FreeRange;
+
+use crate::Study;
+use crate::computed::metrics_of;
+use slipgap_solver::problem::Case;
+
+/// Free parameters of a study and the metric that their best values minimise.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibrate {
+    /// The free parameters, in the order of the file.
+    pub free: Vec<Free>,
+    /// Row of the study's measures.
+    pub minimise: usize,
+    /// Seed of the search.
+    pub seed: u64,
+    /// Most cases that the search of an alternative solves.
+    pub cases: u64,
+    /// Row of the parameter that chooses the file of measurements, if it is an axis: its values are tests with one misfit together.
+    pub tests: Option<usize>,
+}
+
+/// A free parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Free {
+    /// Row of `problem.parameters()`.
+    pub parameter: usize,
+    /// Its range.
+    pub range: FreeRange,
+}
+
+impl Study {
+    /// The value of a measure in a case from its metrics, in the order of the problem's table; `None` if it is undefined.
+    pub fn measure_value(
+        &self,
+        row: usize,
+        case: &Case,
+        metric: &dyn Fn(usize) -> Option<f64>,
+    ) -> Option<f64> {
+        let measure = &self.measures[row];
+        match (&measure.computed, measure.metric) {
+            (Some(computed), _) => {
+                // A measure is computed from earlier ones.
+                let of =
+                    |part: usize| (part < row).then(|| self.measure_value(part, case, metric))?;
+                computed.value(case, &of).filter(|x| x.is_finite())
+            }
+            (None, Some(metric_row)) => metric(metric_row),
+            (None, None) => None,
+        }
+    }
+
+    /// Whether arithmetic of a measure contains a parameter.
+    pub fn measure_contains(&self, row: usize, parameter: usize) -> bool {
+        let count = self.problem.parameters().len();
+        let Some(computed) = &self.measures[row].computed else {
+            return false;
+        };
+        let mut parts = computed.uses(count).into_iter();
+        computed.contains(parameter)
+            || parts.any(|part| part < row && self.measure_contains(part, parameter))
+    }
+
+    /// The metric of the problem that `calibrate` minimises, if it is one alone.
+    pub fn minimised_metric(&self) -> Option<usize> {
+        let calibrate = self.calibrate.as_ref()?;
+        let measure = &self.measures[calibrate.minimise];
+        let count = self.problem.parameters().len();
+        match measure.computed {
+            None => measure.metric,
+            // A name of the study for one metric.
+            Some(_) => match metrics_of(&self.measures, calibrate.minimise, count)[..] {
+                [metric] if self.measures[metric].name == measure.meaning => Some(metric),
+                _ => None,
+            },
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! The cases of an alternative at points of its free parameters.
+
+use super::{Alternative, Free};
+use crate::cases::block::Block;
+use crate::cases::derived::{Condition, Derived};
+use crate::cases::formula_table::FormulaTable;
+use crate::cases::group::{Axis, AxisGroup};
+use crate::cases::values::Values;
+use crate::{Calibrate, Study};
+use slipgap_solver::problem::cases::Cases;
+use slipgap_solver::problem::parameter::Value;
+use slipgap_solver::problem::{Case, Violation};
+
+/// Makes the cases of an alternative at points of some free parameters; the others have the values of the study.
+#[derive(Debug, Clone)]
+pub struct PointCases<'a> {
+    study: &'a Study,
+    alternative: &'a Alternative,
+    free: Vec<Free>,
+}
+
+impl Study {
+    /// The cases of an alternative at points of these free parameters.
+    pub fn point_cases<'a>(
+        &'a self,
+        alternative: &'a Alternative,
+        free: &[Free],
+    ) -> PointCases<'a> {
+        PointCases {
+            study: self,
+            alternative,
+            free: free.to_vec(),
+        }
+    }
+
+    /// The free parameters that the block of an alternative gives, in the order of the file.
+    pub fn free_of(&self, alternative: &Alternative) -> Vec<Free> {
+        let block = &self.blocks[alternative.block];
+        let free = self
+            .calibrate
+            .iter()
+            .flat_map(|calibrate: &Calibrate| &calibrate.free);
+        free.copied()
+            .filter(|free| block.gives(free.parameter))
+            .collect()
+    }
+}
+
+impl PointCases<'_> {
+    /// The free parameters.
+    pub fn free(&self) -> &[Free] {
+        &self.free
+    }
+
+    /// Number of cases at a point.
+    pub fn tests(&self) -> usize {
+        self.alternative.cases()
+    }
+
+    /// The values of the free parameters at a point of the unit cube.
+    pub fn values(&self, point: &[f64]) -> Vec<f64> {
+        let free = self.free.iter().zip(point);
+        free.map(|(free, u)| free.range.at(*u)).collect()
+    }
+
+    /// The cases at points of the unit cube, completed: those of the first test at all points, then those of the second and so
+    /// on. A case that breaks a rule, or the condition of its block, cannot be solved.
+    pub fn cases(&self, points: &[Vec<f64>]) -> Cases {
+        let values: Vec<Vec<f64>> = points.iter().map(|point| self.values(point)).collect();
+        self.cases_with(&values)
+    }
+
+    /// The same with values of the free parameters instead of points.
+    pub fn cases_with(&self, values: &[Vec<f64>]) -> Cases {
+        let problem = &*self.study.problem;
+        let mut cases = Cases::new(problem.schema());
+        let mut case = Case::new(problem.schema());
+        let own = &self.study.blocks[self.alternative.block];
+        for raw in &self.alternative.raws {
+            let block = self.block(own, *raw, values);
+            for place in 0..values.len() as u64 {
+                let met = block.put_and_test(problem, place, &mut case);
+                if met != Some(true) {
+                    block.put(problem, place, &mut case);
+                }
+                let violations = block.complete(problem, &mut case);
+                let unmet = || {
+                    let condition = block.when.as_ref().map_or("", |when| &when.text);
+                    Some(format!("when: {condition} is not met"))
+                };
+                let refused = Violation::all(&violations);
+                let refused = refused.or_else(|| (met != Some(true)).then(unmet)?);
+                let next = cases.len() as u64;
+                cases.push_at(next, &case, refused);
+            }
+        }
+        cases
+    }
+
+    /// The block with the values of one combination and an axis of points.
+    fn block(&self, own: &Block, raw: u64, values: &[Vec<f64>]) -> Block {
+        let is_free = |axis: &Axis| {
+            let mut free = self.free.iter();
+            free.any(|free| free.parameter == axis.parameter)
+        };
+        let positions = own.positions(raw);
+        let one = |(group, position): (&AxisGroup, &u64)| AxisGroup {
+            axes: {
+                let axes = group.axes.iter().filter(|axis| !is_free(axis));
+                axes.map(|axis| Axis {
+                    parameter: axis.parameter,
+                    values: Values::Listed(vec![axis.values.at(*position as usize)]),
+                })
+                .collect()
+            },
+        };
+        let groups = own.groups.iter().zip(&positions).map(one);
+        let points = |(i, free): (usize, &Free)| Axis {
+            parameter: free.parameter,
+            values: values.iter().map(|own| Value::Number(own[i])).collect(),
+        };
+        let points = AxisGroup {
+            axes: self.free.iter().enumerate().map(points).collect(),
+        };
+        let mut block = Block {
+            groups: groups
+                .chain([points])
+                .filter(|group| !group.axes.is_empty())
+                .collect(),
+            ..Block::default()
+        };
+        for derived in &own.derived {
+            // A table would have a value for each point, too.
+            let formula = FormulaTable::new(derived.formula.formula.clone(), &block);
+            block.derived.push(Derived {
+                formula,
+                text: derived.text.clone(),
+                ..*derived
+            });
+        }
+        block.when = own.when.as_ref().map(|when| Condition {
+            text: when.text.clone(),
+            formula: FormulaTable::new(when.formula.formula.clone(), &block),
+        });
+        block
+    }
+}

@@ -1,0 +1,122 @@
+//! The range of the delays of a study, from which the points that are compared follow: they are the same for all of its delays.
+
+use super::names::{member, members};
+use crate::axes::draft::BlockDraft;
+use crate::axes::parameters::parameters;
+use crate::source::faults::Faults;
+use crate::source::tree::{Node, Tree};
+use slipgap_solver::expression::Formula;
+use slipgap_solver::problem::parameter::{Parameter, Value};
+use slipgap_solver::problem::structure::amount::Source;
+use slipgap_solver::problem::structure::measured::Measured;
+
+/// Most parameters of a formula whose ends are all combined.
+const MOST: usize = 12;
+
+/// Deepest formula of formulas. Faults of circles are reported elsewhere.
+const DEEPEST: usize = 20;
+
+/// A measurement with the range of its delays.
+pub(super) fn known(measured: Measured, root: &Node, table: &[Parameter]) -> Measured {
+    let delays = match measured.delay.as_ref().map(|delay| &delay.source) {
+        None => [0.0; 2],
+        Some(Source::Number(x)) => [*x; 2],
+        Some(Source::Expression(expression)) => {
+            let free = Free::of(root, table);
+            let of = |draft: BlockDraft| Ranges { draft, free: &free }.of(&expression.formula, 0);
+            let all = blocks(root, table).into_iter().filter_map(of);
+            all.reduce(joined).unwrap_or_default()
+        }
+    };
+    Measured { delays, ..measured }
+}
+
+fn joined(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// The parameters of every block. Their faults are reported where cases are made.
+fn blocks(root: &Node, table: &[Parameter]) -> Vec<BlockDraft> {
+    let own = [root].into_iter();
+    let more = match member(root, "blocks").map(|node| &node.tree) {
+        Some(Tree::List(blocks)) => &blocks[..],
+        _ => &[],
+    };
+    let nodes = own
+        .chain(more)
+        .filter_map(|node| member(node, "parameters"));
+    let draft = |node: &Node| parameters(node, "", table, &mut Faults::default());
+    nodes.filter_map(draft).collect()
+}
+
+/// The ranges of the parameters that a calibration changes, by their rows.
+struct Free(Vec<(usize, [f64; 2])>);
+
+impl Free {
+    fn of(root: &Node, table: &[Parameter]) -> Free {
+        let all = member(root, "calibrate").map_or(&[][..], members).iter();
+        let range = all.filter_map(|own| {
+            let row = table.iter().position(|known| known.name == own.key)?;
+            // With a scale, the ends are the value of its key.
+            let ends = match members(&own.node) {
+                [scale] => &scale.node,
+                _ => &own.node,
+            };
+            match &ends.tree {
+                Tree::List(ends) => match &ends[..] {
+                    [from, to] => Some((row, [number(from)?, number(to)?])),
+                    _ => None,
+                },
+                _ => None,
+            }
+        });
+        Free(range.collect())
+    }
+}
+
+fn number(node: &Node) -> Option<f64> {
+    match &node.tree {
+        Tree::Number(written) => written.parse().ok(),
+        Tree::Text(text) => Formula::number(text, &[]).ok()?.value(&|_| None).ok(),
+        _ => None,
+    }
+}
+
+/// The ranges of the parameters of a block.
+struct Ranges<'a> {
+    draft: BlockDraft,
+    free: &'a Free,
+}
+
+impl Ranges<'_> {
+    /// The range of a formula from its values at the ends of its parameters.
+    fn of(&self, formula: &Formula, depth: usize) -> Option<[f64; 2]> {
+        let rows = formula.uses();
+        if depth > DEEPEST || rows.len() > MOST {
+            return None;
+        }
+        let ends = rows.iter().map(|row| self.of_parameter(*row, depth));
+        let ends: Vec<[f64; 2]> = ends.collect::<Option<_>>()?;
+        let value = |corner: usize| {
+            let of = |row: usize| {
+                let place = rows.iter().position(|own| *own == row)?;
+                Some(Value::Number(ends[place][corner >> place & 1]))
+            };
+            let x = formula.value(&of).ok()?;
+            Some([x, x])
+        };
+        (0..1 << rows.len()).filter_map(value).reduce(joined)
+    }
+
+    fn of_parameter(&self, row: usize, depth: usize) -> Option<[f64; 2]> {
+        let given = self.draft.get(row)?;
+        let values = given.values.iter().filter_map(|(value, _)| value.as_f64());
+        let values = values.map(|x| [x, x]);
+        let interval = given.interval.map(|own| own.ends());
+        let formula = given.formula.as_ref();
+        let formula = formula.and_then(|(formula, _)| self.of(formula, depth + 1));
+        let free = self.free.0.iter().filter(|own| own.0 == row);
+        let all = values.chain(interval).chain(formula);
+        all.chain(free.map(|own| own.1)).reduce(joined)
+    }
+}
