@@ -2,6 +2,7 @@
 
 mod bad_files;
 mod bad_impact;
+mod bad_measured;
 mod begin;
 mod checks;
 mod claims;

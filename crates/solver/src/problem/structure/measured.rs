@@ -81,7 +81,7 @@ impl Measured {
                         "{delay} is not between {least} and {most}, the delays at the ends of the parameters that it contains"
                     )));
                 }
-                delay
+                delay.clamp(least, most)
             }
             None => 0.0,
         };
@@ -136,14 +136,10 @@ impl Compared<'_> {
         self.test.values[place].get(self.points.clone())
     }
 
-    /// Times of the points that are compared, in the time of the file.
-    pub fn file_times(&self) -> &[f64] {
-        &self.test.time[self.points.clone()]
-    }
-
-    /// The time of the file that is t = 0 of the motion.
-    pub fn delay(&self) -> f64 {
-        self.delay
+    /// Times of the points that are compared, in the time of the motion.
+    pub fn times(&self) -> Vec<f64> {
+        let times = self.test.time[self.points.clone()].iter();
+        times.map(|t| t - self.delay).collect()
     }
 
     /// All channels with all points.

@@ -9,6 +9,7 @@ use super::node::Numbering;
 use super::solve::FEW;
 use crate::contact::ContactKind;
 use crate::exact::adaptive::coarse_times;
+use crate::metrics::measured::energy_per_cycle;
 use crate::metrics::structure as reduce;
 use crate::system::structure::{Structure, StructureLaw};
 use std::collections::HashMap;
@@ -259,9 +260,7 @@ fn of_contact(
                 false => reduce::work(force, series(Quantity::Displacement)),
             })
         }
-        Reduction::EnergyPerCycle => {
-            measured_metrics::energy_per_cycle(series(Quantity::Displacement), force)
-        }
+        Reduction::EnergyPerCycle => energy_per_cycle(series(Quantity::Displacement), force),
         Reduction::ResidualSlip => {
             let slip = series(Quantity::Slip);
             Some(slip.last()? - slip.first()?)
