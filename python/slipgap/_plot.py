@@ -161,9 +161,12 @@ def _history(results: Results, channel: str | None, case: int, ax: Any, figures:
     else:
         figure, all_axes = ax.figure, [ax]
     for axes, name in zip(all_axes, shown, strict=True):
+        if name in solution.measured:
+            axes.plot(solution.time, solution.measured[name], "0.6", label="measured")
         axes.plot(solution.time, channels[name], label="computed")
         if name in solution.references:
             axes.plot(solution.time, solution.references[name], "k", linewidth=0.8, label="exact")
+        if len(axes.lines) > 1:
             axes.legend()
         axes.set_ylabel(name)
     all_axes[-1].set_xlabel(time)

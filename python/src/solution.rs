@@ -35,6 +35,7 @@ struct Dicts {
     parameters: PyOnceLock<Py<PyDict>>,
     channels: PyOnceLock<Py<PyDict>>,
     references: PyOnceLock<Py<PyDict>>,
+    measured: PyOnceLock<Py<PyDict>>,
     metrics: PyOnceLock<Py<PyDict>>,
 }
 
@@ -57,6 +58,7 @@ impl Solution {
                 parameters: PyOnceLock::new(),
                 channels: PyOnceLock::new(),
                 references: PyOnceLock::new(),
+                measured: PyOnceLock::new(),
                 metrics: PyOnceLock::new(),
             },
         }
@@ -124,6 +126,26 @@ impl Solution {
     fn references(&self, py: Python<'_>) -> PyResult<&Py<PyDict>> {
         let new = || self.history(py, &self.solution.exact, true);
         self.dicts.references.get_or_try_init(py, new)
+    }
+
+    /// What was measured, at the same times: time and channels by name, each of shape (N + 1,), straight between the measured
+    /// points and NaN outside of them. Empty for a study without `measured`.
+    #[getter]
+    fn measured(&self, py: Python<'_>) -> PyResult<&Py<PyDict>> {
+        self.dicts.measured.get_or_try_init(py, || {
+            let dict = PyDict::new(py);
+            let measured = self.problem.measured(&self.case);
+            let times = &self.solution.computed.time;
+            if !measured.is_empty() {
+                let schema = self.problem.schema();
+                self.put(&dict, &schema.time.column, Dimension::Time, times)?;
+                for own in &measured {
+                    let dimension = schema.channels[own.column].dimension;
+                    self.put(&dict, &own.name, dimension, &own.at(times))?;
+                }
+            }
+            Ok(dict.unbind())
+        })
     }
 
     /// The metrics by name; None where one is undefined.

@@ -41,6 +41,8 @@ pub const FRAME_LINE: f64 = 0.6;
 pub const ZERO_LINE: f64 = 0.3;
 /// Width of the exact solution.
 pub const EXACT_LINE: f64 = 0.6;
+/// Width of a measured curve.
+pub const MEASURED_LINE: f64 = 1.1;
 /// Width of a contour line.
 pub const CONTOUR_LINE: f64 = 0.45;
 /// Width of the lines of hatched areas.
@@ -110,6 +112,8 @@ pub enum Stroke {
     DashDotDot,
     /// Long dashes.
     LongDash,
+    /// Unbroken, in grey.
+    Grey,
     /// Unbroken, in a colour of maps: its fraction of the scale in parts of 255.
     Graded(u8),
     /// The curve of this number in colour, unbroken as long as the colours last.
@@ -127,11 +131,14 @@ const COLOURS: [[u8; 3]; 6] = [
     [86, 180, 233],
 ];
 
+/// Grey of measured curves: no colour of a curve, and lighter than all black ones.
+const GREY: [u8; 3] = [150; 3];
+
 impl Stroke {
     /// Lengths of line and gap in turn; empty for an unbroken line.
     pub fn pattern(self) -> &'static [f64] {
         match self {
-            Stroke::Solid | Stroke::Graded(_) => &[],
+            Stroke::Solid | Stroke::Grey | Stroke::Graded(_) => &[],
             // With the colours used up, the next ones have dashes.
             Stroke::Colour(i) => match usize::from(i) / COLOURS.len() {
                 0 => &[],
@@ -160,6 +167,7 @@ impl Stroke {
         match self {
             Stroke::Graded(place) => colour(f64::from(place) / 255.0),
             Stroke::Colour(i) => COLOURS[usize::from(i) % COLOURS.len()],
+            Stroke::Grey => GREY,
             Stroke::Solid
             | Stroke::Dashed
             | Stroke::DashDot
@@ -172,7 +180,7 @@ impl Stroke {
     /// Red, green and blue of the area of a band: light.
     pub fn fill(self) -> [u8; 3] {
         match self {
-            Stroke::Graded(_) | Stroke::Colour(_) => {
+            Stroke::Grey | Stroke::Graded(_) | Stroke::Colour(_) => {
                 self.colour().map(|part| 255 - (255 - part) / 3)
             }
             Stroke::Solid
@@ -185,10 +193,10 @@ impl Stroke {
     }
 
     /// The hatching of the band of a black curve: `[a, b]` for lines along which a x + b y is constant, y downwards. None for a
-    /// colour, whose bands are filled.
+    /// colour or in grey, whose bands are filled.
     pub fn hatching(self) -> &'static [[f64; 2]] {
         match self {
-            Stroke::Graded(_) | Stroke::Colour(_) => &[],
+            Stroke::Grey | Stroke::Graded(_) | Stroke::Colour(_) => &[],
             Stroke::Solid => &[[1.0, 1.0]],
             Stroke::Dashed => &[[1.0, -1.0]],
             Stroke::DashDot => &[[1.0, 0.0]],
@@ -397,7 +405,12 @@ mod tests {
     #[test]
     fn colours_show_on_white() {
         // Twice is enough for a line on paper; the yellow of the same palette has 1.3.
-        assert!(COLOURS.iter().all(|rgb| contrast(*rgb) > 2.0));
+        assert!(
+            COLOURS
+                .iter()
+                .chain([&GREY])
+                .all(|rgb| contrast(*rgb) > 2.0)
+        );
         assert!(contrast([240, 228, 66]) < 1.4);
     }
 }

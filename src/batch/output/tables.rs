@@ -2,7 +2,7 @@
 
 use slipgap_solver::problem::parameter::shortest;
 use slipgap_solver::problem::unit::Dimension;
-use slipgap_solver::problem::{Case, HistoryColumn, Solution};
+use slipgap_solver::problem::{Case, HistoryColumn, MeasuredChannel, Solution};
 use slipgap_solver::solve::Unsolvable;
 use slipgap_study::Study;
 use std::io::{self, Write};
@@ -47,8 +47,8 @@ fn parameters(number: u64, rows: &[usize], case: &Case) -> impl Iterator<Item = 
     std::iter::once(number.to_string()).chain(rows.iter().map(value))
 }
 
-/// Writes the history of a case with one row for each step. The columns are the time, the computed channels and the exact
-/// ones. If the study has units, each column is followed by the same quantity in these units.
+/// Writes the history of a case with one row for each step. The columns are the time, the computed channels, the exact
+/// ones, and the measured ones, straight between the measured points and empty outside of them. If the study has units, each column is followed by the same quantity in these units.
 pub fn write_history(
     study: &Study,
     case: &Case,
@@ -72,6 +72,15 @@ pub fn write_history(
         let name = format!("{}_exact", column.name);
         (name, column.dimension, exact.channel(*index))
     }));
+    let measured = study.problem.measured(case);
+    let measured: Vec<(&MeasuredChannel, Vec<f64>)> = measured
+        .iter()
+        .map(|own| (own, own.at(&computed.time)))
+        .collect();
+    columns.extend(measured.iter().map(|(own, values)| {
+        let dimension = schema.channels[own.column].dimension;
+        (own.history_name(), dimension, &values[..])
+    }));
     let mut writer = csv::Writer::from_writer(out);
     let units = study.units.as_ref();
     let header = columns.iter().flat_map(|(name, dimension, _)| {
@@ -87,7 +96,9 @@ pub fn write_history(
             .zip(&sizes)
             .flat_map(|((_, _, values), size)| {
                 let in_units = size.map(|size| cell(Some(values[i] * size)));
-                [Some(shortest(values[i])), in_units].into_iter().flatten()
+                [Some(cell(Some(values[i]))), in_units]
+                    .into_iter()
+                    .flatten()
             });
         writer.write_record(cells)?;
     }

@@ -1,8 +1,10 @@
-//! One quantity over another: a row of panels for each quantity, the exact solution thin under the cases.
+//! One quantity over another: a row of panels for each quantity, the exact solution thin under the cases, what was measured
+//! in grey under both.
 
 use super::Draw;
 use super::history::arrangement::Arrangement;
 use super::history::curves::{keys, members, sizes, unmark_alone};
+use super::history::measured::Measured;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
@@ -69,8 +71,9 @@ impl Draw for Curve {
         let series = |quantity| {
             let of_group = |group: &Vec<usize>| {
                 let curves = group.iter().map(|i| curve(quantity, *i));
-                let exact = pairs.exact(quantity, drawn, group).into_iter();
-                exact.chain(curves).collect()
+                let measured = pairs.measured(quantity, drawn, group).into_iter();
+                let exact = pairs.exact(quantity, drawn, group);
+                measured.chain(exact).chain(curves).collect()
             };
             groups.iter().map(of_group).collect()
         };
@@ -194,6 +197,28 @@ impl Pairs<'_> {
         let pairs = time.iter().zip(points);
         let inside = pairs.filter(|(t, _)| (first..=last).contains(&(**t * size)));
         inside.map(|(_, point)| point).collect()
+    }
+
+    /// The measured curves of a group of cases, equal ones once, where both quantities were measured.
+    fn measured(&self, y: &Quantity, drawn: &[DrawnCase], group: &[usize]) -> Vec<Series> {
+        let mut found: Vec<Series> = Vec::new();
+        for shown in group.iter().map(|i| &drawn[*i]) {
+            let measured = Measured::of(self.study, &shown.case());
+            let [Some((time, xs)), Some((_, ys))] = [self.x, y].map(|own| measured.quantity(own))
+            else {
+                continue;
+            };
+            let computed = shown.solution().map(|solution| &solution.computed.time[..]);
+            let end = computed.and_then(<[f64]>::last).copied();
+            let points = self.points(y, shown, [xs.to_vec(), ys.to_vec()]);
+            let moving =
+                time.partition_point(|t| *t < 0.0)..time.partition_point(|t| Some(*t) <= end);
+            let points = self.within(shown, &time[moving.clone()], points[moving].to_vec());
+            if !points.is_empty() && found.iter().all(|other| other.points != points) {
+                found.push(Series::measured(points));
+            }
+        }
+        found
     }
 
     /// The exact curves of a group of cases, equal ones once; none for an error.

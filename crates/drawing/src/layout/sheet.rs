@@ -160,6 +160,9 @@ impl Panel {
     }
 }
 
+/// The label of a measured curve.
+pub const MEASURED: &str = "measured";
+
 /// A curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
@@ -185,6 +188,18 @@ impl Series {
             points,
             stroke: Stroke::Solid,
             width: style::EXACT_LINE,
+            marker: None,
+            marked: Vec::new(),
+        }
+    }
+
+    /// The line of what was measured.
+    pub fn measured(points: Vec<[f64; 2]>) -> Series {
+        Series {
+            label: MEASURED.into(),
+            points,
+            stroke: Stroke::Grey,
+            width: style::MEASURED_LINE,
             marker: None,
             marked: Vec::new(),
         }

@@ -1,6 +1,7 @@
 //! The solution of a case: histories, metrics and snapshots.
 
 use crate::history::History;
+use crate::metrics::measured::at_steps;
 use crate::problem::schema::Channel;
 use crate::solve::Warnings;
 use std::ops::Range;
@@ -49,6 +50,18 @@ pub struct MeasuredChannel {
     pub values: Vec<f64>,
     /// The points that metrics compare.
     pub compared: Range<usize>,
+}
+
+impl MeasuredChannel {
+    /// The name of its column in a history, `NAME_measured`.
+    pub fn history_name(&self) -> String {
+        format!("{}_measured", self.name)
+    }
+
+    /// The values at these times, which rise, straight between the measured points; NaN before the first and after the last one.
+    pub fn at(&self, times: &[f64]) -> Vec<f64> {
+        at_steps(&self.time, &self.values, times)
+    }
 }
 
 /// The solution of a case: the computed motion, and the exact one at the same times.

@@ -1,9 +1,10 @@
 //! The curves of a history figure, as series.
 
+use super::measured::Measured;
 use crate::figures::DrawnCase;
 use crate::figures::label;
 use slipgap_drawing::layout::legend::Key;
-use slipgap_drawing::layout::sheet::{Series, Sheet};
+use slipgap_drawing::layout::sheet::{MEASURED, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
 use slipgap_solver::problem::parameter::Value;
 use slipgap_solver::problem::unit::Dimension;
@@ -34,9 +35,16 @@ pub struct Curves<'a> {
 }
 
 impl Curves<'_> {
-    /// The curves of one panel, the exact ones first.
+    /// The curves of one panel, the measured ones first, then the exact ones.
     pub fn of(&self, quantity: &Quantity, members: &[usize]) -> Vec<Series> {
         let mut series: Vec<Series> = Vec::new();
+        for shown in members.iter().map(|i| &self.cases[*i]) {
+            if let Some(points) = self.measured(quantity, shown)
+                && !series.iter().any(|s| s.points == points)
+            {
+                series.push(Series::measured(points));
+            }
+        }
         for shown in members.iter().map(|i| &self.cases[*i]) {
             if let Some(points) = self.exact(quantity, shown)
                 && !series.iter().any(|s| s.points == points)
@@ -62,6 +70,22 @@ impl Curves<'_> {
             });
         }
         series
+    }
+
+    /// The measured points in the window, with the next ones on both sides if the motion goes on there; none if there are none.
+    fn measured(&self, quantity: &Quantity, shown: &DrawnCase) -> Option<Vec<[f64; 2]>> {
+        let measured = Measured::of(self.study, &shown.case());
+        let (time, values) = measured.quantity(quantity)?;
+        let sizes = sizes(self.study, self.in_units, &shown.case(), quantity);
+        let [first, last] = self.window;
+        let end = *shown.solution()?.computed.time.last()? * sizes[0];
+        let from = time.partition_point(|t| t * sizes[0] < first);
+        let to = time.partition_point(|t| t * sizes[0] <= last);
+        let from = from.saturating_sub(usize::from(first > 0.0));
+        let to = (to + usize::from(last < end)).min(time.len());
+        let inside = time.get(from..to)?.iter().zip(&values[from..to]);
+        let points: Vec<[f64; 2]> = inside.map(|(t, x)| times([*t, *x], sizes)).collect();
+        (!points.is_empty()).then_some(points)
     }
 
     /// The exact curve, finer than any case's steps; none for an error.
@@ -111,10 +135,13 @@ impl Curves<'_> {
     }
 }
 
-/// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it.
+/// Takes the marker from the only curve of each panel: it needs none if no exact curve is with it. Measured ones are grey.
 pub fn unmark_alone<'a>(series: impl Iterator<Item = &'a mut Series>, labels: &[String]) {
     let all: Vec<&mut Series> = series.collect();
-    let alone = labels.len() == 1 && all.iter().all(|series| series.label == labels[0]);
+    let alone = labels.len() == 1
+        && all
+            .iter()
+            .all(|series| series.label == labels[0] || series.label == MEASURED);
     for series in all.into_iter().filter(|_| alone) {
         series.marker = None;
     }
@@ -129,7 +156,7 @@ pub fn members(cases: &[DrawnCase], group: Option<(usize, Option<Value>)>) -> Ve
     (0..cases.len()).filter(belongs).collect()
 }
 
-/// The legend: exact, then each label once.
+/// The legend: measured, exact, then each label once.
 pub fn keys(sheet: &Sheet) -> Vec<Key> {
     let mut keys: Vec<Key> = Vec::new();
     let series = sheet.panels.iter().flat_map(|panel| &panel.series);

@@ -1,7 +1,9 @@
-//! Curves over time: one row of panels for each quantity, the exact solution thin under the cases.
+//! Curves over time: one row of panels for each quantity, the exact solution thin under the cases, what was measured in grey
+//! under both.
 
 pub(super) mod arrangement;
 pub(super) mod curves;
+pub(super) mod measured;
 mod stacked;
 
 use crate::figures::kind::Draw;

@@ -1,6 +1,7 @@
 //! Quantities of one dimension over time as areas on one another, one panel for each case.
 
 use super::curves;
+use super::measured::Measured;
 use super::{height, time_axis, window};
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
@@ -8,11 +9,11 @@ use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::limits;
-use slipgap_drawing::layout::sheet::{Band, Panel, Series, Sheet};
+use slipgap_drawing::layout::sheet::{Band, MEASURED, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
 use slipgap_solver::problem::Quantity;
-use slipgap_study::Scale;
 use slipgap_study::kinds::History;
+use slipgap_study::{Scale, Study};
 
 /// The sheet of a figure with `stacked`: a line is the sum of the quantities up to its own, and the area below it is its own.
 pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
@@ -37,7 +38,12 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
     let end = ends.fold(0.0, f64::max);
     let sums: Vec<Vec<Series>> = drawn
         .iter()
-        .map(|case| sums(data.look(), &quantities, case))
+        .map(|case| {
+            let measured = measured(study, &quantities, case, end).into_iter();
+            measured
+                .chain(sums(data.look(), &quantities, case))
+                .collect()
+        })
         .collect();
     let tall = quantities.first().map_or(0.0, |first| height(first));
     let heights = vec![tall; drawn.len()];
@@ -72,7 +78,7 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
         }
         let mut panel = Panel::new(grid.frames[row][0], grid.margin, x, axis.clone());
         panel.zero = panel.y.range[0] < 0.0 && panel.y.range[1] > 0.0;
-        panel.bands = bands(&series);
+        panel.bands = bands(series.iter().filter(|own| own.label != MEASURED));
         panel.series = series;
         if let (Some(label), true) = (labels.get(row), drawn.len() > 1) {
             panel.caption.clone_from(label);
@@ -127,10 +133,25 @@ fn sums(look: Look, quantities: &[&Quantity], case: &DrawnCase) -> Vec<Series> {
     series
 }
 
+/// The measured sum of all quantities up to `end`; none unless all were measured.
+fn measured(study: &Study, quantities: &[&Quantity], case: &DrawnCase, end: f64) -> Option<Series> {
+    let measured = Measured::of(study, &case.case());
+    let mut sum: Vec<[f64; 2]> = Vec::new();
+    for (k, quantity) in quantities.iter().enumerate() {
+        let (time, values) = measured.quantity(quantity)?;
+        match k {
+            0 => sum.extend(time.iter().zip(values).map(|(t, x)| [*t, *x])),
+            _ => sum.iter_mut().zip(values).for_each(|(own, x)| own[1] += x),
+        }
+    }
+    sum.retain(|[t, _]| (0.0..=end).contains(t));
+    (!sum.is_empty()).then(|| Series::measured(sum))
+}
+
 /// The area of each quantity, from the sum without it to the sum with it.
-fn bands(series: &[Series]) -> Vec<Band> {
+fn bands<'a>(series: impl Iterator<Item = &'a Series>) -> Vec<Band> {
     let mut lower: Option<&Series> = None;
-    let mut bands = Vec::with_capacity(series.len());
+    let mut bands = Vec::new();
     for own in series {
         let zero = || own.points.iter().map(|[t, _]| [*t, 0.0]).collect();
         bands.push(Band {

@@ -9,6 +9,7 @@ mod tests;
 
 use crate::layout;
 use crate::layout::sheet::{Envelope, Panel, Sheet};
+use crate::style::Stroke;
 
 /// Shortest period that can be drawn, in line widths: two strokes and as much white after each.
 const PERIOD: f64 = 4.0;
@@ -55,14 +56,16 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
         .panels
         .iter()
         .filter_map(|panel| panel.inset.as_deref());
-    let band = |panel: &Panel| {
-        panel
-            .envelopes
-            .first()
+    let band = |panel: &'_ Panel| -> Vec<Stroke> {
+        let strokes = panel.envelopes.iter();
+        strokes
             .map(|band| panel.series[band.series].stroke)
+            .collect()
     };
-    let stroke = sheet.panels.iter().chain(insets).find_map(band)?;
-    Some(match stroke.hatching() {
+    let all: Vec<Stroke> = sheet.panels.iter().chain(insets).flat_map(band).collect();
+    // A measured band is grey in both looks.
+    let computed = all.iter().find(|stroke| **stroke != Stroke::Grey);
+    Some(match computed.or(all.first())?.hatching() {
         [] => IN_COLOUR,
         _ => MEANING,
     })

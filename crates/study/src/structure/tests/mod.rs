@@ -5,6 +5,7 @@ mod channels;
 mod contact_duration;
 mod ground;
 mod initial;
+mod measured;
 mod own_records;
 mod parts;
 mod supports;
