@@ -5,6 +5,7 @@ pub mod beta;
 pub mod binomial;
 pub mod capacity;
 pub mod empirical;
+pub mod fisher;
 pub mod gamma;
 pub mod kolmogorov_smirnov;
 pub mod lognormal;
