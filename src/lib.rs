@@ -24,7 +24,7 @@
 //!                -> results -> figures, checks, reports
 //! ```
 //!
-//! The modules from top to bottom; each uses only those below it: [`animate`], [`report`], [`claims`], [`compare`], [`run`], [`warnings`],
+//! The modules from top to bottom; each uses only those below it: [`animate`], [`report`], [`claims`], [`compare`], [`calibrate`], [`run`], [`warnings`],
 //! [`checks`], [`study_figures`], [`figures`], [`batch`] with the store. Below them are crates, whose modules are named here, too: [`recommend`],
 //! [`study`] with [`error`], the solver with [`problem`], [`metrics`], [`solve`], [`textbook`], [`exact`], [`system`], [`methods`],
 //! [`contact`], [`expression`], [`lane`] and [`history`], and [`statistics`]. [`textbook`] has the papers' matrices and iteration,
@@ -69,6 +69,7 @@
 
 pub mod animate;
 pub mod batch;
+pub mod calibrate;
 pub mod checks;
 pub mod claims;
 pub mod compare;

@@ -2,6 +2,7 @@
 
 mod animate;
 mod arguments;
+mod calibrate;
 mod check;
 mod claims;
 mod compare;
@@ -58,6 +59,8 @@ pub enum Verb {
     /// Find the cheapest parameters that reach a target; show the errors and the alternatives
     #[command(subcommand)]
     Recommend(recommend::RecommendArgs),
+    /// Find the values of free parameters with which a study comes nearest to what was measured
+    Calibrate(calibrate::CalibrateArgs),
     /// Print the JSON schema of study files
     Schema(schema::SchemaArgs),
 }
@@ -78,6 +81,7 @@ impl Verb {
             Verb::Animate(args) => args.execute(),
             Verb::Claims(args) => args.execute(),
             Verb::Recommend(args) => args.execute(),
+            Verb::Calibrate(args) => args.execute(),
             Verb::Schema(args) => args.execute(),
         }
     }

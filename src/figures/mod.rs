@@ -8,6 +8,8 @@ mod front;
 mod hover;
 mod kind;
 mod label;
+mod measured;
+mod misfit;
 #[cfg(test)]
 mod tests;
 
@@ -15,6 +17,8 @@ pub use crate::batch::{DrawnCase, ShownCases};
 pub use front::Front;
 pub use hover::with_hover;
 pub(crate) use kind::scheme;
+pub use measured::{MeasuredMotion, MeasuredPanel};
+pub use misfit::{MisfitCurve, MisfitPanel, Misfits};
 pub use slipgap_drawing::draw::base64;
 pub use slipgap_drawing::layout::sheet;
 pub use slipgap_drawing::style;

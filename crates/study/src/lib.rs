@@ -27,6 +27,7 @@ pub use computed::reference;
 pub use figure::reduced;
 pub use source::{faults, input, object, place, tree};
 
+pub use calibrate::decode::FIGURES as CALIBRATION_FIGURES;
 pub use calibrate::{Alternative, Calibrate, Free, FreeRange, PointCases};
 pub use cases::block::Block;
 pub use cases::design::{Design, Sampling};

@@ -137,8 +137,8 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn diverges(&self, _case: &Case) -> Option<bool> {
         None
     }
-    /// Whether two completed cases have the same equations of motion to the bit, with the same steps: a parameter in which alone they
-    /// differ is not used. False for a case that cannot be solved.
+    /// Whether two completed cases have the same equations of motion and measured points to the bit, with the same steps: a parameter in
+    /// which alone they differ is not used. False for a case that cannot be solved.
     fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
         false
     }

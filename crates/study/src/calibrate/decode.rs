@@ -2,9 +2,10 @@
 
 use super::range::FreeRange;
 use super::{Calibrate, Free};
+use crate::Figure;
 use crate::cases::scope::Scope;
-use crate::computed::sources::MINIMISE;
-use crate::source::faults::{Faults, any_of, quoted, unknown};
+use crate::computed::sources::{MINIMISE, items, members};
+use crate::source::faults::{Faults, any_of, join, quoted, unknown};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::{number, text};
@@ -22,6 +23,9 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
         "most cases that the search of an alternative solves; 20000 if left out",
     ),
 ];
+
+/// Names of the figures of a calibration, in the folder of those of the study.
+pub const FIGURES: [&str; 2] = ["misfit", "measured"];
 
 /// Cases of the search of an alternative, if the study does not say.
 const CASES: u64 = 20_000;
@@ -102,6 +106,33 @@ fn file(measured: &Node, names: &[&str]) -> Option<usize> {
     match &file.node.tree {
         Tree::Text(text) => names.iter().position(|name| name == text),
         _ => None,
+    }
+}
+
+/// Reports figures with the name of one of a calibration.
+pub(crate) fn refuse_figures(root: &Object, figures: &[Figure], faults: &mut Faults) {
+    let Some(node) = root
+        .get("figures")
+        .filter(|_| root.get("calibrate").is_some())
+    else {
+        return;
+    };
+    for figure in figures
+        .iter()
+        .filter(|own| FIGURES.contains(&own.name.as_str()))
+    {
+        let message = format!(
+            "{} is the name of a figure of `slipgap calibrate`; choose another name",
+            quoted(&figure.name)
+        );
+        let place = items(node, "figures").into_iter().find_map(|(own, path)| {
+            let mut members = members(own);
+            let name = members.find(|member| member.key == "name")?;
+            let is_it = matches!(&name.node.tree, Tree::Text(text) if *text == figure.name);
+            is_it.then(|| (name.node.at, join(&path, "name")))
+        });
+        let (at, path) = place.unwrap_or((node.at, "figures".to_owned()));
+        faults.add(at, &path, message);
     }
 }
 

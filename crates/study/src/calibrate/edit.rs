@@ -23,7 +23,7 @@ impl Input {
         })
     }
 
-    /// The study with these metrics only and without `calibrate`.
+    /// The study with these metrics only, besides the one that `calibrate` minimises.
     ///
     /// # Errors
     /// As of [`Input::study`]; and a metric has a fault.
@@ -34,8 +34,20 @@ impl Input {
                 at,
                 tree: Tree::Text(metric.clone()),
             };
-            put_metrics(root, metrics.iter().map(text).collect());
-            remove(root, &["calibrate"]);
+            let own = needed(root);
+            put_metrics(
+                root,
+                own.into_iter().chain(metrics.iter().map(text)).collect(),
+            );
+        })
+    }
+
+    /// Whether the structure has bars, the elements of which are a mesh.
+    pub fn has_bars(&self) -> bool {
+        let root = self.expanded().map(|expanded| expanded.root);
+        root.is_ok_and(|mut root| {
+            let structure = root.member("structure");
+            structure.and_then(|node| node.member("bars")).is_some()
         })
     }
 }

@@ -244,6 +244,7 @@ pub(crate) fn study(
     });
     scope.checked = checks.iter().map(|check| check.metric).collect();
     let figures = figures(&object, &scope, faults);
+    calibrate::decode::refuse_figures(&object, &figures, faults);
     let (metrics, columns) = columns(&scope, &listed, &figures, &checks);
     Some(Study {
         title,

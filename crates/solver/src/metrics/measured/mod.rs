@@ -13,17 +13,22 @@ pub use sprague_geers::{SpragueGeers, sprague_geers};
 
 use super::SLACK;
 
-/// The values of a motion at `times`, straight between its steps 0..=N of `dt`; `None` if a time is outside of them, beyond round-off.
+/// The values of a motion at `times`, which rise, straight between its steps 0..=N of `dt`; `None` if the first or the last one is
+/// outside of them, beyond round-off.
 pub fn at_times(c: &[f64], dt: f64, times: &[f64]) -> Option<Vec<f64>> {
-    let last = c.len().checked_sub(1)?;
-    let value = |t: &f64| {
+    let end = c.len().checked_sub(1)? as f64;
+    // A time of a file is a decimal number, and dt may be a quotient: both are rounded.
+    let is_near = |t: &f64| {
         let place = t / dt;
-        let nearest = place.clamp(0.0, last as f64);
-        // A time of a file is a decimal number, and dt may be a quotient: both are rounded.
-        let is_near = (place - nearest).abs() <= 1e-9 + SLACK * nearest;
-        is_near.then(|| between(c, nearest))
+        let nearest = place.clamp(0.0, end);
+        (place - nearest).abs() <= 1e-9 + SLACK * nearest
     };
-    times.iter().map(value).collect()
+    let mut ends = [times.first(), times.last()].into_iter().flatten();
+    if !ends.all(is_near) {
+        return None;
+    }
+    let value = |t: &f64| between(c, (t / dt).clamp(0.0, end));
+    Some(times.iter().map(value).collect())
 }
 
 /// Measured values at the times `steps`, which rise, straight between the measured points; NaN before the first and after the last one.

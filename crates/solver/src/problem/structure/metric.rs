@@ -334,6 +334,40 @@ mod tests {
     }
 
     #[test]
+    fn errors_of_measured_channels_are_of_no_exact_motion() {
+        let metric = |text| StructureMetric::parse(text, &names()).unwrap();
+        for (text, measured, exact) in [
+            ("rms_error(p1)", false, true),
+            ("rms_error(p1, measured)", true, false),
+            ("last_error( p1 - p2 ,measured )", true, false),
+            ("peak_error(gap.S, measured)", true, false),
+            ("step_error(p1)", false, true),
+            ("energy_per_cycle(gap)", false, false),
+            ("energy_per_cycle(gap.S, measured)", true, false),
+            ("loop_distance(gap.r, gap.S, measured)", true, false),
+        ] {
+            let metric = metric(text);
+            assert_eq!(metric.name, text);
+            assert_eq!(
+                (metric.measured, metric.needs_exact()),
+                (measured, exact),
+                "{text}"
+            );
+            assert!(looks_like_metric(text));
+        }
+        assert_eq!(
+            metric("rms_error(p1, measured)").channel,
+            metric("peak(p1)").channel
+        );
+        let of_loop = metric("loop_distance(gap.r, gap.S, measured)");
+        assert_eq!(of_loop.second, metric("peak(gap.S)").channel);
+        assert_ne!(
+            metric("rms_error(p1)").meaning(),
+            metric("rms_error(p1, measured)").meaning()
+        );
+    }
+
+    #[test]
     fn metrics_are_reductions_of_channels() {
         let metric = |text| StructureMetric::parse(text, &names()).unwrap();
         let peak = metric("peak( g1.right-p2 )");
@@ -369,6 +403,24 @@ mod tests {
             ("ground.Sa", "needs the period"),
             ("ground.y.Sa(1, 2, 3)", "needs the period"),
             ("ground.w.pga", "no metric 'ground.w.pga'"),
+            (
+                "peak(p1, measured)",
+                "peak does not compare with what was measured",
+            ),
+            ("energy_error(measured)", "has no channel"),
+            (
+                "step_error(p1,measured)",
+                "these do: rms_error, last_error, peak_error, sprague_geers_magnitude,",
+            ),
+            ("rms_error(, measured)", "needs a channel"),
+            ("rms_error(measured)", "no node or contact 'measured'"),
+            (
+                "sprague_geers_phase(p1)",
+                "sprague_geers_phase(CHANNEL, measured)",
+            ),
+            ("loop_distance(p1, p2)", "a loop of two channels"),
+            ("loop_distance(p1, measured)", "a loop of two channels"),
+            ("loop_distance(p1, p2, p1, measured)", "'p2,'"),
         ] {
             let why = StructureMetric::parse(text, &names()).unwrap_err();
             assert!(why.contains(part), "{text}: {why}");

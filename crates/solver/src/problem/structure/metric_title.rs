@@ -164,6 +164,23 @@ mod tests {
                 "time of divergence of displacement a3 by 0.01",
             ),
             ("step_error(a3)", "step error of displacement a3"),
+            (
+                "peak_error(gap.S, measured)",
+                "error of peak force gap.S against what was measured",
+            ),
+            (
+                "sprague_geers_phase(a3, measured)",
+                "phase error (Sprague-Geers) of displacement a3",
+            ),
+            ("energy_per_cycle(gap)", "energy per cycle of gap"),
+            (
+                "energy_per_cycle(gap, measured)",
+                "relative error of the energy per cycle of gap",
+            ),
+            (
+                "loop_distance(gap.r, gap.S, measured)",
+                "distance of the loop of relative displacement gap.r and force gap.S from the measured one",
+            ),
             ("ground.y.pga", "peak ground acceleration in y"),
             (
                 "ground.Sa(T1)",

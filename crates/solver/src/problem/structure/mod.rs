@@ -438,6 +438,7 @@ impl Problem for StructureProblem {
             ))
         };
         equations(one).is_some_and(|own| equations(other) == Some(own))
+            && self.measured(one) == self.measured(other)
     }
 
     fn diverges_by(&self, metrics: &[Option<f64>]) -> Option<bool> {

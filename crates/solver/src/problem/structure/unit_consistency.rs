@@ -193,6 +193,42 @@ mod tests {
     }
 
     #[test]
+    fn units_have_sizes_by_their_dimension() {
+        use crate::problem::structure::units::UnitNames;
+        for (name, dimension, size) in [
+            ("ms", Dimension::Time, 1e-3),
+            ("in", Dimension::Length, 0.0254),
+            ("mm/s", Dimension::Velocity, 1e-3),
+            ("mm/ms", Dimension::Velocity, 1.0),
+            ("g", Dimension::Acceleration, 9.80665),
+            ("ft/s2", Dimension::Acceleration, 0.3048),
+            ("mm/ms2", Dimension::Acceleration, 1e3),
+            // 1000 lb of 0.45359237 kg under standard gravity.
+            ("kip", Dimension::Force, 4448.2216152605),
+            ("kip in", Dimension::Energy, 4448.2216152605 * 0.0254),
+        ] {
+            let found = size_of(name, dimension).unwrap();
+            assert!((found - size).abs() < 1e-14 * size, "{name}: {found}");
+            assert_eq!(dimension_of(name), Some(dimension));
+        }
+        for name in [
+            "", "g/s", "m/s3", "m/ s", "kNm", "kg", "furlong", "/s", "m/",
+        ] {
+            assert_eq!(dimension_of(name), None, "{name}");
+        }
+        let units = UnitNames::of("kip s2/in, kip, in, s").unwrap();
+        let factor = |unit, dimension| units.factor(unit, dimension).unwrap();
+        assert_eq!(factor("in", Dimension::Length), 1.0);
+        // 9.80665 m/s2 over 0.0254 m.
+        let g = factor("g", Dimension::Acceleration);
+        assert!((g - 386.08858267716535).abs() < 1e-12, "{g}");
+        assert_eq!(units.factor("kN", Dimension::Length), None);
+        let own = UnitNames::of("t, kN, ell, s").unwrap();
+        assert_eq!(own.factor("m", Dimension::Length), None);
+        assert_eq!(own.factor("N", Dimension::Force), Some(1e-3));
+    }
+
+    #[test]
     fn units_that_do_not_agree_are_refused_with_those_that_would() {
         for (text, says) in [
             (

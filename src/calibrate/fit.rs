@@ -1,0 +1,261 @@
+//! The search of an alternative, and what is known at its best point.
+
+use super::misfit::{Misfit, Pooling};
+use super::numerics::{self, ErrorStudy, Numerical};
+use super::residuals::Residuals;
+use super::series::{self, Test};
+use indicatif::ProgressBar;
+use slipgap_recommend::Stop;
+use slipgap_recommend::calibrate::{
+    Best, Determined, End, Objective, Options, Profile, Stopped, determine, search,
+};
+use slipgap_solver::problem::Case;
+use slipgap_study::{Alternative, Calibrate, Free, PointCases, Study};
+
+/// Distance in unit coordinates at which a value is at an end of its range.
+const AT_END: f64 = 1e-6;
+
+/// What was found for an alternative.
+#[derive(Debug)]
+pub struct Fit {
+    /// The alternative.
+    pub alternative: Alternative,
+    /// The free parameters that were searched.
+    pub free: Vec<Free>,
+    /// Those that the alternative does not use.
+    pub unused: Vec<Free>,
+    /// The best point with the profiles, in unit coordinates of `free`.
+    pub found: Determined,
+    /// The best values of `free`.
+    pub values: Vec<f64>,
+    /// How much of the misfit the time step and the mesh may be; `None` if unknown.
+    pub numerical: Option<Numerical>,
+    /// The residuals, if the misfit is the root of their mean square.
+    pub residuals: Option<Residuals>,
+    /// The tests at the best point.
+    pub tests: Vec<Test>,
+    /// Number of cases solved.
+    pub solved: u64,
+}
+
+/// How sharply a parameter is determined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// Its range of good values lies inside of the range searched.
+    Determined,
+    /// Only a smallest value.
+    OnlyBelow,
+    /// Only a largest value.
+    OnlyAbove,
+    /// Neither: all values of the range are about as good.
+    Not,
+}
+
+impl Fit {
+    /// The smallest misfit; infinite without a solution.
+    pub fn misfit(&self) -> f64 {
+        self.found.best.misfit
+    }
+
+    /// The range of good values of a free parameter in unit coordinates: the 95 % interval, or the range with misfits at most 10 % above
+    /// the best.
+    pub fn range(&self, parameter: usize) -> Option<[End; 2]> {
+        let profile: &Profile = self.found.profiles.get(parameter)?;
+        Some(profile.interval.unwrap_or(profile.within_tenth))
+    }
+
+    /// How sharply a free parameter is determined; `None` without a profile.
+    pub fn state(&self, parameter: usize) -> Option<State> {
+        Some(match self.range(parameter)? {
+            [End::At(_), End::At(_)] => State::Determined,
+            [End::At(_), End::Open] => State::OnlyBelow,
+            [End::Open, End::At(_)] => State::OnlyAbove,
+            [End::Open, End::Open] => State::Not,
+        })
+    }
+
+    /// The end of the range at which the best value of a free parameter is: 0 or 1.
+    pub fn at_end(&self, parameter: usize) -> Option<usize> {
+        let u = *self.found.best.at.get(parameter)?;
+        match () {
+            () if u <= AT_END => Some(0),
+            () if u >= 1.0 - AT_END => Some(1),
+            () => None,
+        }
+    }
+
+    /// The value of an end of a range; `None` where the range is open.
+    pub fn value(&self, parameter: usize, end: End) -> Option<f64> {
+        match end {
+            End::At(u) => Some(self.free[parameter].range.at(u)),
+            End::Open => None,
+        }
+    }
+}
+
+/// The search of every alternative.
+pub struct Search<'a> {
+    /// The study with the minimised metric only.
+    pub study: &'a Study,
+    /// The errors of the time step and of the mesh, if they are known.
+    pub errors: Option<&'a ErrorStudy>,
+    /// Its `calibrate`.
+    pub calibrate: &'a Calibrate,
+    /// Counts cases.
+    pub bar: &'a ProgressBar,
+    /// Ends the search.
+    pub stop: &'a Stop,
+}
+
+impl Search<'_> {
+    /// Fits an alternative.
+    ///
+    /// # Errors
+    /// The search was stopped.
+    pub fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
+        let (free, unused) = self.used(&alternative);
+        let cases = self.study.point_cases(&alternative, &free);
+        let channel = series::channel(self.study);
+        let pooling = match channel {
+            Some(_) => self.points(&cases),
+            None => Pooling::Mean,
+        };
+        let mut misfit = Misfit {
+            study: self.study,
+            cases: cases.clone(),
+            measure: self.calibrate.minimise,
+            pooling,
+            bar: self.bar,
+            stop: self.stop,
+            solved: 0,
+        };
+        let best = self.best(free.len(), &mut misfit)?;
+        let values = cases.values(&best.at);
+        let tests = series::tests(self.study, &cases, &values);
+        let residuals = channel.and_then(|channel| of_tests(&tests, channel));
+        let (found, values, tests, residuals) = match best.misfit.is_finite() && !free.is_empty() {
+            false => (without_profiles(best), values, tests, residuals),
+            true => {
+                let effective = residuals.and_then(|own: Residuals| own.for_intervals());
+                let found = determine(&best, &mut misfit, effective)?;
+                // A profile may have found a better point.
+                let values = cases.values(&found.best.at);
+                let tests = series::tests(self.study, &cases, &values);
+                let residuals = channel.and_then(|channel| of_tests(&tests, channel));
+                (found, values, tests, residuals)
+            }
+        };
+        let numerical = match found.best.misfit.is_finite() {
+            true => numerics::numerical(self.errors, &mut misfit, &alternative, &values)?,
+            false => None,
+        };
+        let solved = misfit.solved;
+        drop(misfit);
+        drop(cases);
+        Ok(Fit {
+            alternative,
+            free,
+            unused,
+            found,
+            values,
+            numerical,
+            residuals,
+            tests,
+            solved,
+        })
+    }
+
+    /// The best point.
+    fn best(&self, free: usize, misfit: &mut Misfit) -> Result<Best, Stopped> {
+        let tests = misfit.cases.tests().max(1) as u64;
+        let options = Options {
+            seed: self.calibrate.seed,
+            cases: self.calibrate.cases / tests,
+        };
+        if free > 0 {
+            return search(free, misfit, &options);
+        }
+        let own = misfit.misfits(&[Vec::new()])?;
+        Ok(Best {
+            at: Vec::new(),
+            misfit: own.first().copied().unwrap_or(f64::INFINITY),
+            solved: 1,
+            starts: [1, 1],
+            spent: false,
+        })
+    }
+
+    /// The free parameters that an alternative uses, and those that it does not.
+    fn used(&self, alternative: &Alternative) -> (Vec<Free>, Vec<Free>) {
+        let all = self.study.free_of(alternative);
+        let cases = self.study.point_cases(alternative, &all);
+        let uses = |place: usize| {
+            if self
+                .study
+                .measure_contains(self.calibrate.minimise, all[place].parameter)
+            {
+                return true;
+            }
+            // In the middle of the others, at both ends and in the middle of its own range.
+            let at = |u: f64| {
+                let mut point = vec![0.5; all.len()];
+                point[place] = u;
+                point
+            };
+            let points = [0.0, 0.5, 1.0].map(at);
+            let all = cases.cases(&points);
+            let mut shown = all.shown();
+            let case = |row: usize, shown: &mut slipgap_solver::problem::cases::Shown| -> Case {
+                shown.at(row).clone()
+            };
+            (0..cases.tests()).any(|test| {
+                let rows = [0, 1, 2].map(|point| test * points.len() + point);
+                let own = rows.map(|row| case(row, &mut shown));
+                let same = |k: usize| self.study.problem.has_same_motion(&own[0], &own[k]);
+                let solvable = rows.iter().all(|row| all.may_be_solved(*row));
+                !(solvable && same(1) && same(2))
+            })
+        };
+        let used: Vec<bool> = (0..all.len()).map(uses).collect();
+        let of = |wanted: bool| {
+            let places = all.iter().zip(&used).filter(|(_, used)| **used == wanted);
+            places.map(|(free, _)| *free).collect()
+        };
+        (of(true), of(false))
+    }
+
+    /// The points of each test.
+    fn points(&self, cases: &PointCases) -> Pooling {
+        let middle = vec![0.5; cases.free().len()];
+        let all = cases.cases(&[middle]);
+        let mut shown = all.shown();
+        let count = |row: usize| {
+            let measured = self.study.problem.measured(shown.at(row));
+            measured
+                .first()
+                .map_or(0.0, |own| own.compared.len() as f64)
+        };
+        let counts: Vec<f64> = (0..all.len()).map(count).collect();
+        match counts.len() > 1 && counts.iter().all(|count| *count > 0.0) {
+            true => Pooling::Points(counts),
+            false => Pooling::Mean,
+        }
+    }
+}
+
+fn of_tests(tests: &[Test], channel: &str) -> Option<Residuals> {
+    let each = tests.iter().map(|test| series::residuals(test, channel));
+    Residuals::of(&each.collect::<Option<Vec<_>>>()?)
+}
+
+/// A best point without profiles.
+fn without_profiles(best: Best) -> Determined {
+    Determined {
+        best,
+        profiles: Vec::new(),
+        correlation: None,
+        undetermined: None,
+        quadratic: false,
+        solved: 0,
+    }
+}

@@ -1,0 +1,96 @@
+//! Calibration: the values of free parameters with which a study comes nearest to what was measured, for each of its alternatives.
+//!
+//! Each alternative, such as a law, has a search of its own over its free parameters (`misfit` solves the cases), then a profile of
+//! the misfit for each of them. `numerics` says how much of the misfit the time step and the mesh may be, `residuals` whether what is
+//! left is noise, `compare` which alternatives are told apart.
+
+mod compare;
+mod figures;
+mod fit;
+mod misfit;
+mod numerics;
+mod residuals;
+mod series;
+mod tables;
+mod words;
+mod write;
+
+pub use compare::{Comparison, Verdict};
+pub use fit::{Fit, State};
+pub use numerics::Numerical;
+pub use residuals::Residuals;
+pub use words::text;
+pub use write::write;
+
+use crate::run::Source;
+use indicatif::ProgressBar;
+use slipgap_recommend::Stop;
+use slipgap_study::error::Error;
+use slipgap_study::{Input, MOST_CASES, Study};
+
+/// What a calibration found.
+#[derive(Debug)]
+pub struct Calibration {
+    /// The study with the metric that is minimised as its only one.
+    pub study: Study,
+    /// One for each alternative, in the order of the study.
+    pub fits: Vec<Fit>,
+    /// Positions in `fits`, the smallest misfit first; those without a solution are last.
+    pub order: Vec<usize>,
+    /// The best alternative with each of the others that have a solution.
+    pub comparisons: Vec<Comparison>,
+}
+
+impl Calibration {
+    /// The best fit; `None` if no alternative has a solution.
+    pub fn best(&self) -> Option<&Fit> {
+        let first = self.order.first().map(|at| &self.fits[*at]);
+        first.filter(|fit| fit.misfit().is_finite())
+    }
+
+    /// Number of cases solved.
+    pub fn solved(&self) -> u64 {
+        self.fits.iter().map(|fit| fit.solved).sum()
+    }
+}
+
+/// The text of a study and its settings.
+pub fn input(source: &Source) -> Input {
+    Input::new(&source.file.display().to_string(), &source.text).with(&source.study.settings)
+}
+
+/// Calibrates a study. `bar` counts the cases.
+///
+/// # Errors
+/// The study has no `calibrate`, or `stop` ended the search.
+pub fn calibrate(source: &Source, bar: &ProgressBar, stop: &Stop) -> Result<Calibration, Error> {
+    let Some(calibrate) = &source.study.calibrate else {
+        let message = source.line(
+            "the study has no key \"calibrate\", which names the free parameters, as in \"calibrate\": {\"k_h\": {\"log\": [1e4, 1e7]}, \
+             \"minimise\": \"rms_error(deck.u, measured)\"}",
+        );
+        return Err(Error::Usage(message));
+    };
+    let input = input(source);
+    let study = input.search_study(MOST_CASES)?;
+    let errors = numerics::error_study(&input, &study);
+    let mut fits = Vec::new();
+    for alternative in study.alternatives() {
+        let search = fit::Search {
+            study: &study,
+            errors: errors.as_ref(),
+            calibrate,
+            bar,
+            stop,
+        };
+        let fit = search.fit(alternative);
+        fits.push(fit.map_err(|_| Error::Interrupted)?);
+    }
+    let (order, comparisons) = compare::compare(&fits);
+    Ok(Calibration {
+        study,
+        fits,
+        order,
+        comparisons,
+    })
+}

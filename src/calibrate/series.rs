@@ -1,0 +1,65 @@
+//! A measured channel of the tests of an alternative, with what is computed for it.
+
+use rayon::prelude::*;
+use slipgap_solver::problem::{Case, MeasuredChannel, Solution};
+use slipgap_study::{PointCases, Study};
+
+/// A test at a point of the free parameters.
+#[derive(Debug)]
+pub struct Test {
+    /// Its case.
+    pub case: Case,
+    /// The computed motion; `None` if it has no solution.
+    pub solution: Option<Solution>,
+    /// What was measured.
+    pub measured: Vec<MeasuredChannel>,
+}
+
+/// The tests of an alternative with these values of its free parameters.
+pub fn tests(study: &Study, cases: &PointCases, values: &[f64]) -> Vec<Test> {
+    let all = cases.cases_with(&[values.to_vec()]);
+    let mut shown = all.shown();
+    let each: Vec<(Case, bool)> = (0..all.len())
+        .map(|row| (shown.at(row).clone(), all.may_be_solved(row)))
+        .collect();
+    let test = |(case, solvable): (Case, bool)| Test {
+        solution: solvable
+            .then(|| study.problem.solve(&case, &study.metrics).ok())
+            .flatten(),
+        measured: study.problem.measured(&case),
+        case,
+    };
+    each.into_par_iter().map(test).collect()
+}
+
+/// The channel of `rms_error(CHANNEL, measured)`, if the study minimises it alone.
+pub fn channel(study: &Study) -> Option<&str> {
+    let metric = study.minimised_metric()?;
+    let name = study.problem.metrics()[metric].name.trim();
+    let inside = name.strip_prefix("rms_error")?.trim_start();
+    let inside = inside.strip_prefix('(')?.strip_suffix(')')?;
+    let (channel, against) = inside.rsplit_once(',')?;
+    (against.trim() == "measured").then(|| channel.trim())
+}
+
+/// The differences, computed minus measured, at the points of a channel that metrics compare; the computed motion is straight between
+/// steps.
+pub fn residuals(test: &Test, channel: &str) -> Option<Vec<f64>> {
+    let solution = test.solution.as_ref()?;
+    let measured = test.measured.iter().find(|own| own.name == channel)?;
+    let computed = solution.computed.channel(measured.column);
+    let time = &solution.computed.time;
+    let dt = time.get(1)? - time.first()?;
+    let value = |t: f64| {
+        let last = computed.len() - 1;
+        let at = (t / dt).clamp(0.0, last as f64);
+        let before = (at.floor() as usize).min(last.saturating_sub(1));
+        let part = at - before as f64;
+        computed[before] + part * (computed[before + 1] - computed[before])
+    };
+    let points = measured.compared.clone();
+    let pairs = measured.time[points.clone()]
+        .iter()
+        .zip(&measured.values[points]);
+    (computed.len() > 1).then(|| pairs.map(|(t, x)| value(*t) - x).collect())
+}

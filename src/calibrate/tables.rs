@@ -1,0 +1,204 @@
+//! The tables of a calibration as CSV.
+
+use super::compare::information;
+use super::words::{self, label};
+use super::{Calibration, Fit};
+use slipgap_recommend::calibrate::End;
+use slipgap_solver::problem::parameter::{Parameter, shortest};
+use slipgap_study::Free;
+use slipgap_study::error::Error;
+
+/// calibration.csv: each free parameter of each alternative with its best value and how sharply it is determined.
+pub fn parameters(found: &Calibration) -> Result<Vec<u8>, Error> {
+    let header = [
+        "alternative",
+        "parameter",
+        "best",
+        "from",
+        "to",
+        "from_tenth",
+        "to_tenth",
+        "lowest",
+        "highest",
+        "state",
+    ];
+    let table = found.study.problem.parameters();
+    let row = |fit: &Fit, place: usize, free: &Free| {
+        let profile = fit.found.profiles.get(place);
+        let ends = |ends: Option<[End; 2]>| {
+            let ends = ends.map(|ends| ends.map(|end| fit.value(place, end)));
+            ends.unwrap_or_default().map(cell)
+        };
+        let interval = ends(profile.and_then(|own| own.interval));
+        let tenth = ends(profile.map(|own| own.within_tenth));
+        let solved = fit.misfit().is_finite();
+        let best = cell(fit.values.get(place).copied().filter(|_| solved));
+        let state = fit.state(place).map_or("", words::state);
+        [
+            name_of(fit),
+            table[free.parameter].column_name().to_string(),
+            best,
+        ]
+        .into_iter()
+        .chain(interval)
+        .chain(tenth)
+        .chain(free.range.ends.map(shortest))
+        .chain([state.to_owned()])
+        .collect()
+    };
+    let unused = |fit: &Fit, free: &Free| {
+        let name = table[free.parameter].column_name().to_string();
+        let empty = std::iter::repeat_n(String::new(), 5);
+        [name_of(fit), name]
+            .into_iter()
+            .chain(empty)
+            .chain(free.range.ends.map(shortest))
+            .chain(["not used".to_owned()])
+            .collect()
+    };
+    let rows = found.fits.iter().flat_map(|fit| {
+        let own = fit.free.iter().enumerate();
+        let own = own.map(|(place, free)| row(fit, place, free));
+        own.chain(fit.unused.iter().map(|free| unused(fit, free)))
+            .collect::<Vec<Vec<String>>>()
+    });
+    csv(header.map(String::from).to_vec(), rows)
+}
+
+/// alternatives.csv: each alternative with its misfit, what of it may be numerical, its residuals and the cases spent.
+pub fn alternatives(found: &Calibration) -> Result<Vec<u8>, Error> {
+    let header = [
+        "alternative",
+        "misfit",
+        "numerical",
+        "numerical_from",
+        "residuals",
+        "rho_1",
+        "effective_residuals",
+        "information",
+        "free",
+        "cases",
+        "starts_at_best",
+        "starts",
+        "spent",
+        "verdict",
+    ];
+    let information = information(&found.fits);
+    let rows = found.order.iter().map(|at| {
+        let fit = &found.fits[*at];
+        let (numerical, residuals) = (fit.numerical.as_ref(), fit.residuals.as_ref());
+        let [at_best, starts] = fit.found.best.starts;
+        let solved = fit.misfit().is_finite();
+        vec![
+            name_of(fit),
+            cell(Some(fit.misfit()).filter(|_| solved)),
+            cell(numerical.map(super::Numerical::total)),
+            numerical.map_or(String::new(), |own| own.source().to_owned()),
+            residuals.map_or(String::new(), |own| own.count.to_string()),
+            cell(residuals.map(|own| own.correlation)),
+            cell(residuals.map(super::Residuals::effective)),
+            cell(information[*at]),
+            fit.free.len().to_string(),
+            fit.solved.to_string(),
+            at_best.to_string(),
+            starts.to_string(),
+            fit.found.best.spent.to_string(),
+            words::verdict(found, *at).to_owned(),
+        ]
+    });
+    csv(header.map(String::from).to_vec(), rows)
+}
+
+/// profiles.csv: the smallest misfit over each free parameter, with the values of the others there.
+pub fn profiles(found: &Calibration) -> Result<Vec<u8>, Error> {
+    let free = all_free(found);
+    let mut header = ["alternative", "parameter", "misfit"]
+        .map(String::from)
+        .to_vec();
+    header.extend(names(found, &free));
+    let mut rows = Vec::new();
+    for fit in &found.fits {
+        for (place, profile) in fit.found.profiles.iter().enumerate() {
+            let name = column(found, &fit.free[place]);
+            for point in &profile.points {
+                let mut others = point.others.iter();
+                let values = fit.free.iter().enumerate().map(|(k, own)| {
+                    let u = if k == place {
+                        Some(&point.at)
+                    } else {
+                        others.next()
+                    };
+                    (own.parameter, u.map(|u| own.range.at(*u)))
+                });
+                let values: Vec<(usize, Option<f64>)> = values.collect();
+                let value = |free: &Free| {
+                    let own = values.iter().find(|own| own.0 == free.parameter);
+                    cell(own.and_then(|own| own.1))
+                };
+                let misfit = cell(Some(point.misfit).filter(|x| x.is_finite()));
+                let mut row = vec![name_of(fit), name.clone(), misfit];
+                row.extend(free.iter().map(value));
+                rows.push(row);
+            }
+        }
+    }
+    csv(header, rows.into_iter())
+}
+
+/// correlation.csv: the correlation of the free parameters of each alternative.
+pub fn correlation(found: &Calibration) -> Result<Vec<u8>, Error> {
+    let free = all_free(found);
+    let mut header = ["alternative", "parameter"].map(String::from).to_vec();
+    header.extend(names(found, &free));
+    let mut rows = Vec::new();
+    for fit in &found.fits {
+        for (own, line) in fit.free.iter().zip(fit.found.correlation.iter().flatten()) {
+            let value = |other: &Free| {
+                let place = fit
+                    .free
+                    .iter()
+                    .position(|known| known.parameter == other.parameter);
+                cell(place.map(|place| line[place]))
+            };
+            let mut row = vec![name_of(fit), column(found, own)];
+            row.extend(free.iter().map(value));
+            rows.push(row);
+        }
+    }
+    csv(header, rows.into_iter())
+}
+
+/// All free parameters of the study.
+fn all_free(found: &Calibration) -> Vec<Free> {
+    let calibrate = found.study.calibrate.as_ref();
+    calibrate.map_or(Vec::new(), |own| own.free.clone())
+}
+
+fn names(found: &Calibration, free: &[Free]) -> Vec<String> {
+    free.iter().map(|free| column(found, free)).collect()
+}
+
+fn column(found: &Calibration, free: &Free) -> String {
+    let parameter: &Parameter = &found.study.problem.parameters()[free.parameter];
+    parameter.column_name().to_string()
+}
+
+fn name_of(fit: &Fit) -> String {
+    label(fit).to_owned()
+}
+
+fn cell(x: Option<f64>) -> String {
+    x.map_or(String::new(), shortest)
+}
+
+fn csv(header: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Error> {
+    let failed = |e: csv::Error| Error::Internal(e.to_string());
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(&header).map_err(failed)?;
+    for row in rows {
+        writer.write_record(&row).map_err(failed)?;
+    }
+    writer
+        .into_inner()
+        .map_err(|e| Error::Internal(e.to_string()))
+}

@@ -1,0 +1,76 @@
+//! `slipgap calibrate`: the values of free parameters with which a study comes nearest to what was measured.
+
+use super::UNSOLVED;
+use super::arguments::{JobsArgs, SettingsArgs, whole};
+use super::sources;
+use super::terminal::{note, print, progress, table};
+use clap::Args;
+use slipgap::batch::output::Folder;
+use slipgap::calibrate::{calibrate, text, write};
+use slipgap::error::Error;
+use slipgap::figures::style;
+use slipgap::recommend::Stop;
+use slipgap::run::Source;
+use slipgap::study::MOST_CASES;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// The arguments of `slipgap calibrate`.
+#[derive(Args)]
+pub struct CalibrateArgs {
+    /// Study file with the key `calibrate`; `-` is standard input
+    study: PathBuf,
+    /// Folder for tables, figures and the studies with the best values; the study has its own folder in it
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    #[command(flatten)]
+    settings: SettingsArgs,
+    /// Pixels an inch of the PNG files, 72 to 1200
+    #[arg(long, value_name = "N", default_value_t = style::DPI, value_parser = whole::<u32>(72, 1200))]
+    dpi: u32,
+    #[command(flatten)]
+    jobs: JobsArgs,
+}
+
+impl CalibrateArgs {
+    /// Searches; returns the exit code.
+    pub fn execute(self) -> Result<u8, Error> {
+        if self.study.is_dir() {
+            let what = format!("{} is a folder; name one study", self.study.display());
+            return Err(Error::Usage(what));
+        }
+        let sources = sources::read(
+            std::slice::from_ref(&self.study),
+            &self.settings.set,
+            MOST_CASES,
+        )?;
+        let source = sources.first();
+        source.map_or(Ok(0), |source| self.jobs.run(|| self.run(source)))
+    }
+
+    /// Calibrates a study, writes its files and prints what was found; returns the exit code.
+    fn run(&self, source: &Source) -> Result<u8, Error> {
+        let path = self.out.join(&source.name);
+        // A folder that cannot be written ends the command before any computing.
+        Folder::open(&path)?;
+        for own in source.study.problem.notes() {
+            note(&source.line(own));
+        }
+        let (bar, start) = (progress::counter(&source.name), Instant::now());
+        let found = calibrate(source, &bar, &Stop::default())?;
+        let seconds = start.elapsed().as_secs_f64();
+        let cases = format!("{} cases in {seconds:.1} s", found.solved());
+        progress::finish(&bar, &source.name, &cases);
+        let written = write(&found, source, &path, self.dpi)?;
+        let mut out = text(&found, &table);
+        out += "\n";
+        for path in written {
+            out += &format!("{}\n", path.display());
+        }
+        print(&out)?;
+        Ok(match found.best() {
+            Some(_) => 0,
+            None => UNSOLVED,
+        })
+    }
+}
