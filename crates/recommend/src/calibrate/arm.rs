@@ -201,7 +201,7 @@ impl<'a> Arm<'a> {
         let threshold = Threshold {
             relative: 0.2,
             ground: squared(minimum.misfit),
-            least: minimum.rises.0.min(minimum.rises.1),
+            least: minimum.smooth,
         };
         let rise = (0.2 * self.reached[before].rise).max(threshold.least);
         let conditional = block(&minimum.curvature, &others, &others);

@@ -9,14 +9,23 @@ use super::{Best, Determined, End, Objective, Profile, ProfilePoint, Stopped};
 use slipgap_statistics::{CONFIDENCE, fisher};
 
 /// Searches for a better minimum at most, after the profiles found one.
-const RESTARTS: usize = 3;
+const RESTARTS: usize = 2;
 
 /// Distance of the points that tell a usual misfit.
 const USUAL: f64 = 0.05;
 
 /// Parts of the rise of the interval: a better point is lower by more; a fit that leaves more is rough.
-const BETTER: f64 = 0.02;
-const ROUGH: f64 = 0.2;
+const BETTER: f64 = 0.1;
+const ROUGH: f64 = 0.4;
+
+/// Values whose squared misfits differ by fewer jumps are not told apart.
+const JUMPS: f64 = 2.0;
+
+/// Residuals of a bent function fall by more, if the lengths of the points are halved.
+const BENT: f64 = 0.25;
+
+/// The largest rise over the points, relative to the squared misfit.
+const ROUGHEST: f64 = 100.0;
 
 /// Intervals of the quadratic function and of the profile agree within this part.
 const AGREE: f64 = 0.2;
@@ -34,6 +43,51 @@ pub struct Minimum {
     residual: f64,
     /// The rises of the squared misfit at the ends of the interval and of the range of 10 %; without a probability both are the second.
     pub rises: (f64, f64),
+    /// The rise over the points of the fit: its jumps are smaller.
+    pub smooth: f64,
+    /// The factor of the interval because of jumps.
+    widened: f64,
+}
+
+/// A local search that ended.
+struct Fitted {
+    best: (Vec<f64>, f64),
+    shape: Eigen,
+    curvature: Vec<Vec<f64>>,
+    residual: f64,
+}
+
+impl Fitted {
+    fn new(
+        (at, _): (Vec<f64>, f64),
+        shape: Eigen,
+        rise: f64,
+        counted: &mut Counted,
+    ) -> Result<Fitted, Stopped> {
+        let n = at.len();
+        let threshold = Threshold {
+            relative: 0.0,
+            ground: 0.0,
+            least: rise,
+        };
+        let mut local = [Local::new(at, (0..n).collect(), shape, threshold).steady()];
+        while round(&mut local, counted)? == Round::Next {}
+        let [local] = local;
+        let (curvature, residual) = match local.model {
+            Some((model, _)) => (model.curvature, model.residual),
+            None => (vec![vec![0.0; n]; n], f64::INFINITY),
+        };
+        Ok(Fitted {
+            best: local.best,
+            shape: local.shape,
+            curvature,
+            residual,
+        })
+    }
+
+    fn is_rough(&self, rise: f64) -> bool {
+        self.residual > ROUGH * rise
+    }
 }
 
 impl Minimum {
@@ -87,23 +141,42 @@ impl Minimum {
             values: rises.chunks(2).map(length).collect(),
             vectors: (0..n).map(|k| axis(n, k)).collect(),
         };
-        let mut local = [Local::new(at, (0..n).collect(), shape, threshold)];
-        while round(&mut local, counted)? == Round::Next {}
-        let [local] = local;
-        let (at, misfit) = local.best;
-        let (curvature, residual) = match local.model {
-            Some((model, _)) => (model.curvature, model.residual),
-            None => (vec![vec![0.0; n]; n], f64::INFINITY),
-        };
+        let mut rise = threshold.at(square);
+        let mut fitted = Fitted::new((at, misfit), shape, rise, counted)?;
+        let mut rough = false;
+        if fitted.is_rough(rise) {
+            // What a bent function leaves of a fit vanishes over smaller lengths, jumps do not.
+            let closer = Fitted::new(
+                fitted.best.clone(),
+                fitted.shape.clone(),
+                rise / 4.0,
+                counted,
+            )?;
+            rough = closer.residual > BENT * fitted.residual;
+            fitted.best = closer.best;
+        }
+        while rough && fitted.is_rough(rise) && rise < ROUGHEST * square.abs().max(least) {
+            rise *= 4.0;
+            fitted = Fitted::new(fitted.best, fitted.shape, rise, counted)?;
+        }
+        let (at, misfit) = fitted.best;
         let square = squared(misfit);
         let far = (squared(misfit + 0.1 * misfit.abs()) - square).max(least);
         let near = fraction.map_or(far, |part| (part * square.abs()).max(least));
+        // A value is outside of the interval only if jumps cannot explain its misfit.
+        let jumps = if rough { JUMPS * fitted.residual } else { 0.0 };
+        let largest = ROUGHEST * square.abs().max(least);
         Ok(Minimum {
             at,
             misfit,
-            curvature,
-            residual,
-            rises: (near, far),
+            curvature: fitted.curvature,
+            residual: fitted.residual,
+            smooth: rise,
+            rises: (
+                near + jumps.min(largest),
+                far.max(near + jumps.min(largest)),
+            ),
+            widened: ((near + jumps.min(largest)) / near).sqrt(),
         })
     }
 
@@ -188,17 +261,18 @@ pub fn determine(
         let minimum = Minimum::near(from, &mut counted, fraction)?;
         let sides = (0..n).flat_map(|k| [(k, -1.0), (k, 1.0)]);
         let mut arms: Vec<Arm> = sides.map(|(k, side)| Arm::new(&minimum, k, side)).collect();
-        let limit = squared(minimum.misfit) - BETTER * minimum.rises.0;
+        let limit = squared(minimum.misfit) - (BETTER * minimum.rises.0).max(minimum.residual);
         let better = |counted: &Counted| {
             counted
                 .best
                 .clone()
                 .filter(|(_, misfit)| squared(*misfit) < limit)
         };
-        let again = |counted: &Counted| restarts < RESTARTS && better(counted).is_some();
+        let most = if minimum.widened > 1.0 { 1 } else { RESTARTS };
+        let again = |counted: &Counted| restarts < most && better(counted).is_some();
         while !again(&counted) && round(&mut arms, &mut counted)? == Round::Next {}
         match better(&counted) {
-            Some(point) if restarts < RESTARTS => {
+            Some(point) if restarts < most => {
                 from = point;
                 restarts += 1;
             }
@@ -227,6 +301,7 @@ fn nothing(best: &Best) -> Determined {
         profiles: vec![profile; best.at.len()],
         correlation: None,
         undetermined: None,
+        widened: 1.0,
         quadratic: false,
         solved: 0,
     }
@@ -273,8 +348,11 @@ fn describe(best: &Best, minimum: &Minimum, arms: &[Arm], probable: bool) -> Det
         },
         profiles,
         correlation: minimum.correlation(),
+        widened: minimum.widened,
         undetermined: minimum.direction().filter(counts),
-        quadratic: minimum.residual <= ROUGH * near && arms.iter().all(agrees),
+        quadratic: minimum.widened == 1.0
+            && minimum.residual <= ROUGH * near
+            && arms.iter().all(agrees),
         solved: 0,
     }
 }

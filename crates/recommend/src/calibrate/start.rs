@@ -74,6 +74,17 @@ impl Start {
         }
     }
 
+    /// What the last fit of the squared misfit left: the size of its jumps.
+    pub fn residual(&self) -> f64 {
+        match &self.phase {
+            Phase::Near(local) => local
+                .model
+                .as_ref()
+                .map_or(0.0, |(model, _)| model.residual),
+            Phase::Wide(_) | Phase::Ended => 0.0,
+        }
+    }
+
     fn is_near(&self, misfits: &[f64], cma: &CmaEs) -> bool {
         let mut sorted = misfits.to_vec();
         sorted.sort_by(f64::total_cmp);
