@@ -40,8 +40,8 @@ pub struct Start {
 
 #[derive(Debug)]
 enum Phase {
-    Wide(CmaEs),
-    Near(Local),
+    Wide(Box<CmaEs>),
+    Near(Box<Local>),
     Ended,
 }
 
@@ -54,7 +54,12 @@ impl Start {
         random: rand_chacha::ChaCha8Rng,
     ) -> Start {
         let phase = match best.1.is_finite() {
-            true => Phase::Wide(CmaEs::new(best.0.clone(), SIGMA, population, random)),
+            true => Phase::Wide(Box::new(CmaEs::new(
+                best.0.clone(),
+                SIGMA,
+                population,
+                random,
+            ))),
             false => Phase::Ended,
         };
         Start {
@@ -121,7 +126,7 @@ impl Asking for Start {
                     return;
                 };
                 self.phase = match self.is_near(misfits, &cma) {
-                    true => Phase::Near(self.local(&cma)),
+                    true => Phase::Near(Box::new(self.local(&cma))),
                     false => Phase::Wide(cma),
                 };
             }

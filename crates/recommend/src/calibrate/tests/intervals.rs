@@ -2,7 +2,7 @@
 
 use super::super::linear::{axis, solve};
 use super::super::{Best, Determined, End, Options, determine, search};
-use super::examples::{function, noise, of_ranges, rms, sine};
+use super::examples::{Value, function, noise, of_ranges, rms, sine};
 use slipgap_statistics::fisher;
 
 fn ends(end: Option<[End; 2]>) -> [f64; 2] {
@@ -125,16 +125,13 @@ fn repetition(seed: u64) -> Determined {
 fn intervals_contain_the_truth_95_times_in_100() {
     let truth = [0.45, 0.6, 0.42, 0.63];
     let mut inside = [0; 4];
-    let mut solved = 0;
     for seed in 1..=200 {
         let found = repetition(seed);
-        solved += found.solved;
         for k in 0..4 {
             let [low, high] = ends(found.profiles[k].interval);
             inside[k] += usize::from((low..=high).contains(&truth[k]));
         }
     }
-    println!("{inside:?} {solved}");
     // Of a binomial distribution with 200 trials and 0.95 the probability of fewer than 182 is 0.5 %, of more than 198 0.05 %.
     assert!(
         inside.iter().all(|count| (182..=198).contains(count)),
@@ -184,7 +181,7 @@ fn what_the_misfit_does_not_determine_is_named() {
     let flat =
         |x: &[f64]| ((x[0] - 0.3) * (x[0] - 0.3) + (x[1] - 0.8) * (x[1] - 0.8) + 1e-4).sqrt();
     let half = std::f64::consts::FRAC_1_SQRT_2;
-    let cases: [(&dyn Fn(&[f64]) -> f64, usize, Vec<f64>, &[usize]); 3] = [
+    let cases: [(Value, usize, Vec<f64>, &[usize]); 3] = [
         (&sum, 2, vec![half, -half], &[0, 1]),
         (&flat, 3, vec![0.0, 0.0, 1.0], &[2]),
         (&|_| 0.7, 1, vec![1.0], &[0]),
@@ -239,6 +236,7 @@ fn perfect_data_end_with_a_narrow_range_round_the_truth() {
 #[test]
 fn jumps_widen_the_intervals_until_they_contain_the_truth() {
     // A quadratic function with steps of 2 % of random size in cells of 1/300; without them an interval is shorter than a cell.
+    // Fewer than 53 of 60 have a probability of 0.9 % if each interval contains the truth 95 times in 100.
     let (mut inside, mut widest): (usize, f64) = (0, 0.0);
     for seed in 1..=20 {
         let value = |x: &[f64]| {
@@ -267,8 +265,7 @@ fn jumps_widen_the_intervals_until_they_contain_the_truth() {
             widest = widest.max(high - low);
         }
     }
-    println!("{inside} {widest}");
-    assert!(inside >= 57 && widest < 0.05, "{inside} of 60, {widest}");
+    assert!(inside >= 53 && widest < 0.05, "{inside} of 60, {widest}");
 }
 
 #[test]
@@ -310,10 +307,11 @@ fn a_lower_misfit_on_a_profile_becomes_the_best_point() {
     let mut misfit = function(value);
     let start = at(vec![0.3, 0.3], value(&[0.3, 0.3]));
     let found = determine(&start, &mut misfit, Some(200.0)).unwrap();
+    // The rise of the interval is 2e-4: a point is better if its squared misfit is lower by a tenth.
     assert!(
-        found.best.at.iter().all(|x| (x - 0.36).abs() < 1e-3),
+        found.best.misfit * found.best.misfit < 0.01 + 2e-5,
         "{:?}",
         found.best
     );
-    assert!((found.best.misfit - 0.1).abs() < 1e-6);
+    assert!(found.best.at.iter().all(|x| (x - 0.36).abs() < 0.01));
 }

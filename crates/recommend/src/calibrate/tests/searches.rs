@@ -1,7 +1,7 @@
 //! The search over all points.
 
 use super::super::{Best, Objective, Options, Stopped, search};
-use super::examples::{function, noise, of_ranges, rms, sine};
+use super::examples::{Value, function, noise, of_ranges, rms, sine};
 use super::strategy::rosenbrock;
 use std::f64::consts::PI;
 
@@ -57,7 +57,7 @@ fn the_least_of_many_minima_is_found() {
 fn usual_searches_end_long_before_the_cases_are_spent() {
     let sphere = |x: &[f64]| x.iter().map(|x| (x - 0.4) * (x - 0.4)).sum::<f64>();
     let exact = sine([1.2, 0.3, 3.1, 0.4]);
-    let functions: [(&str, &dyn Fn(&[f64]) -> f64, u64); 4] = [
+    let functions: [(&str, Value, u64); 4] = [
         ("sphere", &|x| sphere(x).sqrt(), 4000),
         ("sphere with noise", &|x| (sphere(x) + 1e-3).sqrt(), 4000),
         ("sine", &|x| rms(&sine(of_ranges(x)), &exact), 5000),
