@@ -1,21 +1,20 @@
 //! The metrics of a study that are computed from others, of the keys `metrics`, `reductions`, `checks` and `figures`.
 
+mod forms;
+mod rules;
+
 use super::sources::{self, NAMED, Source, is_arithmetic, members};
-use super::{Computed, Reference, Rule, formula};
+use super::{Computed, Rule};
 use crate::Measure;
 use crate::cases::scope::Scope;
-use crate::source::faults::{Faults, in_words, join, quoted, unknown};
+use crate::source::faults::{Faults, quoted, unknown};
 use crate::source::hint::nearest;
 use crate::source::object::Object;
-use crate::source::tree::{Member, Node, Tree};
-use crate::value::text;
-use slipgap_solver::expression::{CONSTANTS, ExpressionFault, FUNCTIONS, Formula};
+use crate::source::tree::{Member, Tree};
+use forms::{check_forms, refused};
+use slipgap_solver::expression::Formula;
 use slipgap_solver::problem::escape;
-use slipgap_solver::problem::parameter::Value;
-use slipgap_solver::problem::structure::schema::{in_unit, symbol, title};
-
-/// What a ratio looks like.
-const FORM: &str = "\"METRIC relative to PARAMETER = VALUE, ...\", as in \"peak(gap.S) relative to gamma = 1, n = 10\"";
+use slipgap_solver::problem::structure::schema::{in_unit, symbol};
 
 /// What `metrics` of a study asks for.
 #[derive(Debug, Default)]
@@ -78,82 +77,6 @@ impl Listed {
             rows.push(row);
         }
     }
-}
-
-/// Reports items of `metrics` of another form.
-fn check_forms(node: &Node, faults: &mut Faults) {
-    let what = "a list of metrics, or an object with their names";
-    if !matches!(node.tree, Tree::List(_) | Tree::Object(_)) {
-        faults.must_be(node, "metrics", what);
-        return;
-    }
-    for (item, path) in sources::items(node, "metrics") {
-        match &item.tree {
-            Tree::Text(_) => {
-                text(item, &path, faults);
-            }
-            Tree::Object(_) => members(item).for_each(|member| {
-                check_entry(&member.node, &join(&path, &member.key), faults);
-            }),
-            _ => faults.must_be(
-                item,
-                &path,
-                "the name of a metric, or an object such as {\"drift\": \"max(a3 - a2)/h\"}",
-            ),
-        }
-    }
-}
-
-/// Reports the faults of the form of a metric with a name.
-fn check_entry(node: &Node, path: &str, faults: &mut Faults) {
-    match &node.tree {
-        Tree::Text(_) => {
-            text(node, path, faults);
-        }
-        Tree::Object(_) => {
-            let Some(object) = Object::open(node, path, &NAMED.map(|key| key.0), faults) else {
-                return;
-            };
-            object.need(NAMED[0].0, NAMED[0].1, faults);
-            for member in &object.members {
-                text(&member.node, &object.path(&member.key), faults);
-            }
-        }
-        _ => faults.must_be(
-            node,
-            path,
-            "a string, or an object with value, unit and title",
-        ),
-    }
-}
-
-/// Why a metric cannot have a name; `None` if it can.
-fn refused(member: &Member, taken: bool, scope: &Scope, known: &[&str]) -> Option<String> {
-    let name = member.key.as_str();
-    let shown = quoted(name);
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    if !name.chars().all(plain) || !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        return Some(format!(
-            "{shown} cannot name a metric; a name is letters, digits and _, beginning with a letter"
-        ));
-    }
-    let has_meaning = FUNCTIONS.iter().any(|own| own.0 == name)
-        || CONSTANTS.contains(&name)
-        || ["and", "or", "not", "case"].contains(&name);
-    if has_meaning {
-        return Some(format!(
-            "{shown} has a meaning of its own; choose another name"
-        ));
-    }
-    if scope.parameters().contains(&name) {
-        return Some(format!("{shown} is a parameter; choose another name"));
-    }
-    if known.contains(&name) {
-        return Some(format!(
-            "{shown} is a metric of the problem; choose another name"
-        ));
-    }
-    taken.then(|| format!("{shown} given twice"))
 }
 
 /// A metric with a name of the study.
@@ -305,117 +228,6 @@ impl Decoder<'_, '_> {
             }
             None => self.arithmetic(own, part, start, faults),
         }
-    }
-
-    fn arithmetic(
-        &mut self,
-        own: &Source,
-        part: &str,
-        start: usize,
-        faults: &mut Faults,
-    ) -> Option<Decoded> {
-        let mut report = |fault: ExpressionFault| {
-            let message = format!("{}: {}", quoted(own.text.trim()), in_words(&fault));
-            faults.add(own.place(start + fault.offset), &own.path, message);
-        };
-        let names: Vec<String> = self.names.iter().map(|own| own.name.key.clone()).collect();
-        let others: Vec<&str> = names.iter().map(String::as_str).collect();
-        let problem = self.scope.problem.clone();
-        let table = formula::table(&*problem, &self.scope.measures, &others);
-        let from = table.len() - others.len();
-        let uses = match formula::parse(part, &table, from) {
-            Ok((_, uses)) => uses,
-            Err(fault) => {
-                report(fault);
-                return None;
-            }
-        };
-        // A name that has its measure is known as one.
-        for place in uses {
-            self.row_of_name(&names[place], own, faults)?;
-        }
-        let table = formula::table(&*problem, &self.scope.measures, &[]);
-        let first = problem.parameters().len();
-        let (formula, uses) = formula::parse(part, &table, first).ok()?;
-        // One metric alone keeps its unit and title.
-        let alone = uses
-            .iter()
-            .find(|row| self.scope.measures[**row].name == part.trim());
-        let (unit, symbol) = match alone.map(|row| &self.scope.measures[*row]) {
-            Some(measure) => (measure.unit.clone(), measure.bare_symbol().to_owned()),
-            None => ("1".to_owned(), title(part.trim())),
-        };
-        Some(Decoded {
-            rule: Rule::Formula(formula),
-            unit,
-            symbol,
-        })
-    }
-
-    fn ratio(
-        &mut self,
-        own: &Source,
-        (metric, start): (&str, usize),
-        (values, after): (&str, usize),
-        faults: &mut Faults,
-    ) -> Option<Decoded> {
-        let of = self.row_of_part(own, metric, start, faults)?;
-        let before = faults.count();
-        let node = self.values(own, values, after, faults)?;
-        let filter = self.scope.filter(&node, &own.path, faults)?;
-        let reference = Reference::new(filter, &*self.scope.problem, &self.scope.blocks);
-        if !self.scope.blocks.is_empty()
-            && let Some(message) = reference.fault_of_ratio(self.scope, "\"relative to\"")
-        {
-            faults.add(own.place(after), &own.path, message);
-        }
-        let table = self.scope.problem.parameters();
-        let value = |(row, wanted): &(usize, Vec<Value>)| {
-            let value = wanted.first().map(Value::to_string).unwrap_or_default();
-            format!("{} = {}", table[*row].symbol, escape(&value))
-        };
-        let values: Vec<String> = reference.filter.0.iter().map(value).collect();
-        let symbol = self.scope.measures[of].bare_symbol();
-        (faults.count() == before).then(|| Decoded {
-            symbol: format!("{symbol} relative to {}", values.join(", ")),
-            unit: "1".to_owned(),
-            rule: Rule::Ratio(of, reference),
-        })
-    }
-
-    /// The values of a reference case as an object.
-    fn values(
-        &self,
-        own: &Source,
-        values: &str,
-        after: usize,
-        faults: &mut Faults,
-    ) -> Option<Node> {
-        let mut all = Vec::new();
-        let mut start = after;
-        for term in values.split(',') {
-            let at = own.place(start + term.len() - term.trim_start().len());
-            start += term.len() + 1;
-            let Some((name, value)) = term.split_once('=') else {
-                let message = format!("must be {FORM}, got {}", quoted(own.text));
-                faults.add(at, &own.path, message);
-                return None;
-            };
-            let value = value.trim().trim_matches('\'');
-            let tree = match value.parse::<f64>() {
-                Ok(_) => Tree::Number(value.to_owned()),
-                Err(_) => Tree::Text(value.to_owned()),
-            };
-            all.push(Member {
-                key: name.trim().to_owned(),
-                at,
-                node: Node { at, tree },
-            });
-        }
-        Some(Node {
-            at: own.place(after),
-            tree: Tree::Object(all),
-        })
     }
 
     /// Adds a measure.
