@@ -247,8 +247,8 @@ fn an_elastic_plastic_slider_takes_the_energy_of_its_parallelogram() {
         "metrics": ["energy_per_cycle(slider)"]}"#;
     let study = study(&folder("slider"), text);
     let energy = solved(&study, &study.case(0).unwrap()).metrics[0].unwrap();
-    // The force bends within a step, of which there are four in a cycle: each cuts (2 dt)^2 X k X at most.
-    assert!((energy - 12.5).abs() < 1e-4, "{energy}");
+    // Twice in a cycle the force bends within a step, which cuts a triangle of k (1.5 dt)^2/2 = 1.1e-4 at most.
+    assert!((energy - 12.5).abs() < 2.2e-4, "{energy}");
 }
 
 #[test]
