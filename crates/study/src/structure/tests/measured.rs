@@ -238,6 +238,20 @@ fn a_file_of_the_motion_itself_has_no_error() {
 }
 
 #[test]
+fn an_elastic_plastic_slider_takes_the_energy_of_its_parallelogram() {
+    // r = 0.75 (1 - cos 2 t) has the half range X = 0.75, the force 5 is reached at x_y = 5/40: W = 4 * 5 (X - x_y) = 12.5.
+    let text = r#"{"problem": "structure", "parameters": {"dt": "pi/2000", "duration": "12*pi"},
+        "structure": {"masses": {"m": 1}, "springs": [{"between": ["ground", "m"], "k": 1}],
+          "supports": {"s": {"sine": {"amplitude": 3, "omega": 2, "phase": "pi/2"}}},
+          "contacts": {"slider": {"law": "displacement-control", "between": ["ground", "s"], "k": 40, "limit": 5}}},
+        "metrics": ["energy_per_cycle(slider)"]}"#;
+    let study = study(&folder("slider"), text);
+    let energy = solved(&study, &study.case(0).unwrap()).metrics[0].unwrap();
+    // Twice in a cycle the force bends within a step, which cuts a triangle of k (1.5 dt)^2/2 = 1.1e-4 at most.
+    assert!((energy - 12.5).abs() < 2.2e-4, "{energy}");
+}
+
+#[test]
 fn the_points_are_the_same_for_every_delay_of_a_study() {
     let folder = folder("delays");
     let times: Vec<f64> = (0..600).map(|i| f64::from(i) * 10.0).collect();
