@@ -22,6 +22,8 @@ from typing import TYPE_CHECKING, Any
 from . import _program, _slipgap
 from ._progress import reporter
 from ._records import (
+    Alternative,
+    Calibration,
     Candidate,
     Change,
     Check,
@@ -29,6 +31,7 @@ from ._records import (
     Comparison,
     Failure,
     Fault,
+    FreeParameter,
     Reading,
     Recommendation,
     Robustness,
@@ -43,7 +46,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "Alternative",
     "Animation",
+    "Calibration",
     "Candidate",
     "Change",
     "Check",
@@ -52,6 +57,7 @@ __all__ = [
     "Failure",
     "Fault",
     "Figure",
+    "FreeParameter",
     "Reading",
     "Recommendation",
     "Results",
@@ -63,6 +69,7 @@ __all__ = [
     "WarnedCases",
     "__version__",
     "animate",
+    "calibrate",
     "claims",
     "compare",
     "exact",
@@ -168,6 +175,28 @@ def exact(
     if times.ndim != 1:
         raise SlipgapError(f"t: must have one dimension, got {times.ndim}")
     return _slipgap.exact(problem, times.tobytes(), parameters)
+
+
+def calibrate(
+    study: str | PathLike[str] | Mapping[str, Any],
+    *,
+    out: str | PathLike[str] | None = None,
+    jobs: int | None = None,
+    set: Mapping[str, Any] | None = None,
+) -> Calibration:
+    """Find the values of free parameters with which a study comes nearest to what was measured.
+
+    The key ``calibrate`` of the study has the free parameters with their ranges and the metric to minimise. Each alternative, such
+    as a law, has a search of its own. Numbers are those of ``slipgap calibrate``, for any number of threads. Ctrl-C ends the search.
+
+    :param study: a study as in :func:`run`
+    :param out: folder for the files of the program, as in :func:`run`; if left out, nothing is written
+    :param jobs: number of threads; if left out, one for each core
+    :param set: parameters to set, as in :func:`run`
+    :returns: the alternatives, the smallest misfit first, with best values and intervals
+    :raises SlipgapError: a study with mistakes or without ``calibrate``, or a file that cannot be read or written
+    """
+    return _slipgap.calibrate(study, out, jobs, set)
 
 
 def recommend(problem: str, *, jobs: int | None = None, **targets: Any) -> Recommendation:

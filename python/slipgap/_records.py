@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
+from pathlib import Path
 from typing import Any, NamedTuple
 
 
@@ -191,6 +192,69 @@ class Robustness(NamedTuple):
     """That error."""
     at: float
     """The value with that error."""
+
+
+class FreeParameter(NamedTuple):
+    """A free parameter of a calibration with its best value."""
+
+    best: float
+    """The best value."""
+    interval: tuple[float, float] | None
+    """The 95 % interval; an end of the range that was searched where it is open there. None if the misfit has no probability."""
+    within_tenth: tuple[float, float] | None
+    """The values with misfits at most 10 % above the best; None without a profile."""
+    state: str | None
+    """Whether it is ``determined``, has ``only a smallest value`` or ``only a largest value``, or is ``not determined``."""
+    profile: list[tuple[float, float]]
+    """Values with the smallest misfit over all values of the other free parameters."""
+
+
+class Alternative(NamedTuple):
+    """An alternative of a calibration, such as a law."""
+
+    name: str
+    """The values by which it differs from the others; empty for a single one."""
+    misfit: float | None
+    """The smallest misfit; None if no case has a solution."""
+    numerical: float | None
+    """How much of the misfit the time step and the mesh may be; None if unknown."""
+    rho_1: float | None
+    """Correlation of neighbouring residuals: about 0 if they are noise; None for another metric than ``rms_error``."""
+    parameters: dict[str, FreeParameter]
+    """The free parameters by name."""
+    unused: list[str]
+    """Free parameters that it does not use."""
+    correlation: list[list[float]] | None
+    """Correlation of the parameters, in their order."""
+    verdict: str
+    """``best``; ``worse``, ``not told apart`` or ``unknown`` compared with the best one; or ``no solution``."""
+    cases: int
+    """Number of cases solved."""
+    study: dict[str, Any] | None
+    """The study with the best values, ready to run."""
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The best values by name."""
+        return {name: own.best for name, own in self.parameters.items()}
+
+
+class Calibration(NamedTuple):
+    """The result of a calibration."""
+
+    alternatives: list[Alternative]
+    """The alternatives, the smallest misfit first."""
+    sentences: list[str]
+    """What the measurement does not determine, and which alternatives are told apart."""
+    cases: int
+    """Number of cases solved."""
+    folder: Path | None
+    """The folder with tables, figures and studies; None without one."""
+
+    @property
+    def best(self) -> Alternative:
+        """The alternative with the smallest misfit."""
+        return self.alternatives[0]
 
 
 class Recommendation(NamedTuple):

@@ -6,7 +6,7 @@ from typing import Any, final
 import numpy
 from numpy.typing import NDArray
 
-from ._records import Check, Claim, Comparison, Failure, Recommendation, WarnedCases
+from ._records import Calibration, Check, Claim, Comparison, Failure, Recommendation, WarnedCases
 
 __all__ = [
     "Animation",
@@ -16,6 +16,7 @@ __all__ = [
     "Table",
     "__version__",
     "animate",
+    "calibrate",
     "claims",
     "compare",
     "exact",
@@ -123,6 +124,12 @@ def solve(study: str | PathLike[str] | Mapping[str, Any], case: int) -> Solution
 def exact(
     problem: str, t: bytes, parameters: dict[str, Any]
 ) -> dict[str, NDArray[numpy.float64]]: ...
+def calibrate(
+    study: str | PathLike[str] | Mapping[str, Any],
+    out: str | PathLike[str] | None,
+    jobs: int | None,
+    set: Mapping[str, Any] | None,
+) -> Calibration: ...
 def recommend(problem: str, targets: dict[str, Any], jobs: int | None) -> Recommendation: ...
 def schema() -> str: ...
 def claims(

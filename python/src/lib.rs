@@ -3,6 +3,7 @@
 
 mod animation;
 mod arrays;
+mod calibrate;
 mod case_of_dict;
 mod claims;
 mod columns;
@@ -29,6 +30,8 @@ mod _slipgap {
     use super::animation::Animation;
     #[pymodule_export]
     use super::animation::animate;
+    #[pymodule_export]
+    use super::calibrate::calibrate;
     #[pymodule_export]
     use super::claims::claims;
     #[pymodule_export]

@@ -1,6 +1,7 @@
 """Each function, against closed forms, printed numbers and the study language."""
 
 import copy
+import json
 import math
 import pickle
 from pathlib import Path
@@ -179,6 +180,52 @@ def test_exact_refuses() -> None:
     for problem, t, given in refused:
         with pytest.raises(slipgap.SlipgapError):
             slipgap.exact(problem, t, **given)
+
+
+def falling(parameters: dict[str, Any], **more: Any) -> dict[str, Any]:
+    """A mass that hits the ground."""
+    contact = {"law": "law", "between": ["ground", "m"], "gap": 0.02, "k": "k", "k_h": "k_h"}
+    structure = {
+        "masses": {"m": 1},
+        "springs": [{"between": ["ground", "m"], "k": 100, "c": 0.5}],
+        "contacts": {"gap": contact},
+        "start": {"m": {"v": "-v0"}},
+    }
+    return {"problem": "structure", "parameters": parameters, "structure": structure, **more}
+
+
+def test_calibrate(tmp_path: Path) -> None:
+    truth = {"dt": 0.002, "duration": 0.6, "law": "hertz", "k": 1, "k_h": 20000, "v0": 1}
+    motion = slipgap.solve(falling(truth, metrics=["peak(m.u)"]))
+    rows = [f"{t},{u}" for t, u in zip(motion["t"], motion["m.u"], strict=True)]
+    (tmp_path / "test.csv").write_text("\n".join(["t,u", *rows]) + "\n")
+    free = {"k": {"log": [100, 1e5]}, "k_h": {"log": [1e3, 1e6]}, "minimise": "rms_error(m.u, measured)"}
+    study = falling(
+        truth | {"law": ["impact", "hertz"], "k_h": 5000},
+        measured={"file": "test.csv", "time": "t", "columns": {"m.u": "u"}},
+        calibrate=free | {"cases": 1000},
+    )
+    file = tmp_path / "law.json"
+    file.write_text(json.dumps(study))
+    found = slipgap.calibrate(file, out=tmp_path / "out", jobs=1)
+    assert [own.name for own in found.alternatives] == ["hertz", "impact"]
+    best = found.best
+    # The motion is that of the same steps: only the search limits the agreement.
+    assert abs(best.values["k_h"] / 20000 - 1) < 1e-3
+    assert best.unused == ["k"] and best.verdict == "best"
+    assert found.alternatives[1].misfit > best.misfit
+    assert found.folder == tmp_path / "out" / "law"
+    assert (tmp_path / "out" / "law" / "best-hertz.json").exists()
+    profile = best.parameters["k_h"].profile
+    assert min(misfit for _, misfit in profile) >= best.misfit
+    # The same without files and with two threads, and as a study.
+    again = slipgap.calibrate(file, jobs=2)
+    assert again.folder is None and again.best[:9] == best[:9]
+    assert best.study is not None
+    results = slipgap.run(best.study)
+    assert results.table["rms_error(m.u, measured)"][0] == best.misfit
+    with pytest.raises(slipgap.SlipgapError, match="no key"):
+        slipgap.calibrate(falling(truth))
 
 
 def test_recommend() -> None:

@@ -216,6 +216,7 @@ fn without_profiles(best: Best) -> Determined {
         profiles: Vec::new(),
         correlation: None,
         undetermined: None,
+        widened: 1.0,
         quadratic: false,
         solved: 0,
     }

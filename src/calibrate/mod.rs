@@ -22,8 +22,8 @@ pub use explain::explained;
 pub use fit::{Fit, State};
 pub use numerics::Numerical;
 pub use residuals::Residuals;
-pub use words::text;
-pub use write::write;
+pub use words::{sentences, state_name, text, verdict};
+pub use write::{studies, write};
 
 use crate::run::Source;
 use indicatif::ProgressBar;

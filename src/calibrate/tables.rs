@@ -33,7 +33,7 @@ pub fn parameters(found: &Calibration) -> Result<Vec<u8>, Error> {
         let tenth = ends(profile.map(|own| own.within_tenth));
         let solved = fit.misfit().is_finite();
         let best = cell(fit.values.get(place).copied().filter(|_| solved));
-        let state = fit.state(place).map_or("", words::state);
+        let state = fit.state(place).map_or("", words::state_name);
         [
             name_of(fit),
             table[free.parameter].column_name().to_string(),
@@ -76,6 +76,7 @@ pub fn alternatives(found: &Calibration) -> Result<Vec<u8>, Error> {
         "rho_1",
         "effective_residuals",
         "information",
+        "widened",
         "free",
         "cases",
         "starts_at_best",
@@ -98,6 +99,7 @@ pub fn alternatives(found: &Calibration) -> Result<Vec<u8>, Error> {
             cell(residuals.map(|own| own.correlation)),
             cell(residuals.map(super::Residuals::effective)),
             cell(information[*at]),
+            cell(Some(fit.found.widened).filter(|_| !fit.found.profiles.is_empty())),
             fit.free.len().to_string(),
             fit.solved.to_string(),
             at_best.to_string(),

@@ -25,7 +25,7 @@ pub(super) fn label(fit: &Fit) -> &str {
 }
 
 /// How sharply a parameter is determined.
-pub(super) fn state(state: State) -> &'static str {
+pub fn state_name(state: State) -> &'static str {
     match state {
         State::Determined => "determined",
         State::OnlyBelow => "only a smallest value",
@@ -35,7 +35,7 @@ pub(super) fn state(state: State) -> &'static str {
 }
 
 /// Whether the alternative at a position is told apart from the best one.
-pub(super) fn verdict(found: &Calibration, at: usize) -> &'static str {
+pub fn verdict(found: &Calibration, at: usize) -> &'static str {
     let own = found.comparisons.iter().find(|own| own.fits[1] == at);
     match own.map(|own| own.verdict) {
         None if found.fits[at].misfit().is_finite() => "best",
@@ -179,7 +179,7 @@ fn values(found: &Calibration, fit: &Fit) -> Vec<Vec<String>> {
         row.extend(intervals.then(|| range(place, profile.and_then(|own| own.interval))));
         row.push(range(place, profile.map(|own| own.within_tenth)));
         row.push(format!("{low} to {high}"));
-        row.push(fit.state(place).map_or("", state).to_owned());
+        row.push(fit.state(place).map_or("", state_name).to_owned());
         row
     };
     let rows = fit.free.iter().enumerate().map(row);
@@ -300,6 +300,12 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
     if fit.residuals.is_none() && !fit.free.is_empty() {
         all.push(format!(
             "{own}there are no 95 % intervals, because the minimised metric is no rms_error(CHANNEL, measured) alone"
+        ));
+    }
+    if intervals && fit.found.widened > 1.0 {
+        all.push(format!(
+            "{own}the misfit jumps where contacts begin or vanish, which makes the intervals {} times as wide",
+            digits(fit.found.widened)
         ));
     }
     if intervals && !fit.found.quadratic {

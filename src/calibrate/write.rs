@@ -7,6 +7,7 @@ use crate::run::Source;
 use slipgap_drawing::layout::sheet::Sheet;
 use slipgap_recommend::format::digits;
 use slipgap_study::error::Error;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Names of the figures. No figure of a study may have them, because both are in one folder.
@@ -29,8 +30,8 @@ pub fn write(
         folder.write("profiles.csv", &tables::profiles(found)?)?,
         folder.write("correlation.csv", &tables::correlation(found)?)?,
     ];
-    for (name, text) in studies(found, source, path)? {
-        written.push(folder.write(&name, text.as_bytes())?);
+    for (name, text) in studies(found, source, path)?.values() {
+        written.push(folder.write(name, text.as_bytes())?);
     }
     let misfits = figures::misfits(found);
     let misfits = (!misfits.panels.is_empty()).then(|| misfits.sheet());
@@ -51,17 +52,17 @@ fn draw(folder: &mut Folder, name: &str, sheet: &Sheet, dpi: u32) -> Result<[Pat
     ])
 }
 
-/// The studies of the alternatives with their best values, each with the name of its file in `folder`.
+/// The studies of the alternatives with their best values by the positions of the fits, each with the name of its file in `folder`.
 ///
 /// # Errors
 /// As of reading the study.
-fn studies(
+pub fn studies(
     found: &Calibration,
     source: &Source,
     folder: &Path,
-) -> Result<Vec<(String, String)>, Error> {
+) -> Result<BTreeMap<usize, (String, String)>, Error> {
     let input = input(source);
-    let mut all: Vec<(String, String)> = Vec::new();
+    let mut all: BTreeMap<usize, (String, String)> = BTreeMap::new();
     let calibrate = found.study.calibrate.as_ref();
     let minimised = calibrate.map_or("", |own| &found.study.measures[own.minimise].name);
     for (i, fit) in found.fits.iter().enumerate() {
@@ -79,10 +80,10 @@ fn studies(
             name if name.is_empty() => "best.json".to_owned(),
             name => format!("best-{name}.json"),
         };
-        if all.iter().any(|known| known.0 == name) {
+        if all.values().any(|known| known.0 == name) {
             name = format!("best-{}.json", i + 1);
         }
-        all.push((name, text));
+        all.insert(i, (name, text));
     }
     Ok(all)
 }

@@ -54,8 +54,8 @@ fn range(free: &str, expected: &str) {
 #[test]
 fn parameters_that_cannot_be_free() {
     range(
-        r#""k_j": ¶[1, 2]"#,
-        "k_j: unknown key \"k_j\", did you mean \"k_h\"?",
+        r#""K_h": ¶[1, 2]"#,
+        "K_h: unknown key \"K_h\", did you mean \"k_h\"?",
     );
     range(
         r#"¶"gap": [0.1, 0.2]"#,
@@ -131,7 +131,10 @@ fn what_is_minimised() {
         "peak(m.u) relative to law = impact",
         "\"peak(m.u) relative to law = impact\" needs several cases",
     );
-    minimise("rms_error(m.u, measured)", "\"rms_error(m.u, measured)\": ");
+    minimise(
+        "rms_error(m.u, measured)",
+        "\"rms_error(m.u, measured)\" needs the key \"measured\"",
+    );
     refused(
         r#"{ "k": [1, 2], "minimise": ¶3 }"#,
         "calibrate.minimise: must be a string",

@@ -1,0 +1,112 @@
+//! `slipgap.calibrate`: the values of free parameters with which a study comes nearest to what was measured.
+
+use crate::given;
+use crate::worker;
+use indicatif::ProgressBar;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyType};
+use slipgap::calibrate::{
+    Calibration, Fit, calibrate as best, sentences, state_name, studies, verdict, write,
+};
+use slipgap::figures::style::DPI;
+use slipgap::recommend::Stop;
+use slipgap::recommend::calibrate::End;
+use std::path::{Path, PathBuf};
+
+/// The classes `slipgap.Calibration`, `slipgap.Alternative` and `slipgap.FreeParameter`.
+static CALIBRATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static ALTERNATIVE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+static FREE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+
+/// Calibrates a study.
+#[pyfunction]
+#[pyo3(signature = (study, out, jobs, set))]
+pub fn calibrate<'py>(
+    py: Python<'py>,
+    study: &Bound<'py, PyAny>,
+    out: Option<PathBuf>,
+    jobs: Option<i64>,
+    set: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let jobs = worker::jobs(py, jobs)?;
+    let source = given::source(py, study, set)?;
+    let folder = out.map(|out| out.join(&source.name));
+    let (stop, bar) = (Stop::default(), ProgressBar::hidden());
+    let (stops, path) = (stop.clone(), folder.clone());
+    let (found, texts) = worker::wait(
+        py,
+        jobs,
+        move || {
+            let found = best(&source, &bar, &stops)?;
+            if let Some(path) = &path {
+                write(&found, &source, path, DPI)?;
+            }
+            // Files of a dictionary are relative to the current folder.
+            let texts = studies(&found, &source, Path::new(""))?;
+            Ok((found, texts))
+        },
+        || stop.stop(),
+        |_| Ok(()),
+    )?;
+    let fits = found.order.iter();
+    let fits = fits.map(|at| alternative(py, &found, *at, texts.get(at)));
+    let fits = fits.collect::<PyResult<Vec<_>>>()?;
+    let class = CALIBRATION.import(py, "slipgap._records", "Calibration")?;
+    class.call1((fits, sentences(&found), found.solved(), folder))
+}
+
+/// A `slipgap.Alternative`.
+fn alternative<'py>(
+    py: Python<'py>,
+    found: &Calibration,
+    at: usize,
+    text: Option<&(String, String)>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let fit = &found.fits[at];
+    let table = found.study.problem.parameters();
+    let solved = fit.misfit().is_finite();
+    let parameters = PyDict::new(py);
+    for (place, free) in fit.free.iter().enumerate().filter(|_| solved) {
+        parameters.set_item(&*table[free.parameter].name, parameter(py, fit, place)?)?;
+    }
+    let unused = fit.unused.iter();
+    let unused: Vec<&str> = unused.map(|own| &*table[own.parameter].name).collect();
+    let json = py.import("json")?.getattr("loads")?;
+    let study = text.map(|(_, text)| json.call1((text,))).transpose()?;
+    let residuals = fit.residuals.as_ref();
+    let class = ALTERNATIVE.import(py, "slipgap._records", "Alternative")?;
+    class.call1((
+        fit.alternative.name.as_str(),
+        solved.then(|| fit.misfit()),
+        fit.numerical.as_ref().map(|own| own.total()),
+        residuals.map(|own| own.correlation),
+        parameters,
+        unused,
+        fit.found.correlation.clone(),
+        verdict(found, at),
+        fit.solved,
+        study,
+    ))
+}
+
+/// A `slipgap.FreeParameter`.
+fn parameter<'py>(py: Python<'py>, fit: &Fit, place: usize) -> PyResult<Bound<'py, PyAny>> {
+    let profile = fit.found.profiles.get(place);
+    let range = fit.free[place].range;
+    let ends = |ends: [End; 2]| {
+        let [from, to] = ends.map(|end| fit.value(place, end));
+        (from.unwrap_or(range.ends[0]), to.unwrap_or(range.ends[1]))
+    };
+    let points = profile.iter().flat_map(|own| &own.points);
+    let points = points.filter(|own| own.misfit.is_finite());
+    let points: Vec<(f64, f64)> = points.map(|own| (range.at(own.at), own.misfit)).collect();
+    let class = FREE.import(py, "slipgap._records", "FreeParameter")?;
+    class.call1((
+        fit.values[place],
+        profile.and_then(|own| own.interval).map(ends),
+        profile.map(|own| ends(own.within_tenth)),
+        fit.state(place).map(state_name),
+        points,
+    ))
+}
