@@ -1,9 +1,10 @@
 //! One side of a profile: values of a coordinate farther and farther from the best, with the others optimised at each.
 
 use super::counted::{Asking, squared};
-use super::determine::Minimum;
-use super::linear::{Eigen, block, dot};
+use super::linear::{Eigen, block};
 use super::local::{Local, Threshold};
+use super::minimum::Minimum;
+use super::reached::{Reached, between};
 
 /// Values from half the width of the interval to the range of 10 %.
 const VALUES: i32 = 6;
@@ -13,26 +14,6 @@ const MOST: usize = 16;
 
 /// Further values at most, next to the ends of the interval and the range of 10 %.
 const FURTHER: usize = 10;
-
-/// They are next to values with rises below or above these parts of the rise at the end,
-const LOW: f64 = 0.1;
-const HIGH: f64 = 10.0;
-
-/// that are farther apart than this part of their distance.
-const NARROW: f64 = 0.02;
-
-/// A value, the squared misfit and the point.
-#[derive(Debug, Clone)]
-pub struct Reached {
-    /// From the best point, >= 0.
-    pub distance: f64,
-    /// The rise of the squared misfit.
-    pub rise: f64,
-    /// The misfit.
-    pub misfit: f64,
-    /// All coordinates.
-    pub at: Vec<f64>,
-}
 
 /// The values of one side.
 #[derive(Debug)]
@@ -86,41 +67,6 @@ impl<'a> Arm<'a> {
         last.is_some_and(|last| last.distance >= self.room && last.rise <= rise)
     }
 
-    /// The last place below a rise and the next one.
-    fn bracket(&self, rise: f64) -> Option<usize> {
-        let inside = self.reached.iter().rposition(|r| r.rise <= rise)?;
-        (inside + 1 < self.reached.len()).then_some(inside)
-    }
-
-    /// The distance at which the misfit exceeds a rise for good: the root of the rise is nearly a straight line.
-    pub fn crossing(&self, rise: f64) -> Option<f64> {
-        let i = self.bracket(rise)?;
-        let [inside, outside] = [&self.reached[i], &self.reached[i + 1]];
-        if !outside.rise.is_finite() {
-            return Some(0.5 * (inside.distance + outside.distance));
-        }
-        let root = |r: &Reached| r.rise.max(0.0).sqrt();
-        let (wanted, from, to) = (rise.sqrt(), root(inside), root(outside));
-        let part = (wanted - from) / (to - from);
-        let straight = inside.distance + part * (outside.distance - inside.distance);
-        // With one place more a parabola of distance over root, if the place is on the same rising curve.
-        let parabola = i
-            .checked_sub(1)
-            .map(|b| &self.reached[b])
-            .and_then(|below| {
-                let zero = root(below);
-                let first = (inside.distance - below.distance) / (from - zero);
-                let second = (outside.distance - inside.distance) / (to - from);
-                let bend = (second - first) / (to - zero);
-                let found = inside.distance
-                    + first * (wanted - from)
-                    + bend * (wanted - zero) * (wanted - from);
-                let between = (inside.distance..=outside.distance).contains(&found);
-                (zero < from && between).then_some(found)
-            });
-        Some(parabola.unwrap_or(straight))
-    }
-
     /// The next value to be optimised; `None` at the end.
     fn next(&mut self) -> Option<(Local, f64)> {
         let (near, far) = self.minimum.rises;
@@ -145,24 +91,10 @@ impl<'a> Arm<'a> {
                 self.further += 1;
                 [near, far]
                     .into_iter()
-                    .find_map(|rise| self.between(rise))?
+                    .find_map(|rise| between(&self.reached, rise))?
             }
         };
         Some((self.optimise(distance), distance))
-    }
-
-    /// A value between two that are too far apart for the distance of a rise.
-    fn between(&self, rise: f64) -> Option<f64> {
-        let i = self.bracket(rise)?;
-        let [inside, outside] = [&self.reached[i], &self.reached[i + 1]];
-        // A bound of another coordinate bends the profile at once: then the root of the rise is no straight line.
-        let bent = inside.rise < LOW * rise || outside.rise > HIGH * rise;
-        let gap = outside.distance - inside.distance;
-        if !bent || gap <= NARROW * outside.distance {
-            return None;
-        }
-        let wanted = self.crossing(rise)?;
-        Some(wanted.clamp(inside.distance + 0.25 * gap, outside.distance - 0.25 * gap))
     }
 
     /// A search over the others at this distance.
@@ -201,7 +133,7 @@ impl<'a> Arm<'a> {
         let threshold = Threshold {
             relative: 0.2,
             ground: squared(minimum.misfit),
-            least: minimum.rises.0.min(minimum.rises.1),
+            least: minimum.smooth,
         };
         let rise = (0.2 * self.reached[before].rise).max(threshold.least);
         let conditional = block(&minimum.curvature, &others, &others);
@@ -244,30 +176,5 @@ impl Asking for Arm<'_> {
             .partition_point(|r| r.distance < found.distance);
         self.reached.insert(place, found);
         self.inner = self.next();
-    }
-}
-
-impl Minimum {
-    /// The change of the other coordinates with coordinate `k` along the valley of the quadratic function.
-    fn valley(&self, k: usize, others: &[usize]) -> Vec<f64> {
-        let coupling = block(&self.curvature, others, &[k]).concat();
-        let Some(eigen) = Eigen::of(&block(&self.curvature, others, others)) else {
-            return vec![0.0; others.len()];
-        };
-        let largest = eigen.values.last().copied().unwrap_or(0.0);
-        let mut slope = vec![0.0; others.len()];
-        for (value, direction) in eigen
-            .values
-            .iter()
-            .zip(&eigen.vectors)
-            .filter(|(v, _)| **v > 1e-12 * largest)
-        {
-            let along = -dot(direction, &coupling) / value;
-            slope
-                .iter_mut()
-                .zip(direction)
-                .for_each(|(to, b)| *to += along * b);
-        }
-        slope
     }
 }

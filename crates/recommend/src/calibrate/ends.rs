@@ -1,13 +1,16 @@
 //! Where independent starts ended, and whether they ended at the same minimum.
 
 use super::Stopped;
-use super::counted::Counted;
+use super::counted::{Counted, squared};
 
 /// Misfits within this part of the best are equal.
 const SAME: f64 = 0.01;
 
 /// So are misfits within this part of a usual one.
 const SAME_SMALL: f64 = 1e-5;
+
+/// So are squared misfits that differ by fewer jumps.
+const JUMPS: f64 = 2.0;
 
 /// Points whose coordinates differ by less are the same minimum.
 const PLACE: f64 = 0.02;
@@ -30,11 +33,15 @@ pub struct Ends {
     pub all: Vec<(Vec<f64>, f64)>,
     /// A usual misfit.
     pub usual: f64,
+    /// The smallest jumps of the squared misfit at an end.
+    pub jumps: f64,
 }
 
 impl Ends {
     fn limit(&self, best: f64) -> f64 {
-        best + (SAME * best.abs()).max(SAME_SMALL * self.usual.abs())
+        let small = best + (SAME * best.abs()).max(SAME_SMALL * self.usual.abs());
+        let jumped = squared(best) + JUMPS * self.jumps;
+        small.max(jumped.abs().sqrt().copysign(jumped))
     }
 
     /// Number of starts that ended with the best misfit.

@@ -31,6 +31,7 @@ pub fn search(
     let mut ends = Ends {
         all: Vec::new(),
         usual: f64::INFINITY,
+        jumps: f64::INFINITY,
     };
     let mut rounds = 0;
     let spent = loop {
@@ -75,8 +76,10 @@ pub fn search(
                 Round::Spent => break true,
             }
         };
-        let ended = starts.into_iter().filter(Start::has_ended);
-        ends.all.extend(ended.map(|start| start.best));
+        for start in starts.into_iter().filter(Start::has_ended) {
+            ends.jumps = ends.jumps.min(start.residual());
+            ends.all.push(start.best);
+        }
         rounds += 1;
         let hopeless = ends.usual.is_infinite() && rounds >= HOPELESS;
         if spent || hopeless || ends.agree(&mut counted)? {

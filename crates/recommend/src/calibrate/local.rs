@@ -44,6 +44,7 @@ pub struct Local {
     pub shape: Shape,
     /// Part of the lengths after steps that failed.
     part: f64,
+    least_part: f64,
     asked: Vec<Vec<f64>>,
     /// The best point and its misfit.
     pub best: (Vec<f64>, f64),
@@ -63,6 +64,7 @@ impl Local {
             centre: at,
             shape: limited(shape),
             part: 1.0,
+            least_part: 0.0,
             asked: Vec::new(),
             model: None,
             ended: false,
@@ -73,6 +75,12 @@ impl Local {
     pub fn brief(mut self) -> Local {
         self.crosses = self.free.len() <= 4;
         self.blocks = 6;
+        self
+    }
+
+    /// The same with points that stay as far apart as the threshold says, so that the fit shows jumps.
+    pub fn steady(mut self) -> Local {
+        self.least_part = 0.5;
         self
     }
 
@@ -137,7 +145,7 @@ impl Local {
         let gain = best - model.at(&step);
         // The first value is that of the centre, to which the last fit led.
         self.part = match squared(misfits[0]) > before + 0.1 * threshold {
-            true => self.part * 0.5,
+            true => (self.part * 0.5).max(self.least_part),
             false => (2.0 * self.part).min(1.0),
         };
         let centre = match gain > 0.0 {

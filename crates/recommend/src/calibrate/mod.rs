@@ -9,7 +9,9 @@ mod ends;
 mod global;
 mod linear;
 mod local;
+mod minimum;
 mod model;
+mod reached;
 mod start;
 
 #[cfg(test)]
@@ -66,6 +68,9 @@ pub struct Determined {
     pub correlation: Option<Vec<Vec<f64>>>,
     /// The direction (of length 1) in which the squared misfit changes least, if it does not limit the coordinates within their ranges.
     pub undetermined: Option<Vec<f64>>,
+    /// Jumps of the misfit (contacts that begin or vanish between values) widen the intervals by this factor, and ranges of 10 %
+    /// that are smaller; 1 without jumps.
+    pub widened: f64,
     /// Whether the squared misfit is a quadratic function over the intervals: then intervals and correlation describe it well.
     pub quadratic: bool,
     /// Number of points computed in addition to those of the search.

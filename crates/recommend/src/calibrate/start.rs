@@ -40,8 +40,8 @@ pub struct Start {
 
 #[derive(Debug)]
 enum Phase {
-    Wide(CmaEs),
-    Near(Local),
+    Wide(Box<CmaEs>),
+    Near(Box<Local>),
     Ended,
 }
 
@@ -54,7 +54,12 @@ impl Start {
         random: rand_chacha::ChaCha8Rng,
     ) -> Start {
         let phase = match best.1.is_finite() {
-            true => Phase::Wide(CmaEs::new(best.0.clone(), SIGMA, population, random)),
+            true => Phase::Wide(Box::new(CmaEs::new(
+                best.0.clone(),
+                SIGMA,
+                population,
+                random,
+            ))),
             false => Phase::Ended,
         };
         Start {
@@ -71,6 +76,17 @@ impl Start {
         match &self.phase {
             Phase::Near(local) => local.has_ended() && self.best.1.is_finite(),
             Phase::Wide(_) | Phase::Ended => false,
+        }
+    }
+
+    /// What the last fit of the squared misfit left: the size of its jumps.
+    pub fn residual(&self) -> f64 {
+        match &self.phase {
+            Phase::Near(local) => local
+                .model
+                .as_ref()
+                .map_or(0.0, |(model, _)| model.residual),
+            Phase::Wide(_) | Phase::Ended => 0.0,
         }
     }
 
@@ -110,7 +126,7 @@ impl Asking for Start {
                     return;
                 };
                 self.phase = match self.is_near(misfits, &cma) {
-                    true => Phase::Near(self.local(&cma)),
+                    true => Phase::Near(Box::new(self.local(&cma))),
                     false => Phase::Wide(cma),
                 };
             }

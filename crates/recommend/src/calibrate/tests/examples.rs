@@ -2,6 +2,9 @@
 
 use super::super::{Objective, Stopped};
 
+/// A misfit.
+pub type Value<'a> = &'a dyn Fn(&[f64]) -> f64;
+
 /// A function of one point, with the number of calls and points.
 pub struct Function<F> {
     pub value: F,
