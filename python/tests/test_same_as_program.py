@@ -6,6 +6,7 @@ import os
 import subprocess
 from pathlib import Path
 
+import numpy
 import pytest
 
 import slipgap
@@ -129,6 +130,7 @@ def test_a_solution_is_the_history_of_the_program(
         solution = slipgap.solve(study, case)
         columns = dict(solution.channels)
         columns |= {f"{key}_exact": values for key, values in solution.references.items()}
+        assert solution.measured == {}
         for place, column in enumerate(header):
             expected = [float(row[place]) for row in history]
             assert columns[column].tolist() == expected, column
@@ -136,3 +138,39 @@ def test_a_solution_is_the_history_of_the_program(
         for metric, value in solution.metrics.items():
             cell = rows[case][metric]
             assert value == (float(cell) if cell else None), metric
+
+
+def test_a_solution_has_the_measured_columns_of_the_program(program: str, tmp_path: Path) -> None:
+    rows = "".join(f"{0.3 + 0.07 * i},{20 - i},{i * i}\n" for i in range(12))
+    (tmp_path / "test.csv").write_text("t,disp_mm,force\n" + rows)
+    columns = {"m": {"column": "disp_mm", "unit": "mm"}, "pad.S": "force"}
+    study = {
+        "problem": "structure",
+        "parameters": {"dt": 0.05, "duration": 1.5},
+        "measured": {"file": "test.csv", "time": "t", "columns": columns, "delay": 0.1},
+        "structure": {
+            "units": "t, kN, m, s",
+            "masses": {"m": 1},
+            "springs": [{"between": ["ground", "m"], "k": 20}],
+            "contacts": {"pad": {"law": "coulomb", "between": ["ground", "m"], "limit": 0.1}},
+            "start": {"m": {"u": 0.1}},
+        },
+        "metrics": ["rms_error(m, measured)"],
+    }
+    (tmp_path / "s.json").write_text(json.dumps(study))
+    command: list[str | Path] = [program, "run", tmp_path / "s.json", "--out", tmp_path]
+    subprocess.run([*command, "--histories"], check=True, capture_output=True)
+    with open(tmp_path / "s" / "histories" / "0.csv", newline="") as file:
+        history = list(csv.DictReader(file))
+    measured = slipgap.solve(tmp_path / "s.json").measured
+    assert list(measured) == ["t", "m", "pad.S"]
+    for name in ["m", "pad.S"]:
+        cells = [row[f"{name}_measured"] for row in history]
+        # The file has times from 0.2 to 0.97 of the motion.
+        assert [cell == "" for cell in cells] == [not 0.2 <= t <= 0.97 for t in measured["t"]]
+        values = [float(cell) for cell in cells if cell]
+        assert measured[name][~numpy.isnan(measured[name])].tolist() == values
+    # 20 - i mm at 0.2 + 0.07 i is a straight line.
+    steps = measured["t"][~numpy.isnan(measured["m"])]
+    line = 1e-3 * (20 - (steps - 0.2) / 0.07)
+    assert numpy.abs(measured["m"][~numpy.isnan(measured["m"])] - line).max() < 1e-15

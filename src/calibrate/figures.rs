@@ -40,10 +40,6 @@ fn place(fit: &Fit, free: &Free) -> Option<usize> {
 
 fn panel(found: &Calibration, free: &Free) -> MisfitPanel {
     let parameter = &found.study.problem.parameters()[free.parameter];
-    let unit = match &*parameter.unit {
-        "" | "1" => String::new(),
-        unit => format!(" ({})", escape(unit)),
-    };
     let curve = |(index, fit): (usize, &Fit)| {
         let place = place(fit, free)?;
         let profile = fit.found.profiles.get(place)?;
@@ -61,7 +57,7 @@ fn panel(found: &Calibration, free: &Free) -> MisfitPanel {
         })
     };
     MisfitPanel {
-        title: format!("{}{unit}", parameter.symbol),
+        title: parameter.title(),
         range: free.range.ends,
         log: free.range.log,
         curves: found.fits.iter().enumerate().filter_map(curve).collect(),

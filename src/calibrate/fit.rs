@@ -4,12 +4,12 @@ use super::misfit::{Misfit, Pooling};
 use super::numerics::{self, ErrorStudy, Numerical};
 use super::residuals::Residuals;
 use super::series::{self, Test};
+use super::usage;
 use indicatif::ProgressBar;
 use slipgap_recommend::Stop;
 use slipgap_recommend::calibrate::{
     Best, Determined, End, Objective, Options, Profile, Stopped, determine, search,
 };
-use slipgap_solver::problem::Case;
 use slipgap_study::{Alternative, Calibrate, Free, PointCases, Study};
 
 /// Distance in unit coordinates at which a value is at an end of its range.
@@ -113,7 +113,7 @@ impl Search<'_> {
     /// # Errors
     /// The search was stopped.
     pub fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
-        let (free, unused) = self.used(&alternative);
+        let [free, unused] = usage::used(self.study, &alternative);
         let cases = self.study.point_cases(&alternative, &free);
         let channel = series::channel(self.study);
         let pooling = match channel {
@@ -183,45 +183,6 @@ impl Search<'_> {
             starts: [1, 1],
             spent: false,
         })
-    }
-
-    /// The free parameters that an alternative uses, and those that it does not.
-    fn used(&self, alternative: &Alternative) -> (Vec<Free>, Vec<Free>) {
-        let all = self.study.free_of(alternative);
-        let cases = self.study.point_cases(alternative, &all);
-        let uses = |place: usize| {
-            if self
-                .study
-                .measure_contains(self.calibrate.minimise, all[place].parameter)
-            {
-                return true;
-            }
-            // In the middle of the others, at both ends and in the middle of its own range.
-            let at = |u: f64| {
-                let mut point = vec![0.5; all.len()];
-                point[place] = u;
-                point
-            };
-            let points = [0.0, 0.5, 1.0].map(at);
-            let all = cases.cases(&points);
-            let mut shown = all.shown();
-            let case = |row: usize, shown: &mut slipgap_solver::problem::cases::Shown| -> Case {
-                shown.at(row).clone()
-            };
-            (0..cases.tests()).any(|test| {
-                let rows = [0, 1, 2].map(|point| test * points.len() + point);
-                let own = rows.map(|row| case(row, &mut shown));
-                let same = |k: usize| self.study.problem.has_same_motion(&own[0], &own[k]);
-                let solvable = rows.iter().all(|row| all.may_be_solved(*row));
-                !(solvable && same(1) && same(2))
-            })
-        };
-        let used: Vec<bool> = (0..all.len()).map(uses).collect();
-        let of = |wanted: bool| {
-            let places = all.iter().zip(&used).filter(|(_, used)| **used == wanted);
-            places.map(|(free, _)| *free).collect()
-        };
-        (of(true), of(false))
     }
 
     /// The points of each test.

@@ -5,6 +5,7 @@
 //! left is noise, `compare` which alternatives are told apart.
 
 mod compare;
+mod explain;
 mod figures;
 mod fit;
 mod misfit;
@@ -12,10 +13,12 @@ mod numerics;
 mod residuals;
 mod series;
 mod tables;
+mod usage;
 mod words;
 mod write;
 
 pub use compare::{Comparison, Verdict};
+pub use explain::explained;
 pub use fit::{Fit, State};
 pub use numerics::Numerical;
 pub use residuals::Residuals;
@@ -64,15 +67,17 @@ pub fn input(source: &Source) -> Input {
 /// # Errors
 /// The study has no `calibrate`, or `stop` ended the search.
 pub fn calibrate(source: &Source, bar: &ProgressBar, stop: &Stop) -> Result<Calibration, Error> {
-    let Some(calibrate) = &source.study.calibrate else {
-        let message = source.line(
+    let none = || {
+        Error::Usage(source.line(
             "the study has no key \"calibrate\", which names the free parameters, as in \"calibrate\": {\"k_h\": {\"log\": [1e4, 1e7]}, \
              \"minimise\": \"rms_error(deck.u, measured)\"}",
-        );
-        return Err(Error::Usage(message));
+        ))
     };
+    source.study.calibrate.as_ref().ok_or_else(none)?;
     let input = input(source);
     let study = input.search_study(MOST_CASES)?;
+    // Its rows of measures are others than those of the whole study.
+    let calibrate = study.calibrate.as_ref().ok_or_else(none)?;
     let errors = numerics::error_study(&input, &study);
     let mut fits = Vec::new();
     for alternative in study.alternatives() {

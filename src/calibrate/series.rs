@@ -46,7 +46,9 @@ pub fn channel(study: &Study) -> Option<&str> {
 /// steps.
 pub fn residuals(test: &Test, channel: &str) -> Option<Vec<f64>> {
     let solution = test.solution.as_ref()?;
-    let measured = test.measured.iter().find(|own| own.name == channel)?;
+    let plain = |name: &str| name.replace(char::is_whitespace, "");
+    let mut all = test.measured.iter();
+    let measured = all.find(|own| plain(&own.name) == plain(channel))?;
     let computed = solution.computed.channel(measured.column);
     let time = &solution.computed.time;
     let dt = time.get(1)? - time.first()?;

@@ -5,6 +5,7 @@ use super::{Calibration, Fit, State, Verdict};
 use slipgap_recommend::calibrate::End;
 use slipgap_recommend::format::digits;
 use slipgap_solver::problem::parameter::shortest;
+use slipgap_study::Free;
 
 /// Difference of the information criterion from which on it says something.
 const DECISIVE: f64 = 10.0;
@@ -148,7 +149,13 @@ fn heading(found: &Calibration, fit: &Fit) -> String {
 fn values(found: &Calibration, fit: &Fit) -> Vec<Vec<String>> {
     let table = found.study.problem.parameters();
     let intervals = fit.found.profiles.iter().any(|own| own.interval.is_some());
-    let mut header = vec!["parameter", "best", "unit"];
+    let unit = |free: &Free| {
+        let shown = table[free.parameter].shown_unit.as_ref();
+        shown.map_or(String::new(), |unit| unit.to_string())
+    };
+    let units = fit.free.iter().any(|free| !unit(free).is_empty());
+    let mut header = vec!["parameter", "best"];
+    header.extend(units.then_some("unit"));
     header.extend(intervals.then_some("95 % interval"));
     header.extend(["within 10 % of the best misfit", "searched", ""]);
     let range = |place: usize, ends: Option<[End; 2]>| {
@@ -163,15 +170,12 @@ fn values(found: &Calibration, fit: &Fit) -> Vec<Vec<String>> {
             (None, None) => "all".to_owned(),
         }
     };
-    let row = |(place, free): (usize, &slipgap_study::Free)| {
+    let row = |(place, free): (usize, &Free)| {
         let parameter = &table[free.parameter];
         let profile = fit.found.profiles.get(place);
         let [low, high] = free.range.ends.map(shortest);
-        let mut row = vec![
-            parameter.name.to_string(),
-            six(fit.values[place]),
-            parameter.unit.to_string(),
-        ];
+        let mut row = vec![parameter.name.to_string(), six(fit.values[place])];
+        row.extend(units.then(|| unit(free)));
         row.extend(intervals.then(|| range(place, profile.and_then(|own| own.interval))));
         row.push(range(place, profile.map(|own| own.within_tenth)));
         row.push(format!("{low} to {high}"));
@@ -285,6 +289,13 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
                 "{own}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, and there are no intervals"
             ),
         });
+    }
+    if let (true, Some(numerical), Some(residuals)) = (intervals, &fit.numerical, &fit.residuals)
+        && numerical.total() > 2.0 * fit.misfit() / residuals.effective().sqrt()
+    {
+        all.push(format!(
+            "{own}the numerical part may move the best values by more than their intervals, which are of noise only; use a smaller dt"
+        ));
     }
     if fit.residuals.is_none() && !fit.free.is_empty() {
         all.push(format!(

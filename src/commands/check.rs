@@ -85,7 +85,7 @@ fn run_study(source: &Source) -> Result<(Tested<'_>, bool), Error> {
     })?;
     progress::finish(&bar, &source.name, &cases_run(cases));
     unsolved.lines().for_each(|line| note(&line));
-    for own in study.problem.notes() {
+    for own in &study.notes() {
         note(&source.line(own));
     }
     for warning in warnings.list() {

@@ -8,6 +8,7 @@ use super::terminal::{print, progress, table};
 use clap::Args;
 use slipgap::batch::cost::{measure, sampling, total};
 use slipgap::batch::{RunOptions, chunk, divergence, solution};
+use slipgap::calibrate::explained;
 use slipgap::error::Error;
 use slipgap::problem::parameter::{Default, Parameter};
 use slipgap::problem::{Case, Violation};
@@ -83,7 +84,7 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(description) = study.problem.description(&case) {
         text += &format!("\n{description}");
     }
-    for note in study.problem.notes() {
+    for note in study.notes() {
         text += &format!("note: {note}\n");
     }
     let broken = Violation::all(&study.violations(number));
@@ -97,6 +98,7 @@ fn explain(source: &Source, number: u64) -> Result<u8, Error> {
     if let Some(divergence) = divergence::sampled_like(study, number) {
         text += &format!("divergence: {divergence}\n");
     }
+    text += &explained(study);
     let metrics: Vec<&str> = study
         .columns
         .iter()

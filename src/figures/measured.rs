@@ -5,7 +5,7 @@ use slipgap_drawing::layout;
 use slipgap_drawing::layout::envelope;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
-use slipgap_drawing::style::{self, Look, Stroke};
+use slipgap_drawing::style::{self, Look};
 
 /// The motions to draw.
 #[derive(Debug)]
@@ -93,18 +93,14 @@ impl MeasuredMotion {
 impl MeasuredPanel {
     /// The measured line, then the computed ones.
     fn series(&self, count: usize) -> Vec<Series> {
-        let line = |label: &str, points: &[[f64; 2]], stroke, width| Series {
-            label: label.to_owned(),
-            points: points.to_vec(),
-            stroke,
-            width,
+        let measured = Series::measured(self.measured.clone());
+        let computed = self.curves.iter().map(|(index, label, points)| Series {
+            label: label.clone(),
+            points: points.clone(),
+            stroke: Look::default().stroke(*index, count),
+            width: style::CASE_LINE,
             marker: None,
             marked: Vec::new(),
-        };
-        let measured = line("measured", &self.measured, Stroke::LIGHT, style::RIDGE_LINE);
-        let computed = self.curves.iter().map(|(index, label, points)| {
-            let stroke = Look::default().stroke(*index, count);
-            line(label, points, stroke, style::CASE_LINE)
         });
         std::iter::once(measured).chain(computed).collect()
     }

@@ -25,7 +25,7 @@ pub struct Misfits {
 pub struct MisfitPanel {
     /// Title of the axis of the parameter, in markup.
     pub title: String,
-    /// The ends of its range.
+    /// The ends of the range that was searched; the axis shows the part with points.
     pub range: [f64; 2],
     /// Whether the axis is logarithmic.
     pub log: bool,
@@ -50,6 +50,9 @@ pub struct MisfitCurve {
 
 /// Ratio of misfits from which on the axis is logarithmic.
 const WIDE: f64 = 20.0;
+
+/// Part of the length of an axis beyond the points.
+const PAD: f64 = 0.03;
 
 /// Height of a panel.
 const HEIGHT: f64 = 130.0;
@@ -136,7 +139,7 @@ impl Misfits {
             marked: Vec::new(),
         };
         let limit = self.limit.map(|limit| {
-            let points = panel.range.map(|x| [x, limit]).to_vec();
+            let points = panel.shown().map(|x| [x, limit]).to_vec();
             line(
                 "10 % above the best",
                 points,
@@ -170,9 +173,37 @@ impl Misfits {
 impl MisfitPanel {
     fn horizontal(&self, width: f64) -> Axis {
         match self.log {
-            true => ticks::log_range(&self.title, self.range, width / 40.0),
-            false => ticks::linear(&self.title, self.range, width / 40.0),
+            true => ticks::log_range(&self.title, self.shown(), width / 40.0),
+            false => ticks::linear(&self.title, self.shown(), width / 40.0),
         }
+    }
+
+    /// The ends of the axis: those of all points that have a misfit, a little wider, within the range that was searched.
+    fn shown(&self) -> [f64; 2] {
+        let all = || {
+            let points = self.curves.iter().flat_map(|own| &own.points);
+            points
+                .filter(|point| point[1].is_finite())
+                .map(|point| point[0])
+        };
+        let [low, high] = [
+            all().fold(f64::INFINITY, f64::min),
+            all().fold(f64::NEG_INFINITY, f64::max),
+        ];
+        if low >= high || !(high - low).is_finite() {
+            return self.range;
+        }
+        let wider = match self.log {
+            true => {
+                let pad = libm::pow(high / low, PAD);
+                [low / pad, high * pad]
+            }
+            false => {
+                let pad = PAD * (high - low);
+                [low - pad, high + pad]
+            }
+        };
+        [wider[0].max(self.range[0]), wider[1].min(self.range[1])]
     }
 }
 
@@ -216,7 +247,8 @@ mod tests {
         let sheet = misfits.sheet();
         assert_eq!(sheet.panels.len(), 3);
         for panel in &sheet.panels {
-            assert_eq!(panel.x.range, [1e4, 1e6]);
+            // Nothing is shown beyond the last point with a misfit.
+            assert!(panel.x.range[0] == 1e4 && (1e5..1.2e5).contains(&panel.x.range[1]));
             // A point without a solution does not widen the axis.
             assert!(panel.y.range[0] < 1.0 && panel.y.range[1] < 4.0);
             let best = panel.series.iter().filter(|own| own.label == "best");

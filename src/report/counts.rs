@@ -26,7 +26,7 @@ impl Counts {
     /// No case yet.
     pub fn new(study: &Study) -> Counts {
         Counts {
-            notes: study.problem.notes().to_vec(),
+            notes: study.notes(),
             ..Counts::default()
         }
     }

@@ -156,7 +156,7 @@ pub fn run_study(
     folder.list(histories.into_iter());
     let mut paths = Vec::new();
     let solved = tables.finish(&mut folder, &store, &mut paths, observer)?;
-    for note in study.problem.notes() {
+    for note in &study.notes() {
         observer.note(&source.line(note));
     }
     let warnings = warnings.list();

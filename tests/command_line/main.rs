@@ -1,9 +1,11 @@
 //! The program: its output, its files and its exit codes, for valid and invalid studies.
 
+mod bad_calibrate;
 mod bad_files;
 mod bad_impact;
 mod bad_measured;
 mod begin;
+mod calibrate;
 mod checks;
 mod claims;
 mod claims_near;

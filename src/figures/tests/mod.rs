@@ -7,6 +7,7 @@ mod front;
 mod guides;
 mod limits;
 mod looks;
+mod measured;
 mod samples;
 mod structures;
 

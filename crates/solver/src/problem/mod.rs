@@ -137,14 +137,18 @@ pub trait Problem: Send + Sync + std::fmt::Debug {
     fn diverges(&self, _case: &Case) -> Option<bool> {
         None
     }
+    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
+    fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
+        None
+    }
     /// Whether two completed cases have the same equations of motion and measured points to the bit, with the same steps: a parameter in
     /// which alone they differ is not used. False for a case that cannot be solved.
     fn has_same_motion(&self, _one: &Case, _other: &Case) -> bool {
         false
     }
-    /// The same from the metrics of a case, in the order of the table; `None` if no metric says it.
-    fn diverges_by(&self, _metrics: &[Option<f64>]) -> Option<bool> {
-        None
+    /// Whether two completed cases are stepped side by side in a sweep. False for a case that cannot be solved.
+    fn are_side_by_side(&self, _one: &Case, _other: &Case) -> bool {
+        false
     }
     /// The law of the one contact of a completed case, in the problem's scales; `None` for a problem with several contacts.
     fn contact_law(&self, _case: &Case) -> Option<ContactLaw> {

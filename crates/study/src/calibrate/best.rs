@@ -28,6 +28,7 @@ impl Input {
     ) -> Result<String, Error> {
         let mut root = self.expanded()?.root;
         let metrics = needed(&root);
+        add_metric(&mut root, metrics.last());
         remove(&mut root, &["calibrate", SHOWN[1], SHOWN[2], SHOWN[3]]);
         keep_block(&mut root, alternative.block);
         if let Some(block) = blocks(&mut root).first_mut() {
@@ -60,6 +61,30 @@ impl Input {
         }
         Ok(print::text(&root))
     }
+}
+
+/// Adds the minimised metric to those of the study.
+fn add_metric(root: &mut Node, metric: Option<&Node>) {
+    let Some(metric) = metric else {
+        return;
+    };
+    let mut all = match take(root, "metrics") {
+        Some(Node {
+            tree: Tree::List(items),
+            ..
+        }) => items,
+        one => one.into_iter().collect(),
+    };
+    let is_it = |own: &Node| match &own.tree {
+        Tree::Object(members) => members
+            .iter()
+            .any(|own| matches!(&metric.tree, Tree::Text(text) if *text == own.key)),
+        tree => *tree == metric.tree,
+    };
+    if !all.iter().any(is_it) {
+        all.push(metric.clone());
+    }
+    put(root, "metrics", list(all));
 }
 
 fn list(items: Vec<Node>) -> Node {

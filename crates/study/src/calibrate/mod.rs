@@ -41,6 +41,21 @@ pub struct Free {
 }
 
 impl Study {
+    /// What was done to input files that the study does not ask for, what may be a mistake, and that its free parameters are not searched
+    /// here, in words.
+    pub fn notes(&self) -> Vec<String> {
+        let table = self.problem.parameters();
+        let names = self.calibrate.iter().flat_map(|own| &own.free);
+        let names: Vec<&str> = names.map(|own| &*table[own.parameter].name).collect();
+        let free = (!names.is_empty()).then(|| {
+            format!(
+                "{}: the values are those of the study; `slipgap calibrate` finds the best ones",
+                names.join(", ")
+            )
+        });
+        self.problem.notes().iter().cloned().chain(free).collect()
+    }
+
     /// The value of a measure in a case from its metrics, in the order of the problem's table; `None` if it is undefined.
     pub fn measure_value(
         &self,

@@ -54,7 +54,12 @@ impl FreeRange {
         let (ends, path, log) = match &node.tree {
             Tree::List(items) => (items, path.to_owned(), false),
             Tree::Object(_) => {
+                let before = faults.count();
                 let object = Object::open(node, path, &[LOG.0], faults)?;
+                if faults.count() > before {
+                    // An unknown key is most often this one.
+                    return None;
+                }
                 let own = object.need(LOG.0, LOG.1, faults)?;
                 let path = join(path, LOG.0);
                 match &own.tree {

@@ -312,17 +312,29 @@ fn all_of_displacement() -> Json {
 }
 
 fn imposed() -> Json {
-    described(keys::IMPOSED, |_| numbers(), &["t", "u"])
+    let file = |key: &str| match key {
+        "file" => json!({ "type": "string" }),
+        _ => column(),
+    };
+    let by_file = keys::names(keys::IMPOSED_BY_FILE);
+    json!({ "anyOf": [
+        described(keys::IMPOSED, |_| numbers(), &["t", "u"]),
+        described(keys::IMPOSED_BY_FILE, file, &by_file),
+    ] })
+}
+
+/// A column of a file.
+fn column() -> Json {
+    let text = || json!({ "type": "string" });
+    json!({ "anyOf": [text(), described(keys::COLUMN, |_| text(), &["column"])] })
 }
 
 /// What was measured.
 fn measured() -> Json {
-    let text = || json!({ "type": "string" });
-    let column = json!({ "anyOf": [text(), described(keys::COLUMN, |_| text(), &["column"])] });
     let value = |key: &str| match key {
-        "file" => json!({ "anyOf": [text(), files()] }),
-        "time" => column.clone(),
-        "columns" => named(column.clone()),
+        "file" => json!({ "anyOf": [{ "type": "string" }, files()] }),
+        "time" => column(),
+        "columns" => named(column()),
         _ => any(),
     };
     let required = keys::names(&keys::MEASURED[..3]);

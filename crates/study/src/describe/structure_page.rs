@@ -52,8 +52,8 @@ pub(super) fn reference() -> String {
         keys("`sine`:", keys::SINE),
         keys("`table`:", keys::TABLE),
         keys(
-            "Record files as an axis, under `record` or as the value of a parameter that chooses a record. The files of several \
-             parameters of a block that are in no `zip` go together, those with the same text for `*`:",
+            "Files as an axis, under `record`, under `file` of `measured`, or as the value of a parameter that chooses one of these. The \
+             files of several parameters of a block that are in no `zip` go together, those with the same text for `*`:",
             keys::FILES,
         ),
         keys("`synthetic`:", keys::SYNTHETIC),
@@ -70,6 +70,7 @@ pub(super) fn reference() -> String {
             keys::SUPPORT,
         ),
         keys("`displacement`:", keys::IMPOSED),
+        keys("`displacement` of a file:", keys::IMPOSED_BY_FILE),
         "## Measurements".into(),
         keys(
             "The key `measured` of the study, beside `structure`:",
@@ -104,8 +105,9 @@ pub(super) fn reference() -> String {
             &REDUCTIONS,
         ),
         keys(
-            "With `, measured` behind the channel or contact they compare with the columns of `measured`. All reductions with `measured` \
-             take the computed motion at the measured times, straight between the steps. m is measured, W the energy of a cycle:",
+            "`NAME(CHANNEL, measured)` compares with a column of `measured`, `loop_distance(CHANNEL, CHANNEL, measured)` with two. The \
+             computed motion is taken at the measured times, straight between the steps. Some of the reductions above may have \
+             `measured`; m is measured, W the energy of a cycle:",
             &of_measured(),
         ),
     ];

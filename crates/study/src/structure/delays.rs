@@ -120,3 +120,82 @@ impl Ranges<'_> {
         all.chain(free.map(|own| own.1)).reduce(joined)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::tree::parse;
+    use slipgap_solver::problem::ParameterExpression;
+    use slipgap_solver::problem::parameter::Range;
+    use slipgap_solver::problem::structure::amount::Amount;
+    use slipgap_solver::problem::structure::schema::named;
+    use slipgap_solver::problem::structure::template::Chosen;
+    use std::sync::Arc;
+
+    /// The delays of a study with these keys, in which this is the delay.
+    fn delays(keys: &str, text: &str) -> [f64; 2] {
+        let table = ["a", "b", "lag"].map(named);
+        let formula = Formula::number(text, &table).unwrap();
+        let text = text.to_owned();
+        let delay = Amount {
+            source: Source::Expression(Arc::new(ParameterExpression { formula, text })),
+            range: Range::Any,
+            at: 0,
+            path: String::new(),
+        };
+        let measured = Measured {
+            file: Chosen::Name("a.csv"),
+            tests: Vec::new(),
+            channels: Vec::new(),
+            delay: Some(delay),
+            delays: [f64::NAN; 2],
+            place: (0, String::new()),
+        };
+        let root = parse(&format!("{{{keys}}}")).unwrap();
+        known(measured, &root, &table).delays
+    }
+
+    #[test]
+    fn the_delays_of_all_cases_are_in_the_range() {
+        let one = |values: &str| format!("\"parameters\": {{{values}}}");
+        assert_eq!(delays(&one(r#""lag": 0.5"#), "lag"), [0.5; 2]);
+        assert_eq!(
+            delays(&one(r#""lag": ["pi", 2, 3]"#), "-lag"),
+            [-std::f64::consts::PI, -2.0]
+        );
+        assert_eq!(
+            delays(&one(r#""lag": {"uniform": [1, 4]}"#), "lag/2"),
+            [0.5, 2.0]
+        );
+        let two = one(r#""a": {"geomspace": [1, 8, 4]}, "b": [-1, 2], "lag": "a*b""#);
+        assert_eq!(delays(&two, "lag"), [-8.0, 16.0]);
+        let blocks = r#""blocks": [{"parameters": {"lag": 3}}, {"parameters": {"lag": [1, 2]}}]"#;
+        assert_eq!(delays(blocks, "lag"), [1.0, 3.0]);
+        // Where the formula has no value, there is no case.
+        assert_eq!(delays(&one(r#""a": [0, 4]"#), "1/a"), [0.25; 2]);
+    }
+
+    #[test]
+    fn a_calibration_has_the_delays_of_its_ranges() {
+        let with = |calibrate: &str| {
+            format!(r#""parameters": {{"a": 2, "lag": 0.5}}, "calibrate": {{{calibrate}}}"#)
+        };
+        let lag = |calibrate: &str| delays(&with(calibrate), "lag*a");
+        assert_eq!(lag(r#""lag": [0.1, 0.7]"#), [0.2, 1.4]);
+        assert_eq!(
+            lag(r#""lag": {"log": [0.1, "1/4"]}, "minimise": "peak(m)""#),
+            [0.2, 1.0]
+        );
+        assert_eq!(
+            lag(r#""lag": [0, 1], "a": [-1, 3], "seed": 1"#),
+            [-1.0, 3.0]
+        );
+        assert_eq!(lag(r#""a": 7, "lag": "x""#), [1.0; 2]);
+    }
+
+    #[test]
+    fn formulas_in_a_circle_have_no_range() {
+        let circle = r#""parameters": {"a": "b", "b": "a"}"#;
+        assert_eq!(delays(circle, "a"), [0.0; 2]);
+    }
+}

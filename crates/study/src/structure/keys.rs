@@ -111,6 +111,22 @@ pub(crate) const IMPOSED: Keys = &[
     ("u", "displacements, the first one 0"),
 ];
 
+/// Keys of imposed displacements of a file.
+pub(crate) const IMPOSED_BY_FILE: Keys = &[
+    (
+        "file",
+        "CSV file as of `measured`, or a parameter that chooses it",
+    ),
+    (
+        "time",
+        "name of the column of times, or an object with its unit",
+    ),
+    (
+        "column",
+        "name of the column of displacements, or an object with its unit; u is the column less its first number",
+    ),
+];
+
 /// The key of imposed displacements.
 pub(crate) const DISPLACEMENT: (&str, &str) = (
     "displacement",

@@ -32,7 +32,7 @@ pub(crate) const KEY: (&str, &str) = (
 const LARGEST: u64 = 64 << 20;
 
 /// A column of a file.
-struct Column<'a> {
+pub(super) struct Column<'a> {
     name: String,
     /// Its unit in that of the study.
     factor: f64,
@@ -69,6 +69,12 @@ pub(super) fn decode(
     let of_channels: Vec<&Column> = columns.iter().map(|own| &own.1).collect();
     let tests = files.into_iter().filter_map(|file| {
         let test = test(file, (node, &path), (&time, &of_channels), reader, faults)?;
+        let rows = test.time.len();
+        if rows < FEWEST {
+            let name = quoted(file);
+            let message = format!("{name}: {rows} rows of numbers; allowed: at least {FEWEST}");
+            faults.add(node.at, &path, message);
+        }
         Some((file, Arc::new(test)))
     });
     let tests = tests.collect();
@@ -103,7 +109,7 @@ fn number(channel: &Channel, place: (usize, String), drawn: &mut Vec<Drawn>) -> 
 }
 
 /// The file, or the parameter that chooses one, and all of the files.
-fn chosen(
+pub(super) fn chosen(
     node: &Node,
     path: &str,
     reader: &Reader,
@@ -163,7 +169,7 @@ fn channels<'a>(
 }
 
 /// A column of a quantity of this dimension: its name, or an object with its unit.
-fn column<'a>(
+pub(super) fn column<'a>(
     node: &'a Node,
     path: String,
     dimension: Dimension,
@@ -235,7 +241,7 @@ fn factor(
 }
 
 /// The content of a file, in the units of the study.
-fn test(
+pub(super) fn test(
     file: &str,
     (node, path): (&Node, &str),
     (time, columns): (&Column, &[&Column]),
@@ -300,11 +306,6 @@ fn test(
     let time = numbers(time, true);
     let values: Vec<Option<Vec<f64>>> = columns.iter().map(|own| numbers(own, false)).collect();
     let (time, values) = (time?, values.into_iter().collect::<Option<Vec<_>>>()?);
-    if time.len() < FEWEST {
-        let message = format!("{} rows of numbers; allowed: at least {FEWEST}", time.len());
-        refuse(message, place, faults);
-        return None;
-    }
     reader.keep(file, bytes);
     Some(Test { time, values })
 }

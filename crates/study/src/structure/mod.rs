@@ -82,6 +82,7 @@ pub(super) fn problem(
             Vec::new(),
         )
         .with_supports(directions.clone()),
+        units: units.clone(),
         metre,
         folder,
         used: Default::default(),

@@ -133,6 +133,9 @@ fn parts(structure: &Node, root: &Node) -> Vec<(String, Choices)> {
             (MEASURED, _) => {
                 let file = member(root, key).and_then(|own| member(own, "file"));
                 names.extend(file.into_iter().flat_map(texts));
+                if let Some(supports) = member(structure, "supports") {
+                    under(supports, "file", &mut names);
+                }
             }
             ("law" | "record", _) => under(structure, key, &mut names),
             (_, Some(matrices)) => under(matrices, key, &mut names),

@@ -24,6 +24,8 @@ pub(super) struct Reader<'a> {
     pub table: &'a [Parameter],
     /// Names of the parts.
     pub names: Names,
+    /// The study's units as it has them; empty if it names none.
+    pub units: String,
     /// The study's unit of length in m.
     pub metre: f64,
     /// Folder of the study.

@@ -1,17 +1,22 @@
 //! Supports with motions of their own: an acceleration, or one in each direction, with a delay.
 
-use super::keys::{DISPLACEMENT, FUNCTION, GROUND, IMPOSED, SUPPORT, names};
+use super::keys::{DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names};
 use super::loads::{function, table};
+use super::measured::{chosen, column, test};
+use super::names::member;
 use super::parts::Part;
-use super::reader::Reader;
+use super::reader::{Reader, open};
 use super::shape::baseline;
 use crate::source::faults::{Faults, join};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::amount::Amount;
-use slipgap_solver::problem::structure::template::{Course, Support};
+use slipgap_solver::problem::structure::measured::Test;
+use slipgap_solver::problem::structure::template::{Course, Points, Support};
+use slipgap_solver::problem::unit::Dimension;
 use slipgap_solver::system::structure::{Baseline, Direction};
+use std::sync::Arc;
 
 /// The directions x, y and z in which a support moves.
 pub(super) fn directions(node: &Node) -> [bool; 3] {
@@ -160,6 +165,37 @@ fn course(
         return None;
     }
     let path = object.path(DISPLACEMENT.0);
-    let points = table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?;
+    let is_file = IMPOSED_BY_FILE
+        .iter()
+        .any(|key| member(node, key.0).is_some());
+    let points = match is_file {
+        true => file(node, &path, reader, faults)?,
+        false => Points::List(table(node, &path, (IMPOSED, ["t", "u"]), reader, faults)?),
+    };
     Some(Course::Displacement(points, (node.at, path)))
+}
+
+/// The displacements of a file.
+fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option<Points> {
+    let object = open(node, path, IMPOSED_BY_FILE, faults)?;
+    let mut need = |place: usize| {
+        let (key, meaning) = IMPOSED_BY_FILE[place];
+        Some((object.need(key, meaning, faults)?, object.path(key)))
+    };
+    let (file, time, u) = (need(0), need(1), need(2));
+    let ((node, path), time, u) = (file?, time?, u?);
+    let mut column = |(node, path), dimension| column(node, path, dimension, &reader.units, faults);
+    let (time, u) = (column(time, Dimension::Time), column(u, Dimension::Length));
+    let (time, u) = (time?, u?);
+    let (chosen, files) = chosen(node, &path, reader, faults)?;
+    let mut points = Vec::with_capacity(files.len());
+    for file in files {
+        let Test { time, values } = test(file, (node, &path), (&time, &[&u]), reader, faults)?;
+        let u = values.into_iter().next()?;
+        // The support is at rest at its first point.
+        let first = *u.first()?;
+        let u = u.iter().map(|x| x - first).collect();
+        points.push((file, Arc::new([time, u])));
+    }
+    Some(Points::File(chosen, points))
 }

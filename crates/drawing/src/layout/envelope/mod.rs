@@ -56,16 +56,14 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
         .panels
         .iter()
         .filter_map(|panel| panel.inset.as_deref());
-    let band = |panel: &'_ Panel| -> Vec<Stroke> {
-        let strokes = panel.envelopes.iter();
-        strokes
+    let band = |panel: &Panel| {
+        panel
+            .envelopes
+            .first()
             .map(|band| panel.series[band.series].stroke)
-            .collect()
     };
-    let all: Vec<Stroke> = sheet.panels.iter().chain(insets).flat_map(band).collect();
-    // A measured band is grey in both looks.
-    let computed = all.iter().find(|stroke| **stroke != Stroke::Grey);
-    Some(match computed.or(all.first())?.hatching() {
+    let stroke = sheet.panels.iter().chain(insets).find_map(band)?;
+    Some(match stroke.hatching() {
         [] => IN_COLOUR,
         _ => MEANING,
     })
@@ -74,7 +72,9 @@ pub fn meaning(sheet: &Sheet) -> Option<&'static str> {
 /// The bands of a panel, the largest first, so that none hides another.
 fn of(panel: &Panel) -> Vec<Envelope> {
     let mut found: Vec<(f64, Envelope)> = Vec::new();
-    for (series, curve) in panel.series.iter().enumerate() {
+    // A band of noise would look like an oscillation.
+    let curves = panel.series.iter().enumerate();
+    for (series, curve) in curves.filter(|(_, curve)| curve.stroke != Stroke::Grey) {
         let places: Vec<[f64; 2]> = curve.points.iter().map(|p| panel.place(*p)).collect();
         for (first, last) in runs(&places) {
             let run = &places[first..=last];

@@ -272,6 +272,12 @@ fn only_the_dense_part_of_a_curve_is_replaced() {
     assert_eq!(lines.join(" "), IN_COLOUR);
     assert_eq!(filled(&sheet, blue.fill()), 1);
     assert!(!svg(&sheet, style::DPI).unwrap().contains(&width));
+    // What was measured has noise, not a band.
+    let points = sheet.panels[0].series[0].points.clone();
+    sheet.panels[0].series[0] = Series::measured(points);
+    sheet.small_print.clear();
+    find(&mut sheet);
+    assert!(sheet.panels[0].envelopes.is_empty() && sheet.small_print.is_empty());
 }
 
 #[test]

@@ -428,6 +428,16 @@ impl Problem for StructureProblem {
         self.case_diverges(case)
     }
 
+    fn are_side_by_side(&self, one: &Case, other: &Case) -> bool {
+        let ready = |case: &Case| self.ready(0, case).ok();
+        let (Some(one), Some(other)) = (ready(one), ready(other)) else {
+            return false;
+        };
+        let prepared = motion::prepare(&one.structure, &one.method, one.dt);
+        one.last == other.last
+            && prepared.is_ok_and(|own| own.fits(&other.method, &other.structure, other.dt))
+    }
+
     fn has_same_motion(&self, one: &Case, other: &Case) -> bool {
         let equations = |case: &Case| {
             let ready = self.ready(0, case).ok()?;

@@ -1,7 +1,7 @@
 //! Motions of supports in a case.
 
 use super::amount::Amount;
-use super::template::{Course, Scaled, Support};
+use super::template::{Course, Points, Scaled, Support};
 use crate::problem::{Case, Violation};
 use crate::system::structure::{Baseline, Motion, MotionFault, Signal};
 
@@ -19,15 +19,25 @@ impl Support {
                 self.accelerated(acceleration, delay, (case, metre, samples))
             }
             Course::Displacement(points, (at, path)) => {
+                let broken = |message: String| Violation {
+                    parameter: path.clone().into(),
+                    message,
+                    at: Some(*at),
+                };
                 let values = |own: &Vec<Amount>| -> Result<Vec<f64>, Violation> {
                     own.iter().map(|amount| amount.value(case)).collect()
                 };
-                let [t, u] = points;
-                Motion::through(&values(t)?, &values(u)?, delay).map_err(|why| Violation {
-                    parameter: path.clone().into(),
-                    message: why.to_string(),
-                    at: Some(*at),
-                })
+                let motion = match points {
+                    Points::List([t, u]) => Motion::through(&values(t)?, &values(u)?, delay),
+                    Points::File(file, files) => {
+                        let name = file.name(case);
+                        let found = files.iter().find(|own| own.0 == name);
+                        let none = || broken("the case has no file".to_owned());
+                        let [t, u] = &*found.ok_or_else(none)?.1;
+                        Motion::through(t, u, delay)
+                    }
+                };
+                motion.map_err(|why| broken(why.to_string()))
             }
         }
     }

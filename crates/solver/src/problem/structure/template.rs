@@ -182,7 +182,16 @@ pub enum Course {
     /// An acceleration.
     Acceleration(Box<Scaled>),
     /// Displacements at times, with their place in the study.
-    Displacement([Vec<Amount>; 2], (usize, String)),
+    Displacement(Points, (usize, String)),
+}
+
+/// Imposed displacements: t and u of each point.
+#[derive(Debug, Clone)]
+pub enum Points {
+    /// Those of the study.
+    List([Vec<Amount>; 2]),
+    /// Those of a file, or of the one that a parameter chooses, in the units of the study.
+    File(Chosen, Vec<(&'static str, Arc<[Vec<f64>; 2]>)>),
 }
 
 impl Support {

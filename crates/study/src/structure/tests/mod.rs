@@ -4,6 +4,7 @@ mod assembled;
 mod channels;
 mod contact_duration;
 mod ground;
+mod imposed;
 mod initial;
 mod measured;
 mod own_records;

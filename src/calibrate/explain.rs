@@ -1,0 +1,67 @@
+//! What `slipgap calibrate` would search, in words.
+
+use super::usage;
+use slipgap_solver::problem::parameter::shortest;
+use slipgap_study::{Free, Study};
+
+/// Lines about the free parameters of a study and the cost of their search; empty without `calibrate`.
+pub fn explained(study: &Study) -> String {
+    let Some(calibrate) = &study.calibrate else {
+        return String::new();
+    };
+    let table = study.problem.parameters();
+    let names = |free: &[Free]| {
+        let names = free.iter().map(|own| &*table[own.parameter].name);
+        names.collect::<Vec<&str>>().join(", ")
+    };
+    let range = |own: &Free| {
+        let [low, high] = own.range.ends.map(shortest);
+        let log = if own.range.log {
+            " by its logarithm"
+        } else {
+            ""
+        };
+        format!("{} from {low} to {high}{log}", table[own.parameter].name)
+    };
+    let ranges: Vec<String> = calibrate.free.iter().map(range).collect();
+    let alternatives = study.alternatives();
+    let tests = alternatives.first().map_or(1, |own| own.cases());
+    let mut text = format!(
+        "calibrate: minimises {}; free: {}\n",
+        study.measures[calibrate.minimise].name,
+        ranges.join(", ")
+    );
+    let each = match tests {
+        1 => String::new(),
+        tests => format!(", {tests} for each point, one of each test"),
+    };
+    text += &match alternatives.len() {
+        1 => format!(
+            "calibrate: a search of at most {} cases{each}\n",
+            calibrate.cases
+        ),
+        count => format!(
+            "calibrate: {count} alternatives, each with a search of at most {} cases{each}\n",
+            calibrate.cases
+        ),
+    };
+    for own in &alternatives {
+        let [free, unused] = usage::used(study, own);
+        let apart = usage::apart(study, own, &free);
+        let prefix = match own.name.as_str() {
+            "" => "calibrate: ".to_owned(),
+            name => format!("calibrate: {name}: "),
+        };
+        if !unused.is_empty() {
+            text += &format!("{prefix}does not use {}\n", names(&unused));
+        }
+        if !apart.is_empty() {
+            text += &format!(
+                "{prefix}masses, stiffnesses or dashpots follow from {}: cases are solved one by one, not side by side, which takes \
+                 several times as long\n",
+                names(&apart)
+            );
+        }
+    }
+    text
+}

@@ -1,0 +1,51 @@
+//! Which free parameters an alternative uses, and with which of them cases are not solved side by side.
+
+use slipgap_solver::problem::Case;
+use slipgap_study::{Alternative, Free, Study};
+
+/// The free parameters that an alternative uses, and those that it does not: cases that differ only in one of these have the same
+/// equations of motion.
+pub fn used(study: &Study, alternative: &Alternative) -> [Vec<Free>; 2] {
+    let all = study.free_of(alternative);
+    let minimise = study.calibrate.as_ref().map(|own| own.minimise);
+    let in_metric =
+        |free: &Free| minimise.is_some_and(|row| study.measure_contains(row, free.parameter));
+    let same = |one: &Case, other: &Case| study.problem.has_same_motion(one, other);
+    let uses: Vec<bool> = (0..all.len())
+        .map(|place| in_metric(&all[place]) || changes(study, alternative, &all, place, &same))
+        .collect();
+    [true, false].map(|wanted| {
+        let places = all.iter().zip(&uses).filter(|(_, uses)| **uses == wanted);
+        places.map(|(free, _)| *free).collect()
+    })
+}
+
+/// Those with which masses, stiffnesses or dashpots change, so that cases are not solved side by side.
+pub fn apart(study: &Study, alternative: &Alternative, free: &[Free]) -> Vec<Free> {
+    let same = |one: &Case, other: &Case| study.problem.are_side_by_side(one, other);
+    let places = (0..free.len()).filter(|place| changes(study, alternative, free, *place, &same));
+    places.map(|place| free[place]).collect()
+}
+
+/// Whether cases with other values of a free parameter are not the same: both ends of its range and its middle, with the others in the
+/// middle of theirs. A case that breaks a rule is not the same as another one.
+fn changes(
+    study: &Study,
+    alternative: &Alternative,
+    free: &[Free],
+    place: usize,
+    same: &dyn Fn(&Case, &Case) -> bool,
+) -> bool {
+    let at = |u: f64| {
+        let mut point = vec![0.5; free.len()];
+        point[place] = u;
+        point
+    };
+    let points = [0.0, 0.5, 1.0].map(at);
+    let cases = study.point_cases(alternative, free).cases(&points);
+    let mut shown = cases.shown();
+    let each: Vec<Case> = (0..cases.len()).map(|row| shown.at(row).clone()).collect();
+    let solvable = (0..cases.len()).all(|row| cases.may_be_solved(row));
+    let mut tests = each.chunks(points.len());
+    !solvable || !tests.all(|own| own.iter().skip(1).all(|other| same(&own[0], other)))
+}
