@@ -17,6 +17,7 @@ from scipy.integrate import solve_ivp
 
 import records
 
+G = 9.80665
 OUT = records.HERE.parents[1] / "studies" / "measured"
 OPTIONS = {"method": "DOP853", "rtol": 1e-11, "dense_output": True}
 
@@ -38,7 +39,7 @@ def ground():
 
 
 def pounding(times):
-    """Displacements of both masses over the table and the force of the contact at the rising `times`."""
+    """Displacements of both masses over the table, absolute acceleration of the light one and force of the contact at the rising `times`."""
     dt, a = ground()
     m1, m2 = MASSES
     w1, w2 = (2 * math.pi / period for period in PERIODS)
@@ -70,7 +71,7 @@ def pounding(times):
         reached = found.t[-1]
         for t in times[(times >= now) & (times < reached)]:
             x = found.sol(t)
-            rows.append([x[0], x[1], -force(x)])
+            rows.append([x[0], x[1], -w1 * (w1 * x[0] + 2 * RATIO * x[2]) - force(x) / m1, -force(x)])
         now, state = reached, found.y[:, -1]
         if found.t_events[0].size:
             shut = not shut
@@ -123,10 +124,10 @@ def main():
     times = np.arange(1000) * 0.0052
     table = times[times >= DELAY] - DELAY
     rows, begins = pounding(table)
-    rows = np.vstack([np.zeros((len(times) - len(rows), 3)), rows])
+    rows = np.vstack([np.zeros((len(times) - len(rows), 4)), rows])
     print("impacts at", *(f"{t:.4f} s with {v:.3f} m/s" for t, v in begins), sep="\n  ")
     print("largest", np.abs(rows).max(axis=0), "rms", np.sqrt(np.mean(rows**2, axis=0)))
-    write("pounding.csv", "t_s,light_mm,heavy_mm,force_kN", ["%.4f", "%.3f", "%.3f", "%.4f"], np.column_stack([times, noisy(rows, 1) * [1e3, 1e3, 1e-3]]))
+    write("pounding.csv", "t_s,light_mm,heavy_mm,light_g,force_kN", ["%.4f", "%.3f", "%.3f", "%.5f", "%.4f"], np.column_stack([times, noisy(rows, 1) * [1e3, 1e3, 1 / G, 1e-3]]))
     times = np.arange(1000) * 0.012
     rows = bearing(times)
     print("largest", np.abs(rows).max(axis=0), "rms", np.sqrt(np.mean(rows**2, axis=0)))
