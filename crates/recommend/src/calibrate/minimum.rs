@@ -6,7 +6,7 @@ use super::linear::{Eigen, axis, block, dot, solve};
 use super::local::{Local, Threshold};
 use super::start::{LEAST, TENTH};
 
-/// Distance of the points that tell a usual rise.
+/// Distance of the points from which a usual rise is known.
 const USUAL: f64 = 0.05;
 
 /// A fit that leaves more than this part of the rise over its points is rough.

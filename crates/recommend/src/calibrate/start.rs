@@ -34,8 +34,6 @@ pub struct Start {
     /// The best point and its misfit.
     pub best: (Vec<f64>, f64),
     stalled: usize,
-    /// Number of points of each phase.
-    pub solved: [usize; 2],
 }
 
 #[derive(Debug)]
@@ -67,7 +65,6 @@ impl Start {
             usual,
             best,
             stalled: 0,
-            solved: [0; 2],
         }
     }
 
@@ -113,7 +110,6 @@ impl Asking for Start {
     fn tell(&mut self, misfits: &[f64]) {
         match &mut self.phase {
             Phase::Wide(cma) => {
-                self.solved[0] += misfits.len();
                 let best = (0..misfits.len()).min_by(|a, b| misfits[*a].total_cmp(&misfits[*b]));
                 self.stalled += 1;
                 if let Some(i) = best.filter(|i| misfits[*i] < self.best.1) {
@@ -131,7 +127,6 @@ impl Asking for Start {
                 };
             }
             Phase::Near(local) => {
-                self.solved[1] += misfits.len();
                 local.tell(misfits);
                 self.best = local.best.clone();
             }

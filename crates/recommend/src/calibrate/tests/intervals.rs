@@ -132,7 +132,7 @@ fn intervals_contain_the_truth_95_times_in_100() {
             inside[k] += usize::from((low..=high).contains(&truth[k]));
         }
     }
-    // Of a binomial distribution with 200 trials and 0.95 the probability of fewer than 182 is 0.5 %, of more than 198 0.05 %.
+    // Of a binomial distribution with 200 trials and 0.95 the probability of fewer than 182 is 0.6 %, of more than 198 0.04 %.
     assert!(
         inside.iter().all(|count| (182..=198).contains(count)),
         "{inside:?}"
