@@ -197,7 +197,7 @@ def falling(parameters: dict[str, Any], **more: Any) -> dict[str, Any]:
 def test_calibrate(tmp_path: Path) -> None:
     truth = {"dt": 0.002, "duration": 0.6, "law": "hertz", "k": 1, "k_h": 20000, "v0": 1}
     motion = slipgap.solve(falling(truth, metrics=["peak(m.u)"]))
-    rows = [f"{t},{u}" for t, u in zip(motion["t"], motion["m.u"], strict=True)]
+    rows = [f"{t},{u}" for t, u in zip(motion.time, motion.channels["m.u"], strict=True)]
     (tmp_path / "test.csv").write_text("\n".join(["t,u", *rows]) + "\n")
     free = {"k": {"log": [100, 1e5]}, "k_h": {"log": [1e3, 1e6]}, "minimise": "rms_error(m.u, measured)"}
     study = falling(

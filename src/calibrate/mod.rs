@@ -11,6 +11,7 @@ mod fit;
 mod misfit;
 mod numerics;
 mod residuals;
+mod sentences;
 mod series;
 mod tables;
 mod usage;
@@ -22,7 +23,8 @@ pub use explain::explained;
 pub use fit::{Fit, State};
 pub use numerics::Numerical;
 pub use residuals::Residuals;
-pub use words::{sentences, state_name, text, verdict};
+pub use sentences::sentences;
+pub use words::{state_name, text, verdict};
 pub use write::{studies, write};
 
 use crate::run::Source;

@@ -160,6 +160,30 @@ fn numbers_of_the_search() {
 }
 
 #[test]
+fn more_alternatives_than_searches() {
+    let calibrate = format!(r#"¶{{ "k": [1, 2], {MINIMISE} }}"#);
+    in_blocks(
+        &calibrate,
+        "calibrate: 1001 combinations; a study with \"calibrate\" has at most 1000 tests",
+    );
+}
+
+/// The same with an axis of 1001 values.
+#[track_caller]
+fn in_blocks(calibrate: &str, expected: &str) {
+    let marked = format!(
+        r#"{{ "problem": "structure", "parameters": {{ "dt": 0.01, "duration": 1, "k": 5, "m": {{"linspace": [1, 2, 1001]}} }},
+  "structure": {{ "masses": {{ "m": "m" }}, "springs": [{{ "between": ["ground", "m"], "k": "k" }}] }},
+  "calibrate": {calibrate} }}"#
+    );
+    let bench = Bench::new();
+    bench.file("s.json", marked.replace('¶', ""));
+    let done = bench.expect(2, &["calibrate", "s.json"]);
+    let expected = format!("s.json:3:16: {expected}");
+    assert!(done.err.starts_with(&expected), "{}", done.err);
+}
+
+#[test]
 fn figures_with_a_name_of_a_calibration() {
     in_study(
         &format!(r#"{{ "k": [1, 2], {MINIMISE} }}"#),

@@ -92,6 +92,7 @@ pub(super) fn run(values: &[(f64, f64, f64)]) -> Run {
         measures: slipgap_study::measures(&*problem, None),
         metrics: Vec::new(),
         columns: Vec::new(),
+        calibrate: None,
         figures: Vec::new(),
         checks: Vec::new(),
     };

@@ -33,6 +33,9 @@ const CASES: u64 = 20_000;
 /// Fewest and most cases of a search.
 pub(crate) const LIMITS: [u64; 2] = [100, 1_000_000_000];
 
+/// Most combinations of a study: each alternative has a search of its own.
+const MOST: u64 = 1000;
+
 /// Largest seed: doubles count so far.
 const MOST_SEED: u64 = 1 << 53;
 
@@ -79,6 +82,14 @@ pub(crate) fn calibrate(root: &Object, scope: &Scope, faults: &mut Faults) -> Op
             any_of(&names)
         );
         object.fault(message, faults);
+    }
+    let blocks = scope.blocks.iter();
+    let count = blocks.fold(0, |sum: u64, block| sum.saturating_add(block.raw_len()));
+    if count > MOST {
+        let message = format!(
+            "{count} combinations; a study with \"calibrate\" has at most {MOST} tests and alternatives, each with a search of its own"
+        );
+        faults.add(node.at, &path, message);
     }
     let minimise = minimise(&object, scope, faults);
     let mut whole = |key: &str, [least, most]: [u64; 2], usual: u64| match object.get(key) {

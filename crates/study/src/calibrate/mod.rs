@@ -4,6 +4,7 @@ mod alternatives;
 mod best;
 pub(super) mod decode;
 mod edit;
+mod files;
 mod points;
 mod print;
 pub(super) mod range;

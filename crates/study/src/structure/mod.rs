@@ -152,7 +152,7 @@ pub(super) fn problem(
     let mut drawn = named_metrics::drawn(root, &known, faults);
     let measured = measured::decode(root, (&known, &template.units), &reader, &mut drawn, faults);
     template.measured = measured.map(|own| delays::known(own, root_node, reader.table));
-    named_metrics::report_not_measured(root, &metrics, template.measured.as_ref(), faults);
+    measured::report_not_measured(root, &metrics, template.measured.as_ref(), faults);
     let reduced = (&of_matrices[..], modes);
     matrices::reduce(&mut template, reduced, (&metrics, &drawn), &reader, faults);
     named_metrics::report_errors_without_reference(

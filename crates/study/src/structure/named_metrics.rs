@@ -1,6 +1,5 @@
 //! The metrics and channels that a study names, which become the tables of its problem.
 
-use super::measured::KEY;
 use super::reader::Reader;
 use crate::computed::sources::{self, Source, is_arithmetic};
 use crate::reduction::decode;
@@ -12,7 +11,6 @@ use slipgap_solver::expression::printable;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::{Channel, UNKNOWN};
 use slipgap_solver::problem::structure::loads::Kind;
-use slipgap_solver::problem::structure::measured::{Measured, measured_loop};
 use slipgap_solver::problem::structure::metric::{Reduction, StructureMetric, looks_like_metric};
 use slipgap_solver::problem::structure::metric_pieces::{Piece, pieces};
 use slipgap_solver::problem::structure::names::Names;
@@ -162,56 +160,6 @@ pub(super) fn measures(
             reader.amount(&node, path, range, faults)
         };
         ground.amounts = ground.texts.iter().zip(ranges).filter_map(amount).collect();
-    }
-}
-
-/// Reports metrics of what was not measured.
-pub(super) fn report_not_measured(
-    root: &Object,
-    metrics: &[StructureMetric],
-    measured: Option<&Measured>,
-    faults: &mut Faults,
-) {
-    let needs = metrics.iter().filter(|metric| metric.measured);
-    for metric in needs {
-        let (at, path) = &metric.place;
-        let name = quoted(&metric.name);
-        let Some(measured) = measured else {
-            // With a fault of its own, the key says why.
-            if root.get(KEY.0).is_none() {
-                let message = format!("{name} needs the key \"{}\" of the study", KEY.0);
-                faults.add(*at, path, message);
-            }
-            continue;
-        };
-        let of_contact = metric.contact.map(measured_loop).into_iter().flatten();
-        let own = metric.channel.iter().chain(&metric.second).cloned();
-        for channel in own.chain(of_contact) {
-            if measured.channel(&channel).is_none() {
-                let known = measured.channels.iter();
-                let known: Vec<&str> = known.map(|own| own.0.name.as_str()).collect();
-                let channel = match metric.contact {
-                    Some(_) => format!("{}.{}", contact_of(&metric.name), channel.name),
-                    None => channel.name,
-                };
-                let message = format!(
-                    "{name}: {channel} is not among the columns of \"{}\"; there are {}",
-                    KEY.0,
-                    known.join(", ")
-                );
-                faults.add(*at, path, message);
-            }
-        }
-    }
-}
-
-/// The contact in the text of a metric, without its quantity.
-fn contact_of(metric: &str) -> &str {
-    let (_, inside) = metric.split_once('(').unwrap_or_default();
-    let first = inside.split(',').next().unwrap_or_default().trim();
-    match first.rsplit_once('.') {
-        Some((contact, "r" | "S" | "rdot" | "slip" | "limit")) => contact,
-        _ => first,
     }
 }
 

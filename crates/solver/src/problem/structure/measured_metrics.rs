@@ -1,11 +1,33 @@
 //! Metrics that compare with what was measured.
 
+use super::StructureProblem;
 use super::channel::Channel;
-use super::measured::measured_loop;
+use super::measured::{Compared, measured_loop};
 use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{MetricContext, Recorded};
+use super::sweep::Ready;
 use crate::metrics::measured as reduce;
 use crate::metrics::structure::{peak, rms_error};
+use crate::problem::{Case, Problem, Violation};
+use crate::solve::Unsolvable;
+
+impl StructureProblem {
+    /// Enough measured times are within the motion of a case.
+    pub(super) fn check_measured(&self, case: &Case) -> Option<Violation> {
+        let measured = self.template.measured.as_ref()?;
+        let dt = case.at(self.schema.step)?;
+        measured.in_case(case, dt, self.steps(case)).err()
+    }
+
+    /// What was measured in a case, if a metric compares with it.
+    pub(super) fn compared(&self, ready: &Ready) -> Result<Option<Compared<'_>>, Unsolvable> {
+        let compares = self.metrics.iter().any(|metric| metric.measured);
+        let measured = self.template.measured.as_ref().filter(|_| compares);
+        let compared = measured.map(|own| own.in_case(&ready.case, ready.dt, ready.last));
+        let broken = |one| Unsolvable::BrokenRules(Violation::all(&[one]).unwrap_or_default());
+        compared.transpose().map_err(broken)
+    }
+}
 
 /// The value of a metric that compares with what was measured; `None` where it is undefined.
 pub fn value(metric: &StructureMetric, of: MetricContext, computed: &Recorded) -> Option<f64> {

@@ -19,6 +19,7 @@ pub mod measured;
 mod measured_metrics;
 pub mod metric;
 pub mod metric_pieces;
+mod metric_text;
 mod metric_title;
 mod metric_values;
 mod models;
@@ -233,13 +234,6 @@ impl StructureProblem {
             ground.measure(metric.reduction, case).err()
         };
         metrics.filter_map(measure).collect()
-    }
-
-    /// Enough measured times are within the motion of a case.
-    fn check_measured(&self, case: &Case) -> Option<Violation> {
-        let measured = self.template.measured.as_ref()?;
-        let dt = case.at(self.schema.step)?;
-        measured.in_case(case, dt, self.steps(case)).err()
     }
 
     /// Every channel has its nodes in a case.

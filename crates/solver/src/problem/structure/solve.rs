@@ -3,7 +3,6 @@
 use super::StructureProblem;
 use super::assemble::{self, Model};
 use super::channel::Number;
-use super::measured::Compared;
 use super::metric::{Reduction, StructureMetric};
 use super::metric_values::{self, MetricContext, Motions, Recorded};
 use super::motion::{self, Recording, Run};
@@ -12,7 +11,7 @@ use super::sweep::Ready;
 use super::template::Reference;
 use super::warn;
 use crate::exact::events;
-use crate::problem::{Case, Problem, Violation};
+use crate::problem::{Case, Problem};
 use crate::solve::structure::Prepared;
 use crate::solve::{Unsolvable, Warnings};
 use std::collections::HashSet;
@@ -268,15 +267,6 @@ impl StructureProblem {
         let values = self.metrics.iter().map(value).collect();
         let warnings = self.warnings_of(ready, &motions.computed, watched.as_ref())?;
         Ok((motions, values, warnings))
-    }
-
-    /// What was measured in a case, if a metric compares with it.
-    fn compared(&self, ready: &Ready) -> Result<Option<Compared<'_>>, Unsolvable> {
-        let compares = self.metrics.iter().any(|metric| metric.measured);
-        let measured = self.template.measured.as_ref().filter(|_| compares);
-        let compared = measured.map(|own| own.in_case(&ready.case, ready.dt, ready.last));
-        let broken = |one| Unsolvable::BrokenRules(Violation::all(&[one]).unwrap_or_default());
-        compared.transpose().map_err(broken)
     }
 
     /// The motion of a case with the whole matrices; `None` if no metric compares with it.

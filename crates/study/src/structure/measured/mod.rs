@@ -1,25 +1,28 @@
 //! Measurements of a structure: the key `measured`, whose files have columns of channels over time.
 
-use super::files::bytes;
-use super::keys::{COLUMN, MEASURED};
+mod column;
+mod metrics;
+mod table;
+
+pub(super) use column::{Column, column};
+pub(super) use metrics::report_not_measured;
+pub(super) use table::test;
+
+use super::keys::MEASURED;
 use super::named_metrics::hinted;
 use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join, quoted};
-use crate::source::hint::nearest;
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
 use crate::value::text;
 use slipgap_solver::problem::interned;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::Channel;
-use slipgap_solver::problem::structure::measured::{FEWEST, Measured, Test};
+use slipgap_solver::problem::structure::measured::{FEWEST, Measured};
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::Drawn;
 use slipgap_solver::problem::structure::template::Chosen;
-use slipgap_solver::problem::structure::unit_consistency::{dimension_of, examples};
-use slipgap_solver::problem::structure::units::UnitNames;
 use slipgap_solver::problem::unit::Dimension;
-use slipgap_solver::system::measured_table::MeasuredTable;
 use std::sync::Arc;
 
 /// The key with its meaning.
@@ -27,17 +30,6 @@ pub(crate) const KEY: (&str, &str) = (
     "measured",
     "measured channels of a study of structures, with which its metrics compare, as in rms_error(deck.u, measured)",
 );
-
-/// Most bytes of a file.
-const LARGEST: u64 = 64 << 20;
-
-/// A column of a file.
-pub(super) struct Column<'a> {
-    name: String,
-    /// Its unit in that of the study.
-    factor: f64,
-    place: (&'a Node, String),
-}
 
 /// What was measured, with the channels added to those that histories draw; `None` without the key, or with a fault.
 pub(super) fn decode(
@@ -166,146 +158,4 @@ fn channels<'a>(
         faults.must_be(node, path, "an object with a column for each channel");
     }
     (faults.count() == before).then_some(found)
-}
-
-/// A column of a quantity of this dimension: its name, or an object with its unit.
-pub(super) fn column<'a>(
-    node: &'a Node,
-    path: String,
-    dimension: Dimension,
-    units: &str,
-    faults: &mut Faults,
-) -> Option<Column<'a>> {
-    let Tree::Object(_) = &node.tree else {
-        if !matches!(node.tree, Tree::Text(_)) {
-            let wanted = "the name of a column, or an object with column and unit";
-            faults.must_be(node, &path, wanted);
-            return None;
-        }
-        return Some(Column {
-            name: text(node, &path, faults)?,
-            factor: 1.0,
-            place: (node, path),
-        });
-    };
-    let object = open(node, &path, COLUMN, faults)?;
-    let (key, meaning) = COLUMN[0];
-    let own = object.need(key, meaning, faults)?;
-    let place = (own, object.path(key));
-    let name = text(own, &place.1, faults)?;
-    let factor = match object.get("unit") {
-        Some(node) => factor(node, &object.path("unit"), dimension, units, faults)?,
-        None => 1.0,
-    };
-    Some(Column {
-        name,
-        factor,
-        place,
-    })
-}
-
-/// A unit in that of the study.
-fn factor(
-    node: &Node,
-    path: &str,
-    dimension: Dimension,
-    units: &str,
-    faults: &mut Faults,
-) -> Option<f64> {
-    let unit = text(node, path, faults)?;
-    let shown = quoted(&unit);
-    let what = dimension.in_words();
-    let message = match dimension_of(&unit) {
-        Some(own) if own == dimension => match UnitNames::of(units) {
-            Some(study) => match study.factor(&unit, dimension) {
-                Some(factor) => return Some(factor),
-                None => format!(
-                    "the study's unit of {what}, {}, is not known; leave out the unit, with the column in that of the study",
-                    quoted(&study.of_dimension(dimension))
-                ),
-            },
-            None => "needs \"units\" in \"structure\", as in \"t, kN, m, s\"".to_owned(),
-        },
-        Some(own) => format!(
-            "must be a unit of {what}, got {shown}, one of {}; allowed: {}",
-            own.in_words(),
-            examples(dimension)
-        ),
-        None => format!(
-            "unknown unit {shown} of {what}; allowed: {}",
-            examples(dimension)
-        ),
-    };
-    faults.add(node.at, path, message);
-    None
-}
-
-/// The content of a file, in the units of the study.
-pub(super) fn test(
-    file: &str,
-    (node, path): (&Node, &str),
-    (time, columns): (&Column, &[&Column]),
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Option<Test> {
-    let refuse = |why: String, (node, path): (&Node, &str), faults: &mut Faults| {
-        faults.add(node.at, path, format!("{}: {why}", quoted(file)));
-    };
-    let place = (node, path);
-    let bytes = match bytes(&reader.folder.join(file), LARGEST) {
-        Ok(bytes) => bytes,
-        Err(why) => {
-            refuse(why, place, faults);
-            return None;
-        }
-    };
-    let table = match MeasuredTable::read(file, &bytes) {
-        Ok(table) => table,
-        Err(why) => {
-            refuse(format!("line {}: {}", why.line, why.cause), place, faults);
-            return None;
-        }
-    };
-    let mut numbers = |column: &Column, rise: bool| {
-        let found = match rise {
-            true => table.times(&column.name),
-            false => table.column(&column.name),
-        };
-        let own = (column.place.0, column.place.1.as_str());
-        match found {
-            Ok(numbers) => {
-                let numbers: Vec<f64> = numbers.iter().map(|x| x * column.factor).collect();
-                if numbers.iter().all(|x| x.is_finite()) {
-                    return Some(numbers);
-                }
-                let name = quoted(&column.name);
-                refuse(
-                    format!("column {name} is too large in the units of the study"),
-                    own,
-                    faults,
-                );
-            }
-            Err(why) => {
-                // The study has the name of a column that is not there, the file has the other faults.
-                let known: Vec<&str> = table.names().iter().map(String::as_str).collect();
-                let is_known = known.contains(&column.name.as_str());
-                let hint = match nearest(&column.name, &known).filter(|_| !is_known) {
-                    Some(near) => format!(", did you mean {}?", quoted(near)),
-                    None => String::new(),
-                };
-                let place = if is_known { place } else { own };
-                refuse(
-                    format!("line {}: {}{hint}", why.line, why.cause),
-                    place,
-                    faults,
-                );
-            }
-        }
-        None
-    };
-    let time = numbers(time, true);
-    let values: Vec<Option<Vec<f64>>> = columns.iter().map(|own| numbers(own, false)).collect();
-    let (time, values) = (time?, values.into_iter().collect::<Option<Vec<_>>>()?);
-    reader.keep(file, bytes);
-    Some(Test { time, values })
 }

@@ -1,0 +1,83 @@
+//! Files of measurements, read by the names of their columns.
+
+use super::super::files::bytes;
+use super::super::reader::Reader;
+use super::column::Column;
+use crate::source::faults::{Faults, quoted};
+use crate::source::hint::nearest;
+use crate::source::tree::Node;
+use slipgap_solver::problem::structure::measured::Test;
+use slipgap_solver::system::measured_table::MeasuredTable;
+
+/// Most bytes of a file.
+const LARGEST: u64 = 64 << 20;
+
+/// The content of a file, in the units of the study.
+pub(in crate::structure) fn test(
+    file: &str,
+    (node, path): (&Node, &str),
+    (time, columns): (&Column, &[&Column]),
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Test> {
+    let refuse = |why: String, (node, path): (&Node, &str), faults: &mut Faults| {
+        faults.add(node.at, path, format!("{}: {why}", quoted(file)));
+    };
+    let place = (node, path);
+    let bytes = match bytes(&reader.folder.join(file), LARGEST) {
+        Ok(bytes) => bytes,
+        Err(why) => {
+            refuse(why, place, faults);
+            return None;
+        }
+    };
+    let table = match MeasuredTable::read(file, &bytes) {
+        Ok(table) => table,
+        Err(why) => {
+            refuse(format!("line {}: {}", why.line, why.cause), place, faults);
+            return None;
+        }
+    };
+    let mut numbers = |column: &Column, rise: bool| {
+        let found = match rise {
+            true => table.times(&column.name),
+            false => table.column(&column.name),
+        };
+        let own = (column.place.0, column.place.1.as_str());
+        match found {
+            Ok(numbers) => {
+                let numbers: Vec<f64> = numbers.iter().map(|x| x * column.factor).collect();
+                if numbers.iter().all(|x| x.is_finite()) {
+                    return Some(numbers);
+                }
+                let name = quoted(&column.name);
+                refuse(
+                    format!("column {name} is too large in the units of the study"),
+                    own,
+                    faults,
+                );
+            }
+            Err(why) => {
+                // The study has the name of a column that is not there, the file has the other faults.
+                let known: Vec<&str> = table.names().iter().map(String::as_str).collect();
+                let is_known = known.contains(&column.name.as_str());
+                let hint = match nearest(&column.name, &known).filter(|_| !is_known) {
+                    Some(near) => format!(", did you mean {}?", quoted(near)),
+                    None => String::new(),
+                };
+                let place = if is_known { place } else { own };
+                refuse(
+                    format!("line {}: {}{hint}", why.line, why.cause),
+                    place,
+                    faults,
+                );
+            }
+        }
+        None
+    };
+    let time = numbers(time, true);
+    let values: Vec<Option<Vec<f64>>> = columns.iter().map(|own| numbers(own, false)).collect();
+    let (time, values) = (time?, values.into_iter().collect::<Option<Vec<_>>>()?);
+    reader.keep(file, bytes);
+    Some(Test { time, values })
+}

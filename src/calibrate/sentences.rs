@@ -1,0 +1,169 @@
+//! What the numbers of a calibration do not say: what is not determined, and which alternatives are told apart.
+
+use super::compare::information;
+use super::words::label;
+use super::{Calibration, Fit, Numerical, State, Verdict};
+use slipgap_recommend::format::digits;
+use slipgap_solver::problem::parameter::shortest;
+
+/// Difference of the information criterion from which on it says something.
+const DECISIVE: f64 = 10.0;
+
+/// Share of a direction from which on a parameter belongs to it.
+const SHARE: f64 = 0.1;
+
+/// What the numbers do not say.
+pub fn sentences(found: &Calibration) -> Vec<String> {
+    let mut all = Vec::new();
+    for at in &found.order {
+        let fit = &found.fits[*at];
+        match fit.misfit().is_finite() {
+            false => all.push(format!(
+                "{}: no case has a solution with a misfit",
+                label(fit)
+            )),
+            true => all.extend(of_fit(found, fit)),
+        }
+    }
+    for own in &found.comparisons {
+        let [better, worse] = own.fits.map(|at| &found.fits[at]);
+        let part = |fit: &Fit| fit.numerical.as_ref().map_or(0.0, Numerical::total);
+        let names = [better, worse].map(label);
+        let misfits = [better, worse].map(|fit| digits(fit.misfit()));
+        let parts = [better, worse].map(|fit| digits(part(fit)));
+        all.push(match own.verdict {
+            Verdict::Better => format!(
+                "{} is nearer to the measurement than {}: {} + {} < {} - {}, misfits with their numerical parts",
+                names[0], names[1], misfits[0], parts[0], misfits[1], parts[1]
+            ),
+            Verdict::NotToldApart => format!(
+                "{} and {} are not told apart: their misfits {} and {} differ by less than their numerical parts {} and {}; a smaller dt \
+                 makes these smaller",
+                names[0], names[1], misfits[0], misfits[1], parts[0], parts[1]
+            ),
+            Verdict::Unknown => format!(
+                "{} and {} are not compared: the numerical part of a misfit is unknown",
+                names[0], names[1]
+            ),
+        });
+    }
+    all.extend(of_information(found));
+    all
+}
+
+/// What an alternative does not determine.
+fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
+    let table = found.study.problem.parameters();
+    let own = match found.fits.len() {
+        1 => String::new(),
+        _ => format!("{}: ", label(fit)),
+    };
+    let mut all = Vec::new();
+    let name = |place: usize| &*table[fit.free[place].parameter].name;
+    let intervals = fit.found.profiles.iter().any(|own| own.interval.is_some());
+    let good = match intervals {
+        true => "in its 95 % interval",
+        false => "within 10 % of the best misfit",
+    };
+    for place in 0..fit.free.len() {
+        let [low, high] = fit.free[place].range.ends.map(shortest);
+        match fit.state(place) {
+            Some(State::Not) => all.push(format!(
+                "{own}{} is not determined: all values from {low} to {high} are {good}",
+                name(place)
+            )),
+            Some(State::OnlyBelow) => all.push(format!(
+                "{own}{} has only a smallest value: those up to {high}, the end of its range, are {good}",
+                name(place)
+            )),
+            Some(State::OnlyAbove) => all.push(format!(
+                "{own}{} has only a largest value: those down to {low}, the end of its range, are {good}",
+                name(place)
+            )),
+            Some(State::Determined) | None => {}
+        }
+        if let Some(end) = fit.at_end(place) {
+            let (which, value) = [("lower", &low), ("upper", &high)][end];
+            all.push(format!(
+                "{own}the best {} is at the {which} end of its range, {value}; a wider range may have a better one",
+                name(place)
+            ));
+        }
+    }
+    if let Some(direction) = &fit.found.undetermined {
+        let large = (0..direction.len()).filter(|k| direction[*k].abs() >= SHARE);
+        let names: Vec<&str> = large.map(name).collect();
+        if names.len() > 1 {
+            all.push(format!(
+                "{own}only a combination of {} is determined, not each by itself",
+                names.join(", ")
+            ));
+        }
+    }
+    if let Some(residuals) = &fit.residuals
+        && !residuals.are_white()
+    {
+        let rho = format!("{:.2}", residuals.correlation);
+        let count = residuals.count;
+        all.push(match residuals.for_intervals() {
+            Some(effective) => format!(
+                "{own}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, intervals are approximate, \
+                 as of {effective:.0} independent points"
+            ),
+            None => format!(
+                "{own}residuals are not white (rho_1 = {rho} of {count} points): the model misses something, and there are no intervals"
+            ),
+        });
+    }
+    if let (true, Some(numerical), Some(residuals)) = (intervals, &fit.numerical, &fit.residuals)
+        && numerical.total() > 2.0 * fit.misfit() / residuals.effective().sqrt()
+    {
+        all.push(format!(
+            "{own}the numerical part may move the best values by more than their intervals, which are of noise only; use a smaller dt"
+        ));
+    }
+    if fit.residuals.is_none() && !fit.free.is_empty() {
+        all.push(format!(
+            "{own}there are no 95 % intervals, because the minimised metric is no rms_error(CHANNEL, measured) alone"
+        ));
+    }
+    if intervals && fit.found.widened > 1.0 {
+        all.push(format!(
+            "{own}the misfit jumps where contacts begin or vanish, which makes the intervals {} times as wide",
+            digits(fit.found.widened)
+        ));
+    }
+    if intervals && !fit.found.quadratic {
+        all.push(format!(
+            "{own}the squared misfit is not quadratic over the intervals: use these and the profiles, not the correlation"
+        ));
+    }
+    if fit.found.best.spent {
+        let cases = found.study.calibrate.as_ref().map_or(0, |own| own.cases);
+        all.push(format!(
+            "{own}the search spent all its {cases} cases before it ended; \"cases\" of \"calibrate\" allows more"
+        ));
+    }
+    all
+}
+
+/// What the information criterion says of the two best alternatives that have one.
+fn of_information(found: &Calibration) -> Option<String> {
+    let information = information(&found.fits);
+    let mut all: Vec<(f64, &Fit)> = information
+        .iter()
+        .zip(&found.fits)
+        .filter_map(|(own, fit)| Some(((*own)?, fit)))
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let [(least, first), (next, second), ..] = all[..] else {
+        return None;
+    };
+    Some(format!(
+        "BIC, which counts the free parameters, too, is smaller for {} than for {} by {} ({DECISIVE} or more counts as decisive; it does \
+         not know the numerical parts)",
+        label(first),
+        label(second),
+        digits(next - least)
+    ))
+}
