@@ -1,10 +1,6 @@
 //! How often the intervals of a calibration hold the truth. Each repetition has a test of its own: a motion of slipgap by steps of dt/8
 //! with normal noise of 1 %, so that the errors of the step of the fit and of the test are not the same.
 
-#[path = "common/bench.rs"]
-mod bench;
-
-use bench::Bench;
 use indicatif::ProgressBar;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -15,6 +11,8 @@ use slipgap::recommend::calibrate::{Best, End, Objective, Stopped, determine};
 use slipgap::run::Source;
 use slipgap::statistics::normal;
 use slipgap::study::{self, PointCases, Study};
+use std::fs;
+use tempfile::TempDir;
 
 /// The law of the tests, its free parameters with their true values, and a law with as many that is wrong.
 const LAW: &str = "hertz-damp";
@@ -78,7 +76,7 @@ fn force() -> Vec<[f64; 2]> {
 }
 
 /// The test with noise of 1 % of its rms, as a study that calibrates these laws.
-fn noisy(bench: &Bench, force: &[[f64; 2]], seed: u64, laws: &[&str]) -> String {
+fn noisy(folder: &TempDir, force: &[[f64; 2]], seed: u64, laws: &[&str]) -> String {
     let squares: f64 = force.iter().map(|point| point[1] * point[1]).sum();
     let sigma = 0.01 * (squares / force.len() as f64).sqrt();
     let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -86,7 +84,8 @@ fn noisy(bench: &Bench, force: &[[f64; 2]], seed: u64, laws: &[&str]) -> String 
         || normal::quantile((random.next_u64() as f64 + 0.5) / 2f64.powi(64)).clamp(-9.0, 9.0);
     let line = |[t, s]: &[f64; 2]| format!("{t},{}\n", s + sigma * noise());
     let lines: String = force.iter().map(line).collect();
-    bench.file(&format!("test-{seed}.csv"), format!("t,force\n{lines}"));
+    let file = folder.path().join(format!("test-{seed}.csv"));
+    fs::write(file, format!("t,force\n{lines}")).unwrap();
     let free = TRUTH.map(|(name, _, ends)| format!("\"{name}\": {ends:?}"));
     let more = format!(
         r#""measured": {{ "file": "test-{seed}.csv", "time": "t", "columns": {{ "stop.S": "force" }} }},
@@ -144,11 +143,11 @@ fn hits(path: &str, text: &str, points: usize) -> [bool; 3] {
 
 #[test]
 fn intervals_hold_the_truth_in_95_of_100_tests() {
-    let (bench, force) = (Bench::new(), force());
+    let (folder, force) = (tempfile::tempdir().unwrap(), force());
     let mut count = [0; 3];
     for seed in 1..=REPETITIONS {
-        let text = noisy(&bench, &force, seed, &[LAW]);
-        let path = bench.path("study.json");
+        let text = noisy(&folder, &force, seed, &[LAW]);
+        let path = folder.path().join("study.json");
         let found = hits(&path.to_string_lossy(), &text, force.len());
         for (count, found) in count.iter_mut().zip(found) {
             *count += usize::from(found);
@@ -160,12 +159,12 @@ fn intervals_hold_the_truth_in_95_of_100_tests() {
 
 #[test]
 fn whole_searches_choose_the_law_of_the_test() {
-    let (bench, force) = (Bench::new(), force());
+    let (folder, force) = (tempfile::tempdir().unwrap(), force());
     for seed in 1..=SEARCHES {
-        let text = noisy(&bench, &force, 1000 + seed, &[WRONG, LAW]);
-        bench.file("study.json", &text);
-        let source =
-            Source::read(&bench.path("study.json"), &[], 100).unwrap_or_else(|e| panic!("{e}"));
+        let text = noisy(&folder, &force, 1000 + seed, &[WRONG, LAW]);
+        let path = folder.path().join("study.json");
+        fs::write(&path, &text).unwrap();
+        let source = Source::read(&path, &[], 100).unwrap_or_else(|e| panic!("{e}"));
         let found = calibrate(&source, &ProgressBar::hidden(), &Stop::default())
             .unwrap_or_else(|e| panic!("{e}"));
         let best = found.best().unwrap();
