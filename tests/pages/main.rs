@@ -6,7 +6,7 @@
 //!   the words before it name); `<!-- test: into FILE at PATH -->`, its keys replace those of the object at PATH of the study, or
 //!   the block is a further item of the list there; `<!-- test: into {"problem": ...} -->`, the same in a study of its own.
 //!   At the end of the page every study is listed, and run and checked if no command of the page has run it.
-//! - before commands: `<!-- test: with --set duration=1 -->`, further arguments of `run` and `check`, for studies that take long;
+//! - before commands: `<!-- test: with --set duration=1 -->`, further arguments of `run`, `check` and `calibrate`, for studies that take long;
 //!   `<!-- test: exits with 5 -->`.
 //! - anywhere: `<!-- test: FILE from PATH -->`, a file of the repository under this name; `<!-- test: only listed -->`, studies of
 //!   the page that no command runs are not run; `<!-- test: not run: REASON -->`, for the next block.
@@ -173,6 +173,7 @@ pages! {
     benches "benches/README.md",
     contributing "CONTRIBUTING.md",
     python "python/README.md",
+    calibrate "docs/calibrate.md",
     classics "docs/classics.md",
     clusters "docs/clusters.md",
     conventions "CONVENTIONS.md",

@@ -110,7 +110,7 @@ impl Scene {
         if let (Some(study), "run" | "check") = (shipped, args[0].as_str()) {
             args = vec!["list".into(), study.clone()];
         }
-        if ["run", "check"].contains(&args[0].as_str()) {
+        if ["run", "check", "calibrate"].contains(&args[0].as_str()) {
             args.extend_from_slice(more);
         }
         let args: Vec<&str> = args.iter().map(String::as_str).collect();
