@@ -1,5 +1,6 @@
 //! The data of the figures of a calibration.
 
+use super::series;
 use super::words::label;
 use super::{Calibration, Fit};
 use crate::figures::{MeasuredMotion, MeasuredPanel, MisfitCurve, MisfitPanel, Misfits};
@@ -64,48 +65,76 @@ fn panel(found: &Calibration, free: &Free) -> MisfitPanel {
     }
 }
 
-/// What was measured, and what is computed with the best values of each alternative; `None` without measurements.
+/// What was measured, what the best alternative computes with its best values, and the residuals of all alternatives; `None` without
+/// measurements.
 pub fn measured(found: &Calibration) -> Option<MeasuredMotion> {
-    let best = found.best()?;
-    let tests = best.tests.len();
+    let best = *found.order.first()?;
+    let tests = &found.best()?.tests;
     let mut panels = Vec::new();
-    for test in 0..tests.min(MOST_TESTS) {
-        for channel in 0..best.tests[test].measured.len() {
+    for test in 0..tests.len().min(MOST_TESTS) {
+        for channel in 0..tests[test].measured.len() {
             panels.push(motion(found, best, test, channel)?);
         }
+        panels.extend(residual(found, best, test));
     }
     (!panels.is_empty()).then(|| MeasuredMotion {
         title: format!("{}: measured and computed", found.study.title),
         time: found.study.problem.schema().time.title.to_string(),
-        left_out: tests.saturating_sub(MOST_TESTS),
+        left_out: tests.len().saturating_sub(MOST_TESTS),
         panels,
     })
 }
 
-fn motion(found: &Calibration, best: &Fit, test: usize, channel: usize) -> Option<MeasuredPanel> {
-    let problem = &found.study.problem;
-    let own = best.tests[test].measured.get(channel)?;
-    let mut quantities = problem.schema().quantities.iter();
-    let quantity = quantities.find(|quantity| quantity.channel == own.column);
-    let curve = |(index, fit): (usize, &Fit)| {
-        let own = fit.tests.get(test)?;
-        let computed = &own.solution.as_ref()?.computed;
-        let column = own.measured.get(channel)?.column;
-        let points = computed.time.iter().zip(computed.channel(column));
-        let points = points.map(|(t, x)| [*t, *x]).collect();
-        Some((index, escape(label(fit)), points))
-    };
-    let caption = best
-        .alternative
-        .tests
-        .get(test)
-        .filter(|_| best.tests.len() > 1);
+/// A measured channel of a test with that of the best alternative.
+fn motion(found: &Calibration, best: usize, test: usize, channel: usize) -> Option<MeasuredPanel> {
+    let fit = &found.fits[best];
+    let measured = fit.tests[test].measured.get(channel)?;
+    let computed = &fit.tests[test].solution.as_ref()?.computed;
+    let curve = computed
+        .time
+        .iter()
+        .zip(computed.channel(measured.column))
+        .map(|(t, x)| [*t, *x]);
     Some(MeasuredPanel {
-        title: quantity.map_or_else(|| escape(&own.name), |own| own.title.to_string()),
-        caption: caption.map_or(String::new(), |name| escape(name)),
-        measured: points(own),
+        title: title(found, measured),
+        caption: caption(fit, test),
+        measured: points(measured),
+        curves: vec![(best, escape(label(fit)), curve.collect())],
+    })
+}
+
+/// The residuals of the minimised channel, of each alternative.
+fn residual(found: &Calibration, best: usize, test: usize) -> Option<MeasuredPanel> {
+    let channel = series::channel(&found.study)?;
+    let curve = |(index, fit): (usize, &Fit)| {
+        let test = fit.tests.get(test)?;
+        let times = points(series::measured(test, channel)?);
+        let residuals = series::residuals(test, channel)?;
+        let pairs = times.iter().zip(residuals);
+        let points = pairs.map(|(point, residual)| [point[0], residual]);
+        Some((index, escape(label(fit)), points.collect()))
+    };
+    let own = series::measured(&found.fits[best].tests[test], channel)?;
+    Some(MeasuredPanel {
+        title: format!("computed - measured, {}", title(found, own)),
+        caption: caption(&found.fits[best], test),
+        measured: Vec::new(),
         curves: found.fits.iter().enumerate().filter_map(curve).collect(),
     })
+}
+
+/// The title of the axis of a channel, in markup.
+fn title(found: &Calibration, measured: &MeasuredChannel) -> String {
+    let mut quantities = found.study.problem.schema().quantities.iter();
+    let quantity = quantities.find(|quantity| quantity.channel == measured.column);
+    quantity.map_or_else(|| escape(&measured.name), |own| own.title.to_string())
+}
+
+/// The name of a test, in markup; empty for a single one.
+fn caption(fit: &Fit, test: usize) -> String {
+    let several = fit.alternative.tests.len() > 1;
+    let name = fit.alternative.tests.get(test).filter(|_| several);
+    name.map_or(String::new(), |name| escape(name))
 }
 
 /// The points that metrics compare.

@@ -1,13 +1,10 @@
 //! What the numbers of a calibration do not say: what is not determined, and which alternatives are told apart.
 
-use super::compare::information;
+use super::compare::{DECISIVE, difference, information};
 use super::words::label;
 use super::{Calibration, Fit, Numerical, State, Verdict};
 use slipgap_recommend::format::digits;
 use slipgap_solver::problem::parameter::shortest;
-
-/// Difference of the information criterion from which on it says something.
-const DECISIVE: f64 = 10.0;
 
 /// Share of a direction from which on a parameter belongs to it.
 const SHARE: f64 = 0.1;
@@ -25,13 +22,24 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
             true => all.extend(of_fit(found, fit)),
         }
     }
+    let information = information(&found.fits);
     for own in &found.comparisons {
         let [better, worse] = own.fits.map(|at| &found.fits[at]);
         let part = |fit: &Fit| fit.numerical.as_ref().map_or(0.0, Numerical::total);
         let names = [better, worse].map(label);
         let misfits = [better, worse].map(|fit| digits(fit.misfit()));
         let parts = [better, worse].map(|fit| digits(part(fit)));
+        let criterion = difference(&information, own.fits[0], own.fits[1]).map(digits);
         all.push(match own.verdict {
+            Verdict::WithinNoise => format!(
+                "{} and {} are not told apart: their misfits {} and {} differ by no more than noise can cause (difference of BIC {}, \
+                 below {DECISIVE})",
+                names[0],
+                names[1],
+                misfits[0],
+                misfits[1],
+                criterion.unwrap_or_default()
+            ),
             Verdict::Better => format!(
                 "{} is nearer to the measurement than {}: {} + {} < {} - {}, misfits with their numerical parts",
                 names[0], names[1], misfits[0], parts[0], misfits[1], parts[1]
@@ -47,7 +55,6 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
             ),
         });
     }
-    all.extend(of_information(found));
     all
 }
 
@@ -145,25 +152,4 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
         ));
     }
     all
-}
-
-/// What the information criterion says of the two best alternatives that have one.
-fn of_information(found: &Calibration) -> Option<String> {
-    let information = information(&found.fits);
-    let mut all: Vec<(f64, &Fit)> = information
-        .iter()
-        .zip(&found.fits)
-        .filter_map(|(own, fit)| Some(((*own)?, fit)))
-        .collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let [(least, first), (next, second), ..] = all[..] else {
-        return None;
-    };
-    Some(format!(
-        "BIC, which counts the free parameters, too, is smaller for {} than for {} by {} ({DECISIVE} or more counts as decisive; it does \
-         not know the numerical parts)",
-        label(first),
-        label(second),
-        digits(next - least)
-    ))
 }

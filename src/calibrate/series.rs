@@ -42,13 +42,18 @@ pub fn channel(study: &Study) -> Option<&str> {
     (against.trim() == "measured").then(|| channel.trim())
 }
 
+/// What was measured of a channel.
+pub fn measured<'a>(test: &'a Test, channel: &str) -> Option<&'a MeasuredChannel> {
+    let plain = |name: &str| name.replace(char::is_whitespace, "");
+    let mut all = test.measured.iter();
+    all.find(|own| plain(&own.name) == plain(channel))
+}
+
 /// The differences, computed minus measured, at the points of a channel that metrics compare; the computed motion is straight between
 /// steps.
 pub fn residuals(test: &Test, channel: &str) -> Option<Vec<f64>> {
     let solution = test.solution.as_ref()?;
-    let plain = |name: &str| name.replace(char::is_whitespace, "");
-    let mut all = test.measured.iter();
-    let measured = all.find(|own| plain(&own.name) == plain(channel))?;
+    let measured = measured(test, channel)?;
     let computed = solution.computed.channel(measured.column);
     let time = &solution.computed.time;
     let dt = time.get(1)? - time.first()?;

@@ -36,7 +36,7 @@ pub fn verdict(found: &Calibration, at: usize) -> &'static str {
         None if found.fits[at].misfit().is_finite() => "best",
         None => "no solution",
         Some(Verdict::Better) => "worse",
-        Some(Verdict::NotToldApart) => "not told apart",
+        Some(Verdict::NotToldApart | Verdict::WithinNoise) => "not told apart",
         Some(Verdict::Unknown) => "unknown",
     }
 }

@@ -1,4 +1,4 @@
-//! What was measured, and what is computed with the best values of each alternative.
+//! What was measured, what is computed with the best values, and their differences.
 
 use super::misfit::keys;
 use slipgap_drawing::layout;
@@ -27,7 +27,7 @@ pub struct MeasuredPanel {
     pub title: String,
     /// Name of the test, in markup; empty for a single one.
     pub caption: String,
-    /// Measured points.
+    /// Measured points; none in a panel of differences.
     pub measured: Vec<[f64; 2]>,
     /// Number and name of each alternative, in markup, with its computed motion.
     pub curves: Vec<(usize, String, Vec<[f64; 2]>)>,
@@ -93,7 +93,8 @@ impl MeasuredMotion {
 impl MeasuredPanel {
     /// The measured line, then the computed ones.
     fn series(&self, count: usize) -> Vec<Series> {
-        let measured = Series::measured(self.measured.clone());
+        let measured = Some(&self.measured).filter(|points| !points.is_empty());
+        let measured = measured.map(|points| Series::measured(points.clone()));
         let computed = self.curves.iter().map(|(index, label, points)| Series {
             label: label.clone(),
             points: points.clone(),
@@ -102,7 +103,7 @@ impl MeasuredPanel {
             marker: None,
             marked: Vec::new(),
         });
-        std::iter::once(measured).chain(computed).collect()
+        measured.into_iter().chain(computed).collect()
     }
 }
 

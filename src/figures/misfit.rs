@@ -49,7 +49,7 @@ pub struct MisfitCurve {
 }
 
 /// Ratio of misfits from which on the axis is logarithmic.
-const WIDE: f64 = 20.0;
+const WIDE: f64 = 5.0;
 
 /// Part of the length of an axis beyond the points.
 const PAD: f64 = 0.03;
@@ -128,7 +128,7 @@ impl Misfits {
         }
     }
 
-    /// The curves of a panel, their best points and intervals, and the limit.
+    /// The curves of a panel, then their best points and intervals, and the limit.
     fn series(&self, panel: &MisfitPanel, count: usize) -> Vec<Series> {
         let line = |label: &str, points: Vec<[f64; 2]>, stroke, width| Series {
             label: label.to_owned(),
@@ -138,24 +138,13 @@ impl Misfits {
             marker: None,
             marked: Vec::new(),
         };
-        let limit = self.limit.map(|limit| {
-            let points = panel.shown().map(|x| [x, limit]).to_vec();
-            line(
-                "10 % above the best",
-                points,
-                Stroke::Solid,
-                style::ZERO_LINE,
-            )
-        });
-        let mut series: Vec<Series> = limit.into_iter().collect();
+        let mut series = Vec::new();
         for own in &panel.curves {
             let stroke = Look::default().stroke(own.index, count);
-            series.push(line(
-                &own.label,
-                own.points.clone(),
-                stroke,
-                style::CASE_LINE,
-            ));
+            let points = own.points.clone();
+            series.push(line(&own.label, points, stroke, style::CASE_LINE));
+        }
+        for own in &panel.curves {
             if let Some(ends) = own.interval {
                 let points = ends.map(|x| [x, own.best[1]]).to_vec();
                 series.push(line("95 % interval", points, Stroke::Solid, INTERVAL_LINE));
@@ -166,6 +155,11 @@ impl Misfits {
                 ..line("best", vec![own.best], Stroke::Solid, 0.0)
             });
         }
+        series.extend(self.limit.map(|limit| {
+            let points = panel.shown().map(|x| [x, limit]).to_vec();
+            let label = "10 % above the best";
+            line(label, points, Stroke::Solid, style::ZERO_LINE)
+        }));
         series
     }
 }
@@ -266,11 +260,11 @@ mod tests {
         assert_eq!(
             labels,
             [
-                "10 % above the best",
                 "hertz",
+                "kelvin-voigt",
                 "95 % interval",
                 "best",
-                "kelvin-voigt"
+                "10 % above the best"
             ]
         );
     }
