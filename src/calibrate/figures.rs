@@ -71,11 +71,11 @@ pub fn measured(found: &Calibration) -> Option<MeasuredMotion> {
     let best = *found.order.first()?;
     let tests = &found.best()?.tests;
     let mut panels = Vec::new();
-    for test in 0..tests.len().min(MOST_TESTS) {
-        for channel in 0..tests[test].measured.len() {
-            panels.push(motion(found, best, test, channel)?);
+    for (number, test) in tests.iter().enumerate().take(MOST_TESTS) {
+        for channel in 0..test.measured.len() {
+            panels.push(motion(found, best, number, channel)?);
         }
-        panels.extend(residual(found, best, test));
+        panels.extend(residual(found, best, number));
     }
     (!panels.is_empty()).then(|| MeasuredMotion {
         title: format!("{}: measured and computed", found.study.title),

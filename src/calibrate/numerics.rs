@@ -21,7 +21,7 @@ pub struct Numerical {
 /// Where the error of a time step is from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum From {
-    /// `step_error`: the distance from the exact motion.
+    /// `step_error`: the distance from the exact motion, here at the measured points.
     StepError,
     /// The change of the misfit with half the time step.
     HalfStep,
@@ -47,8 +47,10 @@ impl Numerical {
 #[derive(Debug)]
 pub struct ErrorStudy {
     study: Study,
-    /// Rows of the metrics.
-    rows: Vec<usize>,
+    /// The channel whose `rms_error` is minimised.
+    channel: String,
+    /// Row of the error of the mesh, of a structure with bars.
+    mesh: Option<usize>,
 }
 
 /// The study with the errors of the channel whose `rms_error` is minimised; `None` for another metric, and for a channel of which no
@@ -59,12 +61,18 @@ pub fn error_study(input: &Input, study: &Study) -> Option<ErrorStudy> {
     let names = ["step_error"].into_iter().chain(mesh);
     let names: Vec<String> = names.map(|name| format!("{name}({channel})")).collect();
     let study = input.study_of(&names, MOST_CASES).ok()?;
-    let row = |name: &String| {
+    let mesh = names.get(1).map(|name| {
         let mut metrics = study.problem.metrics().iter();
         metrics.position(|metric| metric.name == *name)
-    };
-    let rows = names.iter().map(row).collect::<Option<Vec<_>>>()?;
-    Some(ErrorStudy { study, rows })
+    });
+    Some(ErrorStudy {
+        channel: channel.to_owned(),
+        mesh: match mesh {
+            Some(row) => Some(row?),
+            None => None,
+        },
+        study,
+    })
 }
 
 /// The numerical part of the misfit at these values; `None` if a case has no solution with half the step either.
@@ -105,18 +113,25 @@ impl ErrorStudy {
     /// The errors, of several tests as their misfits are pooled; `None` if a test has no exact motion.
     fn of(&self, misfit: &Misfit, alternative: &Alternative, values: &[f64]) -> Option<Numerical> {
         let cases = self.study.point_cases(alternative, misfit.cases.free());
-        let cases = cases.cases_with(&[values.to_vec()]);
-        let rows: Vec<u32> = (0..cases.len() as u32).collect();
-        let table = self.study.problem.sweep(&cases, &rows);
-        let mut all = self.rows.iter().map(|metric| {
-            let tests = (0..cases.len()).map(|case| table.value(case, *metric));
-            let tests = tests.collect::<Option<Vec<f64>>>()?;
-            Some(misfit.pooling.misfit(&tests)).filter(|x| x.is_finite())
-        });
-        let step = all.next()??;
-        let mesh = match all.next() {
+        let tests = series::tests(&self.study, &cases, values);
+        let steps = tests
+            .iter()
+            .map(|test| series::step_error(&self.study, test, &self.channel));
+        let step = misfit.pooling.misfit(&steps.collect::<Option<Vec<f64>>>()?);
+        if !step.is_finite() {
+            return None;
+        }
+        let mesh = match self.mesh {
             None => None,
-            Some(mesh) => Some(mesh?),
+            Some(row) => {
+                let meshes = tests
+                    .iter()
+                    .map(|test| test.solution.as_ref()?.metrics[row]);
+                let mesh = misfit
+                    .pooling
+                    .misfit(&meshes.collect::<Option<Vec<f64>>>()?);
+                Some(Some(mesh).filter(|x| x.is_finite())?)
+            }
         };
         Some(Numerical {
             step,

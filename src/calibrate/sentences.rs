@@ -45,9 +45,17 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
                 names[0], names[1], misfits[0], parts[0], misfits[1], parts[1]
             ),
             Verdict::NotToldApart => format!(
-                "{} and {} are not told apart: their misfits {} and {} differ by less than their numerical parts {} and {}; a smaller dt \
-                 makes these smaller",
-                names[0], names[1], misfits[0], misfits[1], parts[0], parts[1]
+                "{} and {} are not told apart: their misfits {} and {} differ by less than their numerical parts {} and {}{}",
+                names[0],
+                names[1],
+                misfits[0],
+                misfits[1],
+                parts[0],
+                parts[1],
+                match difference(&information, own.fits[0], own.fits[1]) {
+                    Some(difference) if difference < DECISIVE => ", and by no more than noise can cause",
+                    _ => "; a smaller dt makes these smaller",
+                }
             ),
             Verdict::Unknown => format!(
                 "{} and {} are not compared: the numerical part of a misfit is unknown",

@@ -49,6 +49,28 @@ pub fn measured<'a>(test: &'a Test, channel: &str) -> Option<&'a MeasuredChannel
     all.find(|own| plain(&own.name) == plain(channel))
 }
 
+/// How far the computed motion is from the exact one at the points of a channel that metrics compare: the rms of their difference, with
+/// that of the straight lines between steps. `None` where no exact motion is known.
+pub fn step_error(study: &Study, test: &Test, channel: &str) -> Option<f64> {
+    let measured = measured(test, channel)?;
+    let points = measured.compared.clone();
+    let end = *test.solution.as_ref()?.computed.time.last()?;
+    let times = measured.time[points.clone()].iter();
+    let times: Vec<f64> = times.map(|t| t.clamp(0.0, end)).collect();
+    let exact = study.problem.exact_at(&test.case, &times)?;
+    let exact = exact.channel(measured.column).iter();
+    let residuals = residuals(test, channel)?;
+    let both = residuals
+        .iter()
+        .zip(exact.zip(&measured.values[points.clone()]));
+    let squares = both.map(|(residual, (exact, value))| {
+        let difference = residual - (exact - value);
+        difference * difference
+    });
+    let mean = squares.sum::<f64>() / points.len() as f64;
+    Some(mean.sqrt()).filter(|x| x.is_finite())
+}
+
 /// The differences, computed minus measured, at the points of a channel that metrics compare; the computed motion is straight between
 /// steps.
 pub fn residuals(test: &Test, channel: &str) -> Option<Vec<f64>> {

@@ -2,7 +2,6 @@
 
 use super::misfit::keys;
 use slipgap_drawing::layout;
-use slipgap_drawing::layout::envelope;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Look};
@@ -35,6 +34,12 @@ pub struct MeasuredPanel {
 
 /// Height of a panel.
 const HEIGHT: f64 = 130.0;
+
+/// Differences of several alternatives cross at every impact; dashes would not tell them apart.
+const LOOK: Look = Look {
+    colour: true,
+    markers: false,
+};
 
 impl MeasuredMotion {
     /// The sheet, one panel below the other.
@@ -79,7 +84,6 @@ impl MeasuredMotion {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        envelope::find(&mut sheet);
         let keys = keys(&sheet);
         layout::finish(&mut sheet, vec![keys], None);
         if self.left_out > 0 {
@@ -98,7 +102,7 @@ impl MeasuredPanel {
         let computed = self.curves.iter().map(|(index, label, points)| Series {
             label: label.clone(),
             points: points.clone(),
-            stroke: Look::default().stroke(*index, count),
+            stroke: LOOK.stroke(*index, count),
             width: style::CASE_LINE,
             marker: None,
             marked: Vec::new(),
