@@ -211,6 +211,41 @@ fn what_the_misfit_does_not_determine_is_named() {
 }
 
 #[test]
+fn a_straight_valley_that_ends_at_a_bound_has_no_jumps() {
+    // Only the sum of the first two coordinates is determined, and not quadratically; the best point is near the end of the first one.
+    let value = |x: &[f64]| {
+        let sum = x[0] + x[1] - 0.8;
+        let sum = 300.0 * (sum + 3.0 * sum * sum);
+        let other = 30.0 * (x[2] - 0.6);
+        (sum * sum + other * other + 1.0).sqrt()
+    };
+    for first in [0.0, 1e-5, 0.004, 0.03] {
+        let mut misfit = function(value);
+        let start = at(vec![first, 0.8 - first, 0.6], 1.0);
+        let found = determine(&start, &mut misfit, Some(200.0)).unwrap();
+        assert_eq!(found.widened, 1.0, "{first}: {found:?}");
+        let half = (fisher::quantile(0.95, 1.0, 197.0) / 197.0).sqrt();
+        let [low, high] = ends(found.profiles[2].interval);
+        assert!(
+            (low - (0.6 - half / 30.0)).abs() < 0.01 * half / 30.0,
+            "{low}"
+        );
+        assert!(
+            (high - (0.6 + half / 30.0)).abs() < 0.01 * half / 30.0,
+            "{high}"
+        );
+        for profile in &found.profiles[..2] {
+            let [End::Open, End::At(high)] = profile.interval.unwrap() else {
+                panic!("{profile:?}");
+            };
+            // Values next to a bend of the profile are 2 % apart.
+            let expected = 0.8 + half / 300.0;
+            assert!((high - expected).abs() < 0.01 * expected, "{high}");
+        }
+    }
+}
+
+#[test]
 fn perfect_data_end_with_a_narrow_range_round_the_truth() {
     let truth = [0.45, 0.6, 0.42, 0.63];
     let exact = sine(of_ranges(&truth));
