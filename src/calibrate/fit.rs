@@ -243,6 +243,7 @@ fn without_profiles(best: Best) -> Determined {
         profiles: Vec::new(),
         correlation: None,
         undetermined: None,
+        combined: Vec::new(),
         widened: 1.0,
         quadratic: false,
         solved: 0,

@@ -181,12 +181,13 @@ fn what_the_misfit_does_not_determine_is_named() {
     let flat =
         |x: &[f64]| ((x[0] - 0.3) * (x[0] - 0.3) + (x[1] - 0.8) * (x[1] - 0.8) + 1e-4).sqrt();
     let half = std::f64::consts::FRAC_1_SQRT_2;
-    let cases: [(Value, usize, Vec<f64>, &[usize]); 3] = [
-        (&sum, 2, vec![half, -half], &[0, 1]),
-        (&flat, 3, vec![0.0, 0.0, 1.0], &[2]),
-        (&|_| 0.7, 1, vec![1.0], &[0]),
+    type Expected<'a> = (Vec<f64>, &'a [usize], &'a [usize]);
+    let cases: [(Value, usize, Expected); 3] = [
+        (&sum, 2, (vec![half, -half], &[0, 1], &[0, 1])),
+        (&flat, 3, (vec![0.0, 0.0, 1.0], &[2], &[])),
+        (&|_| 0.7, 1, (vec![1.0], &[0], &[])),
     ];
-    for (value, n, direction, open) in cases {
+    for (value, n, (direction, open, combined)) in cases {
         let mut misfit = function(value);
         let best = search(
             n,
@@ -203,10 +204,24 @@ fn what_the_misfit_does_not_determine_is_named() {
         let along: f64 = named.iter().zip(&direction).map(|(a, b)| a * b).sum();
         assert!((along.abs() - 1.0).abs() < 1e-6, "{named:?}");
         assert!(found.correlation.is_none());
+        assert_eq!(found.combined, combined);
         for (k, profile) in found.profiles.iter().enumerate() {
             let is_open = profile.interval.unwrap().map(|end| end == End::Open);
             assert_eq!(is_open == [true; 2], open.contains(&k), "{k}: {profile:?}");
         }
+    }
+}
+
+#[test]
+fn coordinates_without_influence_are_no_combination() {
+    // The direction between the last two is arbitrary, so that it contains both.
+    let value = |x: &[f64]| ((x[0] - 0.3) * (x[0] - 0.3) + 1e-4).sqrt();
+    for rotated in [0.0, 1e-12] {
+        let mut misfit = function(|x: &[f64]| value(x) + rotated * (x[1] - x[2]) * (x[1] - x[2]));
+        let start = at(vec![0.3, 0.4, 0.8], 0.01);
+        let found = determine(&start, &mut misfit, Some(100.0)).unwrap();
+        assert!(found.combined.is_empty(), "{:?}", found.combined);
+        assert!(found.undetermined.is_some());
     }
 }
 
