@@ -362,3 +362,41 @@ fn intervals_are_those_of_the_residuals_at_the_best_point() {
         assert!((few - many).abs() < 0.02 * width, "{few} {many}");
     }
 }
+
+#[test]
+fn a_range_with_forbidden_values_hides_no_unused_parameter() {
+    let bench = Bench::new();
+    measure(&bench, TRUTH, "studies/test.csv", 3e-4, 1);
+    // The middle of the range of m is no mass; k is a stiffness of other laws.
+    let more = format!(
+        r#"{}, "calibrate": {{ "k": {{"log": [100, 1e5]}}, "mass": [-1.5, 1.2], "minimise": "rms_error(m.u, measured)" }}"#,
+        measured("\"test.csv\"")
+    );
+    let text = study(
+        r#""law": "hertz", "k": 1000, "k_h": 20000, "v0": 1, "mass": 1"#,
+        &more,
+    )
+    .replace(r#""m": 1 }"#, r#""m": "mass" }"#);
+    bench.file("studies/one.json", text);
+    let done = bench.expect(0, &["explain", "studies/one.json"]);
+    assert!(
+        done.out.contains("calibrate: does not use k\n"),
+        "{}",
+        done.out
+    );
+    assert!(done.out.contains("follow from mass"), "{}", done.out);
+}
+
+#[test]
+fn a_search_without_a_used_parameter_says_so() {
+    let bench = Bench::new();
+    measure(&bench, TRUTH, "studies/test.csv", 3e-4, 1);
+    let more = format!(
+        r#"{}, "calibrate": {{ "k": {{"log": [100, 1e5]}}, "minimise": "rms_error(m.u, measured)" }}"#,
+        measured("\"test.csv\"")
+    );
+    let parameters = r#""law": "hertz", "k": 1000, "k_h": 20000, "v0": 1"#;
+    bench.file("studies/one.json", study(parameters, &more));
+    let done = bench.expect(0, &["calibrate", "studies/one.json"]);
+    assert!(done.out.contains("nothing was searched"), "{}", done.out);
+}
