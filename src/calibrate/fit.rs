@@ -15,6 +15,12 @@ use slipgap_study::{Alternative, Calibrate, Free, PointCases, Study};
 /// Distance in unit coordinates at which a value is at an end of its range.
 const AT_END: f64 = 1e-6;
 
+/// Profiles at most, each with the residuals of the best point of the one before it.
+const ROUNDS: usize = 3;
+
+/// Part by which numbers of residuals may differ for the same intervals.
+const ALIKE: f64 = 0.05;
+
 /// What was found for an alternative.
 #[derive(Debug)]
 pub struct Fit {
@@ -136,12 +142,21 @@ impl Search<'_> {
         let (found, values, tests, residuals) = match best.misfit.is_finite() && !free.is_empty() {
             false => (without_profiles(best), values, tests, residuals),
             true => {
-                let effective = residuals.and_then(|own: Residuals| own.for_intervals());
-                let found = determine(&best, &mut misfit, effective)?;
-                // A profile may have found a better point.
-                let values = cases.values(&found.best.at);
-                let tests = series::tests(self.study, &cases, &values);
-                let residuals = channel.and_then(|channel| of_tests(&tests, channel));
+                let mut own = (values, tests, residuals);
+                let mut found = without_profiles(best);
+                for _ in 0..ROUNDS {
+                    let effective = of_intervals(own.2);
+                    found = determine(&found.best, &mut misfit, effective)?;
+                    // A profile may have found a better point, with other residuals.
+                    let values = cases.values(&found.best.at);
+                    let tests = series::tests(self.study, &cases, &values);
+                    let residuals = channel.and_then(|channel| of_tests(&tests, channel));
+                    own = (values, tests, residuals);
+                    if are_alike(effective, of_intervals(residuals)) {
+                        break;
+                    }
+                }
+                let (values, tests, residuals) = own;
                 (found, values, tests, residuals)
             }
         };
@@ -209,6 +224,18 @@ fn of_tests(tests: &[Test], channel: &str) -> Option<Residuals> {
     Residuals::of(&each.collect::<Option<Vec<_>>>()?)
 }
 
+fn of_intervals(residuals: Option<Residuals>) -> Option<f64> {
+    residuals.and_then(|own| own.for_intervals())
+}
+
+/// Whether intervals of one number of residuals are those of another one.
+fn are_alike(one: Option<f64>, other: Option<f64>) -> bool {
+    match (one, other) {
+        (Some(one), Some(other)) => (one - other).abs() <= ALIKE * other,
+        (one, other) => one.is_none() == other.is_none(),
+    }
+}
+
 /// A best point without profiles.
 fn without_profiles(best: Best) -> Determined {
     Determined {
@@ -216,6 +243,7 @@ fn without_profiles(best: Best) -> Determined {
         profiles: Vec::new(),
         correlation: None,
         undetermined: None,
+        combined: Vec::new(),
         widened: 1.0,
         quadratic: false,
         solved: 0,

@@ -60,7 +60,7 @@ pub fn error_study(input: &Input, study: &Study) -> Option<ErrorStudy> {
     let mesh = input.has_bars().then_some("mesh_error");
     let names = ["step_error"].into_iter().chain(mesh);
     let names: Vec<String> = names.map(|name| format!("{name}({channel})")).collect();
-    let study = input.study_of(&names, MOST_CASES).ok()?;
+    let study = input.error_study(&names, MOST_CASES).ok()?;
     let mesh = names.get(1).map(|name| {
         let mut metrics = study.problem.metrics().iter();
         metrics.position(|metric| metric.name == *name)

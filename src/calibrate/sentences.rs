@@ -6,9 +6,6 @@ use super::{Calibration, Fit, Numerical, State, Verdict};
 use slipgap_recommend::format::digits;
 use slipgap_solver::problem::parameter::shortest;
 
-/// Share of a direction from which on a parameter belongs to it.
-const SHARE: f64 = 0.1;
-
 /// What the numbers do not say.
 pub fn sentences(found: &Calibration) -> Vec<String> {
     let mut all = Vec::new();
@@ -75,6 +72,11 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
     };
     let mut all = Vec::new();
     let name = |place: usize| &*table[fit.free[place].parameter].name;
+    if fit.free.is_empty() {
+        all.push(format!(
+            "{own}nothing was searched, because no free parameter is used; the misfit is that of the study's values"
+        ));
+    }
     let intervals = fit.found.profiles.iter().any(|own| own.interval.is_some());
     let good = match intervals {
         true => "in its 95 % interval",
@@ -105,15 +107,13 @@ fn of_fit(found: &Calibration, fit: &Fit) -> Vec<String> {
             ));
         }
     }
-    if let Some(direction) = &fit.found.undetermined {
-        let large = (0..direction.len()).filter(|k| direction[*k].abs() >= SHARE);
-        let names: Vec<&str> = large.map(name).collect();
-        if names.len() > 1 {
-            all.push(format!(
-                "{own}only a combination of {} is determined, not each by itself",
-                names.join(", ")
-            ));
-        }
+    if fit.found.combined.len() > 1 {
+        let names = fit.found.combined.iter().map(|place| name(*place));
+        let names: Vec<&str> = names.collect();
+        all.push(format!(
+            "{own}only a combination of {} is determined, not each by itself",
+            names.join(", ")
+        ));
     }
     if let Some(residuals) = &fit.residuals
         && !residuals.are_white()

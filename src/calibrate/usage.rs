@@ -1,6 +1,7 @@
 //! Which free parameters an alternative uses, and with which of them cases are not solved side by side.
 
 use slipgap_solver::problem::Case;
+use slipgap_solver::problem::parameter::Value;
 use slipgap_study::{Alternative, Free, Study};
 
 /// The free parameters that an alternative uses, and those that it does not: cases that differ only in one of these have the same
@@ -28,7 +29,8 @@ pub fn apart(study: &Study, alternative: &Alternative, free: &[Free]) -> Vec<Fre
 }
 
 /// Whether cases with other values of a free parameter are not the same: both ends of its range and its middle, with the others in the
-/// middle of theirs. A case that breaks a rule is not the same as another one.
+/// middle of theirs, and with the others as in the study. A case that breaks a rule is not the same as another one; where all three
+/// break one because of the others, they say nothing.
 fn changes(
     study: &Study,
     alternative: &Alternative,
@@ -36,16 +38,43 @@ fn changes(
     place: usize,
     same: &dyn Fn(&Case, &Case) -> bool,
 ) -> bool {
-    let at = |u: f64| {
-        let mut point = vec![0.5; free.len()];
-        point[place] = u;
-        point
-    };
-    let points = [0.0, 0.5, 1.0].map(at);
-    let cases = study.point_cases(alternative, free).cases(&points);
+    let mut known = false;
+    for others in [vec![0.5; free.len()], own_point(study, alternative, free)] {
+        let at = |u: f64| {
+            let mut point = others.clone();
+            point[place] = u;
+            point
+        };
+        let points = [0.0, 0.5, 1.0].map(at);
+        let cases = study.point_cases(alternative, free).cases(&points);
+        let mut shown = cases.shown();
+        let each: Vec<Case> = (0..cases.len()).map(|row| shown.at(row).clone()).collect();
+        let solvable: Vec<bool> = (0..cases.len())
+            .map(|row| cases.may_be_solved(row))
+            .collect();
+        let tests = each.chunks(points.len()).zip(solvable.chunks(points.len()));
+        for (own, solvable) in tests {
+            let is_same = |k: usize| solvable[k] == solvable[0] && same(&own[0], &own[k]);
+            if solvable.contains(&true) {
+                known = true;
+                if !(1..own.len()).all(is_same) {
+                    return true;
+                }
+            }
+        }
+    }
+    !known
+}
+
+/// The point of the values that the study gives its free parameters, within their ranges.
+fn own_point(study: &Study, alternative: &Alternative, free: &[Free]) -> Vec<f64> {
+    let cases = study.point_cases(alternative, &[]).cases(&[Vec::new()]);
     let mut shown = cases.shown();
-    let each: Vec<Case> = (0..cases.len()).map(|row| shown.at(row).clone()).collect();
-    let solvable = (0..cases.len()).all(|row| cases.may_be_solved(row));
-    let mut tests = each.chunks(points.len());
-    !solvable || !tests.all(|own| own.iter().skip(1).all(|other| same(&own[0], other)))
+    let unit = |own: &Free| match shown.at(0).values[own.parameter] {
+        Some(Value::Number(x)) => own
+            .range
+            .unit(x.clamp(own.range.ends[0], own.range.ends[1])),
+        _ => 0.5,
+    };
+    free.iter().map(unit).collect()
 }

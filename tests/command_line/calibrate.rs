@@ -336,3 +336,67 @@ fn without_a_solution_the_exit_code_is_3_and_without_the_key_2() {
     );
     assert!(!bench.path("out/t/calibration.csv").exists());
 }
+
+#[test]
+fn intervals_are_those_of_the_residuals_at_the_best_point() {
+    let bench = Bench::new();
+    measure(&bench, TRUTH, "studies/test.csv", 3e-4, 1);
+    // 100 cases end the search far from the best point, where residuals are correlated; the profiles find it.
+    let interval = |name: &str, cases: &str| {
+        let more = format!(
+            "{}{}",
+            measured("\"test.csv\""),
+            FREE.replace("\"k\": {\"log\": [100, 1e5]}, ", "")
+                .replace("3000", cases)
+        );
+        let parameters = r#""law": "hertz", "k": 1, "k_h": 5000, "v0": 1.2"#;
+        bench.file(&format!("studies/{name}.json"), study(parameters, &more));
+        bench.expect(0, &["calibrate", &format!("studies/{name}.json")]);
+        let table = bench.text(&format!("figures/{name}/calibration.csv"));
+        ["from", "to"].map(|end| number(&table, &["study", "k_h"], end))
+    };
+    let [few, many] =
+        [("few", "100"), ("many", "20000")].map(|(name, cases)| interval(name, cases));
+    let width = many[1] - many[0];
+    for (few, many) in few.iter().zip(many) {
+        assert!((few - many).abs() < 0.02 * width, "{few} {many}");
+    }
+}
+
+#[test]
+fn a_range_with_forbidden_values_hides_no_unused_parameter() {
+    let bench = Bench::new();
+    measure(&bench, TRUTH, "studies/test.csv", 3e-4, 1);
+    // The middle of the range of m is no mass; k is a stiffness of other laws.
+    let more = format!(
+        r#"{}, "calibrate": {{ "k": {{"log": [100, 1e5]}}, "mass": [-1.5, 1.2], "minimise": "rms_error(m.u, measured)" }}"#,
+        measured("\"test.csv\"")
+    );
+    let text = study(
+        r#""law": "hertz", "k": 1000, "k_h": 20000, "v0": 1, "mass": 1"#,
+        &more,
+    )
+    .replace(r#""m": 1 }"#, r#""m": "mass" }"#);
+    bench.file("studies/one.json", text);
+    let done = bench.expect(0, &["explain", "studies/one.json"]);
+    assert!(
+        done.out.contains("calibrate: does not use k\n"),
+        "{}",
+        done.out
+    );
+    assert!(done.out.contains("follow from mass"), "{}", done.out);
+}
+
+#[test]
+fn a_search_without_a_used_parameter_says_so() {
+    let bench = Bench::new();
+    measure(&bench, TRUTH, "studies/test.csv", 3e-4, 1);
+    let more = format!(
+        r#"{}, "calibrate": {{ "k": {{"log": [100, 1e5]}}, "minimise": "rms_error(m.u, measured)" }}"#,
+        measured("\"test.csv\"")
+    );
+    let parameters = r#""law": "hertz", "k": 1000, "k_h": 20000, "v0": 1"#;
+    bench.file("studies/one.json", study(parameters, &more));
+    let done = bench.expect(0, &["calibrate", "studies/one.json"]);
+    assert!(done.out.contains("nothing was searched"), "{}", done.out);
+}

@@ -84,6 +84,7 @@ fn nothing(best: &Best) -> Determined {
         profiles: vec![profile; best.at.len()],
         correlation: None,
         undetermined: None,
+        combined: Vec::new(),
         widened: 1.0,
         quadratic: false,
         solved: 0,
@@ -123,6 +124,12 @@ fn describe(best: &Best, minimum: &Minimum, arms: &[Arm], probable: bool) -> Det
             .enumerate()
             .any(|(k, d)| d.abs() > COMPONENT && open(k))
     };
+    let undetermined = minimum.direction().filter(counts);
+    let is_part = |k: &usize| {
+        let direction = undetermined.as_ref();
+        direction.is_some_and(|direction| direction[*k].abs() > COMPONENT) && minimum.limits(*k)
+    };
+    let combined = (0..minimum.at.len()).filter(is_part).collect();
     Determined {
         best: Best {
             at: minimum.at.clone(),
@@ -132,7 +139,8 @@ fn describe(best: &Best, minimum: &Minimum, arms: &[Arm], probable: bool) -> Det
         profiles,
         correlation: minimum.correlation(),
         widened: minimum.widened,
-        undetermined: minimum.direction().filter(counts),
+        undetermined,
+        combined,
         quadratic: minimum.widened == 1.0
             && minimum.residual <= ROUGH * near
             && arms.iter().all(agrees),

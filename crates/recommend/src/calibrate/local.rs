@@ -1,7 +1,6 @@
 //! The nearest minimum of the squared misfit, by quadratic functions fitted to blocks of points. The points are as far from the best
 //! one as the squared misfit takes to rise by a threshold: jumps that are smaller do not mislead the search.
 
-use super::cma_es::reflected;
 use super::counted::{Asking, squared};
 use super::linear::{Eigen, axis, dot};
 use super::model::{Model, Shape, design};
@@ -89,14 +88,40 @@ impl Local {
         self.ended
     }
 
+    /// A point whose displacement would leave the ranges is reflected along its own line: reflected coordinates would leave a narrow
+    /// valley, and what the fit leaves would look like jumps.
     fn point(&self, u: &[f64]) -> Vec<f64> {
-        let mut point = self.centre.clone();
-        for (k, i) in self.free.iter().enumerate() {
+        let step = |k: usize| -> f64 {
             let along = u.iter().zip(&self.shape.values).zip(&self.shape.vectors);
-            let step: f64 = along.map(|((u, length), b)| u * length * b[k]).sum();
-            point[*i] = reflected(point[*i] + step);
+            along.map(|((u, length), b)| u * length * b[k]).sum()
+        };
+        let steps: Vec<f64> = (0..self.free.len()).map(step).collect();
+        let part = self.inside(&steps);
+        let mut point = self.centre.clone();
+        for (i, step) in self.free.iter().zip(&steps) {
+            point[*i] = (point[*i] + part * step).clamp(0.0, 1.0);
         }
         point
+    }
+
+    /// The part of a displacement that stays within the ranges, after a reflection at their end.
+    fn inside(&self, steps: &[f64]) -> f64 {
+        let room = |sign: f64| {
+            let each = self
+                .free
+                .iter()
+                .zip(steps)
+                .map(|(i, step)| match sign * step {
+                    d if d > 0.0 => (1.0 - self.centre[*i]) / d,
+                    d if d < 0.0 => -self.centre[*i] / d,
+                    _ => f64::INFINITY,
+                });
+            each.fold(f64::INFINITY, f64::min)
+        };
+        match room(1.0) {
+            ahead if ahead >= 1.0 => 1.0,
+            ahead => (2.0 * ahead - 1.0).max(-room(-1.0)),
+        }
     }
 
     /// The displacement of a point from the centre, in free coordinates.

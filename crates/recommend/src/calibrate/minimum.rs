@@ -208,6 +208,12 @@ impl Minimum {
         square.sqrt().max(1e-9)
     }
 
+    /// Whether the squared misfit rises to that of the interval within the range of a coordinate, while the others stay.
+    pub fn limits(&self, k: usize) -> bool {
+        let room = self.at[k].max(1.0 - self.at[k]);
+        self.curvature[k][k] * room * room > self.rises.0
+    }
+
     /// The change of the other coordinates with coordinate `k` along the valley of the quadratic function.
     pub fn valley(&self, k: usize, others: &[usize]) -> Vec<f64> {
         let coupling = block(&self.curvature, others, &[k]).concat();

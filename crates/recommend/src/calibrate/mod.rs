@@ -68,6 +68,9 @@ pub struct Determined {
     pub correlation: Option<Vec<Vec<f64>>>,
     /// The direction (of length 1) in which the squared misfit changes least, if it does not limit the coordinates within their ranges.
     pub undetermined: Option<Vec<f64>>,
+    /// The coordinates in this direction of which only a combination is determined: each is limited while the others stay. Fewer than two
+    /// are no combination: the others have no influence.
+    pub combined: Vec<usize>,
     /// Jumps of the misfit (contacts that begin or vanish between values) widen the intervals by this factor, and ranges of 10 %
     /// that are smaller; 1 without jumps.
     pub widened: f64,

@@ -7,6 +7,10 @@ use crate::source::faults::Faults;
 use crate::source::input::Input;
 use crate::source::object::Object;
 use crate::source::tree::{Member, Node, Tree};
+use crate::structure::keys::REFERENCES;
+
+/// The key of the exact motion.
+const REFERENCE: &str = "contacts_reference";
 
 /// Keys of a study that need or show the results of several cases.
 pub(super) const SHOWN: [&str; 4] = ["figures", "checks", "reductions", "ensemble"];
@@ -23,11 +27,12 @@ impl Input {
         })
     }
 
-    /// The study with these metrics only, besides the one that `calibrate` minimises.
+    /// The study with these errors as its only metrics, besides the one that `calibrate` minimises; its exact motion is that of the same
+    /// laws.
     ///
     /// # Errors
     /// As of [`Input::study`]; and a metric has a fault.
-    pub fn study_of(&self, metrics: &[String], limit: u64) -> Result<Study, Error> {
+    pub fn error_study(&self, metrics: &[String], limit: u64) -> Result<Study, Error> {
         self.edited(limit, |root| {
             let at = root.at;
             let text = |metric: &String| Node {
@@ -39,6 +44,16 @@ impl Input {
                 root,
                 own.into_iter().chain(metrics.iter().map(text)).collect(),
             );
+            if let Some(structure) = root.member("structure") {
+                remove(structure, &[REFERENCE]);
+                if let Tree::Object(members) = &mut structure.tree {
+                    members.push(Member {
+                        key: REFERENCE.to_owned(),
+                        at,
+                        node: text(&REFERENCES[0].to_owned()),
+                    });
+                }
+            }
         })
     }
 

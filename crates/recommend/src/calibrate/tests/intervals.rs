@@ -181,12 +181,13 @@ fn what_the_misfit_does_not_determine_is_named() {
     let flat =
         |x: &[f64]| ((x[0] - 0.3) * (x[0] - 0.3) + (x[1] - 0.8) * (x[1] - 0.8) + 1e-4).sqrt();
     let half = std::f64::consts::FRAC_1_SQRT_2;
-    let cases: [(Value, usize, Vec<f64>, &[usize]); 3] = [
-        (&sum, 2, vec![half, -half], &[0, 1]),
-        (&flat, 3, vec![0.0, 0.0, 1.0], &[2]),
-        (&|_| 0.7, 1, vec![1.0], &[0]),
+    type Expected<'a> = (Vec<f64>, &'a [usize], &'a [usize]);
+    let cases: [(Value, usize, Expected); 3] = [
+        (&sum, 2, (vec![half, -half], &[0, 1], &[0, 1])),
+        (&flat, 3, (vec![0.0, 0.0, 1.0], &[2], &[])),
+        (&|_| 0.7, 1, (vec![1.0], &[0], &[])),
     ];
-    for (value, n, direction, open) in cases {
+    for (value, n, (direction, open, combined)) in cases {
         let mut misfit = function(value);
         let best = search(
             n,
@@ -203,9 +204,58 @@ fn what_the_misfit_does_not_determine_is_named() {
         let along: f64 = named.iter().zip(&direction).map(|(a, b)| a * b).sum();
         assert!((along.abs() - 1.0).abs() < 1e-6, "{named:?}");
         assert!(found.correlation.is_none());
+        assert_eq!(found.combined, combined);
         for (k, profile) in found.profiles.iter().enumerate() {
             let is_open = profile.interval.unwrap().map(|end| end == End::Open);
             assert_eq!(is_open == [true; 2], open.contains(&k), "{k}: {profile:?}");
+        }
+    }
+}
+
+#[test]
+fn coordinates_without_influence_are_no_combination() {
+    // The direction between the last two is arbitrary, so that it contains both.
+    let value = |x: &[f64]| ((x[0] - 0.3) * (x[0] - 0.3) + 1e-4).sqrt();
+    for rotated in [0.0, 1e-12] {
+        let mut misfit = function(|x: &[f64]| value(x) + rotated * (x[1] - x[2]) * (x[1] - x[2]));
+        let start = at(vec![0.3, 0.4, 0.8], 0.01);
+        let found = determine(&start, &mut misfit, Some(100.0)).unwrap();
+        assert!(found.combined.is_empty(), "{:?}", found.combined);
+        assert!(found.undetermined.is_some());
+    }
+}
+
+#[test]
+fn a_straight_valley_that_ends_at_a_bound_has_no_jumps() {
+    // Only the sum of the first two coordinates is determined, and not quadratically; the best point is near the end of the first one.
+    let value = |x: &[f64]| {
+        let sum = x[0] + x[1] - 0.8;
+        let sum = 300.0 * (sum + 3.0 * sum * sum);
+        let other = 30.0 * (x[2] - 0.6);
+        (sum * sum + other * other + 1.0).sqrt()
+    };
+    for first in [0.0, 1e-5, 0.004, 0.03] {
+        let mut misfit = function(value);
+        let start = at(vec![first, 0.8 - first, 0.6], 1.0);
+        let found = determine(&start, &mut misfit, Some(200.0)).unwrap();
+        assert_eq!(found.widened, 1.0, "{first}: {found:?}");
+        let half = (fisher::quantile(0.95, 1.0, 197.0) / 197.0).sqrt();
+        let [low, high] = ends(found.profiles[2].interval);
+        assert!(
+            (low - (0.6 - half / 30.0)).abs() < 0.01 * half / 30.0,
+            "{low}"
+        );
+        assert!(
+            (high - (0.6 + half / 30.0)).abs() < 0.01 * half / 30.0,
+            "{high}"
+        );
+        for profile in &found.profiles[..2] {
+            let [End::Open, End::At(high)] = profile.interval.unwrap() else {
+                panic!("{profile:?}");
+            };
+            // Values next to a bend of the profile are 2 % apart.
+            let expected = 0.8 + half / 300.0;
+            assert!((high - expected).abs() < 0.01 * expected, "{high}");
         }
     }
 }
