@@ -1,7 +1,6 @@
 //! Which alternatives are told apart: their misfits must differ by more than their numerical parts, and by more than noise can cause.
 
 use super::Fit;
-use super::residuals::Residuals;
 
 /// The best alternative and another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,6 +9,9 @@ pub struct Comparison {
     pub fits: [usize; 2],
     /// Whether they are told apart.
     pub verdict: Verdict,
+    /// By how much the information criterion of the worse is above that of the better; `None` for another metric than `rms_error`, and
+    /// for a misfit of 0.
+    pub information: Option<f64>,
 }
 
 /// Whether two alternatives are told apart.
@@ -42,14 +44,14 @@ pub fn compare(fits: &[Fit]) -> (Vec<usize>, Vec<Comparison>) {
         .copied()
         .filter(|at| fits[*at].misfit().is_finite());
     let solved: Vec<usize> = solved.collect();
-    let information = information(fits);
-    let comparisons = solved.iter().skip(1).map(|at| Comparison {
-        fits: [solved[0], *at],
-        verdict: verdict(
-            part(solved[0]),
-            part(*at),
-            difference(&information, solved[0], *at),
-        ),
+    let comparisons = solved.iter().skip(1).map(|at| {
+        let [best, other] = [&fits[solved[0]], &fits[*at]];
+        let information = information(best, other);
+        Comparison {
+            fits: [solved[0], *at],
+            verdict: verdict(part(solved[0]), part(*at), information),
+            information,
+        }
     });
     let comparisons = comparisons.collect();
     (order, comparisons)
@@ -73,25 +75,16 @@ fn verdict(
     }
 }
 
-/// By how much the information criterion of a fit is above that of another one.
-pub fn difference(information: &[Option<f64>], least: usize, other: usize) -> Option<f64> {
-    Some(information[other]? - information[least]?)
-}
-
-/// N ln(misfit^2) + p ln N of each fit with the same N, the smallest effective number of residuals; `None` for another metric than
-/// `rms_error`, and for a misfit of 0.
-pub fn information(fits: &[Fit]) -> Vec<Option<f64>> {
-    let effective = fits.iter().filter_map(|fit| fit.residuals.as_ref());
-    let count = effective
-        .map(Residuals::effective)
-        .fold(f64::INFINITY, f64::min);
-    let value = |fit: &Fit| {
-        fit.residuals?;
+/// By how much N ln(misfit^2) + p ln N of the second fit is above that of the first, N the smaller effective number of residuals of the
+/// two.
+fn information(first: &Fit, second: &Fit) -> Option<f64> {
+    let effective = |fit: &Fit| Some(fit.residuals.as_ref()?.effective());
+    let count = effective(first)?.min(effective(second)?).max(1.0);
+    let criterion = |fit: &Fit| {
         let misfit = fit.misfit();
-        let value = count * libm::log(misfit * misfit) + fit.free.len() as f64 * libm::log(count);
-        Some(value).filter(|x| x.is_finite())
+        count * libm::log(misfit * misfit) + fit.free.len() as f64 * libm::log(count)
     };
-    fits.iter().map(value).collect()
+    Some(criterion(second) - criterion(first)).filter(|x| x.is_finite())
 }
 
 #[cfg(test)]

@@ -37,12 +37,12 @@ pub fn explained(study: &Study) -> String {
     };
     text += &match alternatives.len() {
         1 => format!(
-            "calibrate: a search of at most {} cases{each}\n",
-            calibrate.cases
+            "calibrate: a search of up to {} cases, then profiles{each}\n",
+            calibrate.cases / 4 * 3
         ),
         count => format!(
-            "calibrate: {count} alternatives, each with a search of at most {} cases{each}\n",
-            calibrate.cases
+            "calibrate: {count} alternatives, each with a search of up to {} cases, then profiles{each}\n",
+            calibrate.cases / 4 * 3
         ),
     };
     for own in &alternatives {

@@ -1,6 +1,6 @@
 //! What the numbers of a calibration do not say: what is not determined, and which alternatives are told apart.
 
-use super::compare::{DECISIVE, difference, information};
+use super::compare::DECISIVE;
 use super::words::label;
 use super::{Calibration, Fit, Numerical, State, Verdict};
 use slipgap_recommend::format::digits;
@@ -19,14 +19,13 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
             true => all.extend(of_fit(found, fit)),
         }
     }
-    let information = information(&found.fits);
     for own in &found.comparisons {
         let [better, worse] = own.fits.map(|at| &found.fits[at]);
         let part = |fit: &Fit| fit.numerical.as_ref().map_or(0.0, Numerical::total);
         let names = [better, worse].map(label);
         let misfits = [better, worse].map(|fit| digits(fit.misfit()));
         let parts = [better, worse].map(|fit| digits(part(fit)));
-        let criterion = difference(&information, own.fits[0], own.fits[1]).map(digits);
+        let criterion = own.information.map(digits);
         all.push(match own.verdict {
             Verdict::WithinNoise => format!(
                 "{} and {} are not told apart: their misfits {} and {} differ by no more than noise can cause (difference of BIC {}, \
@@ -49,7 +48,7 @@ pub fn sentences(found: &Calibration) -> Vec<String> {
                 misfits[1],
                 parts[0],
                 parts[1],
-                match difference(&information, own.fits[0], own.fits[1]) {
+                match own.information {
                     Some(difference) if difference < DECISIVE => ", and by no more than noise can cause",
                     _ => "; a smaller dt makes these smaller",
                 }

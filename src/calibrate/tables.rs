@@ -1,6 +1,5 @@
 //! The tables of a calibration as CSV.
 
-use super::compare::information;
 use super::words::{self, label};
 use super::{Calibration, Fit};
 use slipgap_recommend::calibrate::End;
@@ -84,7 +83,6 @@ pub fn alternatives(found: &Calibration) -> Result<Vec<u8>, Error> {
         "spent",
         "verdict",
     ];
-    let information = information(&found.fits);
     let rows = found.order.iter().map(|at| {
         let fit = &found.fits[*at];
         let (numerical, residuals) = (fit.numerical.as_ref(), fit.residuals.as_ref());
@@ -98,7 +96,7 @@ pub fn alternatives(found: &Calibration) -> Result<Vec<u8>, Error> {
             residuals.map_or(String::new(), |own| own.count.to_string()),
             cell(residuals.map(|own| own.correlation)),
             cell(residuals.map(super::Residuals::effective)),
-            cell(information[*at]),
+            cell(words::information(found, *at)),
             cell(Some(fit.found.widened).filter(|_| !fit.found.profiles.is_empty())),
             fit.free.len().to_string(),
             fit.solved.to_string(),

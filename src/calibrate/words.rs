@@ -1,6 +1,5 @@
 //! A calibration on a terminal: tables of the alternatives and of their best values.
 
-use super::compare::information;
 use super::sentences::sentences;
 use super::{Calibration, Fit, State, Verdict};
 use slipgap_recommend::calibrate::End;
@@ -38,6 +37,15 @@ pub fn verdict(found: &Calibration, at: usize) -> &'static str {
         Some(Verdict::Better) => "worse",
         Some(Verdict::NotToldApart | Verdict::WithinNoise) => "not told apart",
         Some(Verdict::Unknown) => "unknown",
+    }
+}
+
+/// By how much the information criterion of the alternative at a position is above that of the best one.
+pub fn information(found: &Calibration, at: usize) -> Option<f64> {
+    let mut all = found.comparisons.iter();
+    match all.find(|own| own.fits[1] == at) {
+        Some(own) => own.information,
+        None => found.fits[at].residuals.as_ref().map(|_| 0.0),
     }
 }
 
@@ -81,18 +89,13 @@ fn minimised(found: &Calibration) -> String {
 
 /// A row for each alternative, the best one first.
 fn summary(found: &Calibration) -> Vec<Vec<String>> {
-    let information = information(&found.fits);
-    let least = information
-        .iter()
-        .flatten()
-        .fold(f64::INFINITY, |a, b| a.min(*b));
     let header = [
         "alternative",
         "misfit",
         "numerical part",
         "rho_1",
         "points",
-        "BIC above the least",
+        "BIC above the best",
         "starts at the best",
         "cases",
         "",
@@ -115,8 +118,11 @@ fn summary(found: &Calibration) -> Vec<Vec<String>> {
             }),
             residuals.map_or("-".into(), |own| format!("{:.2}", own.correlation)),
             residuals.map_or("-".into(), |own| own.count.to_string()),
-            information[*at].map_or("-".into(), |own| digits(own - least)),
-            format!("{best} of {starts}"),
+            information(found, *at).map_or("-".into(), digits),
+            match starts {
+                0 => "-".into(),
+                _ => format!("{best} of {starts}"),
+            },
             fit.solved.to_string(),
             verdict(found, *at).to_owned(),
         ]

@@ -91,7 +91,7 @@ impl Verb {
 pub fn exit_on_interrupt() -> Result<(), Error> {
     ctrlc::set_handler(|| {
         let _guard = stop_writing();
-        note("slipgap: interrupted; all files are complete and finished parts are kept; run the same command again to continue");
+        note("slipgap: interrupted; all files are complete; a run keeps its finished parts, and the same command continues it");
         std::process::exit(INTERRUPTED);
     })
     .map_err(|e| Error::Internal(format!("cannot listen for Ctrl-C: {e}")))

@@ -255,7 +255,7 @@ fn other_verbs_say_that_the_values_are_those_of_the_study() {
     for line in [
         note,
         "calibrate: minimises rms_error(m.u, measured); free: k from 100 to 1e5 by its logarithm, k_h from 1e3 to 1e6 by its logarithm, v0 from 0.5 to 2\n",
-        "calibrate: 2 alternatives, each with a search of at most 3000 cases\n",
+        "calibrate: 2 alternatives, each with a search of up to 2250 cases, then profiles\n",
         "calibrate: impact: does not use k_h\n",
         "calibrate: hertz: does not use k\n",
     ] {

@@ -174,6 +174,7 @@ pages! {
     contributing "CONTRIBUTING.md",
     python "python/README.md",
     calibrate "docs/calibrate.md",
+    measured "docs/measured.md",
     classics "docs/classics.md",
     clusters "docs/clusters.md",
     conventions "CONVENTIONS.md",

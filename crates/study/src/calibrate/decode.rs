@@ -20,7 +20,7 @@ pub(crate) const KEYS: [(&str, &str); 3] = [
     ("seed", "seed of the search; 1 if left out"),
     (
         "cases",
-        "most cases that the search of an alternative solves; 20000 if left out",
+        "cases for each alternative; its search ends at three quarters of them, the profiles take some hundred to some thousand; 20000 if left out",
     ),
 ];
 
