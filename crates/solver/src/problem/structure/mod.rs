@@ -29,6 +29,7 @@ pub mod node;
 mod observer;
 pub mod reduce;
 pub mod rows;
+mod rules;
 pub mod scale_to;
 pub mod schema;
 pub mod scheme;
@@ -54,11 +55,11 @@ use super::{
 };
 use crate::history::History;
 use crate::methods::Method;
-use crate::solve::structure::{critical_fault, settle};
+use crate::solve::structure::settle;
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::{Model, assemble};
-use channel::{Channel, Number, Term};
+use channel::{Channel, Number};
 use columns::all_numbers;
 use metric::StructureMetric;
 use metric_values::Recorded;
@@ -159,45 +160,6 @@ impl StructureProblem {
         method::of_case(case, row)
     }
 
-    /// Rigid impacts whose restitution the method of the case ignores.
-    fn ignored_restitutions(&self, case: &Case) -> Vec<Violation> {
-        let ignores = |method: &Method| !method.has_impulses();
-        if !self.method(case).as_ref().is_some_and(ignores) {
-            return Vec::new();
-        }
-        let mut parameters = self.schema.parameters.iter();
-        let row = parameters.position(|own| own.name == method::PARAMETERS[0].name);
-        let name = row.map_or("", |row| case.name_at(row));
-        let contacts = self.template.contacts.iter();
-        let rigid = contacts.filter_map(|contact| contacts::restitution(contact, case));
-        rigid
-            .map(|(given, e)| given.violation(method::ignores_restitution(name, e)))
-            .collect()
-    }
-
-    /// The rules of a method with a critical step.
-    fn step_rules(&self, case: &Case, dt: f64) -> Option<Violation> {
-        let method = self.method(case)?;
-        if !method.has_critical_step() && !self.template.has_massless_nodes(case) {
-            return None;
-        }
-        let (structure, _) = self.structure(case, Model::Study).ok()?;
-        if let Some((node, why)) = massless::fault(&structure, &method) {
-            let name = &structure.nodes[node].name;
-            return Some(Violation {
-                parameter: "structure".into(),
-                message: format!("node {name} {why}"),
-                at: self.template.place_of(name),
-            });
-        }
-        let fault = critical_fault(&structure, &method, dt)?;
-        Some(Violation {
-            parameter: fault.parameter().into(),
-            message: fault.to_string(),
-            at: None,
-        })
-    }
-
     /// The exact motion of the reference at these times.
     fn reference(
         &self,
@@ -224,39 +186,6 @@ impl StructureProblem {
     fn drawn_numbers(&self, numbering: &Numbering) -> Vec<Number> {
         let drawn = self.drawn.iter();
         distinct(drawn.flat_map(|drawn| drawn.channel.numbers(numbering)))
-    }
-
-    /// Every number of a measure of the ground is in its range.
-    fn check_measures(&self, case: &Case) -> Vec<Violation> {
-        let metrics = self.metrics.iter();
-        let measure = |metric: &StructureMetric| {
-            let ground = metric.ground.as_ref()?;
-            ground.measure(metric.reduction, case).err()
-        };
-        metrics.filter_map(measure).collect()
-    }
-
-    /// Every channel has its nodes in a case.
-    fn check_channels(&self, numbering: &Numbering, case: &Case) -> Vec<Violation> {
-        let metrics = self.metrics.iter();
-        let of_metrics =
-            metrics.filter_map(|metric| Some((metric.channel.as_ref()?, &metric.place)));
-        let drawn = self.drawn.iter();
-        let drawn = drawn.map(|drawn| (&drawn.channel, &drawn.place));
-        let faults = of_metrics.chain(drawn).filter_map(|(channel, (at, path))| {
-            let mut terms = channel.terms.iter();
-            let fault = |(_, term): &(f64, Term)| {
-                let massless = || columns::massless(*term, &self.template, case);
-                term.number(numbering).err().or_else(massless)
-            };
-            let message = terms.find_map(fault)?;
-            Some(Violation {
-                parameter: path.clone().into(),
-                message: format!("{}: {message}", channel.name),
-                at: Some(*at),
-            })
-        });
-        faults.collect()
     }
 }
 
