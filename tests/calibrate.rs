@@ -23,8 +23,8 @@ const TRUTH: [(&str, f64, [f64; 2]); 3] = [
     ("gap", 0.02, [0.01, 0.03]),
 ];
 
-/// The step is so short that its error moves values by less than a third of their standard deviations (measured: k by 0.32). The points of the tests are at
-/// steps: between them the motion is taken as straight, which is coarser than the step.
+/// The step is so short that its error moves values by less than a third of their standard deviations (measured: k by 0.32). The
+/// points of the tests are at steps: between them the motion is taken as straight, which is coarser than the step.
 const DT: f64 = 0.0025;
 const DURATION: f64 = 0.4;
 const EVERY: f64 = 0.005;
