@@ -121,8 +121,7 @@ impl Search<'_> {
     pub fn fit(&self, alternative: Alternative) -> Result<Fit, Stopped> {
         let [free, unused] = usage::used(self.study, &alternative);
         let cases = self.study.point_cases(&alternative, &free);
-        let channel = series::channel(self.study);
-        let pooling = match channel {
+        let pooling = match series::channel(self.study) {
             Some(_) => self.points(&cases),
             None => Pooling::Mean,
         };
@@ -136,32 +135,21 @@ impl Search<'_> {
             solved: 0,
         };
         let best = self.best(free.len(), &mut misfit)?;
-        let values = cases.values(&best.at);
-        let tests = series::tests(self.study, &cases, &values);
-        let residuals = channel.and_then(|channel| of_tests(&tests, channel));
-        let (found, values, tests, residuals) = match best.misfit.is_finite() && !free.is_empty() {
-            false => (without_profiles(best), values, tests, residuals),
-            true => {
-                let mut own = (values, tests, residuals);
-                let mut found = without_profiles(best);
-                for _ in 0..ROUNDS {
-                    let effective = of_intervals(own.2);
-                    found = determine(&found.best, &mut misfit, effective)?;
-                    // A profile may have found a better point, with other residuals.
-                    let values = cases.values(&found.best.at);
-                    let tests = series::tests(self.study, &cases, &values);
-                    let residuals = channel.and_then(|channel| of_tests(&tests, channel));
-                    own = (values, tests, residuals);
-                    if are_alike(effective, of_intervals(residuals)) {
-                        break;
-                    }
+        let mut point = self.point(&cases, &best);
+        let mut found = Determined::only(best);
+        if found.best.misfit.is_finite() && !free.is_empty() {
+            for _ in 0..ROUNDS {
+                let effective = of_intervals(point.residuals);
+                found = determine(&found.best, &mut misfit, effective)?;
+                // A profile may have found a better point, with other residuals.
+                point = self.point(&cases, &found.best);
+                if are_alike(effective, of_intervals(point.residuals)) {
+                    break;
                 }
-                let (values, tests, residuals) = own;
-                (found, values, tests, residuals)
             }
-        };
+        }
         let numerical = match found.best.misfit.is_finite() {
-            true => numerics::numerical(self.errors, &mut misfit, &alternative, &values)?,
+            true => numerics::numerical(self.errors, &mut misfit, &alternative, &point.values)?,
             false => None,
         };
         let solved = misfit.solved;
@@ -172,12 +160,24 @@ impl Search<'_> {
             free,
             unused,
             found,
-            values,
+            values: point.values,
             numerical,
-            residuals,
-            tests,
+            residuals: point.residuals,
+            tests: point.tests,
             solved,
         })
+    }
+
+    /// The values, the tests and the residuals of a point.
+    fn point(&self, cases: &PointCases, best: &Best) -> Point {
+        let values = cases.values(&best.at);
+        let tests = series::tests(self.study, cases, &values);
+        let channel = series::channel(self.study);
+        Point {
+            residuals: channel.and_then(|channel| of_tests(&tests, channel)),
+            values,
+            tests,
+        }
     }
 
     /// The best point.
@@ -219,6 +219,13 @@ impl Search<'_> {
     }
 }
 
+/// What is known at a point.
+struct Point {
+    values: Vec<f64>,
+    tests: Vec<Test>,
+    residuals: Option<Residuals>,
+}
+
 fn of_tests(tests: &[Test], channel: &str) -> Option<Residuals> {
     let each = tests.iter().map(|test| series::residuals(test, channel));
     Residuals::of(&each.collect::<Option<Vec<_>>>()?)
@@ -233,19 +240,5 @@ fn are_alike(one: Option<f64>, other: Option<f64>) -> bool {
     match (one, other) {
         (Some(one), Some(other)) => (one - other).abs() <= ALIKE * other,
         (one, other) => one.is_none() == other.is_none(),
-    }
-}
-
-/// A best point without profiles.
-fn without_profiles(best: Best) -> Determined {
-    Determined {
-        best,
-        profiles: Vec::new(),
-        correlation: None,
-        undetermined: None,
-        combined: Vec::new(),
-        widened: 1.0,
-        quadratic: false,
-        solved: 0,
     }
 }

@@ -1,7 +1,7 @@
 //! How much of a misfit the time step and the mesh may be.
 
 use super::misfit::Misfit;
-use super::series;
+use super::series::{self, Test};
 use slipgap_recommend::calibrate::Stopped;
 use slipgap_recommend::with_finer_step;
 use slipgap_solver::problem::cases::Cases;
@@ -57,20 +57,15 @@ pub struct ErrorStudy {
 /// exact motion is known.
 pub fn error_study(input: &Input, study: &Study) -> Option<ErrorStudy> {
     let channel = series::channel(study)?;
-    let mesh = input.has_bars().then_some("mesh_error");
-    let names = ["step_error"].into_iter().chain(mesh);
-    let names: Vec<String> = names.map(|name| format!("{name}({channel})")).collect();
+    let mesh = input.has_bars().then(|| format!("mesh_error({channel})"));
+    let step = format!("step_error({channel})");
+    let names: Vec<String> = [step].into_iter().chain(mesh.clone()).collect();
     let study = input.error_study(&names, MOST_CASES).ok()?;
-    let mesh = names.get(1).map(|name| {
-        let mut metrics = study.problem.metrics().iter();
-        metrics.position(|metric| metric.name == *name)
-    });
+    let mut metrics = study.problem.metrics().iter();
+    let mesh = mesh.map(|name| metrics.position(|metric| metric.name == name));
     Some(ErrorStudy {
         channel: channel.to_owned(),
-        mesh: match mesh {
-            Some(row) => Some(row?),
-            None => None,
-        },
+        mesh: mesh.map_or(Some(None), |row| row.map(Some))?,
         study,
     })
 }
@@ -114,24 +109,15 @@ impl ErrorStudy {
     fn of(&self, misfit: &Misfit, alternative: &Alternative, values: &[f64]) -> Option<Numerical> {
         let cases = self.study.point_cases(alternative, misfit.cases.free());
         let tests = series::tests(&self.study, &cases, values);
-        let steps = tests
-            .iter()
-            .map(|test| series::step_error(&self.study, test, &self.channel));
-        let step = misfit.pooling.misfit(&steps.collect::<Option<Vec<f64>>>()?);
-        if !step.is_finite() {
-            return None;
-        }
+        // Of several tests as their misfits.
+        let pooled = |error: &dyn Fn(&Test) -> Option<f64>| {
+            let errors = tests.iter().map(error).collect::<Option<Vec<f64>>>()?;
+            Some(misfit.pooling.misfit(&errors)).filter(|x| x.is_finite())
+        };
+        let step = pooled(&|test| series::step_error(&self.study, test, &self.channel))?;
         let mesh = match self.mesh {
             None => None,
-            Some(row) => {
-                let meshes = tests
-                    .iter()
-                    .map(|test| test.solution.as_ref()?.metrics[row]);
-                let mesh = misfit
-                    .pooling
-                    .misfit(&meshes.collect::<Option<Vec<f64>>>()?);
-                Some(Some(mesh).filter(|x| x.is_finite())?)
-            }
+            Some(row) => Some(pooled(&|test| test.solution.as_ref()?.metrics[row])?),
         };
         Some(Numerical {
             step,

@@ -1,6 +1,7 @@
 //! A measured channel of the tests of an alternative, with what is computed for it.
 
 use rayon::prelude::*;
+use slipgap_solver::metrics::measured::at_times;
 use slipgap_solver::problem::{Case, MeasuredChannel, Solution};
 use slipgap_study::{PointCases, Study};
 
@@ -53,42 +54,29 @@ pub fn measured<'a>(test: &'a Test, channel: &str) -> Option<&'a MeasuredChannel
 /// that of the straight lines between steps. `None` where no exact motion is known.
 pub fn step_error(study: &Study, test: &Test, channel: &str) -> Option<f64> {
     let measured = measured(test, channel)?;
-    let points = measured.compared.clone();
+    let computed = computed(test, measured)?;
     let end = *test.solution.as_ref()?.computed.time.last()?;
-    let times = measured.time[points.clone()].iter();
+    let times = measured.time[measured.compared.clone()].iter();
     let times: Vec<f64> = times.map(|t| t.clamp(0.0, end)).collect();
     let exact = study.problem.exact_at(&test.case, &times)?;
     let exact = exact.channel(measured.column).iter();
-    let residuals = residuals(test, channel)?;
-    let both = residuals
-        .iter()
-        .zip(exact.zip(&measured.values[points.clone()]));
-    let squares = both.map(|(residual, (exact, value))| {
-        let difference = residual - (exact - value);
-        difference * difference
-    });
-    let mean = squares.sum::<f64>() / points.len() as f64;
+    let squares = computed.iter().zip(exact).map(|(c, e)| (c - e) * (c - e));
+    let mean = squares.sum::<f64>() / computed.len() as f64;
     Some(mean.sqrt()).filter(|x| x.is_finite())
 }
 
-/// The differences, computed minus measured, at the points of a channel that metrics compare; the computed motion is straight between
-/// steps.
+/// The differences, computed minus measured, at the points of a channel that metrics compare.
 pub fn residuals(test: &Test, channel: &str) -> Option<Vec<f64>> {
-    let solution = test.solution.as_ref()?;
     let measured = measured(test, channel)?;
-    let computed = solution.computed.channel(measured.column);
-    let time = &solution.computed.time;
-    let dt = time.get(1)? - time.first()?;
-    let value = |t: f64| {
-        let last = computed.len() - 1;
-        let at = (t / dt).clamp(0.0, last as f64);
-        let before = (at.floor() as usize).min(last.saturating_sub(1));
-        let part = at - before as f64;
-        computed[before] + part * (computed[before + 1] - computed[before])
-    };
-    let points = measured.compared.clone();
-    let pairs = measured.time[points.clone()]
-        .iter()
-        .zip(&measured.values[points]);
-    (computed.len() > 1).then(|| pairs.map(|(t, x)| value(*t) - x).collect())
+    let values = &measured.values[measured.compared.clone()];
+    let pairs = computed(test, measured)?.into_iter().zip(values);
+    Some(pairs.map(|(c, m)| c - m).collect())
+}
+
+/// The computed motion at the points of a channel that metrics compare, as these take it: straight between steps.
+fn computed(test: &Test, measured: &MeasuredChannel) -> Option<Vec<f64>> {
+    let motion = &test.solution.as_ref()?.computed;
+    let dt = motion.time.get(1)? - motion.time.first()?;
+    let times = &measured.time[measured.compared.clone()];
+    at_times(motion.channel(measured.column), dt, times)
 }

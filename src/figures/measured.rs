@@ -1,9 +1,8 @@
 //! What was measured, what is computed with the best values, and their differences.
 
-use super::misfit::keys;
-use slipgap_drawing::layout;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
+use slipgap_drawing::layout::{self, legend};
 use slipgap_drawing::style::{self, Look};
 
 /// The motions to draw.
@@ -84,7 +83,7 @@ impl MeasuredMotion {
             sheet.panels.push(panel);
         }
         layout::letter_panels(&mut sheet.panels);
-        let keys = keys(&sheet);
+        let keys = legend::keys(&sheet.panels);
         layout::finish(&mut sheet, vec![keys], None);
         if self.left_out > 0 {
             let text = format!("{} further tests are not drawn.", self.left_out);

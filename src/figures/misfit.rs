@@ -2,7 +2,7 @@
 
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
-use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
 use slipgap_drawing::style::{self, Look, Marker, Stroke};
@@ -105,7 +105,7 @@ impl Misfits {
             below += deepest;
         }
         layout::letter_panels(&mut sheet.panels);
-        let keys = keys(&sheet);
+        let keys = legend::keys(&sheet.panels);
         layout::finish(&mut sheet, vec![keys], None);
         sheet
     }
@@ -201,18 +201,6 @@ impl MisfitPanel {
     }
 }
 
-/// Each label once.
-pub(super) fn keys(sheet: &Sheet) -> Vec<Key> {
-    let mut keys: Vec<Key> = Vec::new();
-    let series = sheet.panels.iter().flat_map(|panel| &panel.series);
-    for series in series.filter(|series| !series.label.is_empty()) {
-        if !keys.iter().any(|key| key.label == series.label) {
-            keys.push(Key::of(series));
-        }
-    }
-    keys
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -256,7 +244,10 @@ mod tests {
             panic!("three panels");
         };
         assert!(third.frame.top > first.frame.bottom() + layout::below(&first.x) - 1.0);
-        let labels: Vec<String> = keys(&sheet).into_iter().map(|key| key.label).collect();
+        let labels: Vec<String> = legend::keys(&sheet.panels)
+            .into_iter()
+            .map(|key| key.label)
+            .collect();
         assert_eq!(
             labels,
             [

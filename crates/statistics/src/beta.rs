@@ -47,6 +47,19 @@ fn fraction(a: f64, b: f64, x: f64) -> f64 {
     value
 }
 
+/// Where a rising function of numbers from 0 to `end` has a value, by halving the interval so many times.
+pub fn root(rising: impl Fn(f64) -> f64, value: f64, end: f64, halvings: usize) -> f64 {
+    let [mut low, mut high] = [0.0, end];
+    for _ in 0..halvings {
+        let middle = low + (high - low) / 2.0;
+        match rising(middle) < value {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low + (high - low) / 2.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

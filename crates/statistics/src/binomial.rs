@@ -1,7 +1,7 @@
 //! The interval of a probability from the number of successes.
 
 use super::CONFIDENCE;
-use super::beta::regularised;
+use super::beta::{regularised, root};
 
 /// Halvings of an interval of probabilities: the ends are exact to the rounding of 1.
 const HALVINGS: usize = 60;
@@ -15,26 +15,18 @@ pub fn interval(successes: u64, trials: u64) -> [f64; 2] {
     let (k, n) = (successes as f64, trials as f64);
     let low = match successes {
         0 => 0.0,
-        _ => root(|p| regularised(k, n - k + 1.0, p), tail),
+        _ => root(|p| regularised(k, n - k + 1.0, p), tail, 1.0, HALVINGS),
     };
     let high = match successes >= trials {
         true => 1.0,
-        false => root(|p| regularised(k + 1.0, n - k, p), 1.0 - tail),
+        false => root(
+            |p| regularised(k + 1.0, n - k, p),
+            1.0 - tail,
+            1.0,
+            HALVINGS,
+        ),
     };
     [low, high]
-}
-
-/// Where a rising function of a probability has a value.
-fn root(rising: impl Fn(f64) -> f64, value: f64) -> f64 {
-    let [mut low, mut high] = [0.0, 1.0];
-    for _ in 0..HALVINGS {
-        let middle = low + (high - low) / 2.0;
-        match rising(middle) < value {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    low + (high - low) / 2.0
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The F distribution: of the quotient of two independent mean squares of normal values.
 
-use super::beta::regularised;
+use super::beta::{regularised, root};
 
 /// Halvings of an interval of probabilities: the ends are exact to the rounding of numbers near 0.
 const HALVINGS: usize = 200;
@@ -20,27 +20,19 @@ pub fn quantile(p: f64, d1: f64, d2: f64) -> f64 {
     let middle = regularised(d1 / 2.0, d2 / 2.0, 0.5);
     match p <= middle {
         true => {
-            let x = root(|x| regularised(d1 / 2.0, d2 / 2.0, x), p);
+            let x = root(|x| regularised(d1 / 2.0, d2 / 2.0, x), p, 0.5, HALVINGS);
             d2 * x / (d1 * (1.0 - x))
         }
         false => {
-            let y = root(|y| regularised(d2 / 2.0, d1 / 2.0, y), 1.0 - p);
+            let y = root(
+                |y| regularised(d2 / 2.0, d1 / 2.0, y),
+                1.0 - p,
+                0.5,
+                HALVINGS,
+            );
             d2 * (1.0 - y) / (d1 * y)
         }
     }
-}
-
-/// Where a rising function of numbers from 0 to 0.5 has a value.
-fn root(rising: impl Fn(f64) -> f64, value: f64) -> f64 {
-    let [mut low, mut high] = [0.0, 0.5];
-    for _ in 0..HALVINGS {
-        let middle = low + (high - low) / 2.0;
-        match rising(middle) < value {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    low + (high - low) / 2.0
 }
 
 #[cfg(test)]

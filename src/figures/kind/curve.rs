@@ -3,13 +3,14 @@
 
 use super::Draw;
 use super::history::arrangement::Arrangement;
-use super::history::curves::{keys, members, sizes, unmark_alone};
+use super::history::curves::{members, sizes, unmark_alone};
 use super::history::measured::Measured;
 use crate::figures::label;
 use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style;
@@ -144,7 +145,7 @@ impl Draw for Curve {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let mut keys = keys(&sheet);
+        let mut keys = legend::keys(&sheet.panels);
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet

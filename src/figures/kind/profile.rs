@@ -7,7 +7,7 @@ use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
-use slipgap_drawing::layout::legend::Key;
+use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
@@ -98,7 +98,7 @@ impl Draw for Profile {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let mut keys = keys(&sheet);
+        let mut keys = legend::keys(sheet.panels.get(..1).unwrap_or_default());
         let rules = (!ends.is_empty()).then_some("ends of the bars");
         keys.extend(guides::key(&sheet.panels, rules));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
@@ -190,16 +190,4 @@ fn moment(study: &Study, cases: &[DrawnCase], row: usize) -> String {
         .map(|time| number::fraction(time, digits))
         .collect();
     format!("{symbol} = {}", times.join(", "))
-}
-
-/// The legend: exact, then each label once.
-fn keys(sheet: &Sheet) -> Vec<Key> {
-    let series = sheet.panels.first().map_or(&[][..], |panel| &panel.series);
-    let mut keys: Vec<Key> = Vec::new();
-    for series in series.iter().filter(|s| !s.label.is_empty()) {
-        if !keys.iter().any(|key| key.label == series.label) {
-            keys.push(Key::of(series));
-        }
-    }
-    keys
 }

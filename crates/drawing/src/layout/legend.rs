@@ -63,6 +63,18 @@ impl Key {
     }
 }
 
+/// An entry for each label of the series of panels, in their order.
+pub fn keys(panels: &[Panel]) -> Vec<Key> {
+    let mut keys: Vec<Key> = Vec::new();
+    let series = panels.iter().flat_map(|panel| &panel.series);
+    for series in series.filter(|series| !series.label.is_empty()) {
+        if !keys.iter().any(|key| key.label == series.label) {
+            keys.push(Key::of(series));
+        }
+    }
+    keys
+}
+
 /// A legend in rows of `columns` keys, each `width` wide, from its upper left corner.
 pub fn rows(keys: &[Key], [left, top]: [f64; 2], columns: usize, width: f64) -> Vec<Entry> {
     let entry = |(i, key): (usize, &Key)| {

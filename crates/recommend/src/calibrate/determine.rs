@@ -80,14 +80,8 @@ fn nothing(best: &Best) -> Determined {
         within_tenth: [End::Open; 2],
     };
     Determined {
-        best: best.clone(),
         profiles: vec![profile; best.at.len()],
-        correlation: None,
-        undetermined: None,
-        combined: Vec::new(),
-        widened: 1.0,
-        quadratic: false,
-        solved: 0,
+        ..Determined::only(best.clone())
     }
 }
 

@@ -80,6 +80,22 @@ pub struct Determined {
     pub solved: u64,
 }
 
+impl Determined {
+    /// A best point about which nothing else is known.
+    pub fn only(best: Best) -> Determined {
+        Determined {
+            best,
+            profiles: Vec::new(),
+            correlation: None,
+            undetermined: None,
+            combined: Vec::new(),
+            widened: 1.0,
+            quadratic: false,
+            solved: 0,
+        }
+    }
+}
+
 /// The smallest misfit for values of one coordinate, over all values of the others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {

@@ -16,6 +16,7 @@ use slipgap_solver::problem::parameter::{Kind, Parameter};
 use slipgap_solver::problem::structure::contacts::NAMES;
 use slipgap_solver::problem::structure::metric::OF_ALL;
 use slipgap_solver::problem::structure::schema::{FIXED, Named, of_method};
+use slipgap_solver::problem::structure::template::Chosen;
 
 /// The key of measurements.
 const MEASURED: &str = KEY.0;
@@ -383,5 +384,25 @@ impl Reader<'_> {
             Kind::Choice(choices) => Some((row, choices)),
             Kind::Number(_) | Kind::Whole { .. } => None,
         }
+    }
+
+    /// The file that a text names, or the parameter that chooses one; and all of the files.
+    pub fn files(
+        &self,
+        node: &Node,
+        path: &str,
+        faults: &mut Faults,
+    ) -> Option<(Chosen, Vec<&'static str>)> {
+        let file = text(node, path, faults)?;
+        Some(match self.choices(&file) {
+            Some((row, files)) => {
+                let files = files.iter().map(|file| file.0);
+                (Chosen::Parameter(row), files.collect())
+            }
+            None => {
+                let file = interned(&file);
+                (Chosen::Name(file), vec![file])
+            }
+        })
     }
 }

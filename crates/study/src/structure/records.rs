@@ -5,11 +5,9 @@ use super::reader::Reader;
 use crate::source::faults::{Faults, quoted};
 use crate::source::object::Object;
 use crate::source::tree::Node;
-use crate::value::{name, number, text};
-use slipgap_solver::problem::interned;
+use crate::value::{name, number};
 use slipgap_solver::problem::parameter::{Range, shortest};
 use slipgap_solver::problem::structure::loads::Kind;
-use slipgap_solver::problem::structure::template::Chosen;
 use slipgap_solver::system::loads::record::{Mean, Reading};
 use slipgap_solver::system::loads::{self, SignalFault, Unit};
 use slipgap_solver::system::structure::Signal;
@@ -34,17 +32,7 @@ pub(super) fn record(
         }
     };
     let reading = reading(function, faults)?;
-    let file = text(node, path, faults)?;
-    let (chosen, files) = match reader.choices(&file) {
-        Some((row, files)) => (
-            Chosen::Parameter(row),
-            files.iter().map(|file| file.0).collect(),
-        ),
-        None => {
-            let file = interned(&file);
-            (Chosen::Name(file), vec![file])
-        }
-    };
+    let (chosen, files) = reader.files(node, path, faults)?;
     let before = faults.count();
     let mut records = Vec::new();
     for file in files {

@@ -2,7 +2,7 @@
 
 use super::keys::{DISPLACEMENT, FUNCTION, GROUND, IMPOSED, IMPOSED_BY_FILE, SUPPORT, names};
 use super::loads::{function, table};
-use super::measured::{chosen, column, test};
+use super::measured::{column, test};
 use super::names::member;
 use super::parts::Part;
 use super::reader::{Reader, open};
@@ -187,7 +187,7 @@ fn file(node: &Node, path: &str, reader: &Reader, faults: &mut Faults) -> Option
     let mut column = |(node, path), dimension| column(node, path, dimension, &reader.units, faults);
     let (time, u) = (column(time, Dimension::Time), column(u, Dimension::Length));
     let (time, u) = (time?, u?);
-    let (chosen, files) = chosen(node, &path, reader, faults)?;
+    let (chosen, files) = reader.files(node, &path, faults)?;
     let mut points = Vec::with_capacity(files.len());
     for file in files {
         let Test { time, values } = test(file, (node, &path), (&time, &[&u]), reader, faults)?;

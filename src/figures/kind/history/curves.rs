@@ -3,8 +3,7 @@
 use super::measured::Measured;
 use crate::figures::DrawnCase;
 use crate::figures::label;
-use slipgap_drawing::layout::legend::Key;
-use slipgap_drawing::layout::sheet::{MEASURED, Series, Sheet};
+use slipgap_drawing::layout::sheet::{MEASURED, Series};
 use slipgap_drawing::style::{self, Look};
 use slipgap_solver::problem::parameter::Value;
 use slipgap_solver::problem::unit::Dimension;
@@ -154,18 +153,6 @@ pub fn members(cases: &[DrawnCase], group: Option<(usize, Option<Value>)>) -> Ve
         None => true,
     };
     (0..cases.len()).filter(belongs).collect()
-}
-
-/// The legend: measured, exact, then each label once.
-pub fn keys(sheet: &Sheet) -> Vec<Key> {
-    let mut keys: Vec<Key> = Vec::new();
-    let series = sheet.panels.iter().flat_map(|panel| &panel.series);
-    for series in series.filter(|series| !series.label.is_empty()) {
-        if !keys.iter().any(|key| key.label == series.label) {
-            keys.push(Key::of(series));
-        }
-    }
-    keys
 }
 
 /// Sizes of the units of time and of a quantity in a case; 1 if the axes are scaled.

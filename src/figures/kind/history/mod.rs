@@ -15,6 +15,7 @@ use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
 use slipgap_drawing::layout::inset;
+use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Panel, Series, Sheet};
 use slipgap_drawing::layout::ticks;
@@ -186,7 +187,7 @@ impl Draw for History {
         }
         layout::letter_panels(&mut sheet.panels);
         layout::left_out(&mut sheet, drawn.len(), solved.len());
-        let mut keys = curves::keys(&sheet);
+        let mut keys = legend::keys(&sheet.panels);
         keys.extend(guides::key(&sheet.panels, None));
         layout::finish(&mut sheet, vec![keys], figure.title.as_deref());
         sheet

@@ -1,6 +1,5 @@
 //! Quantities of one dimension over time as areas on one another, one panel for each case.
 
-use super::curves;
 use super::measured::Measured;
 use super::{height, time_axis, window};
 use crate::figures::label;
@@ -8,6 +7,7 @@ use crate::figures::{DrawnCase, FigureData};
 use slipgap_drawing::layout;
 use slipgap_drawing::layout::axis::Axis;
 use slipgap_drawing::layout::guides;
+use slipgap_drawing::layout::legend;
 use slipgap_drawing::layout::limits;
 use slipgap_drawing::layout::sheet::{Band, MEASURED, Panel, Series, Sheet};
 use slipgap_drawing::style::{self, Look};
@@ -87,7 +87,7 @@ pub fn sheet(figure: &History, data: &FigureData) -> Sheet {
     }
     layout::letter_panels(&mut sheet.panels);
     layout::left_out(&mut sheet, drawn.len(), solved.len());
-    let mut keys = curves::keys(&sheet);
+    let mut keys = legend::keys(&sheet.panels);
     keys.extend(guides::key(&sheet.panels, None));
     layout::finish(&mut sheet, vec![keys], data.figure.title.as_deref());
     sheet

@@ -14,14 +14,11 @@ use super::reader::{Reader, open};
 use crate::source::faults::{Faults, join, quoted};
 use crate::source::object::Object;
 use crate::source::tree::{Node, Tree};
-use crate::value::text;
-use slipgap_solver::problem::interned;
 use slipgap_solver::problem::parameter::Range;
 use slipgap_solver::problem::structure::channel::Channel;
 use slipgap_solver::problem::structure::measured::{FEWEST, Measured};
 use slipgap_solver::problem::structure::names::Names;
 use slipgap_solver::problem::structure::schema::Drawn;
-use slipgap_solver::problem::structure::template::Chosen;
 use slipgap_solver::problem::unit::Dimension;
 use std::sync::Arc;
 
@@ -53,7 +50,7 @@ pub(super) fn decode(
     let columns = columns.and_then(|(node, path)| channels(node, &path, (names, units), faults));
     let delay = reader.optional(&object, "delay", Range::Any, faults);
     let (node, path) = file?;
-    let (chosen, files) = chosen(node, &path, reader, faults)?;
+    let (chosen, files) = reader.files(node, &path, faults)?;
     let (time, columns) = (time?, columns?);
     if faults.count() > before {
         return None;
@@ -97,26 +94,6 @@ fn number(channel: &Channel, place: (usize, String), drawn: &mut Vec<Drawn>) -> 
             place,
         });
         drawn.len() - 1
-    })
-}
-
-/// The file, or the parameter that chooses one, and all of the files.
-pub(super) fn chosen(
-    node: &Node,
-    path: &str,
-    reader: &Reader,
-    faults: &mut Faults,
-) -> Option<(Chosen, Vec<&'static str>)> {
-    let file = text(node, path, faults)?;
-    Some(match reader.choices(&file) {
-        Some((row, files)) => (
-            Chosen::Parameter(row),
-            files.iter().map(|file| file.0).collect(),
-        ),
-        None => {
-            let file = interned(&file);
-            (Chosen::Name(file), vec![file])
-        }
     })
 }
 
