@@ -71,7 +71,10 @@ warnings! {
 
 /// The warnings of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Warnings(u8);
+pub struct Warnings(u32);
+
+/// Each kind has a bit of its own.
+const _: () = assert!(WARNINGS.len() <= u32::BITS as usize);
 
 impl Warnings {
     /// No warning.
@@ -115,8 +118,8 @@ impl Warnings {
 }
 
 impl Warning {
-    const fn bit(self) -> u8 {
-        1 << self as u8
+    const fn bit(self) -> u32 {
+        1 << self as u32
     }
 }
 
