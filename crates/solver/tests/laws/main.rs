@@ -1,5 +1,7 @@
 //! Tests over all laws: what each descriptor says agrees with what the law does.
 
+mod stiffness;
+
 use slipgap_solver::contact::number::{Number, Range, Usual};
 use slipgap_solver::contact::numbers::structure;
 use slipgap_solver::contact::offer::{Offered, Place};
@@ -25,11 +27,16 @@ fn sample(number: &Number) -> f64 {
 
 /// The law with these numbers in structures, with the friction limit 2.
 fn made(law: &Offered) -> Option<ContactLaw> {
+    made_with(law, sample)
+}
+
+/// The law with these values of its numbers in structures, with the friction limit 2.
+fn made_with(law: &Offered, value: impl Fn(&Number) -> f64) -> Option<ContactLaw> {
     let own = law.offer.structure?;
     // A study gives one of two numbers that take each other's place.
     let given = |number: &&Number| {
         let first = number.instead_of.is_none_or(|other| !law.has(other));
-        first.then(|| sample(number))
+        first.then(|| value(number))
     };
     let values: Vec<Option<f64>> = own.numbers.iter().map(given).collect();
     let given = GivenNumbers {
