@@ -103,6 +103,25 @@ fn ten_equal_chains_have_each_frequency_ten_times() {
 }
 
 #[test]
+fn copies_of_a_mode_beyond_the_start_vectors_are_searched() {
+    // Forty equal chains have their first frequency forty times. Four start vectors contain four copies of each mode, so that the first
+    // 16 modes to converge are those of four frequencies.
+    let (chains, n) = (40, 20);
+    let mut k = Symmetric::zeros(chains * n);
+    let (_, one) = chain(&vec![1.0; n]);
+    for chain in 0..chains {
+        for ((i, j), x) in one.entries() {
+            k.add(chain * n + i, chain * n + j, x);
+        }
+    }
+    let all = imported(diagonal(vec![1.0; chains * n].into_iter()), k, None);
+    let held = Held::new(&all, &[]).unwrap();
+    let exact: Vec<f64> = of_chain(n).flat_map(|a| [a; 40]).collect();
+    // Round-off of a condition of 200.
+    assert!(difference(&held, 16, exact) < 1e-11);
+}
+
+#[test]
 fn the_modes_of_large_and_small_structures_solve_the_same_equation() {
     // Rows without mass follow: masses 0 between masses of 1, two springs in series.
     let n = 401;
@@ -287,4 +306,63 @@ fn a_part_that_nothing_holds_has_no_reduction() {
         eigen.eigenvalues.iter().filter(|x| x.abs() < 1e-12).count(),
         2
     );
+}
+
+#[test]
+fn a_free_part_is_refused_whatever_its_round_off_is() {
+    // The last pivot of a free chain is round-off, of either sign.
+    let mut random = 1_u64;
+    let mut number = || {
+        random = random
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        0.1 + (random >> 40) as f64 / f64::from(1_u32 << 24)
+    };
+    for _ in 0..200 {
+        let mut k = Symmetric::zeros(12);
+        for i in (1..12).filter(|i| *i != 4) {
+            k.add_spring([Some(i - 1), Some(i)], number());
+        }
+        let whole = imported(diagonal(vec![1.0; 12].into_iter()), k, None);
+        let fault = Reduction::new(whole, vec![2]).reduced(Wanted::Modes(2));
+        assert!(matches!(fault, Err(ReductionFault::Unheld { .. })));
+    }
+}
+
+#[test]
+fn supports_without_mass_hold_the_rows_between_them() {
+    // A chain of 10 masses between two supports, whose rows have no mass. They are the only ones that hold it.
+    let n = 12;
+    let mut k = Symmetric::zeros(n);
+    for i in 1..n {
+        k.add_spring([Some(i - 1), Some(i)], 1.0);
+    }
+    let mut masses = vec![1.0; n];
+    (masses[0], masses[n - 1]) = (0.0, 0.0);
+    let rows = (1..=n).map(|i| {
+        let support = if i == 1 || i == n { "s" } else { "" };
+        format!("n{i},x,{support}\n")
+    });
+    let text = format!("node,direction,support\n{}", rows.collect::<String>());
+    let whole = Arc::new(Imported {
+        dofs: Dofs::parse(text.as_bytes()).unwrap().into(),
+        mass: Arc::new(diagonal(masses.into_iter())),
+        stiffness: Arc::new(k),
+        damping: None,
+    });
+    let kept = vec![0, 4, n - 1];
+    let reduction = Reduction::new(whole, kept);
+    let reduced = reduction.reduced(Wanted::Modes(100)).unwrap();
+    // Nine free masses beside the kept one.
+    assert_eq!((reduced.len(), reduced.modes()), (12, 9));
+    // Displacements of 1 of both supports move all rows by 1, without force.
+    let full = reduced.stiffness().full();
+    let force = &full * DVector::from_fn(12, |i, _| if i < 3 { 1.0 } else { 0.0 });
+    // Round-off of stiffnesses of 1.
+    assert!(force.iter().all(|x| x.abs() < 1e-14), "{force}");
+    // A displacement of one of them moves row 4 by a straight line of 11 springs: 7/11 and 4/11.
+    for (place, share) in [(0, 7.0 / 11.0), (2, 4.0 / 11.0)] {
+        let moved = -full[(1, place)] / full[(1, 1)];
+        assert!((moved - share).abs() < 1e-14, "{moved} {share}");
+    }
 }

@@ -130,11 +130,13 @@ fn at2_faults_have_their_line() {
     ] {
         assert_eq!(refused(&text), fault, "{text}");
     }
-    let velocity = at2(good, "1 2 3").replace("ACCELERATION", "VELOCITY");
-    assert_eq!(
-        refused(&velocity),
-        "f:3: the file has a velocity; it must have an acceleration"
-    );
+    for other in ["velocity", "displacement"] {
+        let text = at2(good, "1 2 3").replace("ACCELERATION", &other.to_uppercase());
+        assert_eq!(
+            refused(&text),
+            format!("f:3: the file has a {other}; it must have an acceleration")
+        );
+    }
 }
 
 #[test]

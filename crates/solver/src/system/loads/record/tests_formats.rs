@@ -197,6 +197,10 @@ fn geonet_has_a_step_and_a_count_for_each_component() {
             "f:20: field 4, the number of accelerations, must be a whole number >= 2, got 0.5",
         ),
         (
+            geonet("Up", 2.5, 0.02, " 1 2 3\n"),
+            "f:20: field 4, the number of accelerations, must be a whole number >= 2, got 2.5",
+        ),
+        (
             geonet("Up", 2.0, 0.0, " 1 2\n"),
             "f:23: field 6, the time step, must be > 0, got 0",
         ),
