@@ -9,6 +9,7 @@ mod orders;
 mod random;
 mod restarts;
 mod rigid;
+mod series;
 mod several;
 
 use super::*;
