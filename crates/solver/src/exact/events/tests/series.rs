@@ -15,6 +15,9 @@ const MASSES: [f64; 3] = [1.0, 2.0, 0.5];
 const SPRINGS: [(usize, usize, f64); 3] = [(3, 0, 30.0), (0, 1, 12.0), (1, 2, 7.0)];
 const DAMPERS: [(usize, usize, f64); 3] = [(3, 1, 1.3), (1, 2, 0.4), (3, 0, 0.2)];
 
+/// From node 1 to the ground, which holds it where the support moves.
+const GROUND: f64 = 9.0;
+
 const SUPPORT: [f64; 3] = [3.0, 2.2, 0.7];
 const LOAD: [f64; 3] = [1.5, 3.1, 0.2];
 const LIMIT: [f64; 5] = [0.8, 0.6, 0.5, 1.9, 0.4];
@@ -48,6 +51,7 @@ fn structure() -> Structure {
         }
         matrix
     });
+    s.stiffness.add_spring([None, Some(1)], GROUND);
     let limit = Limit {
         varying: Some((LIMIT[1], Arc::new(sine(LIMIT[2], LIMIT[3], LIMIT[4])))),
         ..Limit::constant(LIMIT[0])
@@ -146,7 +150,7 @@ fn a_piece_satisfies_the_equations_of_motion() {
         assert!(stuck.abs() < 1e-13, "{s} {stuck}");
         let mut sums = [0.0; 4];
         sums[0] += sine_load;
-        sums[1] += 2.0 * (1.0 - 0.5 * t);
+        sums[1] += 2.0 * (1.0 - 0.5 * t) - GROUND * motion[1][0];
         for (all, quantity) in [(SPRINGS, 0), (DAMPERS, 1)] {
             for (i, j, k) in all {
                 let pull = k * (motion[j][quantity] - motion[i][quantity]);
