@@ -3,6 +3,7 @@
 mod at_rest;
 mod bodies;
 mod books;
+mod carried;
 mod curved;
 mod dense;
 mod lanes;
