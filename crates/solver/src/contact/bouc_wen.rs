@@ -192,7 +192,7 @@ impl Evolution for BoucWen {
         z
     }
 
-    fn state(&self, s: f64, _: f64, _: f64) -> f64 {
+    fn state(&self, s: f64, _: f64) -> f64 {
         s
     }
 

@@ -189,7 +189,7 @@ impl Evolution for Dahl {
         z
     }
 
-    fn state(&self, s: f64, _: f64, _: f64) -> f64 {
+    fn state(&self, s: f64, _: f64) -> f64 {
         s
     }
 

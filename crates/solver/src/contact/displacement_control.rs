@@ -174,7 +174,7 @@ impl Evolution for DisplacementControl {
         z
     }
 
-    fn state(&self, s: f64, _: f64, _: f64) -> f64 {
+    fn state(&self, s: f64, _: f64) -> f64 {
         s
     }
 

@@ -10,8 +10,14 @@ pub trait Evolution {
     /// S at this state, r and rdot.
     fn force(&self, z: f64, r: f64, rdot: f64) -> f64;
 
-    /// z of a contact with this S at r, before it moves with rdot.
-    fn state(&self, s: f64, r: f64, rdot: f64) -> f64;
+    /// z of a contact at rest at r under S.
+    fn state(&self, s: f64, r: f64) -> f64;
+
+    /// z at t = 0: that of the equilibrium at r with static loads, where S was `at_rest`, whatever velocity the contact has from then
+    /// on; 0 for a contact that nothing has bent.
+    fn at_start(&self, at_rest: Option<f64>, r: f64) -> f64 {
+        at_rest.map_or(0.0, |s| self.state(s, r))
+    }
 
     /// The largest |z|; infinite without one.
     fn bound(&self) -> f64;

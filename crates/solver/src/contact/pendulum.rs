@@ -201,7 +201,7 @@ impl Evolution for Pendulum {
         z + self.stiffness() * r
     }
 
-    fn state(&self, s: f64, r: f64, _: f64) -> f64 {
+    fn state(&self, s: f64, r: f64) -> f64 {
         s - self.stiffness() * r
     }
 

@@ -203,9 +203,8 @@ impl Evolution for Lugre {
         }
     }
 
-    /// The bristles of a contact that moves are unbent.
-    fn state(&self, s: f64, _: f64, rdot: f64) -> f64 {
-        if rdot == 0.0 { s } else { 0.0 }
+    fn state(&self, s: f64, _: f64) -> f64 {
+        s
     }
 
     fn bound(&self) -> f64 {

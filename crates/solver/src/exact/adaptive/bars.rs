@@ -107,7 +107,7 @@ pub fn continuous(
     let mut after = after.into_iter().peekable();
     // r and the contacts at the start of each period.
     let mut starts = vec![0.0];
-    let open = Contact::new(*law, IMPEDANCE, [0.0, -2.0, 0.0], None);
+    let open = Contact::new(*law, IMPEDANCE, [0.0, -2.0], (None, None));
     let mut contacts = vec![open];
     while after.peek().is_some() {
         let k = contacts.len() - 1;

@@ -21,6 +21,8 @@ pub struct Contact {
     running: AnyRunningLaw<1>,
     /// r, rdot and S at the last end of a step.
     last: [f64; 3],
+    /// S in equilibrium with static loads before t = 0; `None` without them.
+    at_rest: Option<f64>,
     /// The side of the bound at which the state is; 0 if the bound is 0.
     bound: Option<f64>,
     /// Largest |r| and |rdot| so far.
@@ -59,12 +61,12 @@ pub struct LimitAt {
 }
 
 impl Contact {
-    /// A contact at r with rdot under S; `memory` is what its law remembers.
+    /// A contact at r with rdot, which was at rest under S before, if static loads act; `memory` is what its law remembers of them.
     pub fn new(
         law: ContactLaw,
         h_rate: f64,
-        start: [f64; 3],
-        memory: Option<AnyRunningLaw<1>>,
+        [r, rdot]: [f64; 2],
+        (at_rest, memory): (Option<f64>, Option<AnyRunningLaw<1>>),
     ) -> Contact {
         let on = [flexibility(h_rate); 2];
         let mut running = memory.unwrap_or_else(|| ContactLaw::running(&[law], &on));
@@ -73,7 +75,8 @@ impl Contact {
             law,
             h_rate,
             running,
-            last: start,
+            last: [r, rdot, at_rest.unwrap_or(0.0)],
+            at_rest,
             bound: None,
             largest: [0.0; 2],
         }
@@ -81,8 +84,8 @@ impl Contact {
 
     /// z at the start; `None` for a law without a state.
     pub fn state(&self) -> Option<f64> {
-        let [r, rdot, s] = self.last;
-        self.law.evolution().map(|law| law.state(s, r, rdot))
+        let law = self.law.evolution()?;
+        Some(law.at_start(self.at_rest, self.last[0]))
     }
 
     /// The law with this limit; `None` leaves it.

@@ -39,8 +39,8 @@ impl<'a> Moving<'a> {
             let r = model.columns[i].dot(u) + own.gap + gap;
             let rdot = model.columns[i].dot(v) + of_gap;
             let memory = structure.preload.laws.get(i).copied().flatten();
-            let force = structure.preload.force(i).unwrap_or(0.0);
-            let contact = Contact::new(law, 0.0, [r, rdot, force], memory);
+            let at_rest = structure.preload.force(i);
+            let contact = Contact::new(law, 0.0, [r, rdot], (at_rest, memory));
             places.push(contact.state().map(|z| {
                 y.push(z);
                 groups.push(2 + i);

@@ -254,12 +254,17 @@ pub(super) fn first_force(structure: &Structure, contact: usize, r: f64, rdot: f
     if let (Some(force), None) = (law.properties().unbent_force(rdot), remembers) {
         return force;
     }
+    // A contact that leaves its equilibrium with a velocity has the state of the equilibrium.
+    let at_rest = structure.preload.force(contact);
+    if let (Some(own), Some(_), true) = (law.evolution(), at_rest, rdot != 0.0) {
+        return own.force(own.at_start(at_rest, r), r, rdot);
+    }
     let running = || ContactLaw::running(&[law], &scale.steps(0.0));
     let mut law: AnyRunningLaw<1> = remembers.unwrap_or_else(running);
     let motion = Motion {
         displacement: r,
         velocity: rdot,
-        force: structure.preload.force(contact).unwrap_or_default(),
+        force: at_rest.unwrap_or_default(),
         ..Motion::default()
     };
     let Lane([force]) = ContactResponse::force(&mut law, 1, &trial(&motion, 0.0, rdot));
