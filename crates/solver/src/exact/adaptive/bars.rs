@@ -10,7 +10,7 @@
 //! An end of a continuous bar has no mass, so that a force changes rdot at once: the law answers with a flexibility of 2 for rdot.
 //! Over the time s from k to k + 1 the motions r(s), r(1 + s), .. r(k + s) are integrated side by side, so that no past has to be kept.
 
-use super::contact::{Contact, Watched};
+use super::contact::{Contact, Motion, Watched};
 use super::drive::Drive;
 use super::{AdaptiveFault, Flow, MOST_WORK, is_vertical};
 use crate::contact::ContactLaw;
@@ -74,7 +74,9 @@ impl Flow for Periods {
         let mut free = vec![0.0; y.len()];
         self.motions(y, |i, [own, ..]| free[i] = own);
         for (i, contact) in self.contacts.iter_mut().enumerate() {
-            contact.commit([y[i], free[i]], None, None);
+            let values = [y[i], free[i]];
+            let sizes = values.map(f64::abs);
+            contact.commit(Motion { values, sizes }, None, None);
         }
     }
 }

@@ -8,6 +8,9 @@ use crate::lane::Lane;
 /// Relative size of values that are round-off.
 pub const ROUND_OFF: f64 = 1e-15;
 
+/// Part of r and rdot over which the slope of a force is a difference.
+const SLOPE: f64 = 1e-6;
+
 /// A contact between two ends of steps of the integration.
 ///
 /// Most laws answer a motion: S follows from r, rdot and their values and S at the last end of a step. As a reversal and a first
@@ -25,8 +28,17 @@ pub struct Contact {
     at_rest: Option<f64>,
     /// The side of the bound at which the state is; 0 if the bound is 0.
     bound: Option<f64>,
-    /// Largest |r| and |rdot| so far.
+    /// Largest sizes of r and rdot so far: sums of the sizes of their terms, whose round-off they have.
     largest: [f64; 2],
+}
+
+/// The motion of a contact, and the sizes of the terms of which r and rdot are the sums.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion {
+    /// r and rdot.
+    pub values: [f64; 2],
+    /// The sums of the sizes of their terms.
+    pub sizes: [f64; 2],
 }
 
 /// A number whose change of sign ends a step of the integration.
@@ -197,17 +209,37 @@ impl Contact {
         }
     }
 
+    /// S, and how much it would be for a motion as large as the terms of r and rdot: S has the round-off of this size.
+    pub fn force_terms(&self, motion: Motion, z: Option<f64>, limit: Option<LimitAt>) -> f64 {
+        let Motion { values, sizes } = motion;
+        let force = self.force(values, z, limit);
+        let change = |which: usize, sign: f64| {
+            let mut moved = values;
+            moved[which] += sign * SLOPE * sizes[which];
+            (self.force(moved, z, limit) - force).abs() / SLOPE
+        };
+        let changes = [0, 1].map(|which| change(which, 1.0).max(change(which, -1.0)));
+        force.abs() + changes[0] + changes[1]
+    }
+
+    /// The size of z below which it is round-off of r over the tolerance: the force of an elastic contact for an r as large as its terms.
+    pub fn least_state(&self) -> f64 {
+        let law = self.law.evolution();
+        law.map_or(0.0, |own| own.rate(0.0, 1.0).abs() * self.largest[0])
+    }
+
     /// Takes a state as the last one; returns z there.
     pub fn commit(
         &mut self,
-        [r, rdot]: [f64; 2],
+        motion: Motion,
         z: Option<f64>,
         limit: Option<LimitAt>,
     ) -> Option<f64> {
-        self.largest = [
-            self.largest[0].max(r.abs()),
-            self.largest[1].max(rdot.abs()),
-        ];
+        let Motion {
+            values: [r, rdot],
+            sizes,
+        } = motion;
+        self.largest = [0, 1].map(|i| self.largest[i].max(sizes[i]));
         let law = self.law(limit);
         if let (Some(own), Some(z)) = (law.evolution(), z) {
             let bound = own.bound();

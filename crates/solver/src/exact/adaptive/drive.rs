@@ -124,6 +124,7 @@ impl<'a, F: Flow> Drive<'a, F> {
         for (group, y) in groups.iter().zip(&self.step.end) {
             own[*group] = own[*group].max(y.abs());
         }
+        self.flow.raise(h, &mut own);
         for (scale, group) in self.scales.iter_mut().zip(groups) {
             *scale = self.tolerance * own[*group];
         }

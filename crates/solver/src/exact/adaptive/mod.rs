@@ -51,6 +51,9 @@ trait Flow {
     /// Products in a step.
     fn work(&self) -> f64;
 
+    /// Raises the largest values of groups whose components are round-off below a value in a step of length h.
+    fn raise(&self, _h: f64, _largest: &mut [f64]) {}
+
     /// Begins a part in which all signals are smooth.
     fn enter(&mut self, part: [f64; 2]);
 

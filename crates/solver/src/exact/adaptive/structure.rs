@@ -1,12 +1,16 @@
 //! The equations of a structure: M u'' + C u' + K u + B S = p(t), in the coordinates of a model.
 
 use super::Flow;
-use super::contact::{Contact, LimitAt, Watched};
+use super::contact::{Contact, LimitAt, Motion, Watched};
 use crate::exact::events::{Model, State, StateBuffers};
 use crate::system::structure::{Limit, Structure, StructureLaw};
 
 /// Part of the time between two points of tables over which the rate of a limit is a difference.
 const DIFFERENCE: f64 = 1e-4;
+
+/// Round-off of the change of velocities in a step over its terms and the tolerance, some five times the unit round-off: a body that
+/// hardly moves under forces in equilibrium has no better velocity.
+const ROUND_OFF_OF_STEP: f64 = 1e-3;
 
 /// A structure with its contacts.
 pub struct Moving<'a> {
@@ -20,6 +24,8 @@ pub struct Moving<'a> {
     watched: Vec<Watched>,
     /// The time of the last end of a step.
     t: f64,
+    /// The largest sum of the sizes of the terms of an acceleration there, whose round-off it has.
+    acceleration_terms: f64,
     work: f64,
 }
 
@@ -60,6 +66,7 @@ impl<'a> Moving<'a> {
             part: [0.0, f64::INFINITY],
             watched: Vec::new(),
             t: 0.0,
+            acceleration_terms: 0.0,
             work: 12.0 * once as f64,
             model,
         };
@@ -108,6 +115,46 @@ impl<'a> Moving<'a> {
             column.dot(&y[..n]) + structure.contacts[contact].gap + gap,
             column.dot(&y[n..2 * n]) + of_gap,
         ]
+    }
+
+    /// The same with the sizes of their terms.
+    fn motion(&self, contact: usize, t: f64, y: &[f64]) -> Motion {
+        let n = self.model.len();
+        let column = &self.model.columns[contact];
+        let structure = self.model.structure;
+        let of_supports = structure.supports.iter();
+        let [mut u, mut v] = [column.size(&y[..n]), column.size(&y[n..2 * n])];
+        for support in of_supports {
+            let motion = support.motion.at(t);
+            u += (support.gaps[contact] * motion[0]).abs();
+            v += (support.gaps[contact] * motion[1]).abs();
+        }
+        Motion {
+            values: self.relative(contact, t, y),
+            sizes: [u + structure.contacts[contact].gap.abs(), v],
+        }
+    }
+
+    /// The largest sum of the sizes of the terms of an acceleration.
+    fn terms(&self, t: f64, y: &[f64]) -> f64 {
+        let n = self.model.len();
+        let mut sums = vec![0.0; n];
+        self.model.stiffness.add_terms(&y[..n], &mut sums);
+        self.model.damping.add_terms(&y[n..2 * n], &mut sums);
+        let loads = self.model.structure.loads.iter();
+        for (load, pattern) in loads.zip(&self.model.patterns) {
+            pattern.add_sizes(load.signal.at(self.inside(t)), &mut sums);
+        }
+        for i in 0..self.contacts.len() {
+            let size = self.contacts[i].force_terms(
+                self.motion(i, t, y),
+                self.state_of(i, y),
+                self.limit(i, t),
+            );
+            self.model.columns[i].add_sizes(size, &mut sums);
+        }
+        let accelerations = sums.iter().zip(&self.model.inverse_masses);
+        accelerations.fold(0.0, |most, (sum, w)| most.max(sum * w))
     }
 
     fn state_of(&self, contact: usize, y: &[f64]) -> Option<f64> {
@@ -171,6 +218,16 @@ impl Flow for Moving<'_> {
         self.work
     }
 
+    fn raise(&self, h: f64, largest: &mut [f64]) {
+        largest[1] = largest[1].max(ROUND_OFF_OF_STEP * h * self.acceleration_terms);
+        for (contact, place) in self.contacts.iter().zip(&self.places) {
+            if let Some(place) = *place {
+                let largest = &mut largest[self.groups[place]];
+                *largest = largest.max(contact.least_state());
+            }
+        }
+    }
+
     fn enter(&mut self, part: [f64; 2]) {
         self.part = part;
     }
@@ -218,8 +275,11 @@ impl Flow for Moving<'_> {
 
     fn commit(&mut self, t: f64, y: &mut [f64]) {
         self.t = t;
+        self.acceleration_terms = self.terms(t, y);
         for i in 0..self.contacts.len() {
-            let motion = self.relative(i, t, y);
+            let mut motion = self.motion(i, t, y);
+            // A velocity has the round-off of the accelerations of which it is the integral.
+            motion.sizes[1] = motion.sizes[1].max(self.acceleration_terms * t);
             let (z, limit) = (self.state_of(i, y), self.limit(i, t));
             let z = self.contacts[i].commit(motion, z, limit);
             if let (Some(place), Some(z)) = (self.places[i], z) {

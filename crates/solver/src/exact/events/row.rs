@@ -29,6 +29,30 @@ impl Row {
         }
     }
 
+    /// Adds the sizes of a factor times the row.
+    pub fn add_sizes(&self, factor: f64, to: &mut [f64]) {
+        match self {
+            Row::Sparse(row) => {
+                for (i, value) in row {
+                    to[*i] += (factor * value).abs();
+                }
+            }
+            Row::Dense(row) => {
+                for (to, value) in to.iter_mut().zip(row) {
+                    *to += (factor * value).abs();
+                }
+            }
+        }
+    }
+
+    /// The sum of the sizes of the products with `x`.
+    pub fn size(&self, x: &[f64]) -> f64 {
+        match self {
+            Row::Sparse(row) => row.iter().map(|(i, value)| (value * x[*i]).abs()).sum(),
+            Row::Dense(row) => sum(row, x, |a, b| (a * b).abs()),
+        }
+    }
+
     /// The sum of the products with a row and numbers of all coordinates.
     pub fn form(&self, weights: &[f64], other: &Row) -> f64 {
         let terms = |row: &Vec<(usize, f64)>, other: &Row| -> f64 {
