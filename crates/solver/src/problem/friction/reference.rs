@@ -100,7 +100,7 @@ fn structure(case: &OscillatorCase) -> Structure {
         observed: None,
         // S at release.
         preload: Preload {
-            forces: vec![case.force],
+            forces: vec![Some(case.force)],
             ..Preload::default()
         },
     }

@@ -55,7 +55,7 @@ use super::{
 };
 use crate::history::History;
 use crate::methods::Method;
-use crate::solve::structure::settle;
+use crate::solve::structure::{balance, settle};
 use crate::solve::{MetricTable, Unsolvable};
 use crate::system::structure::Structure;
 use assemble::{Model, assemble};
@@ -124,6 +124,9 @@ impl StructureProblem {
         match structure.preload.load.is_empty() {
             true => massless::place(&mut structure),
             false => settle(&mut structure)?,
+        }
+        if let Some(dt) = case.at(self.schema.step) {
+            balance(&mut structure, dt)?;
         }
         Ok((structure, numbering))
     }

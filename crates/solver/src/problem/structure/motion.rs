@@ -281,9 +281,10 @@ pub fn rigid(structure: &Structure) -> Result<Structure, Unsolvable> {
             | StructureLaw::Link { .. }) => law,
         };
     }
-    if !structure.preload.forces.is_empty() {
+    rigid.preload.forces.clear();
+    rigid.preload.laws.clear();
+    if !structure.preload.load.is_empty() {
         rigid.displacement.fill(0.0);
-        rigid.preload.laws.clear();
         settle(&mut rigid)?;
     }
     Ok(rigid)

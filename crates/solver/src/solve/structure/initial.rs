@@ -13,11 +13,18 @@ pub(super) fn forces(structure: &Structure) -> Result<Vec<f64>, Unsolved> {
     let (u, v) = (&structure.displacement, &structure.velocity);
     let mut forces = vec![0.0; structure.contacts.len()];
     let mut active = Vec::new();
+    let massless = structure.massless();
     for (c, contact) in structure.contacts.iter().enumerate() {
         let r = structure.relative(c, u) + contact.gap;
         let rdot = structure.relative(c, v);
         let [low, high] = bounds_at_start(structure, c);
         let at_rest = structure.preload.force(c);
+        // Nodes without mass are in equilibrium under the forces of their contacts.
+        let mut nodes = structure.column(c);
+        if let (Some(force), true) = (at_rest, nodes.any(|(node, _)| massless[node])) {
+            forces[c] = force;
+            continue;
+        }
         // Round-off of the equilibrium opens no contact that presses.
         let is_open = r > 0.0 && at_rest.is_none_or(|force| force == 0.0);
         forces[c] = match contact.law {

@@ -66,6 +66,7 @@ mod curved_step;
 mod forces;
 mod general;
 mod initial;
+mod instant;
 mod laws;
 mod ledger;
 mod links;
@@ -81,6 +82,7 @@ mod watch;
 
 pub use books::{Books, Work};
 pub use general::{CriticalFault, critical_fault, critical_step};
+pub use instant::balance;
 pub use ledger::Ledger;
 pub use preload::settle;
 pub use prepared::Prepared;

@@ -65,7 +65,7 @@ pub fn settle(structure: &mut Structure) -> Result<(), Unsolvable> {
     let laws = laws
         .map(|(i, own)| (own.law.is_curved() && remembers(own.law.kind())).then(|| curved.law(i)));
     structure.preload.laws = laws.collect();
-    structure.preload.forces = forces;
+    structure.preload.forces = forces.into_iter().map(Some).collect();
     structure.displacement = u;
     Ok(())
 }

@@ -6,7 +6,7 @@ fn friction(law: ContactLaw) -> Structure {
     let limit = Limit::constant(1.0);
     let mut structure = one(1.0, StructureLaw::CurvedFriction { law, limit }, 0.0);
     structure.displacement = vec![12.0];
-    structure.preload.forces = vec![0.0];
+    structure.preload.forces = vec![Some(0.0)];
     structure
 }
 
