@@ -153,6 +153,10 @@ fn variants(
         let file = text(node, &path, faults)?;
         files::read(&file, (node, &path), LARGEST, reader, faults, parse)
     });
+    let dofs = match (dofs, object.get("ties")) {
+        (Some(dofs), Some(node)) => tied(dofs, (node, &object.path("ties")), reader, faults),
+        (dofs, _) => dofs,
+    };
     let of_key = |key: &str, faults: &mut Faults| -> Option<Vec<File>> {
         let node = object.need(key, meaning(key), faults)?;
         let path = object.path(key);
@@ -202,6 +206,23 @@ fn variants(
         }
     }
     Some(variants)
+}
+
+/// Rows with ties to them, of a file or of its content.
+fn tied(
+    dofs: Dofs,
+    (node, path): (&Node, &str),
+    reader: &Reader,
+    faults: &mut Faults,
+) -> Option<Dofs> {
+    let parse = |bytes: &[u8]| dofs.with_ties(bytes);
+    if let Tree::Text(content) = &node.tree
+        && content.contains('\n')
+    {
+        return inline(content, (node, path), faults, parse);
+    }
+    let file = text(node, path, faults)?;
+    files::read(&file, (node, path), LARGEST, reader, faults, parse)
 }
 
 /// The content of a file that stands in the study itself, as notebooks give it.

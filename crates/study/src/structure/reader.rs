@@ -99,28 +99,24 @@ impl Reader<'_> {
         self.amount(node, &object.path(key), range, faults)
     }
 
-    /// A node by its name.
-    pub fn node(&self, node: &Node, path: &str, faults: &mut Faults) -> Option<NodeName> {
-        let name = text(node, path, faults)?;
-        self.named_node(&name, node.at, path, faults)
-    }
-
-    /// The node with a name that stands at a place of the study.
-    pub fn named_node(
+    /// The nodes of which the motion of a name at a place of the study is the sum, each with its factor.
+    pub fn named_nodes(
         &self,
         name: &str,
         at: usize,
         path: &str,
         faults: &mut Faults,
-    ) -> Option<NodeName> {
+    ) -> Option<Vec<(f64, NodeName)>> {
+        let Some(nodes) = self.names.nodes(name) else {
+            faults.add(at, path, self.no_node(name));
+            return None;
+        };
         let path = path.to_owned();
-        match self.names.node(name) {
-            Some(node) => Some(NodeName { node, at, path }),
-            None => {
-                faults.add(at, &path, self.no_node(name));
-                None
-            }
-        }
+        let named = nodes.into_iter().map(|(factor, node)| {
+            let path = path.clone();
+            (factor, NodeName { node, at, path })
+        });
+        Some(named.collect())
     }
 
     /// Why there is no node with this name.
@@ -154,8 +150,8 @@ impl Reader<'_> {
             && let Some(matrices) = self.names.matrices(part)
             && let Some(direction) = Direction::named(direction)
         {
-            let rows = self.names.matrices[matrices].1.dofs.rows();
-            if !rows.iter().any(|dof| dof.direction == direction) {
+            let forces = self.names.matrices[matrices].1.dofs.forces(direction);
+            if forces.iter().all(|force| *force == 0.0) {
                 let message = format!("{part} has no dof of direction {}", direction.name());
                 faults.add(at, path, message);
                 return None;
@@ -167,13 +163,16 @@ impl Reader<'_> {
             faults.add(at, path, message);
             return None;
         }
-        let name = self.named_node(name, at, path, faults)?;
-        if name.node == NodeRef::Ground {
+        let mut nodes = self.named_nodes(name, at, path, faults)?;
+        if nodes.iter().all(|(_, name)| name.node == NodeRef::Ground) {
             let message = "the ground does not move; give its acceleration under \"ground\"";
             faults.add(at, path, message);
             return None;
         }
-        Some(Moved::Node(name))
+        match self.names.node(name) {
+            Some(_) => nodes.pop().map(|(_, node)| Moved::Node(node)),
+            None => Some(Moved::Tied(nodes)),
+        }
     }
 
     /// The nodes of a spring or a contact with their factors: two nodes under `between`, -1 and 1, or nodes with factors under
@@ -187,17 +186,7 @@ impl Reader<'_> {
             }
             return self.factors(node, &object.path("along"), what, faults);
         }
-        let [first, second] = self.between(object, what, faults)?;
-        let term = |node: NodeName, factor: f64| Term {
-            factor: Amount {
-                source: Source::Number(factor),
-                range: Range::Any,
-                at: node.at,
-                path: node.path.clone(),
-            },
-            node,
-        };
-        Some(vec![term(first, -1.0), term(second, 1.0)])
+        self.between(object, what, faults)
     }
 
     /// The members of an object of nodes and factors.
@@ -217,21 +206,53 @@ impl Reader<'_> {
         let terms = members.filter_map(|member| {
             let path = crate::source::faults::join(path, &member.key);
             let factor = self.amount(&member.node, &path, Range::Any, faults);
-            let node = self.named_node(&member.key, member.at, &path, faults);
-            Some(Term {
-                node: node?,
-                factor: factor?,
-            })
+            let nodes = self.named_nodes(&member.key, member.at, &path, faults);
+            Some(self.terms(&member.key, nodes?, &factor?))
         });
-        let terms: Vec<Term> = terms.collect();
+        let terms: Vec<Term> = terms.flatten().collect();
         if faults.count() == before && terms.iter().all(|term| term.node.node == NodeRef::Ground) {
             faults.add(node.at, path, format!("{what} needs a node that moves"));
         }
         (faults.count() == before).then_some(terms)
     }
 
-    /// Two different nodes.
-    fn between(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<[NodeName; 2]> {
+    /// The terms of the nodes of a name with this factor.
+    fn terms(&self, name: &str, nodes: Vec<(f64, NodeName)>, factor: &Amount) -> Vec<Term> {
+        let tied = self.names.node(name).is_none();
+        let terms = nodes.into_iter().map(|(own, node)| Term {
+            node,
+            factor: match tied {
+                true => self.times(factor, own),
+                false => factor.clone(),
+            },
+            tied,
+        });
+        terms.collect()
+    }
+
+    /// An amount times a number.
+    fn times(&self, amount: &Amount, factor: f64) -> Amount {
+        let source = match &amount.source {
+            Source::Number(x) => Source::Number(x * factor),
+            Source::Expression(own) => {
+                let text = format!("({factor:?})*({})", own.text);
+                match Formula::number(&text, self.table) {
+                    Ok(formula) => {
+                        Source::Expression(Arc::new(ParameterExpression { formula, text }))
+                    }
+                    // Of a formula that was read before, none.
+                    Err(_) => amount.source.clone(),
+                }
+            }
+        };
+        Amount {
+            source,
+            ..amount.clone()
+        }
+    }
+
+    /// Two different nodes with the factors -1 and 1.
+    fn between(&self, object: &Object, what: &str, faults: &mut Faults) -> Option<Vec<Term>> {
         let wanted = "two nodes; or along, nodes with their factors";
         let node = object.need("between", wanted, faults)?;
         let path = object.path("between");
@@ -244,15 +265,28 @@ impl Reader<'_> {
             return None;
         };
         // Both are decoded, so that every fault is reported.
-        let first = self.node(i, &format!("{path}[0]"), faults);
-        let second = self.node(j, &format!("{path}[1]"), faults);
-        let (first, second) = (first?, second?);
-        if first.node == second.node {
+        let mut side = |node: &Node, place: usize, factor: f64| {
+            let path = format!("{path}[{place}]");
+            let name = text(node, &path, faults)?;
+            let nodes = self.named_nodes(&name, node.at, &path, faults)?;
+            let factor = Amount {
+                source: Source::Number(factor),
+                range: Range::Any,
+                at: node.at,
+                path,
+            };
+            let motion: Vec<_> = nodes.iter().map(|(own, name)| (*own, name.node)).collect();
+            Some((motion, self.terms(&name, nodes, &factor)))
+        };
+        let (first, second) = (side(i, 0, -1.0), side(j, 1, 1.0));
+        let ((first, mut terms), (second, others)) = (first?, second?);
+        if first == second {
             let message = format!("{what} needs two different nodes, got one twice");
             faults.add(node.at, &path, message);
             return None;
         }
-        Some([first, second])
+        terms.extend(others);
+        Some(terms)
     }
 
     /// The direction under `direction`; x without it.
