@@ -12,7 +12,7 @@ import pytest
 linalg = pytest.importorskip("scipy.linalg")
 io = pytest.importorskip("scipy.io")
 try:
-    import openseespy.opensees as ops  # type: ignore[import-not-found]
+    import openseespy.opensees as ops
 except Exception as why:  # It raises errors of several types where a library of the system is missing.
     pytest.skip(f"no openseespy: {why}", allow_module_level=True)
 
@@ -22,7 +22,7 @@ MODELS = Path(__file__).resolve().parents[2] / "examples" / "models"
 @pytest.fixture
 def export(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., None]]:
     monkeypatch.syspath_prepend(str(MODELS))
-    from opensees import export  # type: ignore[import-not-found]
+    from opensees import export
 
     yield export
     ops.wipe()
